@@ -1,0 +1,83 @@
+//! What can be wrong with the input of the physics.
+
+use thiserror::Error;
+
+/// An input outside the range in which the physics has a meaning.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A single quantity outside its physical range.
+    #[error("{quantity} is {value}{space}{unit}, but {rule}", space = if unit.is_empty() { "" } else { " " })]
+    OutOfRange {
+        /// The quantity, in the field's words.
+        quantity: &'static str,
+        /// Its value in SI units.
+        value: f64,
+        /// The SI unit, empty for a ratio.
+        unit: &'static str,
+        /// What is allowed, as the rest of the sentence.
+        rule: &'static str,
+    },
+
+    /// The mean creepage leaves no stick: the linearisation about the steady state has no slope.
+    #[error(
+        "creepage is {creepage}, but full slip begins at {saturation_creepage:.6} for this contact; \
+         the mean state must keep a region of stick"
+    )]
+    FullSlip {
+        /// The creepage asked for \[-\].
+        creepage: f64,
+        /// The creepage ξ_max at which full slip begins \[-\].
+        saturation_creepage: f64,
+    },
+
+    /// The load outruns the bending waves that its own oscillation excites.
+    #[error(
+        "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \
+         the moving-load beam holds below {critical_speed:.1} m/s"
+    )]
+    Supercritical {
+        /// Speed of the load \[m/s\].
+        speed: f64,
+        /// Wavelength of the corrugation \[m\].
+        wavelength: f64,
+        /// Speed at which the receptance is singular \[m/s\].
+        critical_speed: f64,
+    },
+}
+
+impl Error {
+    /// `Ok` for a finite value above zero.
+    pub(crate) fn unless_positive(
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+    ) -> Result<(), Self> {
+        if value.is_finite() && value > 0.0 {
+            return Ok(());
+        }
+        Err(Self::OutOfRange {
+            quantity,
+            value,
+            unit,
+            rule: "must be finite and greater than zero",
+        })
+    }
+
+    /// `Ok` for a finite value of zero or more.
+    pub(crate) fn unless_not_negative(
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+    ) -> Result<(), Self> {
+        if value.is_finite() && value >= 0.0 {
+            return Ok(());
+        }
+        Err(Self::OutOfRange {
+            quantity,
+            value,
+            unit,
+            rule: "must be finite and not negative",
+        })
+    }
+}

@@ -1,0 +1,145 @@
+//! The loop that corrugation closes: profile, normal force, creepage, dissipation, wear, profile.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+
+use crate::{EnergyWear, PlaceOfWear, Receptance, RollingContact, SteadyRolling, WheelRotation};
+
+/// The joints of the loop, each of any kind.
+///
+/// ```text
+///  profile Δ e^{iωt} ──► vertical dynamics ──► P₁ ──┐
+///    ▲                                              ├─► rolling contact ──► Q₁, W₁ ──► wear
+///    │                    wheel rotation ◄── Q₁ ────┘        ▲                          │
+///    │                          └───────── creepage ξ₁ ──────┘                          │
+///    └──────────────────────── growth rate per passage ◄────────────────────────────────┘
+/// ```
+/// ω = 2πV/λ. Everything is linear in the amplitude Δ of the profile.
+#[derive(Clone)]
+pub struct FeedbackLoop {
+    /// Receptance of the track at the contact.
+    pub track: Arc<dyn Receptance>,
+    /// Receptance of the wheel at the contact.
+    pub wheel: Arc<dyn Receptance>,
+    /// Linearised stiffness of the contact k_H \[N/m\].
+    pub contact_stiffness: f64,
+    /// Steady rolling and its linear response.
+    pub contact: Arc<dyn RollingContact>,
+    /// Rotation of the wheel under the tangential force.
+    pub rotation: Arc<dyn WheelRotation>,
+    /// Rolling radius R \[m\], which turns angular velocity into creepage.
+    pub rolling_radius: f64,
+    /// Phase between dissipation at the wheel and at a point of the rail.
+    pub place_of_wear: PlaceOfWear,
+    /// Law of wear.
+    pub wear: EnergyWear,
+    /// Amplitude Δ of the profile \[m\].
+    pub amplitude: f64,
+}
+
+/// One turn of the loop at one wavelength and speed: every oscillation as complex amplitude for
+/// exp(+iωt), relative to a profile of real amplitude Δ, upward on the rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoopState {
+    /// Wavelength λ \[m\].
+    pub wavelength: f64,
+    /// Speed V \[m/s\].
+    pub speed: f64,
+    /// Angular frequency ω = 2πV/λ \[rad/s\].
+    pub angular_frequency: f64,
+    /// Receptance of the track \[m/N\].
+    pub track_receptance: Complex64,
+    /// Receptance of the wheel \[m/N\].
+    pub wheel_receptance: Complex64,
+    /// Normal force P₁ \[N\], equation (24).
+    pub normal_force: Complex64,
+    /// Q_P \[-\], equation (9).
+    pub dq_dp: Complex64,
+    /// Q_Ω \[N s/rad\], equation (10).
+    pub dq_domega: Complex64,
+    /// W_P \[m/s\], equation (11).
+    pub dw_dp: Complex64,
+    /// W_Ω \[W s/rad\], equation (12).
+    pub dw_domega: Complex64,
+    /// Tangential force Q₁ \[N\], equation (18).
+    pub tangential_force: Complex64,
+    /// Angular velocity Ω₁ \[rad/s\], equation (16).
+    pub angular_velocity: Complex64,
+    /// Dissipated power W₁ at the wheel centre \[W\], equation (19).
+    pub dissipation: Complex64,
+    /// Angle by which the dissipation at a rail point lags W₁ \[rad\].
+    pub dissipation_lag_angle: f64,
+    /// Dissipated power at a rail point, W₁ e^{−i·angle} \[W\].
+    pub dissipation_at_rail: Complex64,
+    /// Ŵ₁ = W₁/(μP₀Vξ₀) at a rail point \[-\], equation (20). Growth where its real part is negative.
+    pub normalized_dissipation: Complex64,
+    /// Mean dissipated power W₀ \[W\], equation (8).
+    pub mean_dissipation: f64,
+    /// Growth rate of |Δ| per passage of a wheel \[-\], positive where corrugation grows.
+    pub growth_rate: f64,
+}
+
+impl FeedbackLoop {
+    /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive.
+    pub fn at(&self, wavelength: f64, speed: f64) -> LoopState {
+        let angular_frequency = 2.0 * PI * speed / wavelength;
+        let steady = self.contact.steady();
+        let response = self.contact.response(wavelength);
+
+        let track_receptance = self.track.receptance(angular_frequency, speed);
+        let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
+        // (24)
+        let normal_force =
+            self.amplitude / (track_receptance + wheel_receptance + self.contact_stiffness.recip());
+
+        // ξ₁ = −Ω₁R/V from (4) turns derivatives by creepage into derivatives by angular velocity.
+        let creepage_per_omega = -self.rolling_radius / speed;
+        let dq_domega = response.dq_dxi * creepage_per_omega; // (10)
+        let dw_dp = response.de_dp * speed; // (11)
+        let dw_domega = response.de_dxi * creepage_per_omega * speed; // (12)
+
+        // (13) and (16) for Ω₁ and Q₁, finite in both limits of the inertia: (17), (18)
+        let ratio = self.rotation.ratio(angular_frequency);
+        let turn = response.dq_dp * normal_force / (ratio.impedance - dq_domega * ratio.lever);
+        let angular_velocity = turn * ratio.lever;
+        let tangential_force = turn * ratio.impedance;
+
+        let dissipation = dw_dp * normal_force + dw_domega * angular_velocity; // (14), (19)
+        let dissipation_lag_angle = self.place_of_wear.lag(wavelength);
+        let dissipation_at_rail = dissipation * Complex64::cis(-dissipation_lag_angle);
+        let normalized_dissipation =
+            dissipation_at_rail / (steady.full_slip_energy_per_metre() * speed); // (20)
+
+        LoopState {
+            wavelength,
+            speed,
+            angular_frequency,
+            track_receptance,
+            wheel_receptance,
+            normal_force,
+            dq_dp: response.dq_dp,
+            dq_domega,
+            dw_dp,
+            dw_domega,
+            tangential_force,
+            angular_velocity,
+            dissipation,
+            dissipation_lag_angle,
+            dissipation_at_rail,
+            normalized_dissipation,
+            mean_dissipation: steady.energy_per_metre() * speed,
+            growth_rate: self.growth_rate(&steady, normalized_dissipation),
+        }
+    }
+
+    /// Growth rate per passage \[-\] that belongs to a normalised dissipation Ŵ₁.
+    ///
+    /// The profile loses the depth k_w e₁/(ρ·2b) per passage, so g = −Re(k_w e₁/(ρ·2b))/Δ with
+    /// e₁ = Ŵ₁ μP₀ξ₀, and |Δ| grows like exp(g · passages).
+    pub(crate) fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
+        let energy = steady.full_slip_energy_per_metre() * normalized.re;
+        -self.wear.depth_per_energy() * energy / self.amplitude
+    }
+}

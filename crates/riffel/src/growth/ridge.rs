@@ -1,0 +1,127 @@
+//! The ridge: the wavelength of highest growth at each speed.
+
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+use super::{Axis, RowEvaluator};
+use crate::FeedbackLoop;
+
+/// The highest growth at one speed within the window of wavelengths.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RidgePoint {
+    /// Speed V \[m/s\].
+    pub speed: f64,
+    /// Wavelength λ of the smallest Re Ŵ₁ \[m\].
+    pub wavelength: f64,
+    /// Frequency V/λ \[Hz\].
+    pub frequency: f64,
+    /// Re Ŵ₁ there \[-\]; growth only if negative.
+    pub normalized_dissipation: f64,
+    /// Growth rate per passage there \[-\].
+    pub growth_rate: f64,
+    /// The minimum sits at an end of the window, so a longer or shorter wavelength would grow
+    /// faster.
+    pub at_edge: bool,
+}
+
+/// Ridge points in order of speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ridge {
+    /// One point per speed.
+    pub points: Vec<RidgePoint>,
+}
+
+impl Ridge {
+    /// Search the ridge row by row, keeping no map: the smallest Re Ŵ₁ on the grid of wavelengths,
+    /// then refined between its neighbours by golden-section search to 1e-7 of the window, some 35
+    /// evaluations a speed. A second minimum narrower than the grid's step is missed.
+    pub fn search(feedback: &FeedbackLoop, wavelength: Axis, speed: Axis) -> Self {
+        let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
+        let row = vec![Complex64::ZERO; wavelength.points()];
+        let points = (0..speed.points())
+            .into_par_iter()
+            .map_with((evaluator, row), |(evaluator, row), index| {
+                let speed = speed.value(index);
+                evaluator.evaluate(speed, row);
+                refined(feedback, wavelength, speed, row)
+            })
+            .collect();
+        Self { points }
+    }
+
+    /// Frequency \[Hz\] of the ray λ = V/f that fits the ridge best: least squares in wavelength over
+    /// the points that grow and do not sit at the edge of the window, f = ΣV²/ΣVλ.
+    ///
+    /// `None` where no point qualifies.
+    pub fn best_fit_frequency(&self) -> Option<f64> {
+        let (square, product) = self
+            .points
+            .iter()
+            .filter(|point| !point.at_edge && point.normalized_dissipation < 0.0)
+            .fold((0.0, 0.0), |(square, product), point| {
+                (
+                    square + point.speed * point.speed,
+                    product + point.speed * point.wavelength,
+                )
+            });
+        (product > 0.0).then_some(square / product)
+    }
+
+    /// The point of highest growth rate per passage.
+    pub fn highest(&self) -> Option<&RidgePoint> {
+        self.points
+            .iter()
+            .max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate))
+    }
+}
+
+fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, row: &[Complex64]) -> RidgePoint {
+    let lowest = (0..row.len())
+        .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
+        .unwrap_or(0);
+    let last = wavelength.points() - 1;
+    let bracket = [
+        wavelength.value(lowest.saturating_sub(1)),
+        wavelength.value((lowest + 1).min(last)),
+    ];
+    let tolerance = 1e-7 * (wavelength.max() - wavelength.min());
+    let minimum = golden_section(bracket, tolerance, |wavelength| {
+        feedback.at(wavelength, speed).normalized_dissipation.re
+    });
+    // At an end of the window the search walks to that end.
+    let at_edge = minimum - wavelength.min() < 2.0 * tolerance
+        || wavelength.max() - minimum < 2.0 * tolerance;
+    let end = if lowest == 0 {
+        wavelength.min()
+    } else {
+        wavelength.max()
+    };
+    let state = feedback.at(if at_edge { end } else { minimum }, speed);
+    RidgePoint {
+        speed,
+        wavelength: state.wavelength,
+        frequency: speed / state.wavelength,
+        normalized_dissipation: state.normalized_dissipation.re,
+        growth_rate: state.growth_rate,
+        at_edge,
+    }
+}
+
+/// Minimum of a unimodal function by golden-section search (Kiefer 1953) to an absolute tolerance.
+fn golden_section([mut low, mut high]: [f64; 2], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let ratio = (5f64.sqrt() - 1.0) / 2.0;
+    let (mut inner_low, mut inner_high) = (high - ratio * (high - low), low + ratio * (high - low));
+    let (mut at_low, mut at_high) = (f(inner_low), f(inner_high));
+    while high - low > tolerance {
+        if at_low < at_high {
+            (high, inner_high, at_high) = (inner_high, inner_low, at_low);
+            inner_low = high - ratio * (high - low);
+            at_low = f(inner_low);
+        } else {
+            (low, inner_low, at_low) = (inner_low, inner_high, at_high);
+            inner_high = low + ratio * (high - low);
+            at_high = f(inner_high);
+        }
+    }
+    0.5 * (low + high)
+}

@@ -1,0 +1,88 @@
+//! # Riffel: the physics of rail corrugation
+//!
+//! Which wavelengths grow on a rail under rolling wheels, how fast, and why. One feedback loop,
+//! [`FeedbackLoop`], ties small interchangeable joints together:
+//!
+//! | joint | trait | equations of Afferrante & Ciavarella (2009) |
+//! |---|---|---|
+//! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`], [`TwoLayerTrack`] |
+//! | contact patch | [`HertzContact`] | (22), (26) |
+//! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`] |
+//! | wheel rotation | [`WheelRotation`] | (15)–(18) [`RigidInertia`], [`ConstantTangentialForce`], [`ConstantCreepage`] |
+//! | place of wear | [`PlaceOfWear`] | below (22) |
+//! | wear | [`EnergyWear`] | |
+//! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
+//!
+//! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
+//! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
+//! growth rate is positive when corrugation grows.
+//!
+//! ```
+//! use std::sync::Arc;
+//! use riffel::*;
+//!
+//! # fn main() -> Result<(), riffel::Error> {
+//! let steel = ElasticMaterial::new(207e9, 0.3)?;
+//! let hertz = HertzContact::new(steel, 0.46, 0.23, 50e3)?;
+//! let contact = Carter3d::from_tractive_ratio(hertz, 0.4, 0.1)?;
+//! let rail = EulerBernoulliBeam::new(steel, 2.35e-5, 56.0)?;
+//! let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
+//! let feedback = FeedbackLoop {
+//!     track: Arc::new(FreeBeam::new(rail)),
+//!     wheel: Arc::new(RigidMass::new(350.0)?),
+//!     contact_stiffness: hertz.stiffness(),
+//!     contact: Arc::new(contact),
+//!     rotation: Arc::new(RigidInertia::new(inertia, 0.46)?),
+//!     rolling_radius: 0.46,
+//!     place_of_wear: PlaceOfWear::new(
+//!         DissipationPhase::Lag,
+//!         hertz.semi_axis_longitudinal(),
+//!         contact.steady().tractive_ratio(),
+//!     ),
+//!     wear: EnergyWear::new(
+//!         EnergyWear::DEFAULT_COEFFICIENT,
+//!         EnergyWear::DEFAULT_DENSITY,
+//!         hertz.semi_axis_lateral(),
+//!     )?,
+//!     amplitude: 31.5e-6,
+//! };
+//! let ridge = Ridge::search(
+//!     &feedback,
+//!     Axis::new(0.020, 0.080, 241)?,
+//!     Axis::new(20.0, 40.0, 5)?,
+//! );
+//! for point in &ridge.points {
+//!     assert!(point.growth_rate > 0.0);
+//!     assert!((530.0..545.0).contains(&point.frequency));
+//! }
+//! # Ok(())
+//! # }
+//! ```
+
+mod contact;
+mod elastic;
+mod error;
+mod feedback;
+mod growth;
+mod place_of_wear;
+mod receptance;
+mod wear;
+mod wheelset;
+
+pub use contact::{
+    Carter3d, ContactResponse, HertzContact, RollingContact, SteadyRolling, creep_coefficient,
+};
+pub use elastic::ElasticMaterial;
+pub use error::Error;
+pub use feedback::{FeedbackLoop, LoopState};
+pub use growth::{Axis, GrowthMap, Ridge, RidgePoint, RowEvaluator};
+pub use num_complex::Complex64;
+pub use place_of_wear::{DissipationPhase, PlaceOfWear};
+pub use receptance::{
+    EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadRoots, Receptance, RigidMass,
+    Tabulated, TabulationError, TwoLayerTrack,
+};
+pub use wear::EnergyWear;
+pub use wheelset::{
+    ConstantCreepage, ConstantTangentialForce, RigidInertia, RotationRatio, WheelRotation,
+};
