@@ -43,10 +43,32 @@ impl Ridge {
             .map_with((evaluator, row), |(evaluator, row), index| {
                 let speed = speed.value(index);
                 evaluator.evaluate(speed, row);
-                refined(feedback, wavelength, speed, row)
+                let lowest = (0..row.len())
+                    .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
+                    .unwrap_or(0);
+                refined(feedback, wavelength, speed, lowest)
             })
             .collect();
         Self { points }
+    }
+
+    /// Every line of growth at one speed \[m/s\]: the local minima of Re Ŵ₁ < 0 over the wavelengths,
+    /// in order of wavelength, refined as in [`search`](Self::search).
+    ///
+    /// A track with supports has lines besides the ridge; each is a wavelength that may dominate
+    /// where another mechanism filters the ridge out.
+    pub fn lines_at(feedback: &FeedbackLoop, wavelength: Axis, speed: f64) -> Vec<RidgePoint> {
+        let mut row = vec![Complex64::ZERO; wavelength.points()];
+        RowEvaluator::new(feedback, &wavelength.values()).evaluate(speed, &mut row);
+        let last = row.len() - 1;
+        (0..=last)
+            .filter(|&j| {
+                let lower_left = j == 0 || row[j].re < row[j - 1].re;
+                let lower_right = j == last || row[j].re <= row[j + 1].re;
+                row[j].re < 0.0 && lower_left && lower_right
+            })
+            .map(|j| refined(feedback, wavelength, speed, j))
+            .collect()
     }
 
     /// Frequency \[Hz\] of the ray λ = V/f that fits the ridge best: least squares in wavelength over
@@ -75,10 +97,8 @@ impl Ridge {
     }
 }
 
-fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, row: &[Complex64]) -> RidgePoint {
-    let lowest = (0..row.len())
-        .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
-        .unwrap_or(0);
+/// The minimum between the neighbours of a point of the grid.
+fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
     let last = wavelength.points() - 1;
     let bracket = [
         wavelength.value(lowest.saturating_sub(1)),

@@ -10,6 +10,9 @@ use crate::{Axis, FeedbackLoop, RotationRatio, Tabulated};
 /// Relative accuracy of a tabulated track receptance.
 const TABLE_TOLERANCE: f64 = 1e-9;
 
+/// Columns worked on at a time: what one tile reads and writes stays in the first-level cache.
+const TILE: usize = 64;
+
 /// Evaluates the loop row by row over fixed wavelengths, with all that depends on the wavelength
 /// alone done beforehand.
 ///
@@ -64,10 +67,10 @@ impl RowEvaluator {
         };
         Self {
             feedback: feedback.clone(),
-            angular_frequencies: vec![0.0; columns.len()],
-            track: vec![Complex64::ZERO; columns.len()],
-            wheel: vec![Complex64::ZERO; columns.len()],
-            ratios: vec![blank; columns.len()],
+            angular_frequencies: vec![0.0; TILE],
+            track: vec![Complex64::ZERO; TILE],
+            wheel: vec![Complex64::ZERO; TILE],
+            ratios: vec![blank; TILE],
             columns,
         }
     }
@@ -94,26 +97,33 @@ impl RowEvaluator {
     /// Ŵ₁ of equation (20) at every wavelength for one speed \[m/s\] into `row`, whose length is
     /// that of the wavelengths.
     pub fn evaluate(&mut self, speed: f64, row: &mut [Complex64]) {
-        for (w, column) in self.angular_frequencies.iter_mut().zip(&*self.columns) {
+        let columns = self.columns.clone();
+        for (columns, row) in columns.chunks(TILE).zip(row.chunks_mut(TILE)) {
+            self.evaluate_tile(speed, columns, row);
+        }
+    }
+
+    fn evaluate_tile(&mut self, speed: f64, columns: &[Column], row: &mut [Complex64]) {
+        let count = columns.len();
+        let frequencies = &mut self.angular_frequencies[..count];
+        let track = &mut self.track[..count];
+        let wheel = &mut self.wheel[..count];
+        let ratios = &mut self.ratios[..count];
+        for (w, column) in frequencies.iter_mut().zip(columns) {
             *w = column.wavenumber * speed;
         }
-        let frequencies = &self.angular_frequencies;
-        self.feedback
-            .track
-            .receptances(frequencies, speed, &mut self.track);
-        self.feedback
-            .wheel
-            .receptances(frequencies, speed, &mut self.wheel);
-        self.feedback.rotation.ratios(frequencies, &mut self.ratios);
+        self.feedback.track.receptances(frequencies, speed, track);
+        self.feedback.wheel.receptances(frequencies, speed, wheel);
+        self.feedback.rotation.ratios(frequencies, ratios);
 
         let contact = self.feedback.contact_stiffness.recip();
         let per_speed = speed.recip();
         for ((((value, column), track), wheel), ratio) in row
             .iter_mut()
-            .zip(&*self.columns)
-            .zip(&self.track)
-            .zip(&self.wheel)
-            .zip(&self.ratios)
+            .zip(columns)
+            .zip(&*track)
+            .zip(&*wheel)
+            .zip(&*ratios)
         {
             let lever = ratio.lever * per_speed;
             let numerator = column.by_impedance * ratio.impedance + column.by_lever * lever;

@@ -1,0 +1,70 @@
+//! What can be wrong with a case file.
+
+use std::io;
+use std::path::PathBuf;
+
+use miette::{Diagnostic, NamedSource, SourceSpan};
+use thiserror::Error;
+
+/// A case that cannot be used, and why, in a sentence that names the key.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum CaseError {
+    /// The file cannot be read.
+    #[error("cannot read the case file {path}: {source}", path = path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+    },
+
+    /// The text is not TOML.
+    #[error("not valid TOML: {message}")]
+    Syntax {
+        /// What the reader says.
+        message: String,
+        /// The case file.
+        #[source_code]
+        source_code: NamedSource<String>,
+        /// Where.
+        #[label("here")]
+        span: SourceSpan,
+    },
+
+    /// A key is missing, unknown or has a value that is not allowed.
+    #[error("{message}")]
+    Invalid {
+        /// The key, dotted.
+        key: String,
+        /// Key, value and rule.
+        message: String,
+        /// What would be right.
+        #[help]
+        help: Option<String>,
+        /// The case file.
+        #[source_code]
+        source_code: NamedSource<String>,
+        /// Where, if the file says anything there.
+        #[label("{key}")]
+        span: Option<SourceSpan>,
+    },
+
+    /// An override is malformed or sets a value that is not allowed.
+    #[error("--set {assignment}: {message}")]
+    Override {
+        /// The override as given.
+        assignment: String,
+        /// Key, value and rule.
+        message: String,
+    },
+
+    /// No preset has this name.
+    #[error("no preset is called \"{name}\"; there are {known}")]
+    UnknownPreset {
+        /// The name asked for.
+        name: String,
+        /// All names.
+        known: String,
+    },
+}

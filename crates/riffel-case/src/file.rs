@@ -1,0 +1,283 @@
+//! The keys of a case file, as written.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::quantity::{
+    Damping, DampingPerLength, Density, Force, Inertia, Length, Mass, MassPerLength, Modulus,
+    Quantity, Ratio, SecondMoment, Speed, Stiffness, WearCoefficient,
+};
+
+/// A Riffel case: one vehicle wheel on one track.
+///
+/// Every quantity is a bare number in SI or a string with its unit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Riffel case file")]
+pub struct CaseFile {
+    /// What the case is, for titles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Material of wheel and rail.
+    #[serde(default)]
+    pub steel: Steel,
+    /// The wheel.
+    pub wheel: Wheel,
+    /// The rail.
+    pub rail: Rail,
+    /// What the rail lies on.
+    pub track: Track,
+    /// Contact of wheel and rail.
+    pub contact: Contact,
+    /// The profile already on the rail.
+    #[serde(default)]
+    pub corrugation: Corrugation,
+    /// Law of wear.
+    #[serde(default)]
+    pub wear: Wear,
+    /// Window of a growth map.
+    #[serde(default)]
+    pub map: Map,
+}
+
+/// Material of wheel and rail.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Steel {
+    /// Young's modulus E.
+    pub youngs_modulus: Quantity<Modulus>,
+    /// Poisson's ratio ν, between -1 and 0.5.
+    pub poisson_ratio: Quantity<Ratio>,
+}
+
+impl Default for Steel {
+    fn default() -> Self {
+        Self {
+            youngs_modulus: Quantity::new(207e9),
+            poisson_ratio: Quantity::new(0.3),
+        }
+    }
+}
+
+/// The wheel.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wheel {
+    /// Rolling radius R.
+    pub rolling_radius: Quantity<Length>,
+    /// Unsprung mass per wheel m_w.
+    pub mass: Quantity<Mass>,
+    /// Rotational inertia per wheel I_w; left out, 0.75 · mass · R² / 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<Quantity<Inertia>>,
+    /// How the wheel turns under the oscillating tangential force.
+    #[serde(default)]
+    pub rotation: Rotation,
+}
+
+/// How the wheel turns under the oscillating tangential force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rotation {
+    /// With its inertia.
+    #[default]
+    Inertia,
+    /// Freely: the limit of no inertia.
+    ConstantTangentialForce,
+    /// Evenly: the limit of infinite inertia.
+    ConstantCreepage,
+}
+
+/// The rail: a named section, its values one by one, or a section with values that replace its own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rail {
+    /// Name of a rail preset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<String>,
+    /// Mass per length m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_per_length: Option<Quantity<MassPerLength>>,
+    /// Second moment of area I for vertical bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second_moment: Option<Quantity<SecondMoment>>,
+}
+
+/// What the rail lies on. Values are per support and per rail; a model takes those it needs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Track {
+    /// The model.
+    pub model: TrackModel,
+    /// Name of a track preset, for the two-layer track.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Distance of supports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub support_spacing: Option<Quantity<Length>>,
+    /// Rail pad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pad: Option<Support>,
+    /// Sleeper.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sleeper: Option<Sleeper>,
+    /// Ballast.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ballast: Option<Support>,
+    /// Viscous damping of the rail per length, for the moving beam; left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rail_damping: Option<Quantity<DampingPerLength>>,
+}
+
+/// Model of the track.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TrackModel {
+    /// Infinite Euler–Bernoulli rail without support under a stationary load.
+    FreeBeam,
+    /// The same under a moving load.
+    MovingBeam,
+    /// Rail on pads, sleepers and ballast, spread evenly; needs `preset`, or `support_spacing`,
+    /// `pad`, `sleeper` and `ballast`.
+    TwoLayer,
+}
+
+/// A spring and a viscous damper side by side.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Support {
+    /// Stiffness per support.
+    pub stiffness: Quantity<Stiffness>,
+    /// Viscous damping per support.
+    pub damping: Quantity<Damping>,
+}
+
+/// A sleeper.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Sleeper {
+    /// Mass per support and rail: half of a sleeper under two rails.
+    pub mass: Quantity<Mass>,
+}
+
+/// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Relative transverse radius of wheel and rail R_r.
+    pub transverse_radius: Quantity<Length>,
+    /// Normal force P₀ per wheel.
+    pub normal_load: Quantity<Force>,
+    /// Coefficient of friction μ.
+    pub friction: Quantity<Ratio>,
+    /// Tractive ratio τ = Q₀/μP₀, between 0 and 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tractive_ratio: Option<Quantity<Ratio>>,
+    /// Creepage ξ₀, above 0 and below the one at which full slip begins.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creepage: Option<Quantity<Ratio>>,
+    /// Reading of the phase between dissipation at the wheel and at a point of the rail.
+    #[serde(default)]
+    pub dissipation_phase: DissipationPhase,
+}
+
+/// Reading of the phase between dissipation at the wheel and at a point of the rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DissipationPhase {
+    /// Later, as in the figures of the paper.
+    #[default]
+    Lag,
+    /// Earlier, as geometry alone has it.
+    Lead,
+    /// At the wheel centre.
+    None,
+}
+
+/// The profile already on the rail.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Corrugation {
+    /// Amplitude Δ. Forces and dissipation are proportional to it; growth rates do not depend on it.
+    pub amplitude: Quantity<Length>,
+}
+
+impl Default for Corrugation {
+    fn default() -> Self {
+        Self {
+            amplitude: Quantity::new(31.5e-6),
+        }
+    }
+}
+
+/// Law of wear: depth in proportion to dissipated energy.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Wear {
+    /// Mass worn per dissipated energy k_w.
+    pub coefficient: Quantity<WearCoefficient>,
+    /// Density ρ of the rail.
+    pub density: Quantity<Density>,
+}
+
+impl Default for Wear {
+    fn default() -> Self {
+        Self {
+            coefficient: Quantity::new(riffel::EnergyWear::DEFAULT_COEFFICIENT),
+            density: Quantity::new(riffel::EnergyWear::DEFAULT_DENSITY),
+        }
+    }
+}
+
+/// Window of a growth map.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Map {
+    /// Wavelengths λ.
+    pub wavelength: WavelengthRange,
+    /// Speeds V.
+    pub speed: SpeedRange,
+}
+
+impl Default for Map {
+    fn default() -> Self {
+        Self {
+            wavelength: WavelengthRange {
+                min: Quantity::new(0.020),
+                max: Quantity::new(0.080),
+                points: 241,
+            },
+            speed: SpeedRange {
+                min: Quantity::new(5.0),
+                max: Quantity::new(60.0),
+                points: 221,
+            },
+        }
+    }
+}
+
+/// Equally spaced wavelengths, both ends included.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WavelengthRange {
+    /// Shortest.
+    pub min: Quantity<Length>,
+    /// Longest.
+    pub max: Quantity<Length>,
+    /// How many.
+    #[schemars(range(min = 2, max = 100_000))]
+    pub points: u64,
+}
+
+/// Equally spaced speeds, both ends included.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpeedRange {
+    /// Lowest.
+    pub min: Quantity<Speed>,
+    /// Highest.
+    pub max: Quantity<Speed>,
+    /// How many.
+    #[schemars(range(min = 2, max = 100_000))]
+    pub points: u64,
+}

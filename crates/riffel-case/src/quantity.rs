@@ -1,0 +1,364 @@
+//! Physical quantities of the case file: a bare number in SI or a string with its unit.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use thiserror::Error;
+
+use crate::unit::{Exponents, Unit};
+
+/// What a quantity measures.
+pub trait Dimension {
+    /// In the field's words, with its article: "a stiffness".
+    const NAME: &'static str;
+    /// SI unit, empty for a ratio.
+    const UNIT: &'static str;
+    /// What one writes in a case file.
+    const EXAMPLE: &'static str;
+}
+
+macro_rules! dimensions {
+    ($($(#[$doc:meta])* $name:ident = $words:literal, $unit:literal, $example:literal;)*) => {$(
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub struct $name;
+
+        impl Dimension for $name {
+            const NAME: &'static str = $words;
+            const UNIT: &'static str = $unit;
+            const EXAMPLE: &'static str = $example;
+        }
+    )*};
+}
+
+dimensions! {
+    /// Ratio, also in per cent.
+    Ratio = "a ratio", "", "0.4 %";
+    /// Length.
+    Length = "a length", "m", "40 mm";
+    /// Speed.
+    Speed = "a speed", "m/s", "80 km/h";
+    /// Frequency.
+    Frequency = "a frequency", "Hz", "500 Hz";
+    /// Mass.
+    Mass = "a mass", "kg", "350 kg";
+    /// Force.
+    Force = "a force", "N", "50 kN";
+    /// Moment of inertia.
+    Inertia = "a moment of inertia", "kg m2", "27.77 kg m2";
+    /// Elastic modulus.
+    Modulus = "an elastic modulus", "Pa", "207 GPa";
+    /// Second moment of area.
+    SecondMoment = "a second moment of area", "m4", "2350 cm4";
+    /// Mass per length.
+    MassPerLength = "a mass per length", "kg/m", "56 kg/m";
+    /// Stiffness.
+    Stiffness = "a stiffness", "N/m", "280 MN/m";
+    /// Viscous damping.
+    Damping = "a viscous damping", "N s/m", "63 kNs/m";
+    /// Viscous damping per length.
+    DampingPerLength = "a viscous damping per length", "N s/m2", "2 kNs/m2";
+    /// Density.
+    Density = "a density", "kg/m3", "7850 kg/m3";
+    /// Mass worn per dissipated energy.
+    WearCoefficient = "a wear coefficient", "kg/J", "2.5e-9 kg/J";
+}
+
+/// A quantity of the dimension `D`, held in SI.
+pub struct Quantity<D> {
+    si: f64,
+    dimension: PhantomData<fn() -> D>,
+}
+
+impl<D> Clone for Quantity<D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<D> Copy for Quantity<D> {}
+
+impl<D> PartialEq for Quantity<D> {
+    fn eq(&self, other: &Self) -> bool {
+        self.si == other.si
+    }
+}
+
+impl<D: Dimension> fmt::Debug for Quantity<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// A text that is not the quantity it should be.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum QuantityError {
+    /// No number at the beginning.
+    #[error("\"{text}\" does not begin with a number; write {name} as in \"{example}\"")]
+    NoNumber {
+        /// What was written.
+        text: String,
+        /// What is needed, with its article.
+        name: &'static str,
+        /// How to write it.
+        example: &'static str,
+    },
+    /// Infinite or not a number.
+    #[error("{text} is not finite; {name} must be")]
+    NotFinite {
+        /// What was written.
+        text: String,
+        /// What is needed, with its article.
+        name: &'static str,
+    },
+    /// A unit that is not known.
+    #[error("unknown unit \"{unit}\" in \"{text}\"; write {name} as in \"{example}\"")]
+    UnknownUnit {
+        /// What was written.
+        text: String,
+        /// The part of it that is not understood.
+        unit: String,
+        /// What is needed, with its article.
+        name: &'static str,
+        /// How to write it.
+        example: &'static str,
+    },
+    /// The unit of another kind of quantity.
+    #[error("\"{text}\" is in {got}, not {name}{in_unit}; write it as in \"{example}\"")]
+    WrongUnit {
+        /// What was written.
+        text: String,
+        /// Its unit in SI base units.
+        got: String,
+        /// What is needed, with its article.
+        name: &'static str,
+        /// Its unit, as the words " in N/m".
+        in_unit: String,
+        /// How to write it.
+        example: &'static str,
+    },
+}
+
+impl<D: Dimension> Quantity<D> {
+    /// A quantity of the given SI value.
+    pub const fn new(si: f64) -> Self {
+        Self {
+            si,
+            dimension: PhantomData,
+        }
+    }
+
+    /// Value in SI units.
+    pub const fn si(&self) -> f64 {
+        self.si
+    }
+
+    fn exponents() -> Exponents {
+        // The unit of a dimension is a constant that the tests read for every dimension.
+        Unit::parse(D::UNIT).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents)
+    }
+
+    fn finite(si: f64, text: &str) -> Result<Self, QuantityError> {
+        if si.is_finite() {
+            return Ok(Self::new(si));
+        }
+        Err(QuantityError::NotFinite {
+            text: text.to_owned(),
+            name: D::NAME,
+        })
+    }
+}
+
+impl<D: Dimension> FromStr for Quantity<D> {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        let trimmed = text.trim();
+        // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
+        let number = (1..=trimmed.len())
+            .rev()
+            .filter(|&end| trimmed.is_char_boundary(end))
+            .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
+        let Some((number, rest)) = number else {
+            return Err(QuantityError::NoNumber {
+                text: text.to_owned(),
+                name: D::NAME,
+                example: D::EXAMPLE,
+            });
+        };
+        if rest.trim().is_empty() {
+            return Self::finite(number, trimmed);
+        }
+        let unit = Unit::parse(rest).map_err(|unit| QuantityError::UnknownUnit {
+            text: text.to_owned(),
+            unit,
+            name: D::NAME,
+            example: D::EXAMPLE,
+        })?;
+        if unit.exponents != Self::exponents() {
+            return Err(QuantityError::WrongUnit {
+                text: text.to_owned(),
+                got: unit.exponents.to_string(),
+                name: D::NAME,
+                in_unit: match D::UNIT {
+                    "" => String::new(),
+                    unit => format!(" in {unit}"),
+                },
+                example: D::EXAMPLE,
+            });
+        }
+        Self::finite(number * unit.factor, trimmed)
+    }
+}
+
+impl<D: Dimension> fmt::Display for Quantity<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.si)?;
+        if D::UNIT.is_empty() {
+            return Ok(());
+        }
+        write!(f, " {}", D::UNIT)
+    }
+}
+
+impl<D: Dimension> Serialize for Quantity<D> {
+    /// A ratio as a number, anything else as a string with its SI unit, which reads back.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if D::UNIT.is_empty() {
+            serializer.serialize_f64(self.si)
+        } else {
+            serializer.collect_str(self)
+        }
+    }
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        struct Visitor<D>(PhantomData<fn() -> D>);
+
+        impl<D: Dimension> de::Visitor<'_> for Visitor<D> {
+            type Value = Quantity<D>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match D::UNIT {
+                    "" => write!(f, "{} such as 0.4 or \"{}\"", D::NAME, D::EXAMPLE),
+                    unit => write!(f, "{} in {unit} or as in \"{}\"", D::NAME, D::EXAMPLE),
+                }
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
+                Quantity::finite(value, &value.to_string()).map_err(E::custom)
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
+                self.visit_f64(value as f64)
+            }
+
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Self::Value, E> {
+                self.visit_f64(value as f64)
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                text.parse().map_err(E::custom)
+            }
+        }
+
+        deserializer.deserialize_any(Visitor(PhantomData))
+    }
+}
+
+impl<D: Dimension> JsonSchema for Quantity<D> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed(D::NAME)
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["number", "string"],
+            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*[^0-9]*.*$",
+            "unit": D::UNIT,
+            "examples": [D::EXAMPLE],
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    fn si<D: Dimension>(text: &str) -> Result<f64, String> {
+        text.parse::<Quantity<D>>()
+            .map(|quantity| quantity.si())
+            .map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn reads_what_engineers_write() {
+        assert_eq!(si::<Force>("50 kN"), Ok(50e3));
+        assert_eq!(si::<Force>("50kN"), Ok(50e3));
+        assert_eq!(si::<Force>("5e4"), Ok(50e3));
+        assert_eq!(si::<Speed>(" 90 km/h "), Ok(25.0));
+        assert_eq!(si::<Ratio>("0.4 %"), Ok(0.004));
+        assert_eq!(si::<Length>("5e3 m"), Ok(5000.0));
+    }
+
+    #[rstest]
+    #[case(
+        "280 kg",
+        "\"280 kg\" is in kg, not a stiffness in N/m; write it as in \"280 MN/m\""
+    )]
+    #[case(
+        "280 MM/m",
+        "unknown unit \"MM\" in \"280 MM/m\"; write a stiffness as in \"280 MN/m\""
+    )]
+    #[case(
+        "stiff",
+        "\"stiff\" does not begin with a number; write a stiffness as in \"280 MN/m\""
+    )]
+    #[case("inf", "inf is not finite; a stiffness must be")]
+    #[case("1e400 N/m", "1e400 N/m is not finite; a stiffness must be")]
+    #[case(
+        "0,4 MN/m",
+        "unknown unit \",4\" in \"0,4 MN/m\"; write a stiffness as in \"280 MN/m\""
+    )]
+    fn refuses_with_a_sentence(#[case] text: &str, #[case] sentence: &str) {
+        assert_eq!(si::<Stiffness>(text), Err(sentence.to_owned()));
+    }
+
+    /// The example of every dimension reads as that dimension, and what is written reads back.
+    #[test]
+    fn examples_read() {
+        fn check<D: Dimension>() {
+            let quantity: Quantity<D> = D::EXAMPLE.parse().unwrap();
+            assert!(Unit::parse(D::UNIT).is_ok());
+            assert_eq!(
+                quantity.to_string().parse::<Quantity<D>>().unwrap(),
+                quantity
+            );
+        }
+        check::<Ratio>();
+        check::<Length>();
+        check::<Speed>();
+        check::<Frequency>();
+        check::<Mass>();
+        check::<Force>();
+        check::<Inertia>();
+        check::<Modulus>();
+        check::<SecondMoment>();
+        check::<MassPerLength>();
+        check::<Stiffness>();
+        check::<Damping>();
+        check::<DampingPerLength>();
+        check::<Density>();
+        check::<WearCoefficient>();
+    }
+}

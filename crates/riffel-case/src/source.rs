@@ -1,0 +1,227 @@
+//! The text of a case file with its overrides, and where each key stands.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use miette::{NamedSource, SourceSpan};
+use serde::de::DeserializeOwned;
+use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
+
+use crate::CaseError;
+
+/// A case file as TOML, each key with the place where it was set.
+pub(crate) struct Source {
+    name: String,
+    text: String,
+    table: Table,
+    /// Dotted key → its value in the text.
+    values: HashMap<String, Range<usize>>,
+    /// Dotted key → the key itself in the text.
+    keys: HashMap<String, Range<usize>>,
+    /// Dotted key → the override that set it last.
+    overrides: HashMap<String, String>,
+}
+
+impl Source {
+    /// Read TOML; `name` is shown in errors.
+    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+        let syntax = |error: toml::de::Error| CaseError::Syntax {
+            message: error.message().to_owned(),
+            source_code: NamedSource::new(name, text.to_owned()),
+            span: error.span().map_or((0..0).into(), SourceSpan::from),
+        };
+        let spans = DeTable::parse(text).map_err(syntax)?;
+        let mut source = Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            table: text.parse().map_err(syntax)?,
+            values: HashMap::new(),
+            keys: HashMap::new(),
+            overrides: HashMap::new(),
+        };
+        source.index("", spans.get_ref());
+        Ok(source)
+    }
+
+    fn index(&mut self, parent: &str, table: &DeTable<'_>) {
+        for (key, value) in table {
+            let path = join(parent, key.get_ref());
+            self.keys.insert(path.clone(), key.span());
+            self.values.insert(path.clone(), value.span());
+            if let DeValue::Table(table) = value.get_ref() {
+                self.index(&path, table);
+            }
+        }
+    }
+
+    /// Apply one `key=value` override; the value is TOML, or a string if it does not read as such.
+    pub(crate) fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
+        let malformed = || CaseError::Override {
+            assignment: assignment.to_owned(),
+            message: "write --set key=value, as in --set contact.friction=0.3".to_owned(),
+        };
+        let (path, value) = assignment.split_once('=').ok_or_else(malformed)?;
+        let (path, value) = (path.trim(), value.trim());
+        let value = format!("value = {value}")
+            .parse::<Table>()
+            .ok()
+            .filter(|table| table.len() == 1)
+            .and_then(|mut table| table.remove("value"))
+            .unwrap_or_else(|| Value::String(value.to_owned()));
+
+        let parts: Vec<&str> = path.split('.').map(str::trim).collect();
+        let Some((last, parents)) = parts.split_last() else {
+            return Err(malformed());
+        };
+        if parts.iter().any(|part| part.is_empty()) {
+            return Err(malformed());
+        }
+        let mut table = &mut self.table;
+        for parent in parents {
+            table = table
+                .entry((*parent).to_owned())
+                .or_insert_with(|| Value::Table(Table::new()))
+                .as_table_mut()
+                .ok_or_else(|| CaseError::Override {
+                    assignment: assignment.to_owned(),
+                    message: format!("`{parent}` is a value, not a table of keys"),
+                })?;
+        }
+        table.insert((*last).to_owned(), value);
+        self.overrides
+            .insert(parts.join("."), assignment.to_owned());
+        Ok(())
+    }
+
+    /// Remove a key that another one set by an override replaces.
+    pub(crate) fn replace(&mut self, table: &str, set: &str, replaced: &str) {
+        let (set, gone) = (join(table, set), join(table, replaced));
+        if self.overrides.contains_key(&set) && !self.overrides.contains_key(&gone) {
+            if let Some(Value::Table(table)) = self.table.get_mut(table) {
+                table.remove(replaced);
+            }
+        }
+    }
+
+    /// The keys as types.
+    pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+        serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
+            let path = error.path().to_string();
+            self.explain(
+                if path == "." { "" } else { &path },
+                error.inner().message(),
+            )
+        })
+    }
+
+    /// Turn a message of the TOML reader into an error that names the key.
+    fn explain(&self, path: &str, message: &str) -> CaseError {
+        let message = message.trim();
+        let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+        if let (true, [field, ..]) = (message.starts_with("missing field"), &quoted[..]) {
+            return self.missing(&join(path, field), "");
+        }
+        if let (true, [field, allowed @ ..]) = (message.starts_with("unknown field"), &quoted[..]) {
+            // The reader names the table or the key itself, according to where it noticed.
+            let path = match path.strip_suffix(field) {
+                Some(_) => path.to_owned(),
+                None => join(path, field),
+            };
+            let allowed = allowed.to_vec();
+            return self.invalid(
+                &path,
+                "is not a key Riffel knows",
+                &suggestion(field, &allowed),
+            );
+        }
+        if let (true, [variant, allowed @ ..]) =
+            (message.starts_with("unknown variant"), &quoted[..])
+        {
+            let rule = format!("\"{variant}\" is not one of its choices");
+            return self.invalid(path, &rule, &suggestion(variant, allowed));
+        }
+        self.invalid(path, message, "")
+    }
+
+    /// A key that must be there and is not.
+    pub(crate) fn missing(&self, key: &str, help: &str) -> CaseError {
+        self.error(key, "is missing", help)
+    }
+
+    /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.
+    pub(crate) fn invalid(&self, key: &str, rule: &str, help: &str) -> CaseError {
+        self.error(key, rule, help)
+    }
+
+    fn error(&self, key: &str, rule: &str, help: &str) -> CaseError {
+        let message = if key.is_empty() {
+            rule.to_owned()
+        } else if rule.starts_with("is ") || rule.starts_with("and ") {
+            format!("`{key}` {rule}")
+        } else {
+            format!("`{key}`: {rule}")
+        };
+        let help = (!help.is_empty()).then(|| help.to_owned());
+        if let Some(assignment) = self.overrides.get(key) {
+            return CaseError::Override {
+                assignment: assignment.clone(),
+                message: match help {
+                    Some(help) => format!("{message}; {help}"),
+                    None => message,
+                },
+            };
+        }
+        CaseError::Invalid {
+            key: key.to_owned(),
+            message,
+            help,
+            source_code: NamedSource::new(&self.name, self.text.clone()),
+            span: self.span(key),
+        }
+    }
+
+    /// The value of the key, the key itself, or the nearest table around it.
+    fn span(&self, key: &str) -> Option<SourceSpan> {
+        let mut path = key;
+        loop {
+            let found = match self.values.get(path) {
+                // A table is shown by its header, not by its whole text.
+                Some(value) if !self.keys.keys().any(|other| within(other, path)) => Some(value),
+                _ => self.keys.get(path),
+            };
+            if let Some(range) = found {
+                return Some(range.clone().into());
+            }
+            path = path.rsplit_once('.')?.0;
+        }
+    }
+}
+
+fn within(key: &str, table: &str) -> bool {
+    key.strip_prefix(table)
+        .is_some_and(|rest| rest.starts_with('.'))
+}
+
+fn join(parent: &str, key: &str) -> String {
+    if parent.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{parent}.{key}")
+    }
+}
+
+/// "did you mean … ?" if a name is near, else the whole list.
+fn suggestion(name: &str, allowed: &[&str]) -> String {
+    const NEAR: f64 = 0.75;
+    let nearest = allowed
+        .iter()
+        .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter(|(similarity, _)| *similarity > NEAR);
+    let list = format!("allowed: {}", allowed.join(", "));
+    match nearest {
+        Some((_, candidate)) => format!("did you mean {candidate}? ({list})"),
+        None => list,
+    }
+}

@@ -1,0 +1,89 @@
+//! What Riffel is held against: reference numbers and published statements, as a table.
+//!
+//! Each check is one function; the program prints them all, the tests run each under its name.
+
+mod appendix;
+mod contact;
+mod ground;
+mod growth;
+mod points;
+mod receptance;
+
+/// The outcome of one check.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What is claimed.
+    pub statement: &'static str,
+    /// Who claims it, and where.
+    pub source: &'static str,
+    /// The claim in numbers.
+    pub expected: String,
+    /// What Riffel computes.
+    pub got: String,
+    /// How far the two may be apart, and why.
+    pub tolerance: &'static str,
+    /// Whether they agree.
+    pub holds: bool,
+}
+
+/// A check with its name.
+pub struct Check {
+    /// Unique name, that of the test.
+    pub name: &'static str,
+    /// Run it.
+    pub run: fn() -> Row,
+}
+
+macro_rules! checks {
+    ($($module:ident: $($name:ident),+;)+) => {
+        /// Every check, in the order of the paper.
+        pub const CHECKS: &[Check] = &[
+            $($(Check { name: stringify!($name), run: $module::$name },)+)+
+        ];
+
+        #[cfg(test)]
+        mod tests {
+            $($(
+                #[test]
+                fn $name() {
+                    let row = super::$module::$name();
+                    assert!(row.holds, "{row:#?}");
+                }
+            )+)+
+        }
+    };
+}
+
+checks! {
+    points: reference_points;
+    receptance: two_layer_receptance, two_layer_peaks, bhaskar_resonance, free_beam_is_the_high_frequency_limit;
+    contact: hertz_semi_axis, creep_curve, saturation_creepage, creepage_of_four_per_mille;
+    appendix: moving_load_modulus, moving_load_phase, stationary_lag;
+    growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,
+        ridge_low_traction, ridge_high_traction, growth_at_low_speed, growth_highest_at_highest_speed,
+        main_line_on_track_low_traction, extra_line_low_traction,
+        main_line_on_track_high_traction, extra_line_high_traction, stiff_pads_lose_the_line,
+        minimum_nearly_constant_over_speed, inertia_bounds, limits_bound_all_speeds,
+        growth_with_tractive_ratio, not_monotonic_near_full_slip, growth_falls_with_inertia,
+        reduced_inertia, lead_is_not_constant_frequency, growth_without_resonance;
+}
+
+/// All checks as a Markdown table.
+pub fn markdown() -> String {
+    let mut text = String::from(
+        "| statement | source | expected | Riffel | tolerance and its cause | |\n|---|---|---|---|---|---|\n",
+    );
+    for check in CHECKS {
+        let row = (check.run)();
+        let verdict = if row.holds { "holds" } else { "**fails**" };
+        text.push_str(
+            &format!(
+                "| {} | {} | {} | {} | {} | {verdict} |\n",
+                row.statement, row.source, row.expected, row.got, row.tolerance
+            )
+            .replace("|P₁", "\\|P₁")
+            .replace("P₀|", "P₀\\|"),
+        );
+    }
+    text
+}
