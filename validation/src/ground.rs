@@ -1,19 +1,16 @@
 //! The cases that the statements of the paper are about.
 
 use riffel::{Axis, LoopState, Ridge, RidgePoint};
-use riffel_case::Case;
-
-const NOMINAL: &str = include_str!("../../cases/nominal.toml");
-const BHASKAR: &str = include_str!("../../cases/bhaskar-track.toml");
+use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 /// The nominal case with overrides.
 pub(crate) fn nominal(overrides: &[&str]) -> Case {
-    case("nominal.toml", NOMINAL, overrides)
+    case("nominal.toml", NOMINAL_CASE, overrides)
 }
 
 /// The nominal wheel on the track of Bhaskar et al., with overrides.
 pub(crate) fn on_track(overrides: &[&str]) -> Case {
-    case("bhaskar-track.toml", BHASKAR, overrides)
+    case("bhaskar-track.toml", BHASKAR_TRACK_CASE, overrides)
 }
 
 fn case(name: &str, text: &str, overrides: &[&str]) -> Case {

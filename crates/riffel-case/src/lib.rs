@@ -5,10 +5,10 @@
 //! and says what is allowed.
 //!
 //! ```
-//! use riffel_case::{Case, STARTER_CASE};
+//! use riffel_case::{Case, NOMINAL_CASE};
 //!
 //! let overrides = ["contact.tractive_ratio=0.5".to_owned()];
-//! let case = Case::parse("starter", STARTER_CASE, &overrides)?;
+//! let case = Case::parse("nominal", NOMINAL_CASE, &overrides)?;
 //! let state = case.feedback.at(0.055, 30.0);
 //! assert!(state.growth_rate > 0.0);
 //! # Ok::<(), riffel_case::CaseError>(())
@@ -29,8 +29,12 @@ pub use preset::{
     Badge, Preset, PresetRow, PresetValues, RailPreset, Sourced, TrackPreset, preset, presets,
 };
 
-/// The commented case file that `riffel init` writes.
-pub const STARTER_CASE: &str = include_str!("../../../cases/nominal.toml");
+/// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
+/// that `riffel init` writes.
+pub const NOMINAL_CASE: &str = include_str!("../../../cases/nominal.toml");
+
+/// `cases/bhaskar-track.toml`: the nominal wheel on the track of Bhaskar et al., values inferred.
+pub const BHASKAR_TRACK_CASE: &str = include_str!("../../../cases/bhaskar-track.toml");
 
 /// JSON schema of the case file.
 pub fn json_schema() -> schemars::Schema {

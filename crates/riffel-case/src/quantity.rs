@@ -108,7 +108,7 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// Infinite or not a number.
-    #[error("{text} is not finite; {name} must be")]
+    #[error("{text} is not finite, as {name} must be")]
     NotFinite {
         /// What was written.
         text: String,
@@ -217,7 +217,12 @@ impl<D: Dimension> FromStr for Quantity<D> {
 
 impl<D: Dimension> fmt::Display for Quantity<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.si)?;
+        let size = self.si.abs();
+        if size > 0.0 && !(1e-3..1e6).contains(&size) {
+            write!(f, "{:e}", self.si)?;
+        } else {
+            write!(f, "{}", self.si)?;
+        }
         if D::UNIT.is_empty() {
             return Ok(());
         }
@@ -324,8 +329,8 @@ mod tests {
         "stiff",
         "\"stiff\" does not begin with a number; write a stiffness as in \"280 MN/m\""
     )]
-    #[case("inf", "inf is not finite; a stiffness must be")]
-    #[case("1e400 N/m", "1e400 N/m is not finite; a stiffness must be")]
+    #[case("inf", "inf is not finite, as a stiffness must be")]
+    #[case("1e400 N/m", "1e400 N/m is not finite, as a stiffness must be")]
     #[case(
         "0,4 MN/m",
         "unknown unit \",4\" in \"0,4 MN/m\"; write a stiffness as in \"280 MN/m\""

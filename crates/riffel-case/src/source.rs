@@ -141,6 +141,9 @@ impl Source {
             let rule = format!("\"{variant}\" is not one of its choices");
             return self.invalid(path, &rule, &suggestion(variant, allowed));
         }
+        if message.contains("expected struct") {
+            return self.invalid(path, "is not a table of keys, as it must be", "");
+        }
         self.invalid(path, message, "")
     }
 

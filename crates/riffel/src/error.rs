@@ -21,8 +21,10 @@ pub enum Error {
 
     /// The mean creepage leaves no stick: the linearisation about the steady state has no slope.
     #[error(
-        "creepage is {creepage}, but full slip begins at {saturation_creepage:.6} for this contact; \
-         the mean state must keep a region of stick"
+        "creepage is {:.4} %, but full slip begins at {:.4} % for this contact; the mean state must \
+         keep a region of stick",
+        100.0 * creepage,
+        100.0 * saturation_creepage
     )]
     FullSlip {
         /// The creepage asked for \[-\].

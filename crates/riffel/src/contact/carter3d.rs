@@ -171,7 +171,7 @@ mod tests {
     fn full_slip_is_refused_with_the_creepage_at_which_it_begins() {
         let hertz = contact(50e3, 0.4, 0.1).hertz;
         let error = Carter3d::from_creepage(hertz, 0.4, 0.008).unwrap_err();
-        assert!(error.to_string().contains("full slip begins at 0.007036"));
+        assert!(error.to_string().contains("full slip begins at 0.7036 %"));
     }
 
     proptest! {

@@ -1,0 +1,365 @@
+//! Case files, good and bad.
+
+use miette::Diagnostic;
+use proptest::prelude::*;
+use riffel::RollingContact;
+use riffel_case::{BHASKAR_TRACK_CASE, Case, CaseError, NOMINAL_CASE};
+use rstest::rstest;
+
+fn parse(text: &str) -> Result<Case, CaseError> {
+    Case::parse("case.toml", text, &[])
+}
+
+/// The nominal case with one piece of its text replaced.
+fn edited(piece: &str, replacement: &str) -> String {
+    assert!(NOMINAL_CASE.contains(piece), "{piece}");
+    NOMINAL_CASE.replacen(piece, replacement, 1)
+}
+
+/// The error of a text, which must be one, and the piece of text it points at.
+fn error(text: &str) -> (CaseError, Option<String>) {
+    let error = parse(text).err().expect("this case must be refused");
+    let label = error
+        .labels()
+        .and_then(|mut labels| labels.next())
+        .map(|label| text[label.offset()..label.offset() + label.len()].to_owned());
+    (error, label)
+}
+
+#[rstest]
+#[case::nominal(NOMINAL_CASE)]
+#[case::bhaskar(BHASKAR_TRACK_CASE)]
+fn cases_of_the_repository_are_valid(#[case] text: &str) {
+    assert!(parse(text).is_ok());
+}
+
+/// What a case writes after defaults and presets reads back as the same case.
+#[rstest]
+#[case::nominal(NOMINAL_CASE)]
+#[case::bhaskar(BHASKAR_TRACK_CASE)]
+fn completed_case_reads_back(#[case] text: &str) {
+    let case = parse(text).unwrap();
+    let written = toml::to_string(&case.file).unwrap();
+    let again = parse(&written).unwrap();
+    assert_eq!(again.file, case.file);
+    assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
+}
+
+/// Every kind of mistake: what is written instead of what, the message, and where it points.
+#[rstest]
+#[case::wrong_unit(
+    "\"50 kN\"",
+    "\"50 kg\"",
+    "`contact.normal_load`: \"50 kg\" is in kg, not a force in N",
+    "\"50 kg\""
+)]
+#[case::no_number(
+    "\"350 kg\"",
+    "\"heavy\"",
+    "`wheel.mass`: \"heavy\" does not begin with a number",
+    "\"heavy\""
+)]
+#[case::not_a_number("friction = 0.4", "friction = nan", "NaN is not finite", "nan")]
+#[case::infinite("friction = 0.4", "friction = inf", "inf is not finite", "inf")]
+#[case::wrong_type(
+    "friction = 0.4",
+    "friction = [0.4]",
+    "`contact.friction`: invalid type: sequence, expected a ratio",
+    "[0.4]"
+)]
+#[case::unknown_key(
+    "friction = 0.4",
+    "frction = 0.4",
+    "`contact.frction` is not a key Riffel knows",
+    "0.4"
+)]
+#[case::unknown_table("[wear]", "[weer]", "`weer` is not a key Riffel knows", "weer")]
+#[case::missing_key(
+    "normal_load = \"50 kN\"",
+    "",
+    "`contact.normal_load` is missing",
+    "contact"
+)]
+#[case::missing_table("[track]\nmodel = \"free-beam\"", "", "`track` is missing", "")]
+#[case::negative_mass(
+    "\"350 kg\"",
+    "\"-350 kg\"",
+    "`wheel.mass` is -350 kg, but must be greater than zero",
+    "\"-350 kg\""
+)]
+#[case::zero_radius(
+    "\"460 mm\"",
+    "0",
+    "`wheel.rolling_radius` is 0 m, but must be greater than zero",
+    "0"
+)]
+#[case::zero_friction(
+    "friction = 0.4",
+    "friction = 0",
+    "`contact.friction` is 0, but must be greater than zero",
+    "0"
+)]
+#[case::poisson(
+    "poisson_ratio = 0.3",
+    "poisson_ratio = 0.5",
+    "`steel.poisson_ratio` is 0.5, but must be between -1 and 0.5",
+    "0.5"
+)]
+#[case::no_traction(
+    "tractive_ratio = 0.1",
+    "tractive_ratio = 0",
+    "`contact.tractive_ratio` is 0, but must be between 0 and 1",
+    "0"
+)]
+#[case::full_traction(
+    "tractive_ratio = 0.1",
+    "tractive_ratio = 1.0",
+    "`contact.tractive_ratio` is 1, but must be between 0 and 1",
+    "1.0"
+)]
+#[case::full_slip(
+    "tractive_ratio = 0.1",
+    "creepage = \"0.8 %\"",
+    "creepage is 0.8000 %, but full slip begins at 0.7036 %",
+    "\"0.8 %\""
+)]
+#[case::both(
+    "tractive_ratio = 0.1",
+    "tractive_ratio = 0.1\ncreepage = 0.004",
+    "`contact.creepage` and `contact.tractive_ratio` exclude each other",
+    "0.004"
+)]
+#[case::neither(
+    "tractive_ratio = 0.1",
+    "",
+    "`contact.tractive_ratio` is missing",
+    "contact"
+)]
+#[case::model(
+    "\"free-beam\"",
+    "\"fre-beam\"",
+    "`track.model`: \"fre-beam\" is not one of its choices",
+    "\"fre-beam\""
+)]
+#[case::supports(
+    "\"free-beam\"",
+    "\"two-layer\"",
+    "`track.support_spacing` is missing",
+    "track"
+)]
+#[case::section(
+    "\"BS113A\"",
+    "\"BS113B\"",
+    "`rail.section` is \"BS113B\", but no rail preset has that name",
+    "\"BS113B\""
+)]
+#[case::rail(
+    "section = \"BS113A\"",
+    "mass_per_length = 56",
+    "`rail.second_moment` is missing",
+    "rail"
+)]
+#[case::empty_window(
+    "max = \"80 mm\"",
+    "max = \"20 mm\"",
+    "`map.wavelength.max` is 0.02 m, but the window is empty",
+    "\"20 mm\""
+)]
+#[case::one_point(
+    "points = 241",
+    "points = 1",
+    "`map.wavelength.points` is 1, but must be between 2 and 100000",
+    "1"
+)]
+#[case::many_points(
+    "points = 241",
+    "points = 1000000000",
+    "`map.wavelength.points` is 1000000000, but must be",
+    "1000000000"
+)]
+#[case::negative_points(
+    "points = 241",
+    "points = -3",
+    "`map.wavelength.points`: invalid value",
+    "-3"
+)]
+#[case::syntax("friction = 0.4", "friction = ", "not valid TOML", "")]
+#[case::not_a_table(
+    "[wear]\ncoefficient = \"2.5e-9 kg/J\"",
+    "[corrugation.wear]",
+    "`corrugation.wear` is not a key Riffel knows",
+    "wear"
+)]
+fn mistakes_are_named_and_shown(
+    #[case] piece: &str,
+    #[case] replacement: &str,
+    #[case] message: &str,
+    #[case] shown: &str,
+) {
+    let (error, label) = error(&edited(piece, replacement));
+    assert!(error.to_string().contains(message), "{error}");
+    assert_eq!(label.unwrap_or_default(), shown, "{error}");
+}
+
+#[test]
+fn too_many_points_together() {
+    let overrides = ["map.wavelength.points=100000", "map.speed.points=100000"];
+    let error = Case::parse("case.toml", NOMINAL_CASE, &overrides.map(str::to_owned)).err();
+    let error = error.expect("ten thousand million points").to_string();
+    assert!(
+        error.contains("`map`: 100000 wavelengths at 100000 speeds"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_mistyped_key_is_put_right() {
+    let (error, _) = error(&edited("friction = 0.4", "frction = 0.4"));
+    let help = error
+        .help()
+        .map(|help| help.to_string())
+        .unwrap_or_default();
+    assert!(help.starts_with("did you mean friction?"), "{help}");
+}
+
+#[test]
+fn a_load_that_outruns_its_waves_is_refused() {
+    let overrides = ["track.model=moving-beam", "map.wavelength.max=200 m"];
+    let error = Case::parse("case.toml", NOMINAL_CASE, &overrides.map(str::to_owned)).err();
+    let error = error.expect("supercritical").to_string();
+    assert!(
+        error.contains("`map.speed.max`: a load of wavelength 200 m outruns"),
+        "{error}"
+    );
+}
+
+#[test]
+fn overrides_replace_values_and_exclusive_keys() {
+    let case = |overrides: &[&str]| {
+        let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
+        Case::parse("case.toml", NOMINAL_CASE, &overrides).unwrap()
+    };
+    assert_eq!(
+        case(&["contact.friction=0.3"]).creep_law.steady().friction,
+        0.3
+    );
+    assert_eq!(
+        case(&["contact.normal_load=60 kN"]).hertz.normal_force(),
+        60e3
+    );
+    // The case gives a tractive ratio; a creepage on the command line takes its place.
+    assert_eq!(
+        case(&["contact.creepage=0.4 %"])
+            .creep_law
+            .steady()
+            .creepage,
+        0.004
+    );
+    assert_eq!(
+        case(&["contact.friction=0.3", "contact.friction=0.2"])
+            .creep_law
+            .steady()
+            .friction,
+        0.2
+    );
+}
+
+#[test]
+fn a_written_value_goes_before_that_of_the_preset() {
+    let overrides = ["track.pad.stiffness=100 MN/m", "track.pad.damping=10 kNs/m"];
+    let case = Case::parse(
+        "case.toml",
+        BHASKAR_TRACK_CASE,
+        &overrides.map(str::to_owned),
+    )
+    .unwrap();
+    let track = case.file.track;
+    assert_eq!(track.pad.unwrap().stiffness.si(), 100e6);
+    assert_eq!(track.ballast.unwrap().stiffness.si(), 60e6);
+}
+
+#[test]
+fn the_schema_knows_every_key() {
+    let schema = serde_json::to_value(riffel_case::json_schema()).unwrap();
+    let properties = schema["properties"].as_object().unwrap();
+    for key in [
+        "title",
+        "steel",
+        "wheel",
+        "rail",
+        "track",
+        "contact",
+        "corrugation",
+        "wear",
+        "map",
+    ] {
+        assert!(properties.contains_key(key), "{key}");
+    }
+    assert_eq!(schema["additionalProperties"], false);
+    assert_eq!(
+        schema["$defs"]["Contact"]["properties"]["normal_load"]["unit"],
+        "N"
+    );
+}
+
+/// Pieces that a mutation may put into a case file.
+const PIECES: [&str; 24] = [
+    "=",
+    "[",
+    "]",
+    "{",
+    "}",
+    "\"",
+    "'",
+    "\n",
+    ".",
+    ",",
+    "#",
+    "-",
+    "1e999",
+    "nan",
+    "0",
+    "-1",
+    "\"5 kN/%\"",
+    "\"1 m-9\"",
+    "[contact]",
+    "points",
+    "wheel",
+    "creepage",
+    "µ",
+    "9999999999999999999999",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// Fuzzed case files: whatever is cut from or put into a valid file, the reader answers with a
+    /// case or an error and never panics; a case it accepts can be computed.
+    #[test]
+    fn fuzz_case_file(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..12usize, 0..PIECES.len(), any::<bool>()), 1..6),
+        noise in "\\PC{0,8}",
+    ) {
+        let mut text: Vec<char> = BHASKAR_TRACK_CASE.chars().collect();
+        for (place, cut, piece, insert_noise) in edits {
+            let start = place.index(text.len());
+            let end = (start + cut).min(text.len());
+            let piece = if insert_noise { noise.as_str() } else { PIECES[piece] };
+            text.splice(start..end, piece.chars());
+        }
+        let text: String = text.into_iter().collect();
+        match parse(&text) {
+            Ok(case) => {
+                let state = case.feedback.at(case.wavelength.min(), case.speed.min());
+                prop_assert!(!state.normal_force.is_nan());
+            }
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+        }
+    }
+
+    /// Fuzzed overrides: the same.
+    #[test]
+    fn fuzz_override(assignment in "[a-z._]{0,24}=?[ -~µ]{0,16}") {
+        let _ = Case::parse("case.toml", NOMINAL_CASE, &[assignment]);
+    }
+}

@@ -1,0 +1,160 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+use riffel_case::Case;
+use riffel_case::quantity::{Frequency, Length, Quantity, Speed};
+
+/// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
+#[derive(Parser)]
+#[command(
+    name = "riffel",
+    version,
+    after_help = "Example: riffel init case.toml && riffel map case.toml\n\n\
+        Exit status: 0 done, 1 a validation check failed, 2 bad input or a file that cannot be written."
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Write a commented case file to start from.
+    Init(Init),
+    /// The whole loop at one wavelength and speed.
+    Point(Point),
+    /// Growth over wavelength and speed: picture, page, tables.
+    Map(Map),
+    /// Receptance of track, wheel and contact over frequency.
+    Receptance(Receptance),
+    /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
+    Figures(Figures),
+    /// List the presets, or show one with the sources of its values.
+    Presets(Presets),
+    /// Print the JSON schema of the case file.
+    Schema,
+    /// Hold the program against reference numbers and published statements.
+    Validate,
+}
+
+/// A case file with overrides.
+#[derive(Args)]
+pub(crate) struct CaseArguments {
+    /// Case file.
+    #[arg(value_name = "CASE")]
+    path: PathBuf,
+
+    /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl CaseArguments {
+    pub(crate) fn read(&self) -> miette::Result<Case> {
+        Ok(Case::read(&self.path, &self.overrides)?)
+    }
+
+    /// Folder for results when none is given: the name of the case and what it holds.
+    pub(crate) fn default_folder(&self, what: &str) -> PathBuf {
+        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{stem}-{what}"))
+    }
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel init metro.toml")]
+pub(crate) struct Init {
+    /// File to write.
+    #[arg(value_name = "FILE", default_value = "case.toml")]
+    pub(crate) path: PathBuf,
+
+    /// Replace the file if it is there.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\""
+)]
+pub(crate) struct Point {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Wavelength, in metres or with its unit.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) wavelength: Quantity<Length>,
+
+    /// Speed, in m/s or with its unit.
+    #[arg(long, value_name = "SPEED")]
+    pub(crate) speed: Quantity<Speed>,
+
+    /// Print one JSON document; complex numbers as [re, im].
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel map case.toml -o results --set contact.friction=0.3")]
+pub(crate) struct Map {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Folder for the results, made if need be [default: <CASE>-map].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Measured corrugation to draw on the map: CSV with the columns wavelength, speed and label,
+    /// values in SI or with their units.
+    #[arg(long, value_name = "CSV")]
+    pub(crate) observations: Option<PathBuf>,
+
+    /// Print the summary as one JSON document.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel receptance case.toml --from \"50 Hz\" --to \"2 kHz\"")]
+pub(crate) struct Receptance {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Folder for the results, made if need be [default: <CASE>-receptance].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Lowest frequency, in Hz or with its unit.
+    #[arg(long, value_name = "FREQUENCY", default_value = "20 Hz")]
+    pub(crate) from: Quantity<Frequency>,
+
+    /// Highest frequency, in Hz or with its unit.
+    #[arg(long, value_name = "FREQUENCY", default_value = "5 kHz")]
+    pub(crate) to: Quantity<Frequency>,
+
+    /// Number of frequencies, equally spaced in their logarithm.
+    #[arg(long, value_name = "N", default_value_t = 600, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    pub(crate) points: u32,
+
+    /// Speed of the load, in m/s or with its unit [default: the highest of the map].
+    #[arg(long, value_name = "SPEED")]
+    pub(crate) speed: Option<Quantity<Speed>>,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel figures -o figures")]
+pub(crate) struct Figures {
+    /// Folder for the figures, made if need be.
+    #[arg(short, long, value_name = "DIR", default_value = "figures")]
+    pub(crate) output: PathBuf,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel presets BS113A")]
+pub(crate) struct Presets {
+    /// Preset to show.
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+}

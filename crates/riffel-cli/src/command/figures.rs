@@ -1,0 +1,30 @@
+//! `riffel figures`
+
+use riffel_plot::{DEFAULT_PNG_SCALE, png};
+
+use crate::arguments::Figures;
+use crate::error::CliError;
+use crate::output::{Progress, print};
+use crate::paper;
+use crate::staging::Staging;
+
+pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
+    let mut staging = Staging::new(&arguments.output)?;
+    let progress = Progress::new("figures of the paper", paper::FIGURES.len());
+    for (number, make) in paper::FIGURES {
+        let figure = make()?;
+        let picture = png(&figure.svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
+        staging.write(&format!("figure-{number}.png"), picture)?;
+        staging.write(&format!("figure-{number}.svg"), figure.svg)?;
+        staging.write(&format!("figure-{number}.csv"), figure.csv)?;
+        progress.advance(1);
+    }
+    drop(progress);
+    let files = staging.publish()?;
+    print(&format!(
+        "{}: {}\n",
+        arguments.output.display(),
+        files.join(" ")
+    ));
+    Ok(())
+}

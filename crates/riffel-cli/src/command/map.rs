@@ -1,0 +1,206 @@
+//! `riffel map`
+
+use std::path::Path;
+
+use riffel::{GrowthMap, Ridge, RidgePoint, RollingContact};
+use riffel_case::Case;
+use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, Observation, png};
+use serde::Serialize;
+
+use crate::arguments::Map;
+use crate::error::CliError;
+use crate::growth_table::{map_csv, map_netcdf, ridge_csv};
+use crate::map_figure::{SIGN, Shown, panel, parameters};
+use crate::observations;
+use crate::output::{Progress, json, print, print_remarks, table};
+use crate::staging::Staging;
+
+/// Rows of the table on the terminal.
+const TABLE_ROWS: usize = 9;
+
+/// `summary.json`.
+#[derive(Serialize)]
+struct Summary<'a> {
+    riffel_version: &'static str,
+    /// The case after presets, defaults and overrides; reads back as a case.
+    inputs: &'a riffel_case::file::CaseFile,
+    derived: Derived,
+    ridge: RidgeSummary,
+    remarks: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Derived {
+    semi_axis_longitudinal_m: f64,
+    semi_axis_lateral_m: f64,
+    creep_coefficient: f64,
+    saturation_creepage: f64,
+    creepage: f64,
+    tractive_ratio: f64,
+    contact_stiffness_n_per_m: f64,
+    mean_dissipation_j_per_m: f64,
+}
+
+#[derive(Serialize)]
+struct RidgeSummary {
+    /// Least squares in wavelength over the points that grow and do not sit at the edge.
+    best_fit_frequency_hz: Option<f64>,
+    highest: Option<RidgeEntry>,
+    speeds_that_grow: usize,
+    speeds_at_edge: usize,
+    speeds: usize,
+}
+
+#[derive(Serialize)]
+struct RidgeEntry {
+    speed_m_per_s: f64,
+    wavelength_m: f64,
+    frequency_hz: f64,
+    normalized_dissipation_re: f64,
+    growth_rate_per_passage: f64,
+    at_edge: bool,
+}
+
+impl From<&RidgePoint> for RidgeEntry {
+    fn from(point: &RidgePoint) -> Self {
+        Self {
+            speed_m_per_s: point.speed,
+            wavelength_m: point.wavelength,
+            frequency_hz: point.frequency,
+            normalized_dissipation_re: point.normalized_dissipation,
+            growth_rate_per_passage: point.growth_rate,
+            at_edge: point.at_edge,
+        }
+    }
+}
+
+impl<'a> Summary<'a> {
+    fn new(case: &'a Case, ridge: &Ridge) -> Self {
+        let steady = case.creep_law.steady();
+        let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
+        Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            inputs: &case.file,
+            derived: Derived {
+                semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
+                semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
+                creep_coefficient: case.creep_law.creep_coefficient(),
+                saturation_creepage: case.creep_law.saturation_creepage(),
+                creepage: steady.creepage,
+                tractive_ratio: steady.tractive_ratio(),
+                contact_stiffness_n_per_m: case.feedback.contact_stiffness,
+                mean_dissipation_j_per_m: steady.energy_per_metre(),
+            },
+            ridge: RidgeSummary {
+                best_fit_frequency_hz: ridge.best_fit_frequency(),
+                highest: ridge.highest().filter(grows).map(RidgeEntry::from),
+                speeds_that_grow: ridge.points.iter().filter(grows).count(),
+                speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
+                speeds: ridge.points.len(),
+            },
+            remarks: &case.remarks,
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
+    let case = arguments.case.read()?;
+    let observations = match &arguments.observations {
+        Some(path) => observations::read(path)?,
+        None => Vec::new(),
+    };
+    let folder = match &arguments.output {
+        Some(folder) => folder.clone(),
+        None => arguments.case.default_folder("map"),
+    };
+
+    let staging = Staging::new(&folder)?;
+    let progress = Progress::new("growth map", case.speed.points());
+    let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
+        progress.advance(rows);
+    });
+    drop(progress);
+    let ridge = Ridge::search(&case.feedback, case.wavelength, case.speed);
+    let summary = json(&Summary::new(&case, &ridge));
+    let files = write_files(staging, &case, &map, &ridge, observations, &summary)?;
+
+    if arguments.json {
+        print(&summary);
+    } else {
+        print(&readable(&case, &ridge, &folder, &files));
+    }
+    print_remarks(&case.remarks);
+    Ok(())
+}
+
+fn write_files(
+    mut staging: Staging,
+    case: &Case,
+    map: &GrowthMap,
+    ridge: &Ridge,
+    observations: Vec<Observation>,
+    summary: &str,
+) -> Result<Vec<String>, CliError> {
+    let title = case.file.title.as_deref().unwrap_or("Growth map");
+    let mut panel = panel(case, map, ridge, Shown::Normalized);
+    panel.observations = observations;
+    let figure = MapFigure {
+        title: title.to_owned(),
+        caption: format!("{} {SIGN}", parameters(case)),
+        panels: vec![panel],
+    };
+    let svg = figure.svg()?;
+    staging.write("map.png", png(&svg, DEFAULT_PNG_SCALE)?)?;
+    staging.write("map.svg", svg)?;
+    staging.write("map.html", figure.html()?)?;
+    staging.write_with("map.csv", |file| map_csv(map, file))?;
+    map_netcdf(map, title, &staging.path("map.nc"))?;
+    staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
+    staging.write("summary.json", summary)?;
+    staging.publish()
+}
+
+/// The ridge at a few speeds, and where the files are.
+fn readable(case: &Case, ridge: &Ridge, folder: &Path, files: &[String]) -> String {
+    let mut table = table(&[
+        "speed km/h",
+        "wavelength mm",
+        "frequency Hz",
+        "Re Ŵ₁",
+        "growth rate per passage",
+        "passages to double",
+        "",
+    ]);
+    let last = ridge.points.len() - 1;
+    let rows = TABLE_ROWS.min(last + 1);
+    for row in 0..rows {
+        let point = &ridge.points[row * last / (rows - 1)];
+        let grows = point.growth_rate > 0.0;
+        table.add_row([
+            format!("{:.0}", 3.6 * point.speed),
+            format!("{:.1}", 1e3 * point.wavelength),
+            format!("{:.0}", point.frequency),
+            format!("{:.4}", point.normalized_dissipation),
+            format!("{:.2e}", point.growth_rate),
+            match grows {
+                true => format!("{:.1e}", std::f64::consts::LN_2 / point.growth_rate),
+                false => "decays".to_owned(),
+            },
+            if point.at_edge { "edge" } else { "" }.to_owned(),
+        ]);
+    }
+    let fit = ridge.best_fit_frequency().map_or_else(
+        || "no growth inside the window".to_owned(),
+        |frequency| {
+            format!("the ridge follows {frequency:.0} Hz (least squares, edge points left out)")
+        },
+    );
+    format!(
+        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{fit}\n{}: {}\n",
+        case.file.title.as_deref().unwrap_or("Growth map"),
+        1e3 * case.wavelength.min(),
+        1e3 * case.wavelength.max(),
+        folder.display(),
+        files.join(" "),
+    )
+}

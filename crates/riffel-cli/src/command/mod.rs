@@ -1,0 +1,10 @@
+//! One file for each command.
+
+pub(crate) mod figures;
+pub(crate) mod init;
+pub(crate) mod map;
+pub(crate) mod point;
+pub(crate) mod presets;
+pub(crate) mod receptance;
+pub(crate) mod schema;
+pub(crate) mod validate;

@@ -1,0 +1,173 @@
+//! `riffel point`
+
+use riffel::{Complex64, LoopState, RollingContact};
+use riffel_case::Case;
+use riffel_case::quantity::{Dimension, Quantity};
+use serde::Serialize;
+
+use crate::arguments::Point;
+use crate::error::CliError;
+use crate::output::{print, print_json, print_remarks, table};
+
+/// One turn of the loop, units in the names.
+#[derive(Serialize)]
+struct Document {
+    wavelength_m: f64,
+    speed_m_per_s: f64,
+    frequency_hz: f64,
+    semi_axis_longitudinal_m: f64,
+    semi_axis_lateral_m: f64,
+    creep_coefficient: f64,
+    saturation_creepage: f64,
+    creepage: f64,
+    contact_stiffness_n_per_m: f64,
+    angular_frequency_rad_per_s: f64,
+    rail_receptance_m_per_n: [f64; 2],
+    /// Real for a rigid mass.
+    wheel_receptance_m_per_n: f64,
+    normal_force_n: [f64; 2],
+    dq_dp: f64,
+    dq_domega_n_s_per_rad: f64,
+    dw_dp_m_per_s: f64,
+    dw_domega_w_s_per_rad: f64,
+    tangential_force_n: [f64; 2],
+    angular_velocity_rad_per_s: [f64; 2],
+    dissipation_w: [f64; 2],
+    dissipation_phase_rad: f64,
+    dissipation_lag_w: [f64; 2],
+    normalized_dissipation: [f64; 2],
+    normalized_by_mean: [f64; 2],
+    mean_dissipation_w: f64,
+    growth_rate_per_passage: f64,
+}
+
+fn pair(value: Complex64) -> [f64; 2] {
+    [value.re, value.im]
+}
+
+impl Document {
+    fn new(case: &Case, state: &LoopState) -> Self {
+        Self {
+            wavelength_m: state.wavelength,
+            speed_m_per_s: state.speed,
+            frequency_hz: state.speed / state.wavelength,
+            semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
+            semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
+            creep_coefficient: case.creep_law.creep_coefficient(),
+            saturation_creepage: case.creep_law.saturation_creepage(),
+            creepage: case.creep_law.steady().creepage,
+            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
+            angular_frequency_rad_per_s: state.angular_frequency,
+            rail_receptance_m_per_n: pair(state.track_receptance),
+            wheel_receptance_m_per_n: state.wheel_receptance.re,
+            normal_force_n: pair(state.normal_force),
+            // The derivatives of a quasi-static contact are real.
+            dq_dp: state.dq_dp.re,
+            dq_domega_n_s_per_rad: state.dq_domega.re,
+            dw_dp_m_per_s: state.dw_dp.re,
+            dw_domega_w_s_per_rad: state.dw_domega.re,
+            tangential_force_n: pair(state.tangential_force),
+            angular_velocity_rad_per_s: pair(state.angular_velocity),
+            dissipation_w: pair(state.dissipation),
+            dissipation_phase_rad: state.dissipation_lag_angle,
+            dissipation_lag_w: pair(state.dissipation_at_rail),
+            normalized_dissipation: pair(state.normalized_dissipation),
+            normalized_by_mean: pair(state.dissipation_at_rail / state.mean_dissipation),
+            mean_dissipation_w: state.mean_dissipation,
+            growth_rate_per_passage: state.growth_rate,
+        }
+    }
+}
+
+pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
+    let case = arguments.case.read()?;
+    let wavelength = positive("--wavelength", arguments.wavelength)?;
+    let speed = positive("--speed", arguments.speed)?;
+    let state = case.feedback.at(wavelength, speed);
+    let document = Document::new(&case, &state);
+    if arguments.json {
+        print_json(&document);
+    } else {
+        print(&readable(&case, &state, &document));
+    }
+    print_remarks(&case.remarks);
+    Ok(())
+}
+
+fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, CliError> {
+    if value.si() > 0.0 {
+        return Ok(value.si());
+    }
+    Err(CliError::Argument {
+        argument,
+        value: value.to_string(),
+        rule: "greater than zero".to_owned(),
+    })
+}
+
+/// Amplitudes and phases in engineers' units.
+fn readable(case: &Case, state: &LoopState, document: &Document) -> String {
+    let mut table = table(&["oscillation for exp(+iωt)", "amplitude", "unit", "phase"]);
+    let rows = [
+        (
+            "receptance of the rail",
+            state.track_receptance * 1e9,
+            "nm/N",
+        ),
+        (
+            "receptance of the wheel",
+            state.wheel_receptance * 1e9,
+            "nm/N",
+        ),
+        ("normal force P₁", state.normal_force * 1e-3, "kN"),
+        ("tangential force Q₁", state.tangential_force, "N"),
+        (
+            "angular velocity Ω₁",
+            state.angular_velocity * 1e3,
+            "mrad/s",
+        ),
+        ("dissipation at the wheel W₁", state.dissipation, "W"),
+        ("dissipation at the rail", state.dissipation_at_rail, "W"),
+        ("normalised, Ŵ₁", state.normalized_dissipation, "-"),
+    ];
+    for (name, value, unit) in rows {
+        table.add_row([
+            name.to_owned(),
+            format!("{:.4}", value.norm()),
+            unit.to_owned(),
+            format!("{:.1}°", value.arg().to_degrees()),
+        ]);
+    }
+    let rate = state.growth_rate;
+    let verdict = if rate > 0.0 {
+        format!(
+            "grows: doubles in {:.2e} passages",
+            std::f64::consts::LN_2 / rate
+        )
+    } else {
+        format!(
+            "decays: halves in {:.2e} passages",
+            std::f64::consts::LN_2 / -rate
+        )
+    };
+    format!(
+        "{}{:.1} mm at {:.1} km/h: {:.1} Hz\n\
+         tractive ratio {:.3}, creepage {:.4} % (full slip from {:.4} %), contact {:.2} × {:.2} mm\n\
+         {table}\n\
+         Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n",
+        case.file
+            .title
+            .as_ref()
+            .map(|title| format!("{title}\n"))
+            .unwrap_or_default(),
+        1e3 * state.wavelength,
+        3.6 * state.speed,
+        document.frequency_hz,
+        case.creep_law.steady().tractive_ratio(),
+        100.0 * document.creepage,
+        100.0 * document.saturation_creepage,
+        2e3 * document.semi_axis_longitudinal_m,
+        2e3 * document.semi_axis_lateral_m,
+        state.normalized_dissipation.re,
+    )
+}

@@ -1,0 +1,30 @@
+//! `riffel presets`
+
+use riffel_case::{preset, presets};
+
+use crate::arguments::Presets;
+use crate::output::{print, text_table};
+
+pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
+    let text = match &arguments.name {
+        None => {
+            let mut table = text_table(&["name", "key", "what it is"]);
+            for preset in presets() {
+                table.add_row([&preset.name, preset.values.key(), &preset.title]);
+            }
+            format!("{table}\nriffel presets NAME shows the values with their sources\n")
+        }
+        Some(name) => {
+            let preset = preset(name)?;
+            let mut table = text_table(&["key", "value", "", "source"]);
+            for row in preset.values.rows() {
+                let badge = row.badge.to_string();
+                table.add_row([row.key, row.value, &badge, row.source]);
+            }
+            let (title, key, name) = (&preset.title, preset.values.key(), &preset.name);
+            format!("{title}\n{key} = \"{name}\"\n{table}\n")
+        }
+    };
+    print(&text);
+    Ok(())
+}

@@ -1,0 +1,42 @@
+//! `riffel validate`
+
+use std::process::ExitCode;
+
+use riffel_validation::CHECKS;
+
+use crate::output::{Progress, print, text_table};
+
+pub(crate) fn run() -> miette::Result<ExitCode> {
+    let progress = Progress::new("validation", CHECKS.len());
+    let mut table = text_table(&["statement", "source", "expected", "Riffel", "tolerance", ""]);
+    let mut failed = 0;
+    for check in CHECKS {
+        let row = (check.run)();
+        progress.advance(1);
+        failed += usize::from(!row.holds);
+        let verdict = if row.holds { "holds" } else { "FAILS" };
+        table.add_row([
+            row.statement,
+            row.source,
+            &row.expected,
+            &row.got,
+            row.tolerance,
+            verdict,
+        ]);
+    }
+    drop(progress);
+    table.set_content_arrangement(comfy_table::ContentArrangement::Dynamic);
+    if table.width().is_none() {
+        table.set_width(160);
+    }
+    let total = CHECKS.len();
+    print(&format!(
+        "{table}\n{} of {total} checks hold\n",
+        total - failed
+    ));
+    Ok(if failed == 0 {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::from(1)
+    })
+}

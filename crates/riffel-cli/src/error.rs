@@ -1,0 +1,41 @@
+//! What can go wrong besides the case file.
+
+use std::io;
+use std::path::PathBuf;
+
+use miette::Diagnostic;
+use thiserror::Error;
+
+/// Bad input on the command line or a file that cannot be read or written.
+#[derive(Debug, Error, Diagnostic)]
+pub(crate) enum CliError {
+    #[error("cannot write to {path}: {source}", path = path.display())]
+    Write { path: PathBuf, source: io::Error },
+
+    #[error("{path} is there already", path = path.display())]
+    #[diagnostic(help("give another name, or --force to replace it"))]
+    Exists { path: PathBuf },
+
+    #[error("{argument} is {value}, but must be {rule}")]
+    Argument {
+        argument: &'static str,
+        value: String,
+        rule: String,
+    },
+
+    #[error("cannot read the observations {path}: {source}", path = path.display())]
+    ReadObservations { path: PathBuf, source: csv::Error },
+
+    #[error("{path}, line {line}: {message}", path = path.display())]
+    Observation {
+        path: PathBuf,
+        line: u64,
+        message: String,
+    },
+
+    #[error("cannot draw the figure: {0}")]
+    Plot(#[from] riffel_plot::PlotError),
+
+    #[error("cannot write the gridded file: {0}")]
+    Grid(String),
+}

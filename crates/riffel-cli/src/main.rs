@@ -1,0 +1,43 @@
+//! `riffel`: predicts which rail corrugation grows, how fast, and why.
+
+mod arguments;
+mod command;
+mod error;
+mod growth_table;
+mod map_figure;
+mod observations;
+mod output;
+mod paper;
+mod staging;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    staging::clean_up_on_interrupt();
+    match run(arguments.command) {
+        Ok(code) => code,
+        Err(report) => {
+            eprintln!("{report:?}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn run(command: Command) -> miette::Result<ExitCode> {
+    match command {
+        Command::Init(arguments) => command::init::run(&arguments)?,
+        Command::Point(arguments) => command::point::run(&arguments)?,
+        Command::Map(arguments) => command::map::run(&arguments)?,
+        Command::Receptance(arguments) => command::receptance::run(&arguments)?,
+        Command::Figures(arguments) => command::figures::run(&arguments)?,
+        Command::Presets(arguments) => command::presets::run(&arguments)?,
+        Command::Schema => command::schema::run()?,
+        Command::Validate => return command::validate::run(),
+    }
+    Ok(ExitCode::SUCCESS)
+}

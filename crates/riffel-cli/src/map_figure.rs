@@ -1,0 +1,162 @@
+//! Growth maps as figures.
+
+use riffel::{GrowthMap, Ridge, RollingContact};
+use riffel_case::Case;
+use riffel_case::file::{DissipationPhase, Rotation, TrackModel};
+use riffel_plot::{MapPanel, RidgeMark, constant_frequency_rays};
+
+/// What a map shows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shown {
+    /// Re Ŵ₁, equation (20).
+    Normalized,
+    /// Re W₁ in watts, as in Figs. 4 and 5 of the paper.
+    Power,
+}
+
+impl Shown {
+    /// Factor from Re Ŵ₁ to the value shown, at a speed \[m/s\].
+    fn factor(self, case: &Case, speed: f64) -> f64 {
+        match self {
+            Self::Normalized => 1.0,
+            Self::Power => case.creep_law.steady().full_slip_energy_per_metre() * speed,
+        }
+    }
+
+    fn label(self) -> &'static str {
+        match self {
+            Self::Normalized => "Re Ŵ₁ [-]",
+            Self::Power => "Re W₁ [W]",
+        }
+    }
+}
+
+/// A panel with the map, its ridge, the best-fit ray and rays of constant frequency.
+pub(crate) fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPanel {
+    let rate = map.growth_rate_per_dissipation();
+    let columns = drawn(map.wavelength().points());
+    let rows = drawn(map.speed().points());
+    let all = map.normalized_dissipation();
+    let at = |row: usize, column: usize| all[row * map.wavelength().points() + column].re;
+    let grid = |factor: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        rows.iter()
+            .flat_map(|&row| {
+                let factor = factor(row);
+                columns.iter().map(move |&column| factor * at(row, column))
+            })
+            .collect()
+    };
+    MapPanel {
+        wavelength_m: columns
+            .iter()
+            .map(|&column| map.wavelength().value(column))
+            .collect(),
+        speed_m_per_s: rows.iter().map(|&row| map.speed().value(row)).collect(),
+        values: grid(&|row| shown.factor(case, map.speed().value(row))),
+        hover_values: Some(grid(&|_| rate)),
+        value_label: shown.label().to_owned(),
+        ridge: ridge
+            .points
+            .iter()
+            .filter(|point| point.normalized_dissipation < 0.0)
+            .map(|point| RidgeMark {
+                wavelength_m: point.wavelength,
+                speed_m_per_s: point.speed,
+                at_edge: point.at_edge,
+            })
+            .collect(),
+        best_fit_frequency_hz: ridge.best_fit_frequency(),
+        rays_hz: constant_frequency_rays(
+            (map.wavelength().min(), map.wavelength().max()),
+            (map.speed().min(), map.speed().max()),
+        ),
+        ..MapPanel::default()
+    }
+}
+
+/// Indices along an axis that a figure needs: all, or enough of a long axis, both ends included.
+fn drawn(points: usize) -> Vec<usize> {
+    const ENOUGH: usize = 400;
+    let count = points.min(ENOUGH);
+    (0..count)
+        .map(|index| index * (points - 1) / (count - 1))
+        .collect()
+}
+
+/// The sign convention of every map.
+pub(crate) const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
+    the profile; time factor exp(+iωt), braking positive.";
+
+/// The parameters of a case in one sentence.
+pub(crate) fn parameters(case: &Case) -> String {
+    let file = &case.file;
+    let steady = case.creep_law.steady();
+    let si = |value: Option<f64>| value.unwrap_or(f64::NAN);
+    let rotation = match file.wheel.rotation {
+        Rotation::Inertia => format!(
+            "I_w = {:.2} kg m²",
+            si(file.wheel.inertia.map(|inertia| inertia.si()))
+        ),
+        Rotation::ConstantTangentialForce => "constant tangential force (I_w → 0)".to_owned(),
+        Rotation::ConstantCreepage => "constant creepage (I_w → ∞)".to_owned(),
+    };
+    let phase = match file.contact.dissipation_phase {
+        DissipationPhase::Lag => "lag",
+        DissipationPhase::Lead => "lead",
+        DissipationPhase::None => "none",
+    };
+    format!(
+        "{}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; rail {:.1} kg/m, \
+         I = {:.3e} m⁴; P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; dissipation phase: {phase}.",
+        track(case),
+        1e-9 * file.steel.youngs_modulus.si(),
+        file.steel.poisson_ratio,
+        file.wheel.rolling_radius.si(),
+        file.contact.transverse_radius.si(),
+        file.wheel.mass.si(),
+        si(file.rail.mass_per_length.map(|mass| mass.si())),
+        si(file.rail.second_moment.map(|moment| moment.si())),
+        1e-3 * steady.normal_force,
+        steady.friction,
+        steady.tractive_ratio(),
+        100.0 * steady.creepage,
+        1e6 * case.feedback.amplitude,
+    )
+}
+
+/// The track of a case in words.
+pub(crate) fn track(case: &Case) -> String {
+    let track = &case.file.track;
+    match track.model {
+        TrackModel::FreeBeam => "Rail: free Euler beam".to_owned(),
+        TrackModel::MovingBeam => "Rail: free Euler beam under a moving load".to_owned(),
+        TrackModel::TwoLayer => {
+            let support = |support: &Option<riffel_case::file::Support>| {
+                support.as_ref().map_or(String::new(), |support| {
+                    format!(
+                        "{:.0} MN/m, {:.0} kNs/m",
+                        1e-6 * support.stiffness.si(),
+                        1e-3 * support.damping.si()
+                    )
+                })
+            };
+            format!(
+                "Euler rail on pads ({}), sleepers ({:.0} kg) and ballast ({}) every {:.2} m, spread evenly{}",
+                support(&track.pad),
+                track
+                    .sleeper
+                    .as_ref()
+                    .map_or(f64::NAN, |sleeper| sleeper.mass.si()),
+                support(&track.ballast),
+                track
+                    .support_spacing
+                    .map_or(f64::NAN, |spacing| spacing.si()),
+                track
+                    .preset
+                    .as_ref()
+                    .map(|name| format!(", preset {name}"))
+                    .unwrap_or_default(),
+            )
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! What goes to the terminal.
+
+use std::io::{self, Write};
+use std::time::{Duration, Instant};
+
+use comfy_table::{CellAlignment, Table, TableStyle, presets};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+/// Print to standard output; a reader that has gone away (`riffel … | head`) is not an error.
+pub(crate) fn print(text: &str) {
+    let mut stdout = io::stdout().lock();
+    let _ = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
+}
+
+/// Print one JSON document.
+pub(crate) fn print_json(document: &impl Serialize) {
+    print(&json(document));
+}
+
+/// A JSON document, indented, with a final line feed.
+pub(crate) fn json(document: &impl Serialize) -> String {
+    // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
+    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+/// A line below the header, none between the rows.
+const STYLE: TableStyle =
+    presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
+
+/// A table with right-aligned columns but the first.
+pub(crate) fn table(header: &[&str]) -> Table {
+    let mut table = Table::new();
+    table.load_style(STYLE).set_header(header);
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    table
+}
+
+/// A table whose cells are all text.
+pub(crate) fn text_table(header: &[&str]) -> Table {
+    let mut table = table(header);
+    for column in table.column_iter_mut() {
+        column.set_cell_alignment(CellAlignment::Left);
+    }
+    table
+}
+
+/// Remarks on the validity of the models, on standard error.
+pub(crate) fn print_remarks(remarks: &[String]) {
+    for remark in remarks {
+        eprintln!("note: {remark}");
+    }
+}
+
+/// A progress bar on standard error that appears only where the work takes longer than a second,
+/// and only on a terminal.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    begun: Instant,
+}
+
+impl Progress {
+    pub(crate) fn new(what: &'static str, length: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {eta}") {
+            bar.set_style(style);
+        }
+        bar.set_message(what);
+        Self {
+            bar,
+            begun: Instant::now(),
+        }
+    }
+
+    pub(crate) fn advance(&self, by: usize) {
+        self.bar.inc(by as u64);
+        if self.bar.is_hidden() && self.begun.elapsed() > Duration::from_secs(1) {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
