@@ -1,0 +1,145 @@
+//! The frame of a panel: axes, ticks, grid and their words.
+
+use plotters::style::text_anchor::{HPos, VPos};
+
+use crate::axis::{Axis, Ticks};
+use crate::canvas::{Canvas, Lettering, Stroke};
+use crate::color::Rgb;
+use crate::error::PlotError;
+use crate::sheet_box::SheetBox;
+use crate::text::{self, Weight};
+
+/// Font size of axis titles, pixels (96 per inch): 9.75 pt.
+pub(crate) const TITLE_FONT: f64 = 13.0;
+/// Font size of tick labels, pixels: 9 pt.
+pub(crate) const TICK_FONT: f64 = 12.0;
+/// Distance from a frame to its tick labels, pixels.
+const TICK_GAP: f64 = 5.0;
+/// Distance from tick labels to the axis title, pixels.
+const TITLE_GAP: f64 = 5.0;
+/// Height of the tick labels and the title below a frame, pixels.
+pub(crate) const BELOW: f64 = TICK_GAP + TICK_FONT + TITLE_GAP + TITLE_FONT + 3.0;
+
+const OUTLINE: Stroke = Stroke::solid(Rgb::INK, 0.9);
+const GRID: Stroke = Stroke::solid(Rgb::GRID, 0.7);
+const MINOR_GRID: Stroke = Stroke::solid(Rgb::GRID, 0.4);
+
+/// Side of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    Bottom,
+    Left,
+    Right,
+}
+
+/// Room a vertical axis needs beside its frame, pixels.
+pub(crate) fn room_beside(ticks: &Ticks) -> f64 {
+    TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT + 3.0
+}
+
+fn label_width(ticks: &Ticks) -> f64 {
+    ticks
+        .labels()
+        .map(|label| text::width(label, TICK_FONT, Weight::Regular))
+        .fold(0.0, f64::max)
+}
+
+/// Grid lines at the ticks of both axes.
+pub(crate) fn draw_grid(
+    canvas: &mut Canvas<'_>,
+    frame: &SheetBox,
+    (x, x_ticks): (&Axis, &Ticks),
+    (y, y_ticks): (&Axis, &Ticks),
+) -> Result<(), PlotError> {
+    let stroke = |label: &Option<String>| if label.is_some() { GRID } else { MINOR_GRID };
+    for tick in &x_ticks.ticks {
+        let at = x.at(tick.value);
+        canvas.line(&[(at, frame.top), (at, frame.bottom)], stroke(&tick.label))?;
+    }
+    for tick in &y_ticks.ticks {
+        let at = y.at(tick.value);
+        canvas.line(&[(frame.left, at), (frame.right, at)], stroke(&tick.label))?;
+    }
+    Ok(())
+}
+
+/// The four sides of the frame.
+pub(crate) fn draw_outline(canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
+    let SheetBox {
+        left,
+        top,
+        right,
+        bottom,
+    } = *frame;
+    canvas.line(
+        &[
+            (left, top),
+            (right, top),
+            (right, bottom),
+            (left, bottom),
+            (left, top),
+            (right, top),
+        ],
+        OUTLINE,
+    )
+}
+
+/// Ticks, tick labels and title of one side.
+pub(crate) fn draw_axis(
+    canvas: &mut Canvas<'_>,
+    frame: &SheetBox,
+    side: Side,
+    axis: &Axis,
+    ticks: &Ticks,
+    title: &str,
+) -> Result<(), PlotError> {
+    let label_style = Lettering::new(TICK_FONT);
+    for tick in &ticks.ticks {
+        let at = axis.at(tick.value);
+        let length = if tick.label.is_some() { 4.0 } else { 2.2 };
+        let label = tick.label.as_deref().unwrap_or("");
+        match side {
+            Side::Bottom => {
+                canvas.line(&[(at, frame.bottom), (at, frame.bottom - length)], OUTLINE)?;
+                let place = (at, frame.bottom + TICK_GAP);
+                canvas.text(label, place, label_style.anchor(HPos::Center, VPos::Top))?;
+            }
+            Side::Left => {
+                canvas.line(&[(frame.left, at), (frame.left + length, at)], OUTLINE)?;
+                let place = (frame.left - TICK_GAP, at);
+                canvas.text(label, place, label_style.anchor(HPos::Right, VPos::Center))?;
+            }
+            Side::Right => {
+                canvas.line(&[(frame.right, at), (frame.right - length, at)], OUTLINE)?;
+                let place = (frame.right + TICK_GAP, at);
+                canvas.text(label, place, label_style.anchor(HPos::Left, VPos::Center))?;
+            }
+        }
+    }
+    let title = ticks.title(title);
+    let style = Lettering::new(TITLE_FONT);
+    let (middle_x, middle_y) = frame.center();
+    let beside = TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT / 2.0;
+    match side {
+        Side::Bottom => {
+            let place = (middle_x, frame.bottom + TICK_GAP + TICK_FONT + TITLE_GAP);
+            canvas.text(&title, place, style.anchor(HPos::Center, VPos::Top))
+        }
+        Side::Left => {
+            let place = (frame.left - beside, middle_y);
+            canvas.text(
+                &title,
+                place,
+                style.anchor(HPos::Center, VPos::Center).upward(),
+            )
+        }
+        Side::Right => {
+            let place = (frame.right + beside, middle_y);
+            canvas.text(
+                &title,
+                place,
+                style.anchor(HPos::Center, VPos::Center).upward(),
+            )
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Pages of HTML that show figures with plotly.js and load nothing.
+//!
+//! The page is written here and not by `plotly::Plot::to_html`, because that adds two megabytes of
+//! MathJax and numbers its elements at random. Figures are JSON of plotly.js.
+
+use plotly::Plot;
+use serde_json::{Value, json};
+
+use crate::frame::{TICK_FONT, TITLE_FONT};
+use crate::text;
+
+/// A panel of a page: traces and layout of plotly.js.
+pub(crate) struct PagePanel {
+    pub(crate) data: Vec<Value>,
+    pub(crate) layout: Value,
+    /// Second grid of a map, null if there is none.
+    pub(crate) hover: Value,
+}
+
+/// Styles of the page. Panels stand side by side where there is room.
+const STYLE: &str = "\
+body{margin:0;background:#fff;color:#222;font-family:\"DejaVu Sans\",Verdana,sans-serif;line-height:1.45}\
+main{max-width:1600px;margin:0 auto;padding:16px}\
+h1{font-size:1.15rem;margin:0 0 8px}\
+.panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,660px),1fr));gap:12px}\
+.stacked{grid-template-columns:1fr}\
+.panel{height:min(640px,88vh);min-height:420px;min-width:0}\
+.caption{font-size:.85rem;max-width:75em;white-space:pre-line}";
+
+/// Draws all panels of a page; the sizes follow the window. What follows from other numbers of a
+/// map is computed here instead of being written out: the speed in m/s, the frequency, the zero
+/// contour.
+const SCRIPT: &str = "\
+const panels=JSON.parse(document.getElementById('figure').textContent);
+const buttons=['select2d','lasso2d','autoScale2d'];
+const config={responsive:true,displaylogo:false,modeBarButtonsToRemove:buttons,toImageButtonOptions:{format:'svg'}};
+panels.forEach((panel,index)=>{
+  const map=panel.data.find(trace=>trace.name==='map');
+  if(map){
+    const extra=panel.hover;
+    map.customdata=map.z.map((row,j)=>row.map((_,i)=>
+      [map.y[j]/3.6,1000*map.y[j]/(3.6*map.x[i]),extra?extra[j][i]:null]));
+    panel.data.filter(trace=>trace.meta==='zero').forEach(zero=>Object.assign(zero,{x:map.x,y:map.y,z:map.z}));
+  }
+  Plotly.newPlot('panel-'+index,panel.data,panel.layout,config);
+});
+";
+
+/// No request may leave the page: the browser itself enforces it.
+const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
+                      img-src data: blob:; font-src data:";
+
+/// The page.
+pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePanel]) -> String {
+    let figure: Vec<Value> = panels
+        .iter()
+        .map(|panel| json!({ "data": panel.data, "layout": panel.layout, "hover": panel.hover }))
+        .collect();
+    // Inside a script element only "<" can end or confuse it.
+    let figure = Value::from(figure).to_string().replace('<', "\\u003c");
+    let title = text::escape(title);
+    let heading = if title.is_empty() {
+        String::new()
+    } else {
+        format!("<h1>{title}</h1>\n")
+    };
+    let caption_lines = caption
+        .lines()
+        .map(text::escape)
+        .collect::<Vec<_>>()
+        .join("\n");
+    let caption = if caption_lines.is_empty() {
+        String::new()
+    } else {
+        format!("<p class=\"caption\">{caption_lines}</p>\n")
+    };
+    let places: String = (0..panels.len())
+        .map(|index| format!("<div class=\"panel\" id=\"panel-{index}\"></div>\n"))
+        .collect();
+    let class = if stacked { "panels stacked" } else { "panels" };
+    let page_title = if title.is_empty() { "Riffel" } else { &title };
+    let plotly_script = plotly_script();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
+         <title>{page_title}</title>\n<style>{STYLE}</style>\n{plotly_script}\n</head>\n<body>\n<main>\n\
+         {heading}<div class=\"{class}\">\n{places}</div>\n{caption}</main>\n\
+         <script type=\"application/json\" id=\"figure\">{figure}</script>\n<script>{SCRIPT}</script>\n\
+         </body>\n</html>\n"
+    )
+}
+
+/// The script element that holds plotly.js, the first of those the crate `plotly` carries; MathJax
+/// follows it there.
+fn plotly_script() -> String {
+    const END: &str = "</script>";
+    let mut scripts = Plot::offline_js_sources();
+    if let Some(end) = scripts.find(END) {
+        scripts.truncate(end + END.len());
+    }
+    scripts
+}
+
+/// A value of a map with at most five significant digits, null if it is not finite: shorter pages.
+pub(crate) fn number(value: f64) -> Value {
+    rounded(value, 4)
+}
+
+/// Coordinates with at most nine significant digits, null where they are not finite.
+pub(crate) fn coordinates(values: impl IntoIterator<Item = f64>) -> Value {
+    values.into_iter().map(|value| rounded(value, 8)).collect()
+}
+
+fn rounded(value: f64, decimals: usize) -> Value {
+    let short = format!("{value:.decimals$e}")
+        .parse::<f64>()
+        .ok()
+        .filter(|short| short.is_finite());
+    short.map_or(Value::Null, |short| {
+        if short.fract() == 0.0 && short.abs() < 1e9 {
+            json!(short as i64)
+        } else {
+            json!(short)
+        }
+    })
+}
+
+/// Words for plotly.js, which reads a little markup.
+pub(crate) fn words(words: &str) -> String {
+    text::escape(words)
+}
+
+/// An axis as in the pictures: framed, ticks inside, pale grid.
+pub(crate) fn axis(title: &str) -> Value {
+    json!({
+        "title": { "text": words(title), "font": { "size": TITLE_FONT } },
+        "automargin": true, "ticks": "inside", "showline": true, "linewidth": 1, "linecolor": "#222", "mirror": "ticks",
+        "gridcolor": "#e4e4e4", "zeroline": false, "tickfont": { "size": TICK_FONT },
+    })
+}
+
+/// The layout common to all panels.
+pub(crate) fn layout(subtitle: &str, x: Value, y: Value) -> Value {
+    let top = if subtitle.is_empty() { 16 } else { 40 };
+    json!({
+        "title": { "text": words(subtitle), "font": { "size": 14 }, "x": 0.5, "y": 0.985, "yanchor": "top" },
+        "font": { "family": "DejaVu Sans, Verdana, sans-serif", "color": "#222", "size": TICK_FONT },
+        "paper_bgcolor": "#fff", "plot_bgcolor": "#fff",
+        "margin": { "l": 64, "r": 20, "t": top, "b": 56 },
+        "legend": { "orientation": "h", "x": 0, "xanchor": "left", "y": -0.14, "yanchor": "top",
+            "font": { "size": 11 } },
+        "hovermode": "closest",
+        "xaxis": x, "yaxis": y,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_plotly_is_carried() {
+        let script = plotly_script();
+        assert!(script.starts_with("<script") && script.ends_with("</script>"));
+        assert!(script.contains("plotly.js v") && !script.contains("MathJax="));
+        assert!(script.len() > 3_000_000 && script.len() < 6_000_000);
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(number(-0.123_456_789).to_string(), "-0.12346");
+        assert_eq!(number(20.0).to_string(), "20");
+        assert_eq!(number(f64::NAN), Value::Null);
+        assert_eq!(number(1.23456e300), json!(1.2346e300));
+    }
+
+    #[test]
+    fn words_cannot_leave_their_element() {
+        let panel = PagePanel {
+            data: vec![json!({ "name": "</script><b>" })],
+            layout: json!({}),
+            hover: Value::Null,
+        };
+        let page = page("a<b", "c</p>", false, &[panel]);
+        let tail = &page[page.find("<main>").unwrap()..];
+        assert!(
+            !tail.contains("</script><b>")
+                && !tail.contains("c</p></p>")
+                && tail.contains("a&lt;b")
+        );
+    }
+}

@@ -1,0 +1,327 @@
+//! Curves as pictures.
+
+use crate::axis::{Axis, Ticks};
+use crate::canvas::{self, Canvas, Point, Stroke};
+use crate::color::{OKABE_ITO, Rgb};
+use crate::contours;
+use crate::error::PlotError;
+use crate::frame::{self, Side};
+use crate::legend::{self, Entry, Sample};
+use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use crate::marker::Marker;
+use crate::sheet::{self, Sheet};
+use crate::sheet_box::SheetBox;
+
+const LINE_WIDTH: f64 = 1.4;
+const MARK_RADIUS: f64 = 3.2;
+/// Distance by which a drawn line may leave its samples, pixels: half a unit of the sheet.
+const LINE_TOLERANCE: f64 = 0.05;
+/// Distance from a legend to the frame around it, pixels.
+const LEGEND_MARGIN: f64 = 8.0;
+/// Distance a legend inside a frame keeps from lines and marks, pixels.
+const LEGEND_CLEARANCE: f64 = 4.0;
+
+pub(crate) fn svg(figure: &LineFigure) -> Result<String, PlotError> {
+    figure.check()?;
+    let columns = match figure.arrangement {
+        Arrangement::Stacked => 1,
+        Arrangement::SideBySide => figure.panels.len().min(2),
+    };
+    let frame_size = match (columns, figure.panels.len()) {
+        (1, 1) => (450.0, 290.0),
+        (1, _) => (450.0, 200.0),
+        _ => (278.0, 240.0),
+    };
+    let frame = SheetBox {
+        left: 0.0,
+        top: 0.0,
+        right: frame_size.0,
+        bottom: frame_size.1,
+    };
+    let panels: Vec<Drawing<'_>> = figure
+        .panels
+        .iter()
+        .map(|panel| Drawing::new(panel, &frame))
+        .collect();
+    let subtitled = figure.panels.iter().any(|panel| !panel.subtitle.is_empty());
+    let most = |length: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(length).fold(0.0, f64::max);
+    let sheet = Sheet {
+        title: &figure.title,
+        caption: &figure.caption,
+        columns,
+        panel_count: panels.len(),
+        frame_size,
+        left: most(&|panel| frame::room_beside(&panel.y_ticks)),
+        right: 14.0,
+        above: if subtitled { sheet::SUBTITLE } else { 8.0 },
+        below: frame::BELOW + most(&|panel| panel.legend_height_below(&frame)),
+        legend: &[],
+    };
+    canvas::picture(sheet.size(), &figure.title, &figure.caption, |canvas| {
+        sheet.draw_words(canvas)?;
+        panels.iter().enumerate().try_for_each(|(index, drawing)| {
+            let frame = sheet.frame(index);
+            sheet.draw_subtitle(canvas, &frame, &drawing.panel.subtitle)?;
+            drawing.draw(canvas, &frame)
+        })
+    })
+}
+
+/// Colour of the series `index`.
+pub(crate) fn series_color(series: &Series, index: usize) -> Rgb {
+    series.color.unwrap_or(OKABE_ITO[index % OKABE_ITO.len()])
+}
+
+/// A panel prepared for drawing on a frame whose upper left corner is the origin.
+struct Drawing<'a> {
+    panel: &'a LinePanel,
+    x: Axis,
+    y: Axis,
+    x_ticks: Ticks,
+    y_ticks: Ticks,
+    /// Lines or single marks of each series, clipped to the frame.
+    lines: Vec<Vec<Vec<Point>>>,
+    entries: Vec<Entry>,
+    /// Upper left corner of a legend within the frame; None puts it below.
+    legend_corner: Option<Point>,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(panel: &'a LinePanel, frame: &SheetBox) -> Self {
+        let (low, high) = panel.drawn_x_range();
+        let x = Axis {
+            scale: panel.x_scale,
+            low,
+            high,
+            start: frame.left,
+            end: frame.right,
+        };
+        let (low, high) = panel.drawn_y_range();
+        let y = Axis {
+            scale: panel.y_scale,
+            low,
+            high,
+            start: frame.bottom,
+            end: frame.top,
+        };
+        let lines: Vec<Vec<Vec<Point>>> = panel
+            .series
+            .iter()
+            .map(|series| match series.style {
+                LineStyle::Markers => marks(panel, series, &x, &y, frame),
+                _ => clipped_lines(panel, series, &x, &y, frame),
+            })
+            .collect();
+        let entries = legend_entries(panel);
+        let legend_corner = free_corner(&entries, &lines, frame);
+        let count = |length: f64, least: f64| (length / least).floor() as usize;
+        let vertical_ticks = |count| {
+            if panel.y_is_angle() {
+                y.degree_ticks(count)
+            } else {
+                y.ticks(count)
+            }
+        };
+        let (x_ticks, y_ticks) = (
+            x.ticks(count(frame.width(), 44.0)),
+            vertical_ticks(count(frame.height(), 29.0)),
+        );
+        Drawing {
+            panel,
+            x,
+            y,
+            x_ticks,
+            y_ticks,
+            lines,
+            entries,
+            legend_corner,
+        }
+    }
+
+    fn legend_height_below(&self, frame: &SheetBox) -> f64 {
+        if self.legend_corner.is_some() {
+            0.0
+        } else {
+            legend::height(&self.entries, frame.width()) + 6.0
+        }
+    }
+
+    fn draw(&self, canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
+        let shift = (frame.left, frame.top);
+        let moved = |axis: &Axis, by: f64| Axis {
+            start: axis.start + by,
+            end: axis.end + by,
+            ..*axis
+        };
+        let (x, y) = (moved(&self.x, shift.0), moved(&self.y, shift.1));
+        frame::draw_grid(canvas, frame, (&x, &self.x_ticks), (&y, &self.y_ticks))?;
+        for (index, (series, lines)) in self.panel.series.iter().zip(&self.lines).enumerate() {
+            let color = series_color(series, index);
+            for line in lines {
+                let line: Vec<Point> = line
+                    .iter()
+                    .map(|point| (point.0 + shift.0, point.1 + shift.1))
+                    .collect();
+                match (series.style, line[..].first()) {
+                    (LineStyle::Markers, Some(&at)) => {
+                        Marker::open(index).draw(canvas, at, MARK_RADIUS, color)?
+                    }
+                    _ => canvas.line(
+                        &contours::simplified(&line, LINE_TOLERANCE),
+                        stroke(series.style, color),
+                    )?,
+                }
+            }
+        }
+        frame::draw_outline(canvas, frame)?;
+        frame::draw_axis(
+            canvas,
+            frame,
+            Side::Bottom,
+            &x,
+            &self.x_ticks,
+            &self.panel.x_label,
+        )?;
+        frame::draw_axis(
+            canvas,
+            frame,
+            Side::Left,
+            &y,
+            &self.y_ticks,
+            &self.panel.y_label,
+        )?;
+        match self.legend_corner {
+            Some(corner) => {
+                let corner = (corner.0 + shift.0, corner.1 + shift.1);
+                let size = legend::column_size(&self.entries);
+                let from = (corner.0 - 4.0, corner.1 - 2.0);
+                canvas.rectangle(
+                    from,
+                    (corner.0 + size.0 + 4.0, corner.1 + size.1 + 2.0),
+                    Rgb::WHITE,
+                    0.85,
+                )?;
+                legend::draw_column(canvas, &self.entries, corner)
+            }
+            None => {
+                let corner = (frame.left, frame.bottom + frame::BELOW + 6.0);
+                legend::draw_rows(canvas, &self.entries, corner, frame.width())
+            }
+        }
+    }
+}
+
+fn stroke(style: LineStyle, color: Rgb) -> Stroke {
+    match style {
+        LineStyle::Solid | LineStyle::Markers => Stroke::solid(color, LINE_WIDTH),
+        LineStyle::Dashed => Stroke::dashed(color, LINE_WIDTH, 6.0, 3.5),
+        LineStyle::Dotted => Stroke::dashed(color, LINE_WIDTH, 1.6, 2.6),
+    }
+}
+
+fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
+    let named = panel
+        .series
+        .iter()
+        .enumerate()
+        .filter(|(_, series)| !series.label.is_empty());
+    named
+        .map(|(index, series)| {
+            let color = series_color(series, index);
+            let sample = match series.style {
+                LineStyle::Markers => Sample::Mark(Marker::open(index), MARK_RADIUS, color),
+                style => Sample::Line(stroke(style, color)),
+            };
+            Entry {
+                sample,
+                name: series.label.clone(),
+            }
+        })
+        .collect()
+}
+
+/// Samples as single points inside the frame.
+fn marks(
+    panel: &LinePanel,
+    series: &Series,
+    x: &Axis,
+    y: &Axis,
+    frame: &SheetBox,
+) -> Vec<Vec<Point>> {
+    let samples = series
+        .x
+        .iter()
+        .zip(&series.y)
+        .filter(|&(&u, &v)| panel.admits(u, v));
+    samples
+        .map(|(&u, &v)| (x.at(u), y.at(v)))
+        .filter(|&point| frame.contains(point))
+        .map(|point| vec![point])
+        .collect()
+}
+
+/// Lines through consecutive samples that can be drawn, cut at the frame.
+fn clipped_lines(
+    panel: &LinePanel,
+    series: &Series,
+    x: &Axis,
+    y: &Axis,
+    frame: &SheetBox,
+) -> Vec<Vec<Point>> {
+    let mut lines: Vec<Vec<Point>> = Vec::new();
+    let mut previous: Option<Point> = None;
+    for (&u, &v) in series.x.iter().zip(&series.y) {
+        let point = panel.admits(u, v).then(|| (x.at(u), y.at(v)));
+        if let Some((a, b)) = previous.zip(point).and_then(|(a, b)| frame.clip(a, b)) {
+            match lines.last_mut().filter(|line| line.last() == Some(&a)) {
+                Some(line) => line.push(b),
+                None => lines.push(vec![a, b]),
+            }
+        }
+        previous = point;
+    }
+    lines
+}
+
+/// The corner of the frame in which a legend covers nothing; None if there is no such corner. An
+/// empty legend fits anywhere.
+fn free_corner(entries: &[Entry], lines: &[Vec<Vec<Point>>], frame: &SheetBox) -> Option<Point> {
+    let (width, height) = legend::column_size(entries);
+    let (left, right) = (
+        frame.left + LEGEND_MARGIN,
+        frame.right - LEGEND_MARGIN - width,
+    );
+    let (top, bottom) = (
+        frame.top + LEGEND_MARGIN,
+        frame.bottom - LEGEND_MARGIN - height,
+    );
+    if entries.is_empty() {
+        return Some((left, top));
+    }
+    let middle = (left + right) / 2.0;
+    [
+        (right, top),
+        (left, top),
+        (left, bottom),
+        (right, bottom),
+        (middle, top),
+        (middle, bottom),
+    ]
+    .into_iter()
+    .filter(|corner| corner.0 >= left && corner.1 >= top)
+    .find(|corner| {
+        let place = SheetBox {
+            left: corner.0,
+            top: corner.1,
+            right: corner.0 + width,
+            bottom: corner.1 + height,
+        };
+        let near = place.shrunk(-LEGEND_CLEARANCE);
+        !lines.iter().flatten().any(|line| match line[..] {
+            [point] => near.contains(point),
+            _ => line
+                .windows(2)
+                .any(|pair| near.clip(pair[0], pair[1]).is_some()),
+        })
+    })
+}

@@ -1,0 +1,177 @@
+//! Curves over a common abscissa: the data of the figure.
+
+use crate::axis::Scale;
+use crate::color::Rgb;
+use crate::error::PlotError;
+use crate::{line_drawing, line_page};
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LineStyle {
+    /// An unbroken line.
+    #[default]
+    Solid,
+    /// Dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Open marks at the samples, without a line.
+    Markers,
+}
+
+/// How the panels of a figure stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Arrangement {
+    /// Two in a row.
+    #[default]
+    SideBySide,
+    /// One below the other.
+    Stacked,
+}
+
+/// A curve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Series {
+    /// Name in the legend; without a name the series has no entry there.
+    pub label: String,
+    /// Abscissae, in the unit the axis names.
+    pub x: Vec<f64>,
+    /// Ordinates, as many as abscissae. A sample that is not finite, or not positive on a
+    /// logarithmic axis, breaks the line.
+    pub y: Vec<f64>,
+    /// How the series is drawn.
+    pub style: LineStyle,
+    /// Colour; None takes the next one of [`OKABE_ITO`](crate::OKABE_ITO).
+    pub color: Option<Rgb>,
+}
+
+/// A pair of axes with curves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LinePanel {
+    /// Words above the panel.
+    pub subtitle: String,
+    /// Quantity and unit of the abscissa, such as "speed V \[m/s\]".
+    pub x_label: String,
+    /// Quantity and unit of the ordinate.
+    pub y_label: String,
+    /// Spacing of the abscissa.
+    pub x_scale: Scale,
+    /// Spacing of the ordinate.
+    pub y_scale: Scale,
+    /// Range of the abscissa; None shows all samples.
+    pub x_range: Option<(f64, f64)>,
+    /// Range of the ordinate; None shows all samples within the range of the abscissa.
+    pub y_range: Option<(f64, f64)>,
+    /// The curves, later ones on top.
+    pub series: Vec<Series>,
+}
+
+/// One or more panels of curves.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct LineFigure {
+    /// Title above the figure.
+    pub title: String,
+    /// Words below the figure: the parameters and the sign convention.
+    pub caption: String,
+    /// The panels.
+    pub panels: Vec<LinePanel>,
+    /// How the panels stand.
+    pub arrangement: Arrangement,
+}
+
+impl LineFigure {
+    /// The figure as an SVG document. Identical data give identical text.
+    ///
+    /// # Errors
+    /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`], [`PlotError::AxisRange`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        line_drawing::svg(self)
+    }
+
+    /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything
+    /// it needs and loads nothing. Identical data give identical text.
+    ///
+    /// # Errors
+    /// As [`svg`](LineFigure::svg).
+    pub fn html(&self) -> Result<String, PlotError> {
+        line_page::html(self)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), PlotError> {
+        if self.panels.is_empty() {
+            return Err(PlotError::NoPanel);
+        }
+        self.panels
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, panel)| panel.check(index))
+    }
+}
+
+impl LinePanel {
+    fn check(&self, panel: usize) -> Result<(), PlotError> {
+        for series in &self.series {
+            let (x_count, y_count) = (series.x.len(), series.y.len());
+            if x_count != y_count {
+                return Err(PlotError::SeriesLength {
+                    panel,
+                    label: series.label.clone(),
+                    x_count,
+                    y_count,
+                });
+            }
+        }
+        for (axis, scale, range) in [
+            ("x", self.x_scale, self.x_range),
+            ("y", self.y_scale, self.y_range),
+        ] {
+            if let Some((low, high)) = range
+                && !(scale.admits(low) && scale.admits(high) && low < high)
+            {
+                return Err(PlotError::AxisRange {
+                    panel,
+                    axis,
+                    low,
+                    high,
+                    scale: scale.name(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Range of the abscissa: as given, or that of the samples.
+    pub(crate) fn drawn_x_range(&self) -> (f64, f64) {
+        self.x_range
+            .unwrap_or_else(|| self.x_scale.range_of(self.samples().map(|sample| sample.0)))
+    }
+
+    /// Range of the ordinate: as given, or that of the samples in sight with a little air.
+    pub(crate) fn drawn_y_range(&self) -> (f64, f64) {
+        let (low, high) = self.drawn_x_range();
+        let seen = self
+            .samples()
+            .filter(|sample| low <= sample.0 && sample.0 <= high)
+            .map(|sample| sample.1);
+        self.y_range
+            .unwrap_or_else(|| self.y_scale.with_air(self.y_scale.range_of(seen)))
+    }
+
+    /// Whether the ordinate is an angle in degrees.
+    pub(crate) fn y_is_angle(&self) -> bool {
+        self.y_label.contains('°')
+    }
+
+    /// Samples that can be drawn.
+    fn samples(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.series
+            .iter()
+            .flat_map(|series| series.x.iter().copied().zip(series.y.iter().copied()))
+            .filter(|&(x, y)| self.admits(x, y))
+    }
+
+    /// Whether a sample can be drawn.
+    pub(crate) fn admits(&self, x: f64, y: f64) -> bool {
+        self.x_scale.admits(x) && self.y_scale.admits(y)
+    }
+}

@@ -1,0 +1,84 @@
+//! Curves as pages.
+
+use serde_json::{Value, json};
+
+use crate::axis::{Scale, degree_step};
+use crate::error::PlotError;
+use crate::html::{self, PagePanel, coordinates, words};
+use crate::line_drawing::series_color;
+use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use crate::marker::Marker;
+
+pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
+    figure.check()?;
+    let panels: Vec<PagePanel> = figure.panels.iter().map(page_panel).collect();
+    Ok(html::page(
+        &figure.title,
+        &figure.caption,
+        figure.arrangement == Arrangement::Stacked,
+        &panels,
+    ))
+}
+
+fn page_panel(panel: &LinePanel) -> PagePanel {
+    let data = panel
+        .series
+        .iter()
+        .enumerate()
+        .map(|(index, series)| trace(panel, series, index))
+        .collect();
+    let x = axis(&panel.x_label, panel.x_scale, panel.drawn_x_range());
+    let (low, high) = panel.drawn_y_range();
+    let mut y = axis(&panel.y_label, panel.y_scale, (low, high));
+    if panel.y_is_angle() && panel.y_scale == Scale::Linear {
+        y["dtick"] = json!(degree_step(high - low, 8));
+    }
+    PagePanel {
+        data,
+        layout: html::layout(&panel.subtitle, x, y),
+        hover: Value::Null,
+    }
+}
+
+fn axis(title: &str, scale: Scale, (low, high): (f64, f64)) -> Value {
+    let mut axis = html::axis(title);
+    axis["exponentformat"] = json!("power");
+    match scale {
+        Scale::Linear => axis["range"] = coordinates([low, high]),
+        Scale::Log => {
+            axis["type"] = json!("log");
+            axis["range"] = coordinates([low.log10(), high.log10()]);
+            axis["minor"] = json!({ "ticks": "inside", "showgrid": true, "gridcolor": "#f2f2f2" });
+            if high / low > 30.0 {
+                axis["dtick"] = json!(1);
+            }
+        }
+    }
+    axis
+}
+
+fn trace(panel: &LinePanel, series: &Series, index: usize) -> Value {
+    let color = series_color(series, index).hex();
+    // What cannot be drawn becomes null, which breaks the line.
+    let drawn = |value: f64, x: f64, y: f64| if panel.admits(x, y) { value } else { f64::NAN };
+    let pairs = || series.x.iter().copied().zip(series.y.iter().copied());
+    let mut trace = json!({
+        "type": "scatter", "name": words(&series.label), "showlegend": !series.label.is_empty(),
+        "x": coordinates(pairs().map(|(x, y)| drawn(x, x, y))), "y": coordinates(pairs().map(|(x, y)| drawn(y, x, y))),
+        "hovertemplate": "%{x:.5g}, %{y:.5g}", "connectgaps": false,
+    });
+    let dash = match series.style {
+        LineStyle::Solid => "solid",
+        LineStyle::Dashed => "dash",
+        LineStyle::Dotted => "dot",
+        LineStyle::Markers => {
+            trace["mode"] = json!("markers");
+            trace["marker"] = json!({ "symbol": Marker::open(index).plotly_symbol(), "size": 8, "color": color,
+                "line": { "width": 1.6 } });
+            return trace;
+        }
+    };
+    trace["mode"] = json!("lines");
+    trace["line"] = json!({ "color": color, "width": 2, "dash": dash });
+    trace
+}

@@ -1,0 +1,208 @@
+//! What is drawn upon a map: rays of constant frequency and their labels, the ridge, observations.
+
+use plotters::style::text_anchor::{HPos, VPos};
+
+use crate::canvas::{Canvas, Lettering, Point, Stroke};
+use crate::color::{BEST_FIT, Rgb};
+use crate::error::PlotError;
+use crate::grid::thinned_indices;
+use crate::map_drawing::Drawing;
+use crate::marker::Marker;
+use crate::sheet_box::{self, Obstacles, SheetBox};
+use crate::text;
+
+/// Ridge marks drawn in a panel.
+pub(crate) const MOST_RIDGE_MARKS: usize = 50;
+pub(crate) const RIDGE_RADIUS: f64 = 2.4;
+pub(crate) const OBSERVATION_RADIUS: f64 = 4.0;
+pub(crate) const RAY: Stroke = Stroke::solid(Rgb::AUXILIARY, 0.8);
+pub(crate) const BEST_FIT_RAY: Stroke = Stroke::dashed(BEST_FIT, 2.0, 7.0, 4.0);
+const RAY_FONT: f64 = 10.5;
+const BEST_FIT_FONT: f64 = 12.0;
+
+impl Drawing<'_> {
+    pub(crate) fn draw_rays(
+        &self,
+        canvas: &mut Canvas<'_>,
+        place: &impl Fn(Point) -> Point,
+    ) -> Result<(), PlotError> {
+        let window = self.panel.window();
+        for ray in self
+            .panel
+            .other_rays()
+            .filter_map(|frequency| window.ray(frequency))
+        {
+            canvas.line(&ray.map(place), RAY)?;
+        }
+        if let Some(ray) = self
+            .panel
+            .best_fit_frequency_hz
+            .and_then(|frequency| window.ray(frequency))
+        {
+            let under = Stroke {
+                color: Rgb::WHITE,
+                width: 3.6,
+                opacity: 0.7,
+                dash: None,
+            };
+            canvas.line(&ray.map(place), under)?;
+            canvas.line(&ray.map(place), BEST_FIT_RAY)?;
+        }
+        Ok(())
+    }
+
+    fn ridge_points(
+        &self,
+        frame: &SheetBox,
+        place: &impl Fn(Point) -> Point,
+    ) -> Vec<(Point, bool)> {
+        let marks: Vec<(Point, bool)> = self
+            .panel
+            .ridge
+            .iter()
+            .map(|mark| (place((mark.wavelength_m, mark.speed_m_per_s)), mark.at_edge))
+            .filter(|(point, _)| frame.shrunk(-0.01).contains(*point))
+            .collect();
+        thinned_indices(marks.len(), MOST_RIDGE_MARKS)
+            .into_iter()
+            .map(|index| marks[index])
+            .collect()
+    }
+
+    fn observation_points(
+        &self,
+        frame: &SheetBox,
+        place: &impl Fn(Point) -> Point,
+    ) -> Vec<(Point, usize)> {
+        let shape = |label: &str| {
+            self.labels
+                .iter()
+                .position(|other| *other == label)
+                .unwrap_or(0)
+        };
+        self.panel
+            .observations
+            .iter()
+            .map(|observation| {
+                (
+                    place((observation.wavelength_m, observation.speed_m_per_s)),
+                    shape(&observation.label),
+                )
+            })
+            .filter(|(point, _)| frame.shrunk(-0.01).contains(*point))
+            .collect()
+    }
+
+    pub(crate) fn draw_marks(
+        &self,
+        canvas: &mut Canvas<'_>,
+        frame: &SheetBox,
+        place: &impl Fn(Point) -> Point,
+    ) -> Result<(), PlotError> {
+        for (point, at_edge) in self.ridge_points(frame, place) {
+            ridge_marker(at_edge).draw(canvas, point, RIDGE_RADIUS, Rgb::BLACK)?;
+        }
+        for (point, shape) in self.observation_points(frame, place) {
+            Marker::open(shape).draw(canvas, point, OBSERVATION_RADIUS, Rgb::BLACK)?;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn draw_ray_labels(
+        &self,
+        canvas: &mut Canvas<'_>,
+        frame: &SheetBox,
+        place: &impl Fn(Point) -> Point,
+    ) -> Result<(), PlotError> {
+        let window = self.panel.window();
+        let line = |frequency: f64| {
+            window
+                .ray(frequency)
+                .map(|[from, to]| (place(from), place(to)))
+        };
+        let marks: Vec<Point> = self
+            .ridge_points(frame, place)
+            .iter()
+            .map(|mark| mark.0)
+            .chain(
+                self.observation_points(frame, place)
+                    .iter()
+                    .map(|mark| mark.0),
+            )
+            .collect();
+        let best = self.panel.best_fit_frequency_hz;
+        let best_label = best.map(|frequency| (frequency, format!("f = {} Hz", hertz(frequency))));
+        let others = self
+            .panel
+            .other_rays()
+            .map(|frequency| (frequency, format!("{} Hz", hertz(frequency))));
+        let inner = frame.shrunk(3.0);
+        let mut taken: Vec<SheetBox> = Vec::new();
+        for (index, (frequency, label)) in best_label.into_iter().chain(others).enumerate() {
+            let is_best = index == 0 && best.is_some();
+            let lettering = if is_best {
+                Lettering::new(BEST_FIT_FONT).bold().color(BEST_FIT)
+            } else {
+                Lettering::new(RAY_FONT).color(Rgb(80, 80, 80))
+            };
+            let size = (
+                text::width(&label, lettering.size, lettering.weight) + 5.0,
+                lettering.size + 3.0,
+            );
+            let lines: Vec<(Point, Point)> = self
+                .panel
+                .other_rays()
+                .chain(best)
+                .filter(|other| *other != frequency)
+                .filter_map(line)
+                .collect();
+            let Some(ray) = line(frequency) else { continue };
+            let obstacles = Obstacles {
+                labels: &taken,
+                marks: &marks,
+                lines: &lines,
+            };
+            // The best fit runs through the ridge: its label stands beside it, the others break
+            // their rays.
+            let beside: &[f64] = if is_best { &[1.0, -1.0, 0.0] } else { &[0.0] };
+            let Some(spot) = sheet_box::along_line(ray, size, &inner, &obstacles, beside) else {
+                continue;
+            };
+            canvas.rectangle(
+                (spot.left, spot.top),
+                (spot.right, spot.bottom),
+                Rgb::WHITE,
+                0.85,
+            )?;
+            canvas.text(
+                &label,
+                spot.center(),
+                lettering.anchor(HPos::Center, VPos::Center),
+            )?;
+            taken.push(spot);
+        }
+        Ok(())
+    }
+}
+
+/// A frequency in words: whole hertz, decimals only for slow undulations.
+pub(crate) fn hertz(frequency: f64) -> String {
+    if frequency >= 100.0 || frequency.fract().abs() < 1e-9 {
+        text::fixed(frequency, 0)
+    } else {
+        let digits = text::fixed(frequency, 2);
+        digits
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .to_owned()
+    }
+}
+
+/// Mark of the ridge.
+pub(crate) fn ridge_marker(at_edge: bool) -> Marker {
+    if at_edge {
+        Marker::Circle
+    } else {
+        Marker::Disc
+    }
+}

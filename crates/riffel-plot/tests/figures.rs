@@ -1,0 +1,501 @@
+//! Whole figures: what is in them, what they survive, that they repeat.
+
+use resvg::usvg::{self, fontdb};
+use riffel_plot::{
+    Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Observation, PlotError,
+    RidgeMark, Scale, Series, constant_frequency_rays, png,
+};
+
+fn even(low: f64, high: f64, count: usize) -> Vec<f64> {
+    (0..count)
+        .map(|k| low + (high - low) * k as f64 / (count - 1) as f64)
+        .collect()
+}
+
+/// A quantity over wavelength and speed.
+type Field = Box<dyn Fn(f64, f64) -> f64>;
+
+fn panel(columns: usize, rows: usize, field: impl Fn(f64, f64) -> f64) -> MapPanel {
+    let (wavelength_m, speed_m_per_s) = (even(0.020, 0.080, columns), even(5.0, 60.0, rows));
+    let values: Vec<f64> = speed_m_per_s
+        .iter()
+        .flat_map(|&v| {
+            wavelength_m
+                .iter()
+                .map(|&l| field(l, v))
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    let ridge = speed_m_per_s
+        .iter()
+        .map(|&v| RidgeMark {
+            wavelength_m: (v / 535.0).clamp(0.020, 0.080),
+            speed_m_per_s: v,
+            at_edge: !(0.020..0.080).contains(&(v / 535.0)),
+        })
+        .collect();
+    let observation = |wavelength_m: f64, speed_m_per_s: f64, label: &str| Observation {
+        wavelength_m,
+        speed_m_per_s,
+        label: label.to_owned(),
+    };
+    MapPanel {
+        subtitle: "(a) τ = 0.1".to_owned(),
+        hover_values: Some(values.iter().map(|value| -1e-8 * value).collect()),
+        values,
+        value_label: "Re Ŵ₁ [-]".to_owned(),
+        ridge,
+        best_fit_frequency_hz: Some(537.0),
+        rays_hz: constant_frequency_rays((0.020, 0.080), (5.0, 60.0)),
+        observations: vec![
+            observation(0.04, 20.0, "BR survey (1911)"),
+            observation(0.05, 30.0, "Harrison (1979)"),
+            observation(0.5, 30.0, "Harrison (1979)"),
+            observation(f64::NAN, 30.0, "A & B <1992>"),
+        ],
+        wavelength_m,
+        speed_m_per_s,
+        ..MapPanel::default()
+    }
+}
+
+fn growth(wavelength: f64, speed: f64) -> f64 {
+    0.2 - (-((speed / wavelength - 535.0) / 200.0).powi(2)).exp()
+}
+
+fn map(panels: Vec<MapPanel>) -> MapFigure {
+    MapFigure {
+        title: "BR main line, tangent track".to_owned(),
+        caption:
+            "Growth where Re Ŵ₁ < 0; μ = 0.4, P₀ = 50 kN, Δ = 31.5 µm, I → ∞, ν ≥ 0, exp(+iωt)."
+                .to_owned(),
+        panels,
+    }
+}
+
+fn curves() -> LineFigure {
+    let x = even(10.0, 5000.0, 300);
+    let series = |label: &str, style, y: Vec<f64>| Series {
+        label: label.to_owned(),
+        x: x.clone(),
+        y,
+        style,
+        color: None,
+    };
+    let magnitude: Vec<f64> = x.iter().map(|f| 1e-6 * f.powf(-1.5)).collect();
+    let mut broken = magnitude.clone();
+    broken[100] = f64::NAN;
+    broken[200] = -1.0;
+    let first = LinePanel {
+        subtitle: "(a)".to_owned(),
+        x_label: "frequency f [Hz]".to_owned(),
+        y_label: "|receptance| [m/N]".to_owned(),
+        x_scale: Scale::Log,
+        y_scale: Scale::Log,
+        series: vec![
+            series("free beam", LineStyle::Solid, magnitude),
+            series("two-layer track", LineStyle::Dashed, broken),
+        ],
+        ..LinePanel::default()
+    };
+    let second = LinePanel {
+        y_label: "phase [°]".to_owned(),
+        y_scale: Scale::Linear,
+        y_range: Some((-180.0, 0.0)),
+        series: vec![
+            series(
+                "phase",
+                LineStyle::Dotted,
+                x.iter().map(|f| -f / 10.0).collect(),
+            ),
+            series(
+                "measured",
+                LineStyle::Markers,
+                x.iter().map(|f| -f / 20.0).collect(),
+            ),
+        ],
+        ..first.clone()
+    };
+    LineFigure {
+        title: "Vertical receptance".to_owned(),
+        caption: "m = 56 kg/m.".to_owned(),
+        panels: vec![first, second],
+        arrangement: Arrangement::SideBySide,
+    }
+}
+
+fn read(svg: &str) -> usvg::Tree {
+    let mut fonts = fontdb::Database::new();
+    fonts.load_font_data(dejavu::sans::regular().to_vec());
+    fonts.load_font_data(dejavu::sans::bold().to_vec());
+    let options = usvg::Options {
+        fontdb: fonts.into(),
+        ..Default::default()
+    };
+    usvg::Tree::from_str(svg, &options).expect("the figure is an SVG document")
+}
+
+/// All texts below a node: their words, and the glyph indices they are drawn with.
+fn texts(group: &usvg::Group, words: &mut Vec<String>, glyphs: &mut Vec<u32>) {
+    for node in group.children() {
+        match node {
+            usvg::Node::Group(group) => texts(group, words, glyphs),
+            usvg::Node::Text(text) => {
+                words.push(text.chunks().iter().map(|chunk| chunk.text()).collect());
+                for span in text.layouted() {
+                    glyphs.extend(span.positioned_glyphs.iter().map(|glyph| glyph.id.0));
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn words_of(svg: &str) -> Vec<String> {
+    let (mut words, mut glyphs) = (Vec::new(), Vec::new());
+    texts(read(svg).root(), &mut words, &mut glyphs);
+    assert!(
+        !glyphs.is_empty() && glyphs.iter().all(|&glyph| glyph != 0),
+        "a glyph is missing from the font"
+    );
+    words
+        .into_iter()
+        .map(|word| word.trim().to_owned())
+        .collect()
+}
+
+#[test]
+fn map_names_its_axes_rays_and_marks() {
+    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
+    let words = words_of(&svg);
+    for expected in [
+        "wavelength λ [mm]",
+        "speed V [km/h]",
+        "speed V [m/s]",
+        "Re Ŵ₁ [-]",
+        "f = 537 Hz",
+        "1000 Hz",
+        "20",
+        "80",
+        "200",
+        "0",
+        "BR survey (1911)",
+        "A & B <1992>",
+        "(a) τ = 0.1",
+    ] {
+        assert!(
+            words.iter().any(|word| word == expected),
+            "{expected} is not in {words:?}"
+        );
+    }
+    assert!(!words.iter().any(|word| word.contains("not computed")));
+}
+
+#[test]
+fn curves_name_their_series_and_decades() {
+    let svg = curves().svg().unwrap();
+    let words = words_of(&svg);
+    for expected in [
+        "frequency f [Hz]",
+        "free beam",
+        "two-layer track",
+        "measured",
+        "10⁻⁹",
+        "100",
+        "−90",
+        "(a)",
+    ] {
+        assert!(
+            words.iter().any(|word| word == expected),
+            "{expected} is not in {words:?}"
+        );
+    }
+}
+
+#[test]
+fn missing_sample_breaks_the_line() {
+    let line = |y: Vec<f64>| LineFigure {
+        panels: vec![LinePanel {
+            series: vec![Series {
+                x: even(0.0, 4.0, 5),
+                y,
+                ..Series::default()
+            }],
+            y_range: Some((0.0, 3.0)),
+            ..LinePanel::default()
+        }],
+        ..LineFigure::default()
+    };
+    let pieces = |figure: LineFigure| figure.svg().unwrap().matches("stroke-width=\"14\"").count();
+    assert_eq!(pieces(line(vec![1.0, 2.0, 1.0, 2.0, 1.0])), 1);
+    assert_eq!(pieces(line(vec![1.0, 2.0, f64::NAN, 2.0, 1.0])), 2);
+    // A line that leaves the frame and returns is cut in two as well.
+    assert_eq!(pieces(line(vec![1.0, 2.0, 99.0, 2.0, 1.0])), 2);
+}
+
+/// Width and height in the header of a PNG file.
+fn png_size(bytes: &[u8]) -> (u32, u32) {
+    assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
+    let number =
+        |at: usize| u32::from_be_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
+    (number(16), number(20))
+}
+
+#[test]
+fn png_has_the_size_of_the_sheet_and_shows_growth_in_blue() {
+    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
+    let size = read(&svg).size();
+    for scale in [1.0f32, 2.0, 3.0] {
+        let bytes = png(&svg, scale).unwrap();
+        assert_eq!(
+            png_size(&bytes),
+            (
+                (size.width() * scale) as u32,
+                (size.height() * scale) as u32
+            )
+        );
+    }
+    let pixels = resvg::tiny_skia::Pixmap::decode_png(&png(&svg, 1.0).unwrap()).unwrap();
+    let share = |test: &dyn Fn(u8, u8, u8) -> bool| {
+        let all = pixels.pixels();
+        all.iter()
+            .filter(|p| test(p.red(), p.green(), p.blue()))
+            .count() as f64
+            / all.len() as f64
+    };
+    let (white, blue) = (
+        share(&|r, g, b| r > 250 && g > 250 && b > 250),
+        share(&|r, _, b| b > r.saturating_add(40)),
+    );
+    assert!(white > 0.3 && white < 0.9, "{white}");
+    assert!(blue > 0.05 && blue < 0.5, "{blue}");
+}
+
+#[test]
+fn pages_load_nothing() {
+    let pages = [
+        map(vec![panel(61, 56, growth), panel(30, 30, growth)]).html(),
+        curves().html(),
+    ];
+    for page in pages {
+        let page = page.unwrap();
+        assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
+        assert!(page.contains("<meta charset=\"utf-8\">") && page.contains("name=\"viewport\""));
+        assert!(page.contains("default-src 'none'"));
+        // plotly.js is the first script; what surrounds it is ours and mentions no address at all.
+        let start = page.find("<script").unwrap();
+        let end = start + page[start..].find("</script>").unwrap();
+        let ours = [&page[..start], &page[end..]].concat();
+        for address in [
+            "http:", "https:", "src=", "href=", "@import", "url(", "import(",
+        ] {
+            assert!(!ours.contains(address), "{address}");
+        }
+        assert!(!page[start..end].contains("<script src"));
+        assert!(ours.contains("\"data\"") && ours.contains("Plotly.newPlot"));
+    }
+}
+
+#[test]
+fn page_carries_the_map_and_its_marks() {
+    let page = map(vec![panel(61, 56, growth)]).html().unwrap();
+    let start = page.find("<script type=\"application/json\"").unwrap();
+    let start = start + page[start..].find('>').unwrap() + 1;
+    let figure: serde_json::Value =
+        serde_json::from_str(&page[start..start + page[start..].find("</script>").unwrap()])
+            .unwrap();
+    let data = figure[0]["data"].as_array().unwrap();
+    let map = data.iter().find(|trace| trace["name"] == "map").unwrap();
+    assert_eq!(
+        (
+            map["z"].as_array().unwrap().len(),
+            map["z"][0].as_array().unwrap().len()
+        ),
+        (56, 61)
+    );
+    assert_eq!(
+        (map["x"][0].as_f64(), map["y"][55].as_f64()),
+        (Some(20.0), Some(216.0))
+    );
+    assert_eq!(
+        (
+            map["contours"]["end"].as_f64(),
+            map["colorscale"].as_array().unwrap().len()
+        ),
+        (Some(0.0), 11)
+    );
+    assert!(
+        map["hovertemplate"]
+            .as_str()
+            .unwrap()
+            .contains("growth rate per passage")
+    );
+    assert_eq!(figure[0]["hover"].as_array().unwrap().len(), 56);
+    let names: Vec<&str> = data
+        .iter()
+        .filter_map(|trace| trace["name"].as_str())
+        .collect();
+    for name in [
+        "best constant frequency",
+        "strongest growth at each speed",
+        "BR survey (1911)",
+        "Harrison (1979)",
+    ] {
+        assert!(names.contains(&name), "{name} is not in {names:?}");
+    }
+}
+
+#[test]
+fn strange_maps_are_drawn() {
+    let holes = |l: f64, v: f64| {
+        if (l * 1e3) as i64 % 7 == 3 || v > 55.0 {
+            f64::NAN
+        } else {
+            growth(l, v)
+        }
+    };
+    let fields: [(&str, Field); 9] = [
+        ("not a number", Box::new(|_, _| f64::NAN)),
+        ("infinite", Box::new(|_, _| f64::NEG_INFINITY)),
+        ("decay everywhere", Box::new(|_, _| 1.0)),
+        ("zero", Box::new(|_, _| 0.0)),
+        ("equal growth everywhere", Box::new(|_, _| -1.0)),
+        (
+            "one cell",
+            Box::new(|l, v| if l < 0.0205 && v < 5.5 { -1e-7 } else { 1.0 }),
+        ),
+        ("tiny", Box::new(|l, v| 1e-310 * growth(l, v))),
+        ("huge", Box::new(|l, v| 1e308 * growth(l, v))),
+        ("holes", Box::new(holes)),
+    ];
+    for (name, field) in fields {
+        for (columns, rows) in [(2, 2), (23, 17)] {
+            let mut bare = panel(columns, rows, &field);
+            bare.ridge.clear();
+            bare.rays_hz = vec![f64::NAN, -1.0, 0.0, 1e9, 500.0];
+            bare.best_fit_frequency_hz = Some(f64::NAN);
+            bare.hover_values = None;
+            for level_count in [0, 1, 10, usize::MAX] {
+                let figure = map(vec![
+                    panel(columns, rows, &field),
+                    MapPanel {
+                        level_count,
+                        ..bare.clone()
+                    },
+                ]);
+                let svg = figure
+                    .svg()
+                    .unwrap_or_else(|error| panic!("{name}: {error}"));
+                assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
+                read(&svg);
+            }
+            assert!(map(vec![bare]).html().is_ok(), "{name}");
+        }
+    }
+    let words = words_of(&map(vec![panel(23, 17, |_, _| 1.0)]).svg().unwrap());
+    assert!(words.iter().any(|word| word == "no growth in this window"));
+    let words = words_of(&map(vec![panel(23, 17, holes)]).svg().unwrap());
+    assert!(words.iter().any(|word| word == "not computed"));
+}
+
+#[test]
+fn strange_curves_are_drawn() {
+    for y in [
+        vec![],
+        vec![f64::NAN; 3],
+        vec![0.0; 3],
+        vec![-1.0, 1.0, f64::INFINITY],
+        vec![1e308, -1e308, 1e-308],
+    ] {
+        for scale in [Scale::Linear, Scale::Log] {
+            for style in [
+                LineStyle::Solid,
+                LineStyle::Dashed,
+                LineStyle::Dotted,
+                LineStyle::Markers,
+            ] {
+                let x = (0..y.len()).map(|k| k as f64).collect();
+                let series = Series {
+                    x,
+                    y: y.clone(),
+                    style,
+                    ..Series::default()
+                };
+                let panel = LinePanel {
+                    y_scale: scale,
+                    x_scale: scale,
+                    series: vec![series],
+                    ..LinePanel::default()
+                };
+                for arrangement in [Arrangement::SideBySide, Arrangement::Stacked] {
+                    let panels = vec![panel.clone(), LinePanel::default(), LinePanel::default()];
+                    let figure = LineFigure {
+                        panels,
+                        arrangement,
+                        ..LineFigure::default()
+                    };
+                    read(&figure.svg().unwrap());
+                    assert!(figure.html().is_ok());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn contradictory_data_are_refused_in_words() {
+    let mut short = panel(5, 4, growth);
+    short.values.pop();
+    let error = map(vec![short]).svg().unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "panel 0: values holds 19 numbers, but 4 speeds × 5 wavelengths need 20"
+    );
+    let mut order = panel(5, 4, growth);
+    order.speed_m_per_s[2] = 1.0;
+    assert!(matches!(
+        map(vec![order]).html(),
+        Err(PlotError::GridOrder { index: 2, .. })
+    ));
+    let mut few = panel(5, 4, growth);
+    few.wavelength_m.truncate(1);
+    assert!(matches!(
+        map(vec![few]).svg(),
+        Err(PlotError::TooFewGridPoints { found: 1, .. })
+    ));
+    assert_eq!(map(vec![]).svg(), Err(PlotError::NoPanel));
+    let mut lines = curves();
+    lines.panels[0].y_range = Some((0.0, 1.0));
+    assert!(matches!(
+        lines.svg(),
+        Err(PlotError::AxisRange { axis: "y", .. })
+    ));
+    let mut lines = curves();
+    lines.panels[1].series[0].x.pop();
+    assert!(matches!(
+        lines.html(),
+        Err(PlotError::SeriesLength { panel: 1, .. })
+    ));
+}
+
+#[test]
+fn figures_repeat_to_the_byte() {
+    let figure = map(vec![panel(61, 56, growth), panel(40, 30, growth)]);
+    assert_eq!(figure.svg(), figure.clone().svg());
+    assert_eq!(figure.html(), figure.clone().html());
+    let svg = figure.svg().unwrap();
+    assert_eq!(png(&svg, 1.0), png(&svg, 1.0));
+    assert_eq!(curves().svg(), curves().svg());
+    assert_eq!(curves().html(), curves().html());
+}
+
+#[test]
+fn large_grids_stay_light() {
+    let wavy = |l: f64, v: f64| (l * 900.0).sin() * (v * 0.9).cos() - 0.1;
+    let figure = map(vec![panel(1500, 1200, wavy), panel(1500, 1200, growth)]);
+    let svg = figure.svg().unwrap();
+    assert!(svg.len() < 2_000_000, "{} bytes", svg.len());
+    // plotly.js takes 4.6 MB of it.
+    let html = figure.html().unwrap();
+    assert!(html.len() < 9_000_000, "{} bytes", html.len());
+}

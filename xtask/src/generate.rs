@@ -1,0 +1,86 @@
+//! Files that are written by the program and kept in the repository.
+
+use std::fs;
+use std::process::Command;
+
+use crate::{Outcome, root};
+
+/// Commands whose help the book shows.
+const COMMANDS: [&str; 8] = [
+    "init",
+    "point",
+    "map",
+    "receptance",
+    "figures",
+    "presets",
+    "schema",
+    "validate",
+];
+
+/// Write the generated files, or with `check` compare them.
+pub(crate) fn run(check: bool) -> Outcome {
+    let schema = serde_json::to_string_pretty(&riffel_case::json_schema())
+        .map_err(|error| format!("the schema cannot be written: {error}"))?;
+    let files = [
+        ("docs/src/validation.md", validation()),
+        ("docs/src/command-line.md", command_line()?),
+        ("docs/src/case.schema.json", schema + "\n"),
+    ];
+    for (path, text) in files {
+        let file = root().join(path);
+        if check {
+            let current = fs::read_to_string(&file).unwrap_or_default();
+            if current != text {
+                return Err(format!("{path} is not current; run cargo xtask generate"));
+            }
+        } else {
+            fs::write(&file, text).map_err(|error| format!("cannot write {path}: {error}"))?;
+        }
+    }
+    println!(
+        "# generated files {}",
+        if check { "are current" } else { "written" }
+    );
+    Ok(())
+}
+
+fn validation() -> String {
+    format!(
+        "# Validation\n\n\
+         Written by `cargo xtask generate`; `riffel validate` prints the same on any machine. Sections and figures\n\
+         are those of Afferrante & Ciavarella (2009); `validation/README.md` says where the reference numbers come\n\
+         from and lists each deviation from the paper with its reason.\n\n{}",
+        riffel_validation::markdown()
+    )
+}
+
+fn command_line() -> Result<String, String> {
+    let mut text = String::from(
+        "# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n",
+    );
+    text.push_str(&section("riffel", &["--help"])?);
+    for command in COMMANDS {
+        text.push_str(&section(
+            &format!("riffel {command}"),
+            &[command, "--help"],
+        )?);
+    }
+    Ok(text)
+}
+
+fn section(title: &str, arguments: &[&str]) -> Result<String, String> {
+    let output = Command::new(env!("CARGO"))
+        .args(["run", "--quiet", "--package", "riffel-cli", "--"])
+        .args(arguments)
+        .current_dir(root())
+        .output()
+        .map_err(|error| format!("cannot run riffel: {error}"))?;
+    if !output.status.success() {
+        return Err(format!("{title} failed"));
+    }
+    let help = String::from_utf8_lossy(&output.stdout);
+    Ok(format!(
+        "\n## `{title}`\n\n```text\n{}\n```\n",
+        help.trim_end()
+    ))
+}

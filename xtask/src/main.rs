@@ -1,0 +1,92 @@
+//! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
+
+mod generate;
+
+use std::path::PathBuf;
+use std::process::{Command, ExitCode};
+
+use clap::{Parser, Subcommand};
+
+/// Developer commands of Riffel.
+#[derive(Parser)]
+#[command(name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Everything there is: formatting, lints, tests, documentation, generated files.
+    Test,
+    /// Write the generated files of the book, or check that they are current.
+    Generate {
+        /// Change nothing; fail if a file is not current.
+        #[arg(long)]
+        check: bool,
+    },
+    /// Benchmarks beside their peers; needs Python 3 with venv, and network for the first run.
+    Bench,
+}
+
+/// A failure as a sentence.
+type Outcome = Result<(), String>;
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Task::Test => test(),
+        Task::Generate { check } => generate::run(check),
+        Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("cargo xtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The root of the workspace.
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+fn test() -> Outcome {
+    cargo(&["fmt", "--all", "--check"])?;
+    cargo(&[
+        "clippy",
+        "--workspace",
+        "--all-targets",
+        "--quiet",
+        "--",
+        "--deny",
+        "warnings",
+    ])?;
+    cargo(&["test", "--workspace", "--quiet"])?;
+    cargo_with(
+        &["doc", "--workspace", "--no-deps", "--quiet"],
+        &[("RUSTDOCFLAGS", "--deny warnings")],
+    )?;
+    generate::run(true)
+}
+
+fn cargo(arguments: &[&str]) -> Outcome {
+    cargo_with(arguments, &[])
+}
+
+fn cargo_with(arguments: &[&str], environment: &[(&str, &str)]) -> Outcome {
+    let line = format!("cargo {}", arguments.join(" "));
+    println!("# {line}");
+    let status = Command::new(env!("CARGO"))
+        .args(arguments)
+        .envs(environment.iter().copied())
+        .current_dir(root())
+        .status()
+        .map_err(|error| format!("cannot run {line}: {error}"))?;
+    if status.success() {
+        Ok(())
+    } else {
+        Err(format!("{line} failed"))
+    }
+}
