@@ -1,74 +1,86 @@
-//! Riffel beside its peers, alternating in one run; medians and ratios, for the machine is noisy.
+//! Riffel beside its peers, in turn in one run; medians and ratios, for the machine is noisy.
 //!
-//! `cargo xtask bench` prints the table and writes it to `benches/README.md`.
+//! `cargo xtask bench` prints the report and writes it to `benches/README.md`. Every contestant is a
+//! process of its own that keeps what it needs between tasks, as a program in use does.
 
-mod peer;
+mod contestant;
 
 use std::fmt::Write as _;
+use std::io::{BufRead, Write as _};
 use std::path::Path;
 use std::time::Instant;
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
-use peer::{Failure, Peer};
+use contestant::{Contestant, Failure, machine, numpy_version};
 
 /// Points along each axis of the map of the comparison.
 const SIDE: usize = 1001;
-const ROUNDS: usize = 21;
+const ROUNDS: usize = 41;
+
+/// The argument that makes this program a contestant.
+pub(crate) const CONTESTANT: &str = "--contestant";
 
 fn main() -> Result<(), Failure> {
+    if std::env::args().any(|argument| argument == CONTESTANT) {
+        return contest();
+    }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut peer = Peer::start(folder)?;
-    let report = report(&mut peer)?;
+    let report = report(folder)?;
     println!("{report}");
     std::fs::write(folder.join("README.md"), report)?;
     Ok(())
 }
 
-fn feedback(text: &str, overrides: &[&str]) -> Result<FeedbackLoop, Failure> {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Ok(Case::parse("benchmark", text, &overrides)?.feedback)
+/// The tracks of the tasks.
+fn feedback(track: &str) -> Result<FeedbackLoop, Failure> {
+    let moving = ["track.model=moving-beam".to_owned()];
+    let (text, overrides): (&str, &[String]) = match track {
+        "moving" => (NOMINAL_CASE, &moving),
+        "two-layer" => (BHASKAR_TRACK_CASE, &[]),
+        _ => (NOMINAL_CASE, &[]),
+    };
+    Ok(Case::parse("benchmark", text, overrides)?.feedback)
 }
 
-fn axes(side: usize) -> Result<(Axis, Axis), Failure> {
-    Ok((Axis::new(0.020, 0.080, side)?, Axis::new(5.0, 60.0, side)?))
-}
-
-fn pool(threads: usize) -> Result<ThreadPool, Failure> {
-    Ok(ThreadPoolBuilder::new().num_threads(threads).build()?)
-}
-
-/// Seconds for one map and the sum of its real parts.
-fn map_seconds(
-    pool: &ThreadPool,
-    feedback: &FeedbackLoop,
-    side: usize,
-) -> Result<(f64, f64), Failure> {
-    let (wavelength, speed) = axes(side)?;
-    let begun = Instant::now();
-    let map = pool.install(|| GrowthMap::compute(feedback, wavelength, speed, |_| ()));
-    let seconds = begun.elapsed().as_secs_f64();
-    Ok((
-        seconds,
-        map.normalized_dissipation()
-            .iter()
-            .map(|value| value.re)
-            .sum(),
-    ))
-}
-
-fn ridge_seconds(pool: &ThreadPool, feedback: &FeedbackLoop, side: usize) -> Result<f64, Failure> {
-    let (wavelength, speed) = axes(side)?;
-    let begun = Instant::now();
-    let ridge = pool.install(|| Ridge::search(feedback, wavelength, speed));
-    let seconds = begun.elapsed().as_secs_f64();
-    if ridge.points.len() == side {
-        Ok(seconds)
-    } else {
-        Err("a ridge of the wrong length".into())
+/// Answer each line "TASK TRACK SIDE" with the seconds it took and a sum of the result.
+fn contest() -> Result<(), Failure> {
+    for line in std::io::stdin().lock().lines() {
+        let line = line?;
+        let [task, track, side] = line.split(' ').collect::<Vec<_>>()[..] else {
+            return Err("a task has three words".into());
+        };
+        let feedback = feedback(track)?;
+        let wavelength = Axis::new(0.020, 0.080, side.parse()?)?;
+        let speed = Axis::new(5.0, 60.0, side.parse()?)?;
+        let begun = Instant::now();
+        let (seconds, sum) = if task == "map" {
+            let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
+            let seconds = begun.elapsed().as_secs_f64();
+            (
+                seconds,
+                map.rows()
+                    .flat_map(|(_, row)| row)
+                    .map(|value| value.re)
+                    .sum(),
+            )
+        } else {
+            let ridge = Ridge::search(&feedback, wavelength, speed);
+            let seconds = begun.elapsed().as_secs_f64();
+            (
+                seconds,
+                ridge
+                    .points
+                    .iter()
+                    .map(|point| point.normalized_dissipation)
+                    .sum::<f64>(),
+            )
+        };
+        println!("{seconds} {sum}");
+        std::io::stdout().flush()?;
     }
+    Ok(())
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
@@ -76,59 +88,76 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-fn per_point(seconds: f64, side: usize) -> f64 {
-    1e9 * seconds / (side * side) as f64
+/// Median nanoseconds a point of a task.
+fn cost(
+    contestant: &mut Contestant,
+    task: &str,
+    side: usize,
+    rounds: usize,
+) -> Result<f64, Failure> {
+    let seconds = (0..rounds)
+        .map(|_| Ok(contestant.time(task, side)?.0))
+        .collect::<Result<Vec<f64>, Failure>>()?;
+    Ok(1e9 * median(seconds) / (side * side) as f64)
 }
 
-fn report(peer: &mut Peer) -> Result<String, Failure> {
-    let (one, two) = (pool(1)?, pool(2)?);
-    let free = feedback(NOMINAL_CASE, &[])?;
+fn report(folder: &Path) -> Result<String, Failure> {
+    let mut numpy = Contestant::numpy(folder)?;
+    let (mut one, mut two) = (Contestant::riffel(1)?, Contestant::riffel(2)?);
     let mut text = String::from("# Benchmarks\n\n");
     writeln!(
         text,
         "Written by `cargo xtask bench`. Machine: {}.",
-        peer::machine()
+        machine()
     )?;
     writeln!(
         text,
-        "Peers run in the same run, in turn with Riffel; times are medians of {ROUNDS} rounds, memory for the result \
-         included on both sides.\n"
+        "Contestants work in turn in one run, each task after a warm-up of its own; times are medians of \
+         {ROUNDS} rounds and include the memory of the result.\n"
     )?;
 
-    // Side by side: NumPy, one thread, two threads, round by round.
-    let (mut numpy, mut single, mut double) = (Vec::new(), Vec::new(), Vec::new());
+    let mut times = [const { Vec::new() }; 3];
     for _ in 0..ROUNDS {
-        let (seconds, peer_sum) = peer.map(SIDE)?;
-        let (on_one, sum) = map_seconds(&one, &free, SIDE)?;
-        let (on_two, _) = map_seconds(&two, &free, SIDE)?;
-        if ((sum - peer_sum) / peer_sum).abs() > 1e-9 {
-            return Err(format!("the maps differ: {sum} here, {peer_sum} in NumPy").into());
+        let written = numpy.time("as-written", SIDE)?;
+        let tuned = numpy.time("tuned", SIDE)?;
+        let single = one.time("map free", SIDE)?;
+        for (times, (seconds, sum)) in times.iter_mut().zip([written, tuned, single]) {
+            if ((sum - written.1) / written.1).abs() > 1e-9 {
+                return Err(format!("the maps differ: {sum}, {} in NumPy", written.1).into());
+            }
+            times.push(1e9 * seconds / (SIDE * SIDE) as f64);
         }
-        numpy.push(seconds);
-        single.push(on_one);
-        double.push(on_two);
     }
-    let (numpy, single, double) = (median(numpy), median(single), median(double));
+    let [written, tuned, single] = times.map(median);
+    let version = numpy_version(folder)?;
     writeln!(text, "## Growth map, {SIDE} × {SIDE} points, free beam\n")?;
-    writeln!(text, "| | ns a point | ratio |\n|---|---|---|")?;
+    writeln!(text, "| contestant | ns a point | ratio |\n|---|---|---|")?;
     writeln!(
         text,
-        "| NumPy {}, one thread | {:.1} | 1 |",
-        peer.version(),
-        per_point(numpy, SIDE)
+        "| NumPy {version}, formulas as printed, one thread | {written:.1} | |"
     )?;
     writeln!(
         text,
-        "| Riffel, one thread | {:.1} | {:.1} × NumPy |",
-        per_point(single, SIDE),
-        numpy / single
+        "| NumPy {version}, tuned by hand, one thread | {tuned:.1} | |"
     )?;
     writeln!(
         text,
-        "| Riffel, two threads | {:.1} | {:.2} × one thread |\n",
-        per_point(double, SIDE),
-        single / double
+        "| Riffel, one thread | {single:.1} | {:.1} × NumPy as printed, {:.1} × NumPy tuned |",
+        written / single,
+        tuned / single
     )?;
+
+    writeln!(text, "\n## Threads, {SIDE} × {SIDE} points, free beam\n")?;
+    let (mut singles, mut doubles) = (Vec::new(), Vec::new());
+    for _ in 0..ROUNDS {
+        singles.push(one.time("map free", SIDE)?.0);
+        doubles.push(two.time("map free", SIDE)?.0);
+    }
+    let [single, double] =
+        [singles, doubles].map(|times| 1e9 * median(times) / (SIDE * SIDE) as f64);
+    writeln!(text, "| threads | ns a point | ratio |\n|---|---|---|")?;
+    writeln!(text, "| one | {single:.1} | 1 |")?;
+    writeln!(text, "| two | {double:.1} | {:.2} |\n", single / double)?;
 
     writeln!(
         text,
@@ -138,49 +167,30 @@ fn report(peer: &mut Peer) -> Result<String, Failure> {
         text,
         "| track | map, ns a point | ridge alone, ns a point |\n|---|---|---|"
     )?;
-    for (name, feedback) in [
-        ("free beam", free.clone()),
-        (
-            "moving beam, closed form",
-            feedback(NOMINAL_CASE, &["track.model=moving-beam"])?,
-        ),
-        (
-            "two layers, table good to 1e-9",
-            feedback(BHASKAR_TRACK_CASE, &[])?,
-        ),
+    for (name, track) in [
+        ("free beam", "free"),
+        ("moving beam, closed form", "moving"),
+        ("two layers, table good to 1e-9", "two-layer"),
     ] {
-        let (mut maps, mut ridges) = (Vec::new(), Vec::new());
-        for _ in 0..ROUNDS {
-            maps.push(map_seconds(&one, &feedback, SIDE)?.0);
-            ridges.push(ridge_seconds(&one, &feedback, SIDE)?);
-        }
-        let (map, ridge) = (
-            per_point(median(maps), SIDE),
-            per_point(median(ridges), SIDE),
-        );
+        let map = cost(&mut one, &format!("map {track}"), SIDE, ROUNDS)?;
+        let ridge = cost(&mut one, &format!("ridge {track}"), SIDE, ROUNDS)?;
         writeln!(text, "| {name} | {map:.1} | {ridge:.1} |")?;
     }
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(
         text,
-        "| points | ns a point | ridge alone, ns a point |\n|---|---|---|"
+        "| points | map, ns a point | ridge alone, ns a point |\n|---|---|---|"
     )?;
-    for (side, rounds) in [(100, 201), (316, 101), (1000, 21), (3162, 7), (10_000, 3)] {
-        let (mut maps, mut ridges) = (Vec::new(), Vec::new());
-        for _ in 0..rounds {
-            maps.push(map_seconds(&one, &free, side)?.0);
-            ridges.push(ridge_seconds(&one, &free, side)?);
-        }
-        let (map, ridge) = (
-            per_point(median(maps), side),
-            per_point(median(ridges), side),
-        );
+    for (side, rounds) in [(100, 401), (316, 201), (1000, 41), (3162, 11), (10_000, 5)] {
+        let map = cost(&mut one, "map free", side, rounds)?;
+        let ridge = cost(&mut one, "ridge free", side, rounds)?;
         writeln!(text, "| {side}² | {map:.1} | {ridge:.1} |")?;
     }
     text.push_str(
-        "\nThe ridge search keeps one row of the map in memory for each thread; its cost includes the refinement of \
-         each speed's minimum, some 35 evaluations of the whole loop, which weighs on short rows.\n",
+        "\nThe ridge search keeps one row of the map in memory for each thread. Its cost includes the refinement of \
+         each speed's minimum, some 20 to 30 evaluations of the whole loop, which weighs on short rows; what a large \
+         map costs more than the ridge is the first touch of its memory.\n",
     );
     Ok(text)
 }

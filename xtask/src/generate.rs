@@ -44,6 +44,19 @@ pub(crate) fn run(check: bool) -> Outcome {
     Ok(())
 }
 
+/// The picture of the README. It is not compared: the last digit of a mathematical function may move
+/// a line by a tenth of a pixel from one machine to another.
+fn picture() -> Outcome {
+    let results = root().join("target/generate");
+    riffel(&["map", "cases/nominal.toml", "-o", "target/generate"])?;
+    fs::copy(
+        results.join("map.png"),
+        root().join("docs/src/images/nominal-map.png"),
+    )
+    .map(|_| ())
+    .map_err(|error| format!("cannot copy the picture: {error}"))
+}
+
 fn validation() -> String {
     format!(
         "# Validation\n\n\
@@ -69,6 +82,15 @@ fn command_line() -> Result<String, String> {
 }
 
 fn section(title: &str, arguments: &[&str]) -> Result<String, String> {
+    let help = riffel(arguments)?;
+    Ok(format!(
+        "\n## `{title}`\n\n```text\n{}\n```\n",
+        help.trim_end()
+    ))
+}
+
+/// What the program prints.
+fn riffel(arguments: &[&str]) -> Result<String, String> {
     let output = Command::new(env!("CARGO"))
         .args(["run", "--quiet", "--package", "riffel-cli", "--"])
         .args(arguments)
@@ -76,11 +98,7 @@ fn section(title: &str, arguments: &[&str]) -> Result<String, String> {
         .output()
         .map_err(|error| format!("cannot run riffel: {error}"))?;
     if !output.status.success() {
-        return Err(format!("{title} failed"));
+        return Err(format!("riffel {} failed", arguments.join(" ")));
     }
-    let help = String::from_utf8_lossy(&output.stdout);
-    Ok(format!(
-        "\n## `{title}`\n\n```text\n{}\n```\n",
-        help.trim_end()
-    ))
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

@@ -213,9 +213,10 @@ impl Builder {
         let wheel = &self.file.wheel;
         // Filled in above; the mass it may come from is checked.
         let inertia = self.required("wheel.inertia", wheel.inertia)?;
+        let inertia = self.positive("wheel.inertia", inertia)?;
         Ok(match wheel.rotation {
             Rotation::Inertia => {
-                let rigid = RigidInertia::new(self.positive("wheel.inertia", inertia)?, radius);
+                let rigid = RigidInertia::new(inertia, radius);
                 Arc::new(self.physics("wheel.inertia", rigid)?)
             }
             Rotation::ConstantTangentialForce => Arc::new(ConstantTangentialForce),
@@ -241,6 +242,7 @@ impl Builder {
     }
 
     fn track(&self, steel: ElasticMaterial) -> Result<Arc<dyn Receptance>, CaseError> {
+        self.check_track()?;
         let beam = self.beam(steel)?;
         let track = &self.file.track;
         Ok(match track.model {
@@ -248,22 +250,22 @@ impl Builder {
             TrackModel::MovingBeam => Arc::new(self.moving_beam(beam)?),
             TrackModel::TwoLayer => {
                 let spacing = self.required("track.support_spacing", track.support_spacing)?;
-                let spacing = self.positive("track.support_spacing", spacing)?;
+                let spacing = spacing.si();
                 let pad = self.layer("track.pad", track.pad.as_ref(), spacing)?;
                 let ballast = self.layer("track.ballast", track.ballast.as_ref(), spacing)?;
                 let sleeper = self.required("track.sleeper.mass", track.sleeper.as_ref())?;
-                let mass = self.not_negative("track.sleeper.mass", sleeper.mass)? / spacing;
-                let model = TwoLayerTrack::new(beam, pad, mass, ballast);
+                let model = TwoLayerTrack::new(beam, pad, sleeper.mass.si() / spacing, ballast);
                 Arc::new(self.physics("track", model)?)
             }
         })
     }
 
     fn moving_beam(&self, beam: EulerBernoulliBeam) -> Result<MovingBeam, CaseError> {
-        let damping = match self.file.track.rail_damping {
-            Some(damping) => self.not_negative("track.rail_damping", damping)?,
-            None => 0.0,
-        };
+        let damping = self
+            .file
+            .track
+            .rail_damping
+            .map_or(0.0, |damping| damping.si());
         self.physics("track.rail_damping", MovingBeam::new(beam, damping))
     }
 
@@ -274,11 +276,34 @@ impl Builder {
         spacing: f64,
     ) -> Result<Layer, CaseError> {
         let support = self.required(key, support)?;
-        let layer = Layer::new(
-            self.positive(&format!("{key}.stiffness"), support.stiffness)? / spacing,
-            self.not_negative(&format!("{key}.damping"), support.damping)? / spacing,
-        );
+        let stiffness = self.required(&format!("{key}.stiffness"), support.stiffness)?;
+        let damping = self.required(&format!("{key}.damping"), support.damping)?;
+        let layer = Layer::new(stiffness.si() / spacing, damping.si() / spacing);
         self.physics(key, layer)
+    }
+
+    /// Every value of the track that is written, whether its model needs it or not.
+    fn check_track(&self) -> Result<(), CaseError> {
+        let track = &self.file.track;
+        if let Some(spacing) = track.support_spacing {
+            self.positive("track.support_spacing", spacing)?;
+        }
+        for (key, support) in [("track.pad", &track.pad), ("track.ballast", &track.ballast)] {
+            let Some(support) = support else { continue };
+            if let Some(stiffness) = support.stiffness {
+                self.positive(&format!("{key}.stiffness"), stiffness)?;
+            }
+            if let Some(damping) = support.damping {
+                self.not_negative(&format!("{key}.damping"), damping)?;
+            }
+        }
+        if let Some(sleeper) = &track.sleeper {
+            self.not_negative("track.sleeper.mass", sleeper.mass)?;
+        }
+        if let Some(damping) = track.rail_damping {
+            self.not_negative("track.rail_damping", damping)?;
+        }
+        Ok(())
     }
 
     fn window(&self) -> Result<(Axis, Axis), CaseError> {
@@ -342,7 +367,7 @@ impl Builder {
             return Ok(());
         }
         let beam = self.moving_beam(self.beam(steel)?)?;
-        self.physics("map.speed.max", beam.check_speed(wavelength, speed))
+        self.physics("map", beam.check_speed(wavelength, speed))
     }
 
     fn positive<D: Dimension>(&self, key: &str, value: Quantity<D>) -> Result<f64, CaseError> {
@@ -407,15 +432,17 @@ fn fill_in_track(track: &mut Track, preset: &TrackPreset) {
     track
         .support_spacing
         .get_or_insert(preset.support_spacing.quantity);
-    track.pad.get_or_insert(Support {
-        stiffness: preset.pad_stiffness.quantity,
-        damping: preset.pad_damping.quantity,
-    });
+    let pad = track.pad.get_or_insert_default();
+    pad.stiffness.get_or_insert(preset.pad_stiffness.quantity);
+    pad.damping.get_or_insert(preset.pad_damping.quantity);
+    let ballast = track.ballast.get_or_insert_default();
+    ballast
+        .stiffness
+        .get_or_insert(preset.ballast_stiffness.quantity);
+    ballast
+        .damping
+        .get_or_insert(preset.ballast_damping.quantity);
     track.sleeper.get_or_insert(Sleeper {
         mass: preset.sleeper_mass.quantity,
-    });
-    track.ballast.get_or_insert(Support {
-        stiffness: preset.ballast_stiffness.quantity,
-        damping: preset.ballast_damping.quantity,
     });
 }

@@ -143,13 +143,15 @@ pub enum TrackModel {
 }
 
 /// A spring and a viscous damper side by side.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
     /// Stiffness per support.
-    pub stiffness: Quantity<Stiffness>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Quantity<Stiffness>>,
     /// Viscous damping per support.
-    pub damping: Quantity<Damping>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub damping: Option<Quantity<Damping>>,
 }
 
 /// A sleeper.

@@ -85,7 +85,7 @@ impl Source {
                 .as_table_mut()
                 .ok_or_else(|| CaseError::Override {
                     assignment: assignment.to_owned(),
-                    message: format!("`{parent}` is a value, not a table of keys"),
+                    message: format!("`{parent}` is a value, not a table of keys, in `{path}`"),
                 })?;
         }
         table.insert((*last).to_owned(), value);

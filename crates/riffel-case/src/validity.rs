@@ -8,8 +8,10 @@ use crate::file::{CaseFile, TrackModel};
 /// (2009), section 2.
 const FREE_BEAM_FROM_HZ: f64 = 500.0;
 
-/// Frequency up to which a rail bends without much shear \[Hz\].
-const EULER_BEAM_UP_TO_HZ: f64 = 1500.0;
+/// Frequency from which the shear of a rail shows \[Hz\]: against a free Timoshenko beam of the same
+/// rail (shear coefficient 0.4) the phase is 9° off at 500 Hz, 17° at 1000 Hz and 24° at 1500 Hz, the
+/// modulus 2, 7 and 14 %.
+const EULER_BEAM_UP_TO_HZ: f64 = 500.0;
 
 /// Shortest wavelength in contact lengths 2a₀ at which averaging over the patch may be left out;
 /// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
@@ -34,8 +36,8 @@ pub(crate) fn remarks(
     }
     if highest > EULER_BEAM_UP_TO_HZ {
         remarks.push(format!(
-            "the rail bends without shear: above about {EULER_BEAM_UP_TO_HZ} Hz (the map ends at \
-             {highest:.0} Hz) its receptance is too small"
+            "the rail bends without shear: its receptance is some 9° off at {EULER_BEAM_UP_TO_HZ} Hz, 24° \
+             and 14 % at 1500 Hz (the map ends at {highest:.0} Hz)"
         ));
     }
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();

@@ -89,7 +89,7 @@ pub(crate) fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<()
     // One at a time: a large map is not held several times over.
     let values = |name: &str| -> Vec<f64> {
         let part = |part: &dyn Fn(&riffel::Complex64) -> f64| {
-            map.normalized_dissipation().iter().map(part).collect()
+            map.rows().flat_map(|(_, row)| row).map(part).collect()
         };
         match name {
             "wavelength" => map.wavelength().values(),

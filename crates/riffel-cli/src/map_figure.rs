@@ -2,7 +2,7 @@
 
 use riffel::{GrowthMap, Ridge, RollingContact};
 use riffel_case::Case;
-use riffel_case::file::{DissipationPhase, Rotation, TrackModel};
+use riffel_case::file::{DissipationPhase, Rotation, Support, TrackModel};
 use riffel_plot::{MapPanel, RidgeMark, constant_frequency_rays};
 
 /// What a map shows.
@@ -36,8 +36,7 @@ pub(crate) fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -
     let rate = map.growth_rate_per_dissipation();
     let columns = drawn(map.wavelength().points());
     let rows = drawn(map.speed().points());
-    let all = map.normalized_dissipation();
-    let at = |row: usize, column: usize| all[row * map.wavelength().points() + column].re;
+    let at = |row: usize, column: usize| map.row(row)[column].re;
     let grid = |factor: &dyn Fn(usize) -> f64| -> Vec<f64> {
         rows.iter()
             .flat_map(|&row| {
@@ -87,11 +86,15 @@ fn drawn(points: usize) -> Vec<usize> {
 pub(crate) const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
     the profile; time factor exp(+iωt), braking positive.";
 
+/// A value that a complete case always has.
+fn si(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}
+
 /// The parameters of a case in one sentence.
 pub(crate) fn parameters(case: &Case) -> String {
     let file = &case.file;
     let steady = case.creep_law.steady();
-    let si = |value: Option<f64>| value.unwrap_or(f64::NAN);
     let rotation = match file.wheel.rotation {
         Rotation::Inertia => format!(
             "I_w = {:.2} kg m²",
@@ -131,14 +134,15 @@ pub(crate) fn track(case: &Case) -> String {
         TrackModel::FreeBeam => "Rail: free Euler beam".to_owned(),
         TrackModel::MovingBeam => "Rail: free Euler beam under a moving load".to_owned(),
         TrackModel::TwoLayer => {
-            let support = |support: &Option<riffel_case::file::Support>| {
-                support.as_ref().map_or(String::new(), |support| {
-                    format!(
-                        "{:.0} MN/m, {:.0} kNs/m",
-                        1e-6 * support.stiffness.si(),
-                        1e-3 * support.damping.si()
-                    )
-                })
+            let support = |support: &Option<Support>| {
+                let (stiffness, damping) = support
+                    .as_ref()
+                    .map_or((None, None), |support| (support.stiffness, support.damping));
+                format!(
+                    "{:.0} MN/m, {:.0} kNs/m",
+                    1e-6 * si(stiffness.map(|stiffness| stiffness.si())),
+                    1e-3 * si(damping.map(|damping| damping.si()))
+                )
             };
             format!(
                 "Euler rail on pads ({}), sleepers ({:.0} kg) and ballast ({}) every {:.2} m, spread evenly{}",

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-use comfy_table::{CellAlignment, Table, TableStyle, presets};
+use comfy_table::{CellAlignment, ContentArrangement, Table, TableStyle, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
@@ -42,11 +42,15 @@ pub(crate) fn table(header: &[&str]) -> Table {
     table
 }
 
-/// A table whose cells are all text.
+/// A table whose cells are all text, wrapped to the terminal or, where there is none, to 110 columns.
 pub(crate) fn text_table(header: &[&str]) -> Table {
     let mut table = table(header);
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Left);
+    }
+    table.set_content_arrangement(ContentArrangement::Dynamic);
+    if table.width().is_none() {
+        table.set_width(110);
     }
     table
 }

@@ -66,6 +66,7 @@ mod feedback;
 mod growth;
 mod place_of_wear;
 mod receptance;
+mod split_complex;
 mod wear;
 mod wheelset;
 
@@ -79,10 +80,16 @@ pub use growth::{Axis, GrowthMap, Ridge, RidgePoint, RowEvaluator};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::{
-    EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadRoots, Receptance, RigidMass,
-    Tabulated, TabulationError, TwoLayerTrack,
+    EulerBernoulliBeam, FreeBeam, Frequencies, Layer, MovingBeam, MovingLoadRoots, Receptance,
+    RigidMass, Tabulated, TabulationError, TwoLayerTrack,
 };
+pub use split_complex::{SplitComplex, TILE, Tile};
 pub use wear::EnergyWear;
 pub use wheelset::{
     ConstantCreepage, ConstantTangentialForce, RigidInertia, RotationRatio, WheelRotation,
 };
+
+/// The listings of the book, compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/src/adding-a-track-model.md")]
+mod book {}

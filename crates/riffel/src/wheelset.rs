@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use crate::Error;
+use crate::{Error, Frequencies, SplitComplex};
 
 /// Rotational response of a wheel at one frequency as the ratio Ω₁ : Q₁ = `lever` : `impedance`.
 ///
@@ -24,11 +24,15 @@ pub trait WheelRotation: Send + Sync {
     /// Ω₁ : Q₁ at the angular frequency ω > 0 \[rad/s\].
     fn ratio(&self, angular_frequency: f64) -> RotationRatio;
 
-    /// Ratios at many frequencies; both slices have the same length.
-    fn ratios(&self, angular_frequencies: &[f64], ratios: &mut [RotationRatio]) {
-        for (ratio, &w) in ratios.iter_mut().zip(angular_frequencies) {
-            *ratio = self.ratio(w);
-        }
+    /// Ratios at a tile of frequencies.
+    fn ratios(
+        &self,
+        frequencies: &Frequencies,
+        levers: &mut SplitComplex,
+        impedances: &mut SplitComplex,
+    ) {
+        levers.set(&frequencies.angular, |w| self.ratio(w).lever);
+        impedances.set(&frequencies.angular, |w| self.ratio(w).impedance);
     }
 }
 

@@ -25,10 +25,6 @@ pub(crate) fn run() -> miette::Result<ExitCode> {
         ]);
     }
     drop(progress);
-    table.set_content_arrangement(comfy_table::ContentArrangement::Dynamic);
-    if table.width().is_none() {
-        table.set_width(160);
-    }
     let total = CHECKS.len();
     print(&format!(
         "{table}\n{} of {total} checks hold\n",

@@ -4,14 +4,15 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
-use crate::FeedbackLoop;
+use crate::{FeedbackLoop, TILE};
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrowthMap {
     wavelength: Axis,
     speed: Axis,
-    normalized_dissipation: Vec<Complex64>,
+    /// Rows of equal speed, each of whole tiles.
+    tiles: Vec<[Complex64; TILE]>,
     growth_rate_per_dissipation: f64,
 }
 
@@ -28,19 +29,25 @@ impl GrowthMap {
         progress: impl Fn(usize) + Sync,
     ) -> Self {
         let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
-        let mut values = vec![Complex64::ZERO; wavelength.points() * speed.points()];
-        values
-            .par_chunks_exact_mut(wavelength.points())
-            .enumerate()
-            .for_each_with(evaluator, |evaluator, (index, row)| {
-                evaluator.evaluate(speed.value(index), row);
-                progress(1);
-            });
+        let tiles_a_row = wavelength.points().div_ceil(TILE);
+        let mut tiles = Vec::new();
+        (0..speed.points() * tiles_a_row)
+            .into_par_iter()
+            .with_min_len(tiles_a_row)
+            .map_with(evaluator, |evaluator, index| {
+                let (row, tile) = (index / tiles_a_row, index % tiles_a_row);
+                let values = evaluator.evaluate_tile(speed.value(row), tile);
+                if tile + 1 == tiles_a_row {
+                    progress(1);
+                }
+                values
+            })
+            .collect_into_vec(&mut tiles);
         let steady = feedback.contact.steady();
         Self {
             wavelength,
             speed,
-            normalized_dissipation: values,
+            tiles,
             growth_rate_per_dissipation: feedback.growth_rate(&steady, Complex64::ONE),
         }
     }
@@ -55,21 +62,20 @@ impl GrowthMap {
         self.speed
     }
 
-    /// Ŵ₁ in rows of equal speed: `[speed][wavelength]`, flattened.
-    pub fn normalized_dissipation(&self) -> &[Complex64] {
-        &self.normalized_dissipation
-    }
-
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
     pub fn growth_rate_per_dissipation(&self) -> f64 {
         self.growth_rate_per_dissipation
     }
 
-    /// Rows of the map: speed \[m/s\] and Ŵ₁ over the wavelengths.
+    /// Ŵ₁ over the wavelengths at the speed of the given index.
+    pub fn row(&self, index: usize) -> &[Complex64] {
+        let tiles_a_row = self.wavelength.points().div_ceil(TILE);
+        let tiles = &self.tiles[index * tiles_a_row..(index + 1) * tiles_a_row];
+        &tiles.as_flattened()[..self.wavelength.points()]
+    }
+
+    /// Rows of the map in order of speed: the speed \[m/s\] and Ŵ₁ over the wavelengths.
     pub fn rows(&self) -> impl Iterator<Item = (f64, &[Complex64])> {
-        self.normalized_dissipation
-            .chunks_exact(self.wavelength.points())
-            .enumerate()
-            .map(|(index, row)| (self.speed.value(index), row))
+        (0..self.speed.points()).map(|index| (self.speed.value(index), self.row(index)))
     }
 }

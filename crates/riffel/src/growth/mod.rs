@@ -1,5 +1,6 @@
 //! Growth of corrugation over wavelength and speed: whole maps, and the ridge of highest growth.
 
+mod closing;
 mod map;
 mod ridge;
 mod row;

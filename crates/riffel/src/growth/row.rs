@@ -1,107 +1,110 @@
 //! Ŵ₁ along a row of wavelengths at one speed: the inner loop of every map.
 
 use std::f64::consts::PI;
-use std::ops::Range;
 use std::sync::Arc;
 
 use num_complex::Complex64;
 use pulp::Arch;
 
-use crate::{Axis, FeedbackLoop, RotationRatio, Tabulated};
+use super::closing::Closing;
+use crate::{
+    Axis, ContactResponse, FeedbackLoop, Frequencies, SplitComplex, TILE, Tabulated, Tile,
+};
 
 /// Relative accuracy of a tabulated track receptance.
 const TABLE_TOLERANCE: f64 = 1e-9;
 
-/// Columns worked on at a time: what one tile reads and writes stays in the first-level cache.
-const TILE: usize = 64;
-
 /// Evaluates the loop row by row over fixed wavelengths, with all that depends on the wavelength
 /// alone done beforehand.
 ///
-/// Method: tiles of some dozen wavelengths; in each, one dynamic call to every joint, then one pass
-/// of real arithmetic over separate real and imaginary parts, which the compiler turns into the
-/// widest vector instructions the machine has. Cost: below ten nanoseconds a point for the free beam.
-/// Holds scratch for one tile; make one evaluator per thread with `clone`.
+/// Method: tiles of [`TILE`] wavelengths; in each, one dynamic call to every joint, then one pass in the
+/// widest vector instructions of the machine. Exact to rounding. Cost: some five nanoseconds a point
+/// for the free beam, see `benches/README.md`. Holds scratch for one tile; make one evaluator per
+/// thread with `clone`.
 #[derive(Clone)]
 pub struct RowEvaluator {
     feedback: FeedbackLoop,
-    columns: Arc<Columns>,
-    angular_frequencies: Vec<f64>,
-    track: Vec<Complex64>,
-    wheel: Vec<Complex64>,
-    ratios: Vec<RotationRatio>,
+    columns: Arc<[Columns]>,
+    scratch: Box<Scratch>,
     arch: Arch,
 }
 
-/// What each wavelength fixes, whatever the speed.
+/// What a tile of wavelengths fixes, whatever the speed; the last is filled up with its last
+/// wavelength.
 ///
 /// With z = impedance and y = lever of the rotation, eliminating Ω₁ from (13), (14) leaves
 /// Ŵ₁ = (by_impedance z + by_lever y/V) / ((H + H_w + 1/k_H)(z + slip y/V)).
 struct Columns {
     /// 2π/λ \[rad/m\].
-    wavenumber: Vec<f64>,
+    wavenumber: Tile,
+    /// λ/2π \[m/rad\].
+    per_wavenumber: Tile,
     /// e_P e^{−iθ} Δ/(μP₀ξ₀).
-    by_impedance: Parts,
+    by_impedance: SplitComplex,
     /// R (e_P Q_ξ − e_ξ Q_P) e^{−iθ} Δ/(μP₀ξ₀).
-    by_lever: Parts,
+    by_lever: SplitComplex,
     /// R Q_ξ.
-    slip: Parts,
+    slip: SplitComplex,
 }
 
-/// Complex numbers as two rows of real ones.
-#[derive(Default)]
-struct Parts {
-    re: Vec<f64>,
-    im: Vec<f64>,
-}
-
-impl Parts {
-    fn push(&mut self, value: Complex64) {
-        self.re.push(value.re);
-        self.im.push(value.im);
-    }
-
-    fn tile(&self, tile: Range<usize>) -> (&[f64], &[f64]) {
-        (&self.re[tile.clone()], &self.im[tile])
-    }
+/// What a tile and a speed give.
+#[derive(Clone)]
+struct Scratch {
+    frequencies: Frequencies,
+    track: SplitComplex,
+    wheel: SplitComplex,
+    levers: SplitComplex,
+    impedances: SplitComplex,
+    result: SplitComplex,
 }
 
 impl Columns {
     fn new(feedback: &FeedbackLoop, wavelengths: &[f64]) -> Self {
+        let last = wavelengths.len() - 1;
+        let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
         let scale = feedback.amplitude / feedback.contact.steady().full_slip_energy_per_metre();
         let radius = feedback.rolling_radius;
-        let mut columns = Self {
-            wavenumber: wavelengths.iter().map(|wavelength| 2.0 * PI / wavelength).collect(),
-            by_impedance: Parts::default(),
-            by_lever: Parts::default(),
-            slip: Parts::default(),
+        let column = |value: &dyn Fn(ContactResponse, Complex64) -> Complex64| {
+            let mut column = SplitComplex::ZERO;
+            column.set(&wavelengths, |wavelength| {
+                let phase = Complex64::cis(-feedback.place_of_wear.lag(wavelength));
+                value(feedback.contact.response(wavelength), phase * scale)
+            });
+            column
         };
-        for &wavelength in wavelengths {
-            let response = feedback.contact.response(wavelength);
-            let phase = Complex64::cis(-feedback.place_of_wear.lag(wavelength)) * scale;
-            let cross = response.de_dp * response.dq_dxi - response.de_dxi * response.dq_dp;
-            columns.by_impedance.push(response.de_dp * phase);
-            columns.by_lever.push(cross * phase * radius);
-            columns.slip.push(response.dq_dxi * radius);
+        Self {
+            wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
+            per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
+            by_impedance: column(&|response, phase| response.de_dp * phase),
+            by_lever: column(&|response, phase| {
+                let cross = response.de_dp * response.dq_dxi - response.de_dxi * response.dq_dp;
+                cross * phase * radius
+            }),
+            slip: column(&|response, _| response.dq_dxi * radius),
         }
-        columns
     }
 }
 
 impl RowEvaluator {
     /// An evaluator of the loop over the wavelengths \[m\].
     pub fn new(feedback: &FeedbackLoop, wavelengths: &[f64]) -> Self {
-        let blank = RotationRatio {
-            lever: Complex64::ZERO,
-            impedance: Complex64::ZERO,
-        };
         Self {
-            columns: Arc::new(Columns::new(feedback, wavelengths)),
+            columns: wavelengths
+                .chunks(TILE)
+                .map(|wavelengths| Columns::new(feedback, wavelengths))
+                .collect(),
             feedback: feedback.clone(),
-            angular_frequencies: vec![0.0; TILE],
-            track: vec![Complex64::ZERO; TILE],
-            wheel: vec![Complex64::ZERO; TILE],
-            ratios: vec![blank; TILE],
+            scratch: Box::new(Scratch {
+                frequencies: Frequencies {
+                    angular: [0.0; TILE],
+                    reciprocal: [0.0; TILE],
+                },
+                track: SplitComplex::ZERO,
+                wheel: SplitComplex::ZERO,
+                levers: SplitComplex::ZERO,
+                impedances: SplitComplex::ZERO,
+                result: SplitComplex::ZERO,
+            }),
             arch: Arch::new(),
         }
     }
@@ -129,44 +132,42 @@ impl RowEvaluator {
     /// that of the wavelengths.
     pub fn evaluate(&mut self, speed: f64, row: &mut [Complex64]) {
         for (index, row) in row.chunks_mut(TILE).enumerate() {
-            self.evaluate_tile(speed, index * TILE, row);
+            let values = self.evaluate_tile(speed, index);
+            row.copy_from_slice(&values[..row.len()]);
         }
     }
 
-    fn evaluate_tile(&mut self, speed: f64, start: usize, row: &mut [Complex64]) {
-        let count = row.len();
-        let tile = start..start + count;
-        let frequencies = &mut self.angular_frequencies[..count];
-        let track = &mut self.track[..count];
-        let wheel = &mut self.wheel[..count];
-        let ratios = &mut self.ratios[..count];
-        for (w, wavenumber) in frequencies.iter_mut().zip(&self.columns.wavenumber[tile.clone()]) {
-            *w = wavenumber * speed;
-        }
-        self.feedback.track.receptances(frequencies, speed, track);
-        self.feedback.wheel.receptances(frequencies, speed, wheel);
-        self.feedback.rotation.ratios(frequencies, ratios);
-
-        let (by_impedance_re, by_impedance_im) = self.columns.by_impedance.tile(tile.clone());
-        let (by_lever_re, by_lever_im) = self.columns.by_lever.tile(tile.clone());
-        let (slip_re, slip_im) = self.columns.slip.tile(tile);
-        let contact = self.feedback.contact_stiffness.recip();
+    /// Ŵ₁ at one speed \[m/s\] over one tile of wavelengths.
+    #[inline]
+    pub(super) fn evaluate_tile(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
+        let columns = &self.columns[index];
         let per_speed = speed.recip();
-        self.arch.dispatch(
-            #[inline(always)]
-            || {
-                for j in 0..count {
-                    let by_impedance = Complex64::new(by_impedance_re[j], by_impedance_im[j]);
-                    let by_lever = Complex64::new(by_lever_re[j], by_lever_im[j]);
-                    let slip = Complex64::new(slip_re[j], slip_im[j]);
-                    let RotationRatio { lever, impedance } = ratios[j];
-                    let lever = lever * per_speed;
-                    let numerator = by_impedance * impedance + by_lever * lever;
-                    let denominator =
-                        (track[j] + wheel[j] + contact) * (impedance + slip * lever);
-                    row[j] = numerator * denominator.conj() * denominator.norm_sqr().recip();
-                }
-            },
-        );
+        let joints = &self.feedback;
+        let scratch = &mut *self.scratch;
+        let frequencies = &mut scratch.frequencies;
+        frequencies.angular = columns.wavenumber.map(|wavenumber| wavenumber * speed);
+        frequencies.reciprocal = columns.per_wavenumber.map(|length| length * per_speed);
+        joints
+            .track
+            .receptances(frequencies, speed, &mut scratch.track);
+        joints
+            .wheel
+            .receptances(frequencies, speed, &mut scratch.wheel);
+        joints
+            .rotation
+            .ratios(frequencies, &mut scratch.levers, &mut scratch.impedances);
+        self.arch.dispatch(Closing {
+            track: &scratch.track,
+            wheel: &scratch.wheel,
+            levers: &scratch.levers,
+            impedances: &scratch.impedances,
+            by_impedance: &columns.by_impedance,
+            by_lever: &columns.by_lever,
+            slip: &columns.slip,
+            contact: joints.contact_stiffness.recip(),
+            per_speed,
+            result: &mut scratch.result,
+        });
+        scratch.result.joined()
     }
 }

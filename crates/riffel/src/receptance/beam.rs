@@ -6,8 +6,9 @@ use crate::{ElasticMaterial, Error};
 
 /// An infinite rail that bends without shear: bending stiffness EI and mass per length m.
 ///
-/// Range of validity: shear and rotary inertia soften a rail visibly above about 500 Hz and the
-/// receptance is some 10–20 % off at 1500 Hz; the pinned-pinned frequency must not be taken from it.
+/// Range of validity: shear and rotary inertia soften a rail. Against a free Timoshenko beam of the
+/// paper's rail (shear coefficient 0.4) the receptance is 9° and 2 % off at 500 Hz, 24° and 14 % at
+/// 1500 Hz; the pinned-pinned frequency must not be taken from this beam.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EulerBernoulliBeam {
     bending_stiffness: f64,

@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 
 use num_complex::Complex64;
 
-use super::{EulerBernoulliBeam, Receptance};
+use super::{EulerBernoulliBeam, Frequencies, Receptance};
+use crate::SplitComplex;
 
 /// Infinite Euler–Bernoulli beam without support, equation (23):
 /// H = e^{−3πi/4} / (2√2 (m³ EI)^{1/4} ω^{3/2}).
@@ -32,5 +33,12 @@ impl Receptance for FreeBeam {
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
         let part = self.coefficient / (angular_frequency * angular_frequency.sqrt());
         Complex64::new(part, part)
+    }
+
+    fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
+        receptances.set(&frequencies.reciprocal, |reciprocal| {
+            let part = self.coefficient * reciprocal * reciprocal.sqrt();
+            Complex64::new(part, part)
+        });
     }
 }

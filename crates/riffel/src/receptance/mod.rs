@@ -17,6 +17,18 @@ pub use two_layer::{Layer, TwoLayerTrack};
 
 use num_complex::Complex64;
 
+use crate::{SplitComplex, Tile};
+
+/// A tile of angular frequencies with their reciprocals, which a map has for nothing and which spare
+/// the simplest structures a division.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frequencies {
+    /// ω \[rad/s\].
+    pub angular: Tile,
+    /// 1/ω \[s/rad\].
+    pub reciprocal: Tile,
+}
+
 /// Joint of the loop: a structure under an oscillating force at the contact.
 ///
 /// A new track or wheel is one new implementation of [`receptance`](Self::receptance).
@@ -26,13 +38,11 @@ pub trait Receptance: Send + Sync {
     /// load ignores the speed.
     fn receptance(&self, angular_frequency: f64, speed: f64) -> Complex64;
 
-    /// Receptances at many frequencies and one speed; both slices have the same length.
+    /// Receptances at a tile of frequencies and one speed.
     ///
-    /// Provided, so that a whole row of a map costs one dynamic call.
-    fn receptances(&self, angular_frequencies: &[f64], speed: f64, receptances: &mut [Complex64]) {
-        for (h, &w) in receptances.iter_mut().zip(angular_frequencies) {
-            *h = self.receptance(w, speed);
-        }
+    /// Provided, so that a tile of a map costs one dynamic call.
+    fn receptances(&self, frequencies: &Frequencies, speed: f64, receptances: &mut SplitComplex) {
+        receptances.set(&frequencies.angular, |w| self.receptance(w, speed));
     }
 
     /// True where the receptance depends on frequency alone and one evaluation costs more than an

@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::Receptance;
-use crate::Error;
+use super::{Frequencies, Receptance};
+use crate::{Error, SplitComplex};
 
 /// Unsprung mass m_w, equation (25): H = −1/(m_w ω²).
 ///
@@ -29,5 +29,12 @@ impl Receptance for RigidMass {
     #[inline]
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
         Complex64::from(-1.0 / (self.mass * angular_frequency * angular_frequency))
+    }
+
+    fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
+        let per_mass = -self.mass.recip();
+        receptances.set(&frequencies.reciprocal, |reciprocal| {
+            Complex64::from(per_mass * reciprocal * reciprocal)
+        });
     }
 }

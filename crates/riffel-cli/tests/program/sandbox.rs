@@ -1,0 +1,78 @@
+//! A fresh folder with the case files, in which commands run.
+
+use std::fs;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use tempfile::TempDir;
+
+/// The root of the repository.
+pub(crate) fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// A temporary folder with `cases/`.
+pub(crate) struct Sandbox {
+    folder: TempDir,
+}
+
+/// What a command printed, both streams as a terminal shows them, and its exit status.
+pub(crate) struct Outcome {
+    pub(crate) text: String,
+    pub(crate) status: Option<i32>,
+}
+
+impl Sandbox {
+    pub(crate) fn new() -> Self {
+        let folder = TempDir::new().unwrap();
+        let cases = folder.path().join("cases");
+        fs::create_dir(&cases).unwrap();
+        for entry in fs::read_dir(root().join("cases")).unwrap() {
+            let path = entry.unwrap().path();
+            fs::copy(&path, cases.join(path.file_name().unwrap())).unwrap();
+        }
+        Self { folder }
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// The program, ready to be given arguments.
+    pub(crate) fn command(&self) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_riffel"));
+        command.current_dir(self.folder.path()).env("NO_COLOR", "1");
+        command
+    }
+
+    /// Run `riffel` with arguments separated by blanks.
+    pub(crate) fn riffel(&self, arguments: &str) -> Outcome {
+        let words = shlex::split(arguments).unwrap();
+        let (mut reader, writer) = std::io::pipe().unwrap();
+        let mut child = {
+            let mut command = self.command();
+            command
+                .args(words)
+                .stdout(writer.try_clone().unwrap())
+                .stderr(writer);
+            command.spawn().unwrap()
+        };
+        let mut text = String::new();
+        reader.read_to_string(&mut text).unwrap();
+        Outcome {
+            text,
+            status: child.wait().unwrap().code(),
+        }
+    }
+
+    /// Names of all that lies in a folder of the sandbox, sorted.
+    pub(crate) fn list(&self, name: &str) -> Vec<String> {
+        let mut names: Vec<String> = fs::read_dir(self.path(name))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        names
+    }
+}

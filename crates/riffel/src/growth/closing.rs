@@ -1,0 +1,148 @@
+//! The loop closed over a tile of wavelengths, in vector instructions.
+
+use pulp::{Simd, WithSimd};
+
+use crate::SplitComplex;
+
+/// All that enters one tile.
+pub(super) struct Closing<'a> {
+    pub(super) track: &'a SplitComplex,
+    pub(super) wheel: &'a SplitComplex,
+    pub(super) levers: &'a SplitComplex,
+    pub(super) impedances: &'a SplitComplex,
+    pub(super) by_impedance: &'a SplitComplex,
+    pub(super) by_lever: &'a SplitComplex,
+    pub(super) slip: &'a SplitComplex,
+    /// 1/k_H \[m/N\].
+    pub(super) contact: f64,
+    /// 1/V \[s/m\].
+    pub(super) per_speed: f64,
+    pub(super) result: &'a mut SplitComplex,
+}
+
+impl WithSimd for Closing<'_> {
+    type Output = ();
+
+    /// Ŵ₁ = (by_impedance z + by_lever y/V) / ((H + H_w + 1/k_H)(z + slip y/V)), z = impedance and
+    /// y = lever: one division for each wavelength.
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let [
+            track,
+            wheel,
+            levers,
+            impedances,
+            by_impedance,
+            by_lever,
+            slip,
+        ] = [
+            self.track,
+            self.wheel,
+            self.levers,
+            self.impedances,
+            self.by_impedance,
+            self.by_lever,
+            self.slip,
+        ]
+        .map(|row| Rows::<S>::of(row));
+        let contact = simd.splat_f64s(self.contact);
+        let per_speed = simd.splat_f64s(self.per_speed);
+        let one = simd.splat_f64s(1.0);
+        let (re, _) = S::as_mut_simd_f64s(&mut self.result.re);
+        let (im, _) = S::as_mut_simd_f64s(&mut self.result.im);
+        for (j, (re, im)) in re.iter_mut().zip(im).enumerate() {
+            let impedance = impedances.at(j);
+            let lever = levers.at(j).scaled(simd, per_speed);
+            let receptance = Vector {
+                re: simd.add_f64s(simd.add_f64s(track.at(j).re, wheel.at(j).re), contact),
+                im: simd.add_f64s(track.at(j).im, wheel.at(j).im),
+            };
+            let numerator = by_impedance.at(j).times(simd, impedance);
+            let numerator = by_lever.at(j).times_plus(simd, lever, numerator);
+            let rotation = slip.at(j).times_plus(simd, lever, impedance);
+            let denominator = receptance.times(simd, rotation);
+            let inverse = simd.div_f64s(one, denominator.norm_sqr(simd));
+            let quotient = denominator.conj(simd).times(simd, numerator);
+            let quotient = quotient.scaled(simd, inverse);
+            (*re, *im) = (quotient.re, quotient.im);
+        }
+    }
+}
+
+/// A row seen as vectors.
+struct Rows<'a, S: Simd> {
+    re: &'a [S::f64s],
+    im: &'a [S::f64s],
+}
+
+impl<'a, S: Simd> Rows<'a, S> {
+    #[inline(always)]
+    fn of(row: &'a SplitComplex) -> Self {
+        Self {
+            re: S::as_simd_f64s(&row.re).0,
+            im: S::as_simd_f64s(&row.im).0,
+        }
+    }
+
+    #[inline(always)]
+    fn at(&self, index: usize) -> Vector<S> {
+        Vector {
+            re: self.re[index],
+            im: self.im[index],
+        }
+    }
+}
+
+/// As many complex numbers as fit a vector register.
+#[derive(Clone, Copy)]
+struct Vector<S: Simd> {
+    re: S::f64s,
+    im: S::f64s,
+}
+
+impl<S: Simd> Vector<S> {
+    #[inline(always)]
+    fn times(self, simd: S, other: Self) -> Self {
+        Self {
+            re: simd.negate_mul_add_e_f64s(self.im, other.im, simd.mul_f64s(self.re, other.re)),
+            im: simd.mul_add_e_f64s(self.im, other.re, simd.mul_f64s(self.re, other.im)),
+        }
+    }
+
+    #[inline(always)]
+    fn times_plus(self, simd: S, other: Self, sum: Self) -> Self {
+        Self {
+            re: simd.negate_mul_add_e_f64s(
+                self.im,
+                other.im,
+                simd.mul_add_e_f64s(self.re, other.re, sum.re),
+            ),
+            im: simd.mul_add_e_f64s(
+                self.im,
+                other.re,
+                simd.mul_add_e_f64s(self.re, other.im, sum.im),
+            ),
+        }
+    }
+
+    #[inline(always)]
+    fn scaled(self, simd: S, factor: S::f64s) -> Self {
+        Self {
+            re: simd.mul_f64s(self.re, factor),
+            im: simd.mul_f64s(self.im, factor),
+        }
+    }
+
+    #[inline(always)]
+    fn conj(self, simd: S) -> Self {
+        Self {
+            re: self.re,
+            im: simd.neg_f64s(self.im),
+        }
+    }
+
+    #[inline(always)]
+    fn norm_sqr(self, simd: S) -> S::f64s {
+        simd.mul_add_e_f64s(self.re, self.re, simd.mul_f64s(self.im, self.im))
+    }
+}

@@ -1,0 +1,43 @@
+//! Complex numbers with their parts apart.
+
+use num_complex::Complex64;
+
+/// How many wavelengths of a row are worked on at a time: what they read and write stays in the
+/// first-level cache.
+pub const TILE: usize = 64;
+
+/// As many real numbers.
+pub type Tile = [f64; TILE];
+
+/// A tile of complex numbers as two tiles of real ones, which vector instructions read without
+/// shuffling.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SplitComplex {
+    /// Real parts.
+    pub re: Tile,
+    /// Imaginary parts.
+    pub im: Tile,
+}
+
+impl SplitComplex {
+    /// Zeros.
+    pub const ZERO: Self = Self {
+        re: [0.0; TILE],
+        im: [0.0; TILE],
+    };
+
+    /// Set every number to a function of the real number in the same place.
+    #[inline]
+    pub fn set(&mut self, arguments: &Tile, value: impl Fn(f64) -> Complex64) {
+        for j in 0..TILE {
+            let value = value(arguments[j]);
+            (self.re[j], self.im[j]) = (value.re, value.im);
+        }
+    }
+
+    /// The numbers with their parts together.
+    #[inline]
+    pub fn joined(&self) -> [Complex64; TILE] {
+        std::array::from_fn(|j| Complex64::new(self.re[j], self.im[j]))
+    }
+}
