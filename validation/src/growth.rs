@@ -187,10 +187,10 @@ pub(crate) fn extra_line_low_traction() -> Row {
 }
 
 pub(crate) fn main_line_on_track_high_traction() -> Row {
-    let line = line_on_track(&["contact.tractive_ratio=0.95"], MAIN_BAND, 13, 40);
+    let line = line_on_track(&["contact.tractive_ratio=0.95"], MAIN_BAND, 12, 40);
     let (low, high) = line.frequency;
     Row {
-        statement: "On the supported track the main line stays, τ = 0.95, 13–40 m/s",
+        statement: "On the supported track the main line stays, τ = 0.95, 12–40 m/s",
         source: "section 4, Fig. 5 right (`bhaskar-inferred`)",
         expected: "443–505 Hz".to_owned(),
         got: format!("{low:.1}–{high:.1} Hz"),
@@ -202,7 +202,7 @@ pub(crate) fn main_line_on_track_high_traction() -> Row {
 pub(crate) fn extra_line_high_traction() -> Row {
     let overrides = ["contact.tractive_ratio=0.95"];
     let extra = line_on_track(&overrides, EXTRA_BAND, 8, 12);
-    let main = line_on_track(&overrides, MAIN_BAND, 13, 40);
+    let main = line_on_track(&overrides, MAIN_BAND, 12, 40);
     let (low, high) = extra.frequency;
     let at_8 = extra.values.first().copied().unwrap_or(f64::NAN);
     let (deepest_main, _) = extent(main.values);

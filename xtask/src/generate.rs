@@ -37,6 +37,9 @@ pub(crate) fn run(check: bool) -> Outcome {
             fs::write(&file, text).map_err(|error| format!("cannot write {path}: {error}"))?;
         }
     }
+    if !check {
+        picture()?;
+    }
     println!(
         "# generated files {}",
         if check { "are current" } else { "written" }

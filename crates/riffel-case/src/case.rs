@@ -47,9 +47,9 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|source| CaseError::Read {
+        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Read {
             path: path.to_owned(),
-            source,
+            reason,
         })?;
         Self::parse(&path.display().to_string(), &text, overrides)
     }

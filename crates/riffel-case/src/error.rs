@@ -2,6 +2,7 @@
 
 use std::io;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use miette::{Diagnostic, NamedSource, SourceSpan};
 use thiserror::Error;
@@ -11,12 +12,12 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum CaseError {
     /// The file cannot be read.
-    #[error("cannot read the case file {path}: {source}", path = path.display())]
+    #[error("cannot read the case file {path}: {reason}", path = path.display())]
     Read {
         /// The file.
         path: PathBuf,
         /// Why not.
-        source: io::Error,
+        reason: io::Error,
     },
 
     /// The text is not TOML.
@@ -26,7 +27,7 @@ pub enum CaseError {
         message: String,
         /// The case file.
         #[source_code]
-        source_code: NamedSource<String>,
+        source_code: Arc<NamedSource<String>>,
         /// Where.
         #[label("here")]
         span: SourceSpan,
@@ -44,7 +45,7 @@ pub enum CaseError {
         help: Option<String>,
         /// The case file.
         #[source_code]
-        source_code: NamedSource<String>,
+        source_code: Arc<NamedSource<String>>,
         /// Where, if the file says anything there.
         #[label("{key}")]
         span: Option<SourceSpan>,

@@ -124,7 +124,7 @@ pub enum PresetValues {
     /// For `rail.section`.
     Rail(RailPreset),
     /// For `track.preset`.
-    Track(TrackPreset),
+    Track(Box<TrackPreset>),
 }
 
 impl PresetValues {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use miette::{NamedSource, SourceSpan};
 use serde::de::DeserializeOwned;
@@ -28,7 +29,7 @@ impl Source {
     pub(crate) fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let syntax = |error: toml::de::Error| CaseError::Syntax {
             message: error.message().to_owned(),
-            source_code: NamedSource::new(name, text.to_owned()),
+            source_code: Arc::new(NamedSource::new(name, text.to_owned())),
             span: error.span().map_or((0..0).into(), SourceSpan::from),
         };
         let spans = DeTable::parse(text).map_err(syntax)?;
@@ -97,10 +98,11 @@ impl Source {
     /// Remove a key that another one set by an override replaces.
     pub(crate) fn replace(&mut self, table: &str, set: &str, replaced: &str) {
         let (set, gone) = (join(table, set), join(table, replaced));
-        if self.overrides.contains_key(&set) && !self.overrides.contains_key(&gone) {
-            if let Some(Value::Table(table)) = self.table.get_mut(table) {
-                table.remove(replaced);
-            }
+        if self.overrides.contains_key(&set)
+            && !self.overrides.contains_key(&gone)
+            && let Some(Value::Table(table)) = self.table.get_mut(table)
+        {
+            table.remove(replaced);
         }
     }
 
@@ -179,7 +181,7 @@ impl Source {
             key: key.to_owned(),
             message,
             help,
-            source_code: NamedSource::new(&self.name, self.text.clone()),
+            source_code: Arc::new(NamedSource::new(&self.name, self.text.clone())),
             span: self.span(key),
         }
     }

@@ -9,8 +9,8 @@ use thiserror::Error;
 /// Bad input on the command line or a file that cannot be read or written.
 #[derive(Debug, Error, Diagnostic)]
 pub(crate) enum CliError {
-    #[error("cannot write to {path}: {source}", path = path.display())]
-    Write { path: PathBuf, source: io::Error },
+    #[error("cannot write to {path}: {reason}", path = path.display())]
+    Write { path: PathBuf, reason: io::Error },
 
     #[error("{path} is there already", path = path.display())]
     #[diagnostic(help("give another name, or --force to replace it"))]
@@ -23,8 +23,8 @@ pub(crate) enum CliError {
         rule: String,
     },
 
-    #[error("cannot read the observations {path}: {source}", path = path.display())]
-    ReadObservations { path: PathBuf, source: csv::Error },
+    #[error("cannot read the observations {path}: {reason}", path = path.display())]
+    ReadObservations { path: PathBuf, reason: csv::Error },
 
     #[error("{path}, line {line}: {message}", path = path.display())]
     Observation {

@@ -10,9 +10,9 @@ use crate::error::CliError;
 /// Read a CSV with the columns wavelength, speed and (optional) label, in any order; the names may
 /// end in their SI units, as in `wavelength_m`.
 pub(crate) fn read(path: &Path) -> Result<Vec<Observation>, CliError> {
-    let cannot_read = |source| CliError::ReadObservations {
+    let cannot_read = |reason| CliError::ReadObservations {
         path: path.to_owned(),
-        source,
+        reason,
     };
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)

@@ -58,9 +58,9 @@ pub(crate) struct Staging {
 impl Staging {
     /// Prepare the folder, making it if need be.
     pub(crate) fn new(folder: &Path) -> Result<Self, CliError> {
-        let cannot_write = |source| CliError::Write {
+        let cannot_write = |reason| CliError::Write {
             path: folder.to_owned(),
-            source,
+            reason,
         };
         let mut guard = active();
         let made = !folder.exists();
@@ -105,7 +105,7 @@ impl Staging {
                 write(&mut file)?;
                 file.flush()
             })
-            .map_err(|source| self.cannot_write(name, source))
+            .map_err(|reason| self.cannot_write(name, reason))
     }
 
     /// Rename every file to its place; returns their names.
@@ -113,7 +113,7 @@ impl Staging {
         let mut guard = active();
         for name in &self.files {
             fs::rename(self.temporary.join(name), self.folder.join(name))
-                .map_err(|source| self.cannot_write(name, source))?;
+                .map_err(|reason| self.cannot_write(name, reason))?;
         }
         if let Some(active) = guard.take() {
             let _ = active.temporary.close();
@@ -121,10 +121,10 @@ impl Staging {
         Ok(std::mem::take(&mut self.files))
     }
 
-    fn cannot_write(&self, name: &str, source: io::Error) -> CliError {
+    fn cannot_write(&self, name: &str, reason: io::Error) -> CliError {
         CliError::Write {
             path: self.folder.join(name),
-            source,
+            reason,
         }
     }
 }
@@ -140,9 +140,9 @@ impl Drop for Staging {
 
 /// Write one file whole, by a temporary name beside it.
 pub(crate) fn write_file(path: &Path, text: &str, replace: bool) -> Result<(), CliError> {
-    let cannot_write = |source| CliError::Write {
+    let cannot_write = |reason| CliError::Write {
         path: path.to_owned(),
-        source,
+        reason,
     };
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,

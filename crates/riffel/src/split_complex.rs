@@ -29,9 +29,9 @@ impl SplitComplex {
     /// Set every number to a function of the real number in the same place.
     #[inline]
     pub fn set(&mut self, arguments: &Tile, value: impl Fn(f64) -> Complex64) {
-        for j in 0..TILE {
-            let value = value(arguments[j]);
-            (self.re[j], self.im[j]) = (value.re, value.im);
+        for ((re, im), &argument) in self.re.iter_mut().zip(&mut self.im).zip(arguments) {
+            let value = value(argument);
+            (*re, *im) = (value.re, value.im);
         }
     }
 

@@ -131,7 +131,8 @@ fn newton_coefficients(values: [Complex64; NODES]) -> [Complex64; NODES] {
 fn shifted(mut powers: [Complex64; NODES], origin: f64) -> [Complex64; NODES] {
     for start in 0..NODES {
         for power in (start..NODES - 1).rev() {
-            powers[power] = powers[power] + powers[power + 1] * origin;
+            let next = powers[power + 1];
+            powers[power] += next * origin;
         }
     }
     powers
