@@ -14,6 +14,7 @@
 //! # Ok::<(), riffel_case::CaseError>(())
 //! ```
 
+mod builder;
 mod case;
 mod error;
 pub mod file;

@@ -109,7 +109,7 @@ pub(crate) fn parameters(case: &Case) -> String {
         DissipationPhase::None => "none",
     };
     format!(
-        "{}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; rail {:.1} kg/m, \
+        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; rail {:.1} kg/m, \
          I = {:.3e} m⁴; P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; dissipation phase: {phase}.",
         track(case),
         1e-9 * file.steel.youngs_modulus.si(),
@@ -131,8 +131,8 @@ pub(crate) fn parameters(case: &Case) -> String {
 pub(crate) fn track(case: &Case) -> String {
     let track = &case.file.track;
     match track.model {
-        TrackModel::FreeBeam => "Rail: free Euler beam".to_owned(),
-        TrackModel::MovingBeam => "Rail: free Euler beam under a moving load".to_owned(),
+        TrackModel::FreeBeam => "free Euler beam".to_owned(),
+        TrackModel::MovingBeam => "free Euler beam under a moving load".to_owned(),
         TrackModel::TwoLayer => {
             let support = |support: &Option<Support>| {
                 let (stiffness, damping) = support

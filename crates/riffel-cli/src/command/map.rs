@@ -43,7 +43,7 @@ struct Derived {
 
 #[derive(Serialize)]
 struct RidgeSummary {
-    /// Least squares in wavelength over the points that grow and do not sit at the edge.
+    /// Least absolute deviations in wavelength over the points that grow and do not sit at the edge.
     best_fit_frequency_hz: Option<f64>,
     highest: Option<RidgeEntry>,
     speeds_that_grow: usize,
@@ -192,7 +192,9 @@ fn readable(case: &Case, ridge: &Ridge, folder: &Path, files: &[String]) -> Stri
     let fit = ridge.best_fit_frequency().map_or_else(
         || "no growth inside the window".to_owned(),
         |frequency| {
-            format!("the ridge follows {frequency:.0} Hz (least squares, edge points left out)")
+            format!(
+                "the ridge follows {frequency:.0} Hz (best fit of the points inside the window)"
+            )
         },
     );
     format!(

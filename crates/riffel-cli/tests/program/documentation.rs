@@ -114,12 +114,16 @@ fn every_command_of_the_documentation_prints_what_is_shown() {
             if std::env::var_os("UPDATE_DOCUMENTATION").is_some() {
                 fs::write(&page, &written).unwrap();
             } else {
-                let different: Vec<String> = written
+                let (place, (shown, printed)) = text
                     .lines()
-                    .filter(|line| !text.contains(line))
-                    .map(str::to_owned)
-                    .collect();
-                stale.push(format!("{}:\n{}", page.display(), different.join("\n")));
+                    .zip(written.lines())
+                    .enumerate()
+                    .find(|(_, (shown, printed))| shown != printed)
+                    .unwrap_or((text.lines().count(), ("", "")));
+                let (page, line) = (page.display(), place + 1);
+                stale.push(format!(
+                    "{page}:{line}\nshown:   {shown}\nprinted: {printed}"
+                ));
             }
         }
     }

@@ -71,22 +71,28 @@ impl Ridge {
             .collect()
     }
 
-    /// Frequency \[Hz\] of the ray λ = V/f that fits the ridge best: least squares in wavelength over
-    /// the points that grow and do not sit at the edge of the window, f = ΣV²/ΣVλ.
+    /// Frequency \[Hz\] of the ray λ = V/f that fits the ridge best: least absolute deviations in
+    /// wavelength over the points that grow and do not sit at the edge of the window. A ridge that
+    /// changes from one line to another is fitted by the longer one, not by a ray between them.
     ///
+    /// Σ|λ − V/f| = ΣV|λ/V − 1/f| is least where 1/f is the median of λ/V with the weights V.
     /// `None` where no point qualifies.
     pub fn best_fit_frequency(&self) -> Option<f64> {
-        let (square, product) = self
+        let mut inner: Vec<&RidgePoint> = self
             .points
             .iter()
             .filter(|point| !point.at_edge && point.normalized_dissipation < 0.0)
-            .fold((0.0, 0.0), |(square, product), point| {
-                (
-                    square + point.speed * point.speed,
-                    product + point.speed * point.wavelength,
-                )
-            });
-        (product > 0.0).then_some(square / product)
+            .collect();
+        inner.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        let half = inner.iter().map(|point| point.speed).sum::<f64>() / 2.0;
+        let mut sum = 0.0;
+        inner
+            .iter()
+            .find(|point| {
+                sum += point.speed;
+                sum >= half
+            })
+            .map(|point| point.frequency)
     }
 
     /// The point of highest growth rate per passage.
@@ -144,4 +150,40 @@ fn golden_section([mut low, mut high]: [f64; 2], tolerance: f64, f: impl Fn(f64)
         }
     }
     0.5 * (low + high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(speed: f64, frequency: f64, at_edge: bool) -> RidgePoint {
+        RidgePoint {
+            speed,
+            wavelength: speed / frequency,
+            frequency,
+            normalized_dissipation: -1.0,
+            growth_rate: 1.0,
+            at_edge,
+        }
+    }
+
+    #[test]
+    fn best_fit_keeps_to_the_longer_line() {
+        let points = vec![
+            point(10.0, 180.0, false),
+            point(15.0, 185.0, false),
+            point(20.0, 500.0, false),
+            point(30.0, 501.0, false),
+            point(40.0, 900.0, true),
+        ];
+        assert_eq!(Ridge { points }.best_fit_frequency(), Some(500.0));
+        assert_eq!(Ridge { points: vec![] }.best_fit_frequency(), None);
+    }
+
+    /// The minimum of a parabola, to the tolerance asked for.
+    #[test]
+    fn golden_section_finds_a_minimum() {
+        let minimum = golden_section([0.0, 3.0], 1e-9, |x| (x - 1.25f64).powi(2));
+        assert!((minimum - 1.25).abs() < 1e-7); // the square root of rounding limits any search
+    }
 }

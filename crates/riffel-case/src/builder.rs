@@ -1,0 +1,243 @@
+//! From keys to the physics: every value checked, every joint of the loop built.
+
+mod fill_in;
+mod track;
+
+use std::fmt::Display;
+use std::sync::Arc;
+
+use riffel::{
+    Axis, Carter3d, ConstantCreepage, ConstantTangentialForce, ElasticMaterial, EnergyWear,
+    FeedbackLoop, HertzContact, PlaceOfWear, RigidInertia, RigidMass, RollingContact,
+    WheelRotation,
+};
+
+use crate::case::Case;
+use crate::file::{CaseFile, DissipationPhase, Rotation};
+use crate::quantity::{Dimension, Quantity};
+use crate::source::Source;
+use crate::{CaseError, validity};
+
+/// Most points along one axis of a map.
+const MOST_AXIS_POINTS: u64 = 100_000;
+/// Most points of a map: 16 bytes each in memory, some 100 in its table on disk.
+const MOST_MAP_POINTS: u64 = 100_000_000;
+
+/// A case file on its way to a case.
+pub(crate) struct Builder {
+    source: Source,
+    file: CaseFile,
+}
+
+impl Builder {
+    pub(crate) fn new(source: Source, file: CaseFile) -> Self {
+        Self { source, file }
+    }
+
+    pub(crate) fn build(mut self) -> Result<Case, CaseError> {
+        self.fill_in()?;
+        let file = &self.file;
+
+        let poisson = file.steel.poisson_ratio.si();
+        self.positive("steel.youngs_modulus", file.steel.youngs_modulus)?;
+        if !(poisson > -1.0 && poisson < 0.5) {
+            return Err(self.out_of_range("steel.poisson_ratio", poisson, "between -1 and 0.5"));
+        }
+        let steel = self.physics(
+            "steel",
+            ElasticMaterial::new(file.steel.youngs_modulus.si(), poisson),
+        )?;
+
+        let contact = &file.contact;
+        let radius = self.positive("wheel.rolling_radius", file.wheel.rolling_radius)?;
+        let hertz = HertzContact::new(
+            steel,
+            radius,
+            self.positive("contact.transverse_radius", contact.transverse_radius)?,
+            self.positive("contact.normal_load", contact.normal_load)?,
+        );
+        let hertz = self.physics("contact", hertz)?;
+        let creep_law = self.creep_law(hertz)?;
+
+        let track = self.track(steel)?;
+        let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
+        let wheel = self.physics("wheel.mass", wheel)?;
+        let place_of_wear = PlaceOfWear::new(
+            match contact.dissipation_phase {
+                DissipationPhase::Lag => riffel::DissipationPhase::Lag,
+                DissipationPhase::Lead => riffel::DissipationPhase::Lead,
+                DissipationPhase::None => riffel::DissipationPhase::None,
+            },
+            hertz.semi_axis_longitudinal(),
+            creep_law.steady().tractive_ratio(),
+        );
+        let wear = EnergyWear::new(
+            self.positive("wear.coefficient", file.wear.coefficient)?,
+            self.positive("wear.density", file.wear.density)?,
+            hertz.semi_axis_lateral(),
+        );
+        let feedback = FeedbackLoop {
+            track,
+            wheel: Arc::new(wheel),
+            contact_stiffness: hertz.stiffness(),
+            contact: Arc::new(creep_law),
+            rotation: self.rotation(radius)?,
+            rolling_radius: radius,
+            place_of_wear,
+            wear: self.physics("wear", wear)?,
+            amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
+        };
+        let (wavelength, speed) = self.window()?;
+        self.check_moving_beam(steel, wavelength.max(), speed.max())?;
+        let remarks = validity::remarks(file, &feedback, hertz, wavelength, speed);
+        Ok(Case {
+            file: self.file,
+            feedback,
+            hertz,
+            creep_law,
+            wavelength,
+            speed,
+            remarks,
+        })
+    }
+
+    fn creep_law(&self, hertz: HertzContact) -> Result<Carter3d, CaseError> {
+        let contact = &self.file.contact;
+        let friction = self.positive("contact.friction", contact.friction)?;
+        let (key, law) = match (contact.tractive_ratio, contact.creepage) {
+            (Some(_), Some(_)) => {
+                return Err(self.source.invalid(
+                    "contact.creepage",
+                    "and `contact.tractive_ratio` exclude each other",
+                    "give one of the two",
+                ));
+            }
+            (None, None) => {
+                return Err(self.source.missing(
+                    "contact.tractive_ratio",
+                    "give contact.tractive_ratio or contact.creepage",
+                ));
+            }
+            (Some(ratio), None) => {
+                let ratio = ratio.si();
+                if !(ratio > 0.0 && ratio < 1.0) {
+                    return Err(self.out_of_range(
+                        "contact.tractive_ratio",
+                        ratio,
+                        "between 0 and 1, both excluded",
+                    ));
+                }
+                (
+                    "contact.tractive_ratio",
+                    Carter3d::from_tractive_ratio(hertz, friction, ratio),
+                )
+            }
+            (None, Some(creepage)) => {
+                self.positive("contact.creepage", creepage)?;
+                (
+                    "contact.creepage",
+                    Carter3d::from_creepage(hertz, friction, creepage.si()),
+                )
+            }
+        };
+        self.physics(key, law)
+    }
+
+    fn rotation(&self, radius: f64) -> Result<Arc<dyn WheelRotation>, CaseError> {
+        let wheel = &self.file.wheel;
+        // Filled in above; the mass it may come from is checked.
+        let inertia = self.required("wheel.inertia", wheel.inertia)?;
+        let inertia = self.positive("wheel.inertia", inertia)?;
+        Ok(match wheel.rotation {
+            Rotation::Inertia => {
+                let rigid = RigidInertia::new(inertia, radius);
+                Arc::new(self.physics("wheel.inertia", rigid)?)
+            }
+            Rotation::ConstantTangentialForce => Arc::new(ConstantTangentialForce),
+            Rotation::ConstantCreepage => Arc::new(ConstantCreepage),
+        })
+    }
+
+    fn window(&self) -> Result<(Axis, Axis), CaseError> {
+        let map = &self.file.map;
+        let (wavelength, speed) = (&map.wavelength, &map.speed);
+        let wavelength_axis = self.axis(
+            "map.wavelength",
+            wavelength.min,
+            wavelength.max,
+            wavelength.points,
+        )?;
+        let speed_axis = self.axis("map.speed", speed.min, speed.max, speed.points)?;
+        if wavelength.points * speed.points > MOST_MAP_POINTS {
+            return Err(self.source.invalid(
+                "map",
+                &format!(
+                    "{} wavelengths at {} speeds are more than the {MOST_MAP_POINTS} points of the \
+                     largest map",
+                    wavelength.points, speed.points
+                ),
+                "lower map.wavelength.points or map.speed.points",
+            ));
+        }
+        Ok((wavelength_axis, speed_axis))
+    }
+
+    fn axis<D: Dimension>(
+        &self,
+        key: &str,
+        min: Quantity<D>,
+        max: Quantity<D>,
+        points: u64,
+    ) -> Result<Axis, CaseError> {
+        let low = self.positive(&format!("{key}.min"), min)?;
+        let high = self.positive(&format!("{key}.max"), max)?;
+        if low >= high {
+            return Err(self.source.invalid(
+                &format!("{key}.max"),
+                &format!("is {max}, but the window is empty unless it is above the min of {min}"),
+                "",
+            ));
+        }
+        if !(2..=MOST_AXIS_POINTS).contains(&points) {
+            return Err(self.source.invalid(
+                &format!("{key}.points"),
+                &format!("is {points}, but must be between 2 and {MOST_AXIS_POINTS}"),
+                "",
+            ));
+        }
+        // At most MOST_AXIS_POINTS, which any usize holds.
+        self.physics(key, Axis::new(low, high, points as usize))
+    }
+
+    fn positive<D: Dimension>(&self, key: &str, value: Quantity<D>) -> Result<f64, CaseError> {
+        if value.si() > 0.0 {
+            return Ok(value.si());
+        }
+        Err(self.out_of_range(key, value, "greater than zero"))
+    }
+
+    fn not_negative<D: Dimension>(&self, key: &str, value: Quantity<D>) -> Result<f64, CaseError> {
+        if value.si() >= 0.0 {
+            return Ok(value.si());
+        }
+        Err(self.out_of_range(key, value, "zero or more"))
+    }
+
+    fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
+        self.source
+            .invalid(key, &format!("is {value}, but must be {rule}"), "")
+    }
+
+    fn required<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
+        value.ok_or_else(|| {
+            let model =
+                "track.model = \"two-layer\" needs it: give it, or name a preset by track.preset";
+            self.source.missing(key, model)
+        })
+    }
+
+    /// An error of the physics, as one of the key that causes it.
+    fn physics<T>(&self, key: &str, result: Result<T, riffel::Error>) -> Result<T, CaseError> {
+        result.map_err(|error| self.source.invalid(key, &error.to_string(), ""))
+    }
+}

@@ -1,0 +1,237 @@
+//! Identities and limits of the closed loop over random physical cases.
+
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use riffel::{
+    Axis, Carter3d, ConstantCreepage, ConstantTangentialForce, DissipationPhase, ElasticMaterial,
+    EnergyWear, EulerBernoulliBeam, FeedbackLoop, FreeBeam, GrowthMap, HertzContact, Layer,
+    LoopState, MovingBeam, PlaceOfWear, Receptance, Ridge, RigidInertia, RigidMass, RollingContact,
+    RowEvaluator, TILE, TwoLayerTrack, WheelRotation,
+};
+
+/// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
+#[derive(Debug, Clone, Copy)]
+struct Railway {
+    poisson_ratio: f64,
+    rolling_radius: f64,
+    transverse_radius: f64,
+    normal_force: f64,
+    friction: f64,
+    tractive_ratio: f64,
+    wheel_mass: f64,
+    rail_mass: f64,
+    second_moment: f64,
+    wavelength: f64,
+    speed: f64,
+}
+
+fn railway() -> impl Strategy<Value = Railway> {
+    (
+        (0.2..0.35, 0.3..0.6, 0.15..0.6, 15e3..125e3),
+        (0.05..0.7, 0.01..0.98, 200.0..1000.0),
+        (40.0..75.0, 1.5e-5..4e-5, 0.02..0.3, 3.0..80.0),
+    )
+        .prop_map(|(contact, wheel, rail)| Railway {
+            poisson_ratio: contact.0,
+            rolling_radius: contact.1,
+            transverse_radius: contact.2,
+            normal_force: contact.3,
+            friction: wheel.0,
+            tractive_ratio: wheel.1,
+            wheel_mass: wheel.2,
+            rail_mass: rail.0,
+            second_moment: rail.1,
+            wavelength: rail.2,
+            speed: rail.3,
+        })
+}
+
+impl Railway {
+    fn rail(&self) -> EulerBernoulliBeam {
+        let steel = ElasticMaterial::new(207e9, self.poisson_ratio).unwrap();
+        EulerBernoulliBeam::new(steel, self.second_moment, self.rail_mass).unwrap()
+    }
+
+    fn feedback(
+        &self,
+        track: impl Receptance + 'static,
+        rotation: impl WheelRotation + 'static,
+    ) -> FeedbackLoop {
+        let steel = ElasticMaterial::new(207e9, self.poisson_ratio).unwrap();
+        let (radius, across) = (self.rolling_radius, self.transverse_radius);
+        let hertz = HertzContact::new(steel, radius, across, self.normal_force).unwrap();
+        let contact =
+            Carter3d::from_tractive_ratio(hertz, self.friction, self.tractive_ratio).unwrap();
+        FeedbackLoop {
+            track: Arc::new(track),
+            wheel: Arc::new(RigidMass::new(self.wheel_mass).unwrap()),
+            contact_stiffness: hertz.stiffness(),
+            contact: Arc::new(contact),
+            rotation: Arc::new(rotation),
+            rolling_radius: radius,
+            place_of_wear: PlaceOfWear::new(
+                DissipationPhase::Lag,
+                hertz.semi_axis_longitudinal(),
+                contact.steady().tractive_ratio(),
+            ),
+            wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
+            amplitude: 1e-5,
+        }
+    }
+
+    fn inertia(&self) -> f64 {
+        RigidInertia::reduced_inertia(self.wheel_mass, self.rolling_radius)
+    }
+
+    fn with_inertia(&self, inertia: f64) -> LoopState {
+        let rotation = RigidInertia::new(inertia, self.rolling_radius).unwrap();
+        self.at(rotation)
+    }
+
+    fn at(&self, rotation: impl WheelRotation + 'static) -> LoopState {
+        self.feedback(FreeBeam::new(self.rail()), rotation)
+            .at(self.wavelength, self.speed)
+    }
+}
+
+proptest! {
+    /// I_w → 0: the distance to constant tangential force falls in proportion to I_w. Its size there
+    /// is that of ωI_w/(|Q_Ω|R), a relative change of every quantity.
+    #[test]
+    fn vanishing_inertia_is_constant_tangential_force(railway in railway()) {
+        let limit = railway.at(ConstantTangentialForce);
+        prop_assert_eq!(limit.tangential_force.norm(), 0.0);
+        for inertia in [1e-6, 1e-9] {
+            let state = railway.with_inertia(inertia);
+            let small = state.angular_frequency * inertia
+                / (state.dq_domega.norm() * railway.rolling_radius);
+            let distance = (state.normalized_dissipation - limit.normalized_dissipation).norm();
+            // W₁ is a difference of two terms, of which the larger bounds the change; x → 1 makes
+            // the first-order factor largest.
+            let size = (state.dw_domega * limit.angular_velocity).norm()
+                + (state.dw_dp * limit.normal_force).norm();
+            let scale = size * limit.normalized_dissipation.norm() / limit.dissipation.norm();
+            prop_assert!(distance <= 1.01 * small * scale + 1e-12 * scale, "{distance} {small}");
+        }
+    }
+
+    /// I_w → ∞: the distance to constant creepage falls in proportion to 1/I_w.
+    #[test]
+    fn infinite_inertia_is_constant_creepage(railway in railway()) {
+        let limit = railway.at(ConstantCreepage);
+        prop_assert_eq!(limit.angular_velocity.norm(), 0.0);
+        for inertia in [1e9, 1e12] {
+            let state = railway.with_inertia(inertia);
+            let small = (state.dw_domega * state.dq_dp * railway.rolling_radius).norm()
+                / (state.dw_dp.norm() * state.angular_frequency * inertia);
+            let distance = (state.dissipation - limit.dissipation).norm();
+            prop_assert!(distance <= (1.01 * small + 1e-12) * limit.dissipation.norm());
+        }
+    }
+
+    /// V → 0 at constant frequency: the moving beam is the stationary one, the phase shift 3p²/2 with
+    /// p² = V²/(4ω√(EI/m)).
+    #[test]
+    fn slow_load_is_a_stationary_load(railway in railway(), frequency in 50.0..3000.0, speed in 1e-6..1.0f64) {
+        let w = std::f64::consts::TAU * frequency;
+        let moving = MovingBeam::new(railway.rail(), 0.0).unwrap();
+        let p = speed / moving.critical_speed(w);
+        let free = FreeBeam::new(railway.rail()).receptance(w, 0.0);
+        let distance = (moving.receptance(w, speed) - free).norm() / free.norm();
+        prop_assert!(distance <= 1.6 * p * p + 1e-14, "{distance} {p}");
+    }
+
+    /// Passivity of what the wheel meets: track, wheel and contact spring together never feed energy
+    /// into the contact, and the normal force leads the profile by 0…180°.
+    #[test]
+    fn the_vertical_loop_is_passive(railway in railway(), stiffness in 3e7..1e9, damping in 0.0..2e5) {
+        let layer = Layer::new(stiffness, damping).unwrap();
+        let rail = railway.rail();
+        let rotation = ConstantCreepage;
+        for feedback in [
+            railway.feedback(FreeBeam::new(rail), rotation),
+            railway.feedback(MovingBeam::new(rail, 0.0).unwrap(), rotation),
+            railway.feedback(TwoLayerTrack::new(rail, layer, 150.0, layer).unwrap(), rotation),
+        ] {
+            let state = feedback.at(railway.wavelength, railway.speed);
+            prop_assert!(state.track_receptance.im <= 0.0);
+            prop_assert!(state.wheel_receptance.im <= 0.0);
+            prop_assert!(state.normal_force.im >= 0.0);
+        }
+    }
+
+    /// The growth rate depends on the amplitude of the profile not at all, forces in proportion.
+    #[test]
+    fn the_loop_is_linear(railway in railway(), factor in 0.01..100.0f64) {
+        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let feedback = railway.feedback(FreeBeam::new(railway.rail()), rotation);
+        let mut scaled = feedback.clone();
+        scaled.amplitude *= factor;
+        let [one, other] = [feedback, scaled].map(|f| f.at(railway.wavelength, railway.speed));
+        prop_assert!((other.growth_rate / one.growth_rate - 1.0).abs() < 1e-12);
+        prop_assert!((other.normal_force / one.normal_force - factor).norm() < 1e-12 * factor);
+    }
+
+    /// The vectorised row is the loop, point by point: another order of the same operations.
+    #[test]
+    fn a_row_is_its_points(railway in railway(), count in 1..2 * TILE + 3) {
+        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let feedback = railway.feedback(MovingBeam::new(railway.rail(), 0.0).unwrap(), rotation);
+        let wavelengths: Vec<f64> = (0..count).map(|j| railway.wavelength + 1e-3 * j as f64).collect();
+        let mut row = vec![Default::default(); count];
+        RowEvaluator::new(&feedback, &wavelengths).evaluate(railway.speed, &mut row);
+        for (value, &wavelength) in row.iter().zip(&wavelengths) {
+            let state = feedback.at(wavelength, railway.speed);
+            // Ŵ₁ is a difference of two terms that may nearly cancel.
+            let size = (state.dw_dp * state.normal_force).norm()
+                + (state.dw_domega * state.angular_velocity).norm();
+            let scale = size * state.normalized_dissipation.norm() / state.dissipation.norm();
+            prop_assert!((value - state.normalized_dissipation).norm() < 1e-12 * scale);
+        }
+    }
+}
+
+/// A map large enough for a table agrees with the points to the table's accuracy, and the ridge with
+/// the smallest value of each row.
+#[test]
+fn a_tabulated_map_is_its_points() {
+    let railway = Railway {
+        poisson_ratio: 0.3,
+        rolling_radius: 0.46,
+        transverse_radius: 0.23,
+        normal_force: 50e3,
+        friction: 0.4,
+        tractive_ratio: 0.3,
+        wheel_mass: 350.0,
+        rail_mass: 56.0,
+        second_moment: 2.35e-5,
+        wavelength: 0.05,
+        speed: 20.0,
+    };
+    let (pad, ballast) = (
+        Layer::new(1.1e8, 3e4).unwrap(),
+        Layer::new(8.6e7, 4e4).unwrap(),
+    );
+    let track = TwoLayerTrack::new(railway.rail(), pad, 157.0, ballast).unwrap();
+    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let feedback = railway.feedback(track, rotation);
+    let (wavelength, speed) = (
+        Axis::new(0.02, 0.2, 301).unwrap(),
+        Axis::new(3.0, 60.0, 101).unwrap(),
+    );
+    let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
+    let ridge = Ridge::search(&feedback, wavelength, speed);
+    for ((speed, row), ridge) in map.rows().zip(&ridge.points) {
+        let mut smallest = f64::INFINITY;
+        for (index, value) in row.iter().enumerate() {
+            let state = feedback.at(wavelength.value(index), speed);
+            let expected = state.normalized_dissipation;
+            // 1e-9 of the receptance, amplified where the joints nearly cancel: ten times that.
+            assert!((value - expected).norm() < 1e-8 * expected.norm());
+            smallest = smallest.min(value.re);
+        }
+        assert!(ridge.normalized_dissipation <= smallest + 1e-9);
+        assert_eq!(ridge.speed, speed);
+    }
+}
