@@ -102,7 +102,7 @@ pub(crate) struct Map {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
-    /// Folder for the results, made if need be [default: <CASE>-map].
+    /// Folder for the results, made if need be [default: CASE-map].
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
@@ -122,7 +122,7 @@ pub(crate) struct Receptance {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
-    /// Folder for the results, made if need be [default: <CASE>-receptance].
+    /// Folder for the results, made if need be [default: CASE-receptance].
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
