@@ -26,6 +26,15 @@ impl SplitComplex {
         im: [0.0; TILE],
     };
 
+    /// A tile with a function of the place.
+    pub fn from_fn(value: impl Fn(usize) -> Complex64) -> Self {
+        let values: [Complex64; TILE] = std::array::from_fn(value);
+        Self {
+            re: values.map(|value| value.re),
+            im: values.map(|value| value.im),
+        }
+    }
+
     /// Set every number to a function of the real number in the same place.
     #[inline]
     pub fn set(&mut self, arguments: &Tile, value: impl Fn(f64) -> Complex64) {

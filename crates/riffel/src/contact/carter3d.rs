@@ -18,6 +18,7 @@ use crate::Error;
 pub struct Carter3d {
     hertz: HertzContact,
     friction: f64,
+    saturation_creepage: f64,
     creepage: f64,
 }
 
@@ -66,6 +67,7 @@ impl Carter3d {
         Ok(Self {
             hertz,
             friction,
+            saturation_creepage: saturation_creepage(hertz, friction),
             creepage: 0.0,
         })
     }
@@ -75,24 +77,17 @@ impl Carter3d {
         creep_coefficient(self.hertz.axis_ratio())
     }
 
-    /// Saturation creepage ξ_max at the mean load \[-\], equation (6):
-    /// ξ_max = (3μ/C₀₀) \[16 P / (9 (1 − ν)² R_e² G)\]^{1/3}.
+    /// Saturation creepage ξ_max at the mean load \[-\], equation (6).
     pub fn saturation_creepage(&self) -> f64 {
-        let steel = self.hertz.material();
-        let radius = (1.0 - steel.poisson_ratio()) * self.hertz.equivalent_radius();
-        let load = self.hertz.normal_force() / (radius * radius * steel.shear_modulus());
-        3.0 * self.friction / self.creep_coefficient() * (16.0 / 9.0 * load).cbrt()
+        self.saturation_creepage
     }
 
     /// Tangential force Q(P, ξ) \[N\], the inverse of equation (5), for any normal force P > 0 \[N\]
     /// and creepage ξ ≥ 0 \[-\]; μP in full slip.
     pub fn tangential_force(&self, normal_force: f64, creepage: f64) -> f64 {
-        let law = Self {
-            hertz: self.hertz.under(normal_force),
-            ..*self
-        };
+        let saturation = saturation_creepage(self.hertz.under(normal_force), self.friction);
         let limit = self.friction * normal_force;
-        let stick = 1.0 - creepage / law.saturation_creepage();
+        let stick = 1.0 - creepage / saturation;
         if stick > 0.0 {
             limit * (1.0 - stick.powi(3))
         } else {
@@ -130,6 +125,14 @@ impl Carter3d {
             * x
             * (1.0 - 1.5 * x * (1.0 - 4.0 / 9.0 * x))
     }
+}
+
+/// ξ_max = (3μ/C₀₀) \[16 P / (9 (1 − ν)² R_e² G)\]^{1/3}, equation (6).
+fn saturation_creepage(hertz: HertzContact, friction: f64) -> f64 {
+    let steel = hertz.material();
+    let radius = (1.0 - steel.poisson_ratio()) * hertz.equivalent_radius();
+    let load = hertz.normal_force() / (radius * radius * steel.shear_modulus());
+    3.0 * friction / creep_coefficient(hertz.axis_ratio()) * (16.0 / 9.0 * load).cbrt()
 }
 
 impl RollingContact for Carter3d {

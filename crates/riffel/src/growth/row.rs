@@ -18,7 +18,7 @@ const TABLE_TOLERANCE: f64 = 1e-9;
 /// alone done beforehand.
 ///
 /// Method: tiles of [`TILE`] wavelengths; in each, one dynamic call to every joint, then one pass in the
-/// widest vector instructions of the machine. Exact to rounding. Cost: some five nanoseconds a point
+/// widest vector instructions of the machine. Exact to rounding. Cost: some seven nanoseconds a point
 /// for the free beam, see `benches/README.md`. Holds scratch for one tile; make one evaluator per
 /// thread with `clone`.
 #[derive(Clone)]
@@ -64,13 +64,12 @@ impl Columns {
         let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
         let scale = feedback.amplitude / feedback.contact.steady().full_slip_energy_per_metre();
         let radius = feedback.rolling_radius;
+        let at = wavelengths.map(|wavelength| {
+            let phase = Complex64::cis(-feedback.place_of_wear.lag(wavelength));
+            (feedback.contact.response(wavelength), phase * scale)
+        });
         let column = |value: &dyn Fn(ContactResponse, Complex64) -> Complex64| {
-            let mut column = SplitComplex::ZERO;
-            column.set(&wavelengths, |wavelength| {
-                let phase = Complex64::cis(-feedback.place_of_wear.lag(wavelength));
-                value(feedback.contact.response(wavelength), phase * scale)
-            });
-            column
+            SplitComplex::from_fn(|j| value(at[j].0, at[j].1))
         };
         Self {
             wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
