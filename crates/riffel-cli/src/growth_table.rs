@@ -8,8 +8,12 @@ use riffel::{GrowthMap, Ridge};
 
 use crate::error::CliError;
 
-/// One row for each point of the map.
-pub(crate) fn map_csv(map: &GrowthMap, file: &mut impl Write) -> io::Result<()> {
+/// One row for each point of the map; `progress` is told of each speed that is written.
+pub(crate) fn map_csv(
+    map: &GrowthMap,
+    file: &mut impl Write,
+    progress: impl Fn(usize),
+) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record([
         "wavelength_m",
@@ -24,6 +28,7 @@ pub(crate) fn map_csv(map: &GrowthMap, file: &mut impl Write) -> io::Result<()> 
         for (wavelength, value) in wavelengths.iter().zip(row) {
             writer.serialize((wavelength, speed, value.re, value.im, rate * value.re))?;
         }
+        progress(1);
     }
     writer.flush()
 }

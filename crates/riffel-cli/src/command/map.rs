@@ -153,7 +153,11 @@ fn write_files(
     staging.write("map.png", png(&svg, DEFAULT_PNG_SCALE)?)?;
     staging.write("map.svg", svg)?;
     staging.write("map.html", figure.html()?)?;
-    staging.write_with("map.csv", |file| map_csv(map, file))?;
+    let progress = Progress::new("writing map.csv", case.speed.points());
+    staging.write_with("map.csv", |file| {
+        map_csv(map, file, |rows| progress.advance(rows))
+    })?;
+    drop(progress);
     map_netcdf(map, title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
     staging.write("summary.json", summary)?;
