@@ -1,6 +1,6 @@
 //! The cases that the statements of the paper are about.
 
-use riffel::{Axis, LoopState, Ridge, RidgePoint};
+use riffel::{Axis, Complex64, LoopState, Ridge, RidgePoint};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 /// The nominal case with overrides.
@@ -49,4 +49,35 @@ pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
 /// The loop at a frequency \[Hz\] and speed \[m/s\].
 pub(crate) fn at_frequency(case: &Case, frequency: f64, speed: f64) -> LoopState {
     case.feedback.at(speed / frequency, speed)
+}
+
+/// The largest relative error of a series of comparisons.
+#[derive(Default)]
+pub(crate) struct WorstError {
+    worst: f64,
+    /// How many values were compared.
+    pub(crate) compared: usize,
+}
+
+impl WorstError {
+    pub(crate) fn compare(&mut self, got: Complex64, expected: Complex64) {
+        let error = (got - expected).norm() / expected.norm();
+        // NaN must not pass for small.
+        self.worst = if error <= self.worst {
+            self.worst
+        } else {
+            error
+        };
+        self.compared += 1;
+    }
+
+    pub(crate) fn within(&self, limit: f64) -> bool {
+        self.worst <= limit
+    }
+
+    /// In words that are the same on every machine.
+    pub(crate) fn describe(&self, limit: f64) -> String {
+        let relation = if self.within(limit) { "≤" } else { "above" };
+        format!("relative error {relation} {limit:e}")
+    }
 }

@@ -7,7 +7,7 @@ use riffel_case::Case;
 use serde::Deserialize;
 
 use crate::Row;
-use crate::ground::nominal;
+use crate::ground::{WorstError, nominal};
 
 #[derive(Deserialize)]
 struct Reference {
@@ -121,8 +121,7 @@ fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, 
 pub(crate) fn reference_points() -> Row {
     let reference: Reference = serde_json::from_str(include_str!("../reference/points.json"))
         .expect("the reference file is valid JSON");
-    let mut compared = 0;
-    let mut worst: f64 = 0.0;
+    let mut error = WorstError::default();
     let points = reference.points.len();
     for point in reference.points {
         let case = point.case.case();
@@ -133,25 +132,15 @@ pub(crate) fn reference_points() -> Row {
                 .get(name.as_str())
                 .copied()
                 .unwrap_or(Complex64::from(f64::NAN));
-            let error = (got - expected).norm() / expected.norm();
-            // NaN must not pass for small.
-            worst = if error <= worst { worst } else { error };
-            compared += 1;
+            error.compare(got, expected);
         }
     }
     Row {
         statement: "Every quantity of the loop at 28 points",
         source: "40-digit arithmetic, `points.json`",
-        expected: format!("{points} points, {compared} values"),
-        got: format!(
-            "relative error {}",
-            if worst <= 1e-10 {
-                "≤ 1e-10"
-            } else {
-                "above 1e-10"
-            }
-        ),
+        expected: format!("{points} points, {} values", error.compared),
+        got: error.describe(1e-10),
         tolerance: "1e-10: rounding of some hundred operations, amplified by the cube roots near full slip",
-        holds: worst <= 1e-10 && compared == 28 * 21,
+        holds: error.within(1e-10) && error.compared == 28 * 21,
     }
 }

@@ -6,7 +6,7 @@ use riffel::{
 use serde::Deserialize;
 
 use crate::Row;
-use crate::ground::{extent, on_track};
+use crate::ground::{WorstError, extent, on_track};
 
 const FILES: [(&str, &str); 3] = [
     (
@@ -53,8 +53,7 @@ fn two_layer(
 }
 
 pub(crate) fn two_layer_receptance() -> Row {
-    let mut worst: f64 = 0.0;
-    let mut rows = 0;
+    let mut error = WorstError::default();
     for (parameters, table) in FILES {
         let p: Parameters = serde_json::from_str(parameters).expect("valid JSON");
         let d = p.support_spacing_m;
@@ -79,25 +78,16 @@ pub(crate) fn two_layer_receptance() -> Row {
                 .collect();
             let expected = Complex64::new(columns[1], columns[2]);
             let got = track.receptance(std::f64::consts::TAU * columns[0], 0.0);
-            let error = (got - expected).norm() / expected.norm();
-            worst = if error <= worst { worst } else { error };
-            rows += 1;
+            error.compare(got, expected);
         }
     }
     Row {
         statement: "Receptance of the two-layer track, Euler rail, three tracks at 200 frequencies",
         source: "`receptance/*.csv`, checked against rolland 26.8",
-        expected: format!("{rows} complex values"),
-        got: format!(
-            "relative error {}",
-            if worst <= 1e-8 {
-                "≤ 1e-8"
-            } else {
-                "above 1e-8"
-            }
-        ),
+        expected: format!("{} complex values", error.compared),
+        got: error.describe(1e-8),
         tolerance: "1e-8: the accuracy the reference states",
-        holds: worst <= 1e-8 && rows == 600,
+        holds: error.within(1e-8) && error.compared == 600,
     }
 }
 

@@ -59,7 +59,8 @@ impl Builder {
         let hertz = self.physics("contact", hertz)?;
         let creep_law = self.creep_law(hertz)?;
 
-        let track = self.track(steel)?;
+        let (wavelength, speed) = self.window()?;
+        let track = self.track(steel, wavelength.max(), speed.max())?;
         let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
         let wheel = self.physics("wheel.mass", wheel)?;
         let place_of_wear = PlaceOfWear::new(
@@ -87,8 +88,6 @@ impl Builder {
             wear: self.physics("wear", wear)?,
             amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
         };
-        let (wavelength, speed) = self.window()?;
-        self.check_moving_beam(steel, wavelength.max(), speed.max())?;
         let remarks = validity::remarks(file, &feedback, hertz, wavelength, speed);
         Ok(Case {
             file: self.file,

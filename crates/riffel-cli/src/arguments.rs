@@ -1,10 +1,12 @@
 //! The command line.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 use riffel_case::Case;
-use riffel_case::quantity::{Frequency, Length, Quantity, Speed};
+use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Speed};
+
+use crate::error::CliError;
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -56,11 +58,31 @@ impl CaseArguments {
         Ok(Case::read(&self.path, &self.overrides)?)
     }
 
-    /// Folder for results when none is given: the name of the case and what it holds.
-    pub(crate) fn default_folder(&self, what: &str) -> PathBuf {
-        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
-        PathBuf::from(format!("{stem}-{what}"))
+    /// The folder given for results, or one named after the case and what it holds.
+    pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
+        given.map_or_else(
+            || {
+                let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
+                PathBuf::from(format!("{stem}-{what}"))
+            },
+            Path::to_owned,
+        )
     }
+}
+
+/// The value of an argument that must be above zero, in SI.
+pub(crate) fn positive<D: Dimension>(
+    argument: &'static str,
+    value: Quantity<D>,
+) -> Result<f64, CliError> {
+    if value.si() > 0.0 {
+        return Ok(value.si());
+    }
+    Err(CliError::Argument {
+        argument,
+        value: value.to_string(),
+        rule: "greater than zero".to_owned(),
+    })
 }
 
 #[derive(Args)]

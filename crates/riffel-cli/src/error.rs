@@ -36,6 +36,9 @@ pub(crate) enum CliError {
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] riffel_plot::PlotError),
 
+    #[error("cannot write the table of the figure: {0}")]
+    Table(String),
+
     #[error("cannot write the gridded file: {0}")]
     Grid(String),
 }

@@ -222,6 +222,7 @@ fn a_tabulated_map_is_its_points() {
     );
     let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
     let ridge = Ridge::search(&feedback, wavelength, speed);
+    assert_eq!(Ridge::of_map(&feedback, &map), ridge);
     for ((speed, row), ridge) in map.rows().zip(&ridge.points) {
         let mut smallest = f64::INFINITY;
         for (index, value) in row.iter().enumerate() {

@@ -28,13 +28,25 @@ impl Builder {
         self.physics("rail", beam)
     }
 
-    pub(super) fn track(&self, steel: ElasticMaterial) -> Result<Arc<dyn Receptance>, CaseError> {
+    /// The track under every load of the map, up to the longest wavelength \[m\] and highest speed
+    /// \[m/s\].
+    pub(super) fn track(
+        &self,
+        steel: ElasticMaterial,
+        wavelength: f64,
+        speed: f64,
+    ) -> Result<Arc<dyn Receptance>, CaseError> {
         self.check_track()?;
         let beam = self.beam(steel)?;
         let track = &self.file.track;
         Ok(match track.model {
             TrackModel::FreeBeam => Arc::new(FreeBeam::new(beam)),
-            TrackModel::MovingBeam => Arc::new(self.moving_beam(beam)?),
+            TrackModel::MovingBeam => {
+                let damping = track.rail_damping.map_or(0.0, |damping| damping.si());
+                let model = self.physics("track.rail_damping", MovingBeam::new(beam, damping))?;
+                self.physics("map", model.check_speed(wavelength, speed))?;
+                Arc::new(model)
+            }
             TrackModel::TwoLayer => {
                 let spacing = self.required("track.support_spacing", track.support_spacing)?;
                 let spacing = spacing.si();
@@ -45,15 +57,6 @@ impl Builder {
                 Arc::new(self.physics("track", model)?)
             }
         })
-    }
-
-    fn moving_beam(&self, beam: EulerBernoulliBeam) -> Result<MovingBeam, CaseError> {
-        let damping = self
-            .file
-            .track
-            .rail_damping
-            .map_or(0.0, |damping| damping.si());
-        self.physics("track.rail_damping", MovingBeam::new(beam, damping))
     }
 
     fn layer(
@@ -91,18 +94,5 @@ impl Builder {
             self.not_negative("track.rail_damping", damping)?;
         }
         Ok(())
-    }
-
-    pub(super) fn check_moving_beam(
-        &self,
-        steel: ElasticMaterial,
-        wavelength: f64,
-        speed: f64,
-    ) -> Result<(), CaseError> {
-        if self.file.track.model != TrackModel::MovingBeam {
-            return Ok(());
-        }
-        let beam = self.moving_beam(self.beam(steel)?)?;
-        self.physics("map", beam.check_speed(wavelength, speed))
     }
 }

@@ -109,10 +109,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         Some(path) => observations::read(path)?,
         None => Vec::new(),
     };
-    let folder = match &arguments.output {
-        Some(folder) => folder.clone(),
-        None => arguments.case.default_folder("map"),
-    };
+    let folder = arguments.case.folder(arguments.output.as_deref(), "map");
 
     let staging = Staging::new(&folder)?;
     let progress = Progress::new("growth map", case.speed.points());
@@ -120,7 +117,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         progress.advance(rows);
     });
     drop(progress);
-    let ridge = Ridge::search(&case.feedback, case.wavelength, case.speed);
+    let ridge = Ridge::of_map(&case.feedback, &map);
     let summary = json(&Summary::new(&case, &ridge));
     let files = write_files(staging, &case, &map, &ridge, observations, &summary)?;
 

@@ -2,11 +2,9 @@
 
 use riffel::{Complex64, LoopState, RollingContact};
 use riffel_case::Case;
-use riffel_case::quantity::{Dimension, Quantity};
 use serde::Serialize;
 
-use crate::arguments::Point;
-use crate::error::CliError;
+use crate::arguments::{Point, positive};
 use crate::output::{print, print_json, print_remarks, table};
 
 /// One turn of the loop, units in the names.
@@ -92,17 +90,6 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     }
     print_remarks(&case.remarks);
     Ok(())
-}
-
-fn positive<D: Dimension>(argument: &'static str, value: Quantity<D>) -> Result<f64, CliError> {
-    if value.si() > 0.0 {
-        return Ok(value.si());
-    }
-    Err(CliError::Argument {
-        argument,
-        value: value.to_string(),
-        rule: "greater than zero".to_owned(),
-    })
 }
 
 /// Amplitudes and phases in engineers' units.

@@ -7,7 +7,7 @@ use riffel_plot::{
     Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, Scale, Series, png,
 };
 
-use crate::arguments::Receptance;
+use crate::arguments::{Receptance, positive};
 use crate::error::CliError;
 use crate::map_figure::parameters;
 use crate::output::print;
@@ -15,17 +15,11 @@ use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let case = arguments.case.read()?;
-    let speed = arguments.speed.map_or(case.speed.max(), |speed| speed.si());
-    let (from, to) = (arguments.from.si(), arguments.to.si());
-    for (argument, value, unit) in [("--speed", speed, "m/s"), ("--from", from, "Hz")] {
-        if value <= 0.0 {
-            Err(CliError::Argument {
-                argument,
-                value: format!("{value} {unit}"),
-                rule: "greater than zero".to_owned(),
-            })?;
-        }
-    }
+    let speed = match arguments.speed {
+        Some(speed) => positive("--speed", speed)?,
+        None => case.speed.max(),
+    };
+    let (from, to) = (positive("--from", arguments.from)?, arguments.to.si());
     if from >= to {
         Err(CliError::Argument {
             argument: "--to",
@@ -42,10 +36,9 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let contact = case.feedback.contact_stiffness.recip();
     let figure = figure(&states, contact, speed, &parameters(&case));
 
-    let folder = match &arguments.output {
-        Some(folder) => folder.clone(),
-        None => arguments.case.default_folder("receptance"),
-    };
+    let folder = arguments
+        .case
+        .folder(arguments.output.as_deref(), "receptance");
     let mut staging = Staging::new(&folder)?;
     let svg = figure.svg().map_err(CliError::from)?;
     let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;

@@ -41,7 +41,7 @@ fn maps(title: &str, case: fn(&[String]) -> miette::Result<Case>) -> miette::Res
         overrides.push(format!("contact.tractive_ratio={ratio}"));
         let case = case(&overrides)?;
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
-        let ridge = Ridge::search(&case.feedback, case.wavelength, case.speed);
+        let ridge = Ridge::of_map(&case.feedback, &map);
         panels.push(MapPanel {
             subtitle: format!("({letter}) τ = {ratio}"),
             ..panel(&case, &map, &ridge, Shown::Power)
@@ -49,7 +49,8 @@ fn maps(title: &str, case: fn(&[String]) -> miette::Result<Case>) -> miette::Res
         if caption.is_empty() {
             caption = format!("Parameters of ({letter}): {} {SIGN}", parameters(&case));
         }
-        rows(&case, ratio, &map, &mut writer).map_err(|error| CliError::Grid(error.to_string()))?;
+        rows(&case, ratio, &map, &mut writer)
+            .map_err(|error| CliError::Table(error.to_string()))?;
     }
     let figure = MapFigure {
         title: title.to_owned(),
@@ -60,7 +61,7 @@ fn maps(title: &str, case: fn(&[String]) -> miette::Result<Case>) -> miette::Res
         svg: figure.svg().map_err(CliError::from)?,
         csv: writer
             .into_inner()
-            .map_err(|error| CliError::Grid(error.to_string()))?,
+            .map_err(|error| CliError::Table(error.to_string()))?,
     })
 }
 

@@ -63,9 +63,9 @@ fn lines(figure: &LineFigure) -> miette::Result<PaperFigure> {
         }
         Ok(())
     };
-    write().map_err(|error| CliError::Grid(error.to_string()))?;
+    write().map_err(|error| CliError::Table(error.to_string()))?;
     let csv = writer
         .into_inner()
-        .map_err(|error| CliError::Grid(error.to_string()))?;
+        .map_err(|error| CliError::Table(error.to_string()))?;
     Ok(PaperFigure { svg, csv })
 }

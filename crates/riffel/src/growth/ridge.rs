@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::{Axis, RowEvaluator};
+use super::{Axis, GrowthMap, RowEvaluator};
 use crate::FeedbackLoop;
 
 /// The highest growth at one speed within the window of wavelengths.
@@ -43,10 +43,19 @@ impl Ridge {
             .map_with((evaluator, row), |(evaluator, row), index| {
                 let speed = speed.value(index);
                 evaluator.evaluate(speed, row);
-                let lowest = (0..row.len())
-                    .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
-                    .unwrap_or(0);
-                refined(feedback, wavelength, speed, lowest)
+                refined(feedback, wavelength, speed, lowest(row))
+            })
+            .collect();
+        Self { points }
+    }
+
+    /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
+    pub fn of_map(feedback: &FeedbackLoop, map: &GrowthMap) -> Self {
+        let points = (0..map.speed().points())
+            .into_par_iter()
+            .map(|index| {
+                let speed = map.speed().value(index);
+                refined(feedback, map.wavelength(), speed, lowest(map.row(index)))
             })
             .collect();
         Self { points }
@@ -101,6 +110,13 @@ impl Ridge {
             .iter()
             .max_by(|a, b| a.growth_rate.total_cmp(&b.growth_rate))
     }
+}
+
+/// Index of the smallest Re Ŵ₁.
+fn lowest(row: &[Complex64]) -> usize {
+    (0..row.len())
+        .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
+        .unwrap_or(0)
 }
 
 /// The minimum between the neighbours of a point of the grid.
