@@ -56,7 +56,9 @@ macro_rules! checks {
 
 checks! {
     points: reference_points;
-    receptance: two_layer_receptance, two_layer_peaks, bhaskar_resonance, free_beam_is_the_high_frequency_limit;
+    receptance: two_layer_receptance, timoshenko_receptance, periodic_receptance_over_support,
+        periodic_receptance_mid_span, two_layer_peaks, one_layer_peak, pinned_pinned_antiresonance,
+        pinned_pinned_overstated_by_euler, bhaskar_resonance, free_beam_is_the_high_frequency_limit;
     contact: hertz_semi_axis, creep_curve, saturation_creepage, creepage_of_four_per_mille;
     appendix: moving_load_modulus, moving_load_phase, stationary_lag;
     growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,

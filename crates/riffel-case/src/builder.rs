@@ -1,9 +1,9 @@
 //! From keys to the physics: every value checked, every joint of the loop built.
 
-mod fill_in;
 mod track;
 
 use std::fmt::Display;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use riffel::{
@@ -16,7 +16,8 @@ use crate::case::Case;
 use crate::file::{CaseFile, DissipationPhase, Rotation};
 use crate::quantity::{Dimension, Quantity};
 use crate::source::Source;
-use crate::{CaseError, validity};
+use crate::track::{Direction, Track};
+use crate::{CaseError, measurement, validity};
 
 /// Most points along one axis of a map.
 const MOST_AXIS_POINTS: u64 = 100_000;
@@ -24,29 +25,31 @@ const MOST_AXIS_POINTS: u64 = 100_000;
 const MOST_MAP_POINTS: u64 = 100_000_000;
 
 /// A case file on its way to a case.
+#[derive(Clone)]
 pub(crate) struct Builder {
     source: Source,
-    file: CaseFile,
+    /// Folder to which file names in the case are relative.
+    folder: PathBuf,
+    pub(crate) file: CaseFile,
 }
 
 impl Builder {
-    pub(crate) fn new(source: Source, file: CaseFile) -> Self {
-        Self { source, file }
+    pub(crate) fn new(source: Source, folder: PathBuf, mut file: CaseFile) -> Self {
+        let wheel = &mut file.wheel;
+        wheel.inertia.get_or_insert_with(|| {
+            let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
+            Quantity::new(RigidInertia::reduced_inertia(mass, radius))
+        });
+        Self {
+            source,
+            folder,
+            file,
+        }
     }
 
-    pub(crate) fn build(mut self) -> Result<Case, CaseError> {
-        self.fill_in()?;
+    pub(crate) fn build(self) -> Result<Case, CaseError> {
         let file = &self.file;
-
-        let poisson = file.steel.poisson_ratio.si();
-        self.positive("steel.youngs_modulus", file.steel.youngs_modulus)?;
-        if !(poisson > -1.0 && poisson < 0.5) {
-            return Err(self.out_of_range("steel.poisson_ratio", poisson, "between -1 and 0.5"));
-        }
-        let steel = self.physics(
-            "steel",
-            ElasticMaterial::new(file.steel.youngs_modulus.si(), poisson),
-        )?;
+        let steel = self.steel()?;
 
         let contact = &file.contact;
         let radius = self.positive("wheel.rolling_radius", file.wheel.rolling_radius)?;
@@ -60,7 +63,7 @@ impl Builder {
         let creep_law = self.creep_law(hertz)?;
 
         let (wavelength, speed) = self.window()?;
-        let track = self.track(steel, wavelength.max(), speed.max())?;
+        let track = self.track(Direction::Vertical)?;
         let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
         let wheel = self.physics("wheel.mass", wheel)?;
         let place_of_wear = PlaceOfWear::new(
@@ -78,7 +81,7 @@ impl Builder {
             hertz.semi_axis_lateral(),
         );
         let feedback = FeedbackLoop {
-            track,
+            track: track.receptance.clone(),
             wheel: Arc::new(wheel),
             contact_stiffness: hertz.stiffness(),
             contact: Arc::new(creep_law),
@@ -88,16 +91,54 @@ impl Builder {
             wear: self.physics("wear", wear)?,
             amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
         };
-        let remarks = validity::remarks(file, &feedback, hertz, wavelength, speed);
+        let mut remarks = track.remarks.clone();
+        let window = [wavelength, speed];
+        remarks.extend(validity::remarks(&self, &track, &feedback, hertz, window));
         Ok(Case {
-            file: self.file,
+            file: self.file.clone(),
+            builder: self,
             feedback,
+            track,
             hertz,
             creep_law,
             wavelength,
             speed,
             remarks,
         })
+    }
+
+    fn steel(&self) -> Result<ElasticMaterial, CaseError> {
+        let steel = &self.file.steel;
+        let poisson = steel.poisson_ratio.si();
+        self.positive("steel.youngs_modulus", steel.youngs_modulus)?;
+        if !(poisson > -1.0 && poisson < 0.5) {
+            return Err(self.out_of_range("steel.poisson_ratio", poisson, "between -1 and 0.5"));
+        }
+        let steel = ElasticMaterial::new(steel.youngs_modulus.si(), poisson);
+        self.physics("steel", steel)
+    }
+
+    /// `Ok` if the track is known over the frequencies \[Hz\].
+    pub(crate) fn check_frequencies(
+        &self,
+        track: &Track,
+        lowest: f64,
+        highest: f64,
+    ) -> Result<(), CaseError> {
+        /// Frequencies come from V/λ and pass through ω: some roundings.
+        const ROUNDING: f64 = 1e-9;
+        let (low, high) = measurement::range(&*track.receptance);
+        if lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING) {
+            return Ok(());
+        }
+        Err(self.source.invalid(
+            "track.measurement.file",
+            &format!(
+                "is known from {low:.4} to {high:.4} Hz and is not extrapolated, but frequencies from \
+                 {lowest:.4} to {highest:.4} Hz are asked for"
+            ),
+            "narrow the window, or measure further",
+        ))
     }
 
     fn creep_law(&self, hertz: HertzContact) -> Result<Carter3d, CaseError> {
@@ -157,7 +198,7 @@ impl Builder {
         })
     }
 
-    fn window(&self) -> Result<(Axis, Axis), CaseError> {
+    pub(crate) fn window(&self) -> Result<(Axis, Axis), CaseError> {
         let map = &self.file.map;
         let (wavelength, speed) = (&map.wavelength, &map.speed);
         let wavelength_axis = self.axis(
@@ -229,9 +270,14 @@ impl Builder {
 
     fn required<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
         value.ok_or_else(|| {
-            let model =
-                "track.model = \"two-layer\" needs it: give it, or name a preset by track.preset";
-            self.source.missing(key, model)
+            let model = self.file.track.model.name();
+            let preset = if key == "track.measurement" {
+                ""
+            } else {
+                ", or name a preset by track.preset"
+            };
+            let help = format!("track.model = \"{model}\" needs it: give it{preset}");
+            self.source.missing(key, &help)
         })
     }
 

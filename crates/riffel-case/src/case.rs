@@ -1,21 +1,26 @@
 //! A case, checked and complete.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
-use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact};
+use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance};
 
 use crate::CaseError;
 use crate::builder::Builder;
-use crate::file::CaseFile;
+use crate::file::{BeamModel, CaseFile};
 use crate::source::Source;
+use crate::track::{Direction, Track};
 
 /// A case ready to compute.
 #[derive(Clone)]
 pub struct Case {
+    pub(crate) builder: Builder,
     /// Every key with its value, presets and defaults filled in.
     pub file: CaseFile,
     /// The loop of the case.
     pub feedback: FeedbackLoop,
+    /// The track, vertically.
+    pub track: Track,
     /// The contact patch.
     pub hertz: HertzContact,
     /// The creep law at the mean state.
@@ -38,14 +43,25 @@ impl Case {
             path: path.to_owned(),
             reason,
         })?;
-        Self::parse(&path.display().to_string(), &text, overrides)
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        Self::build(&path.display().to_string(), folder, &text, overrides)
     }
 
-    /// Read a case from TOML; `name` is the one shown in errors.
+    /// Read a case from TOML; `name` is the one shown in errors. Files that the case names are relative
+    /// to the present folder.
     ///
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::build(name, Path::new(""), text, overrides)
+    }
+
+    fn build(
+        name: &str,
+        folder: &Path,
+        text: &str,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
         for assignment in overrides {
             source.set(assignment)?;
@@ -53,7 +69,54 @@ impl Case {
         // An override of one of two exclusive keys replaces the other.
         source.replace("contact", "tractive_ratio", "creepage");
         source.replace("contact", "creepage", "tractive_ratio");
+        source.fill_in()?;
         let file = source.deserialize()?;
-        Builder::new(source, file).build()
+        Builder::new(source, folder.to_owned(), file).build()
+    }
+
+    /// How the rail bends: as written, or with shear where supports are discrete.
+    pub fn beam_model(&self) -> BeamModel {
+        self.builder.beam_model()
+    }
+
+    /// The track in any direction.
+    ///
+    /// # Errors
+    /// [`CaseError`] where the case lacks a value for it, or its model has no such direction.
+    pub fn track_in(&self, direction: Direction) -> Result<Track, CaseError> {
+        self.builder.track(direction)
+    }
+
+    /// `Ok` if the track is known over the frequencies \[Hz\]: a measured receptance is not
+    /// extrapolated.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the frequencies at which it is known.
+    pub fn check_frequencies(&self, lowest: f64, highest: f64) -> Result<(), CaseError> {
+        self.builder.check_frequencies(&self.track, lowest, highest)
+    }
+
+    /// [`check_frequencies`](Self::check_frequencies) for the whole window of the map.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the frequencies at which the track is known.
+    pub fn check_window(&self) -> Result<(), CaseError> {
+        self.check_frequencies(
+            self.speed.min() / self.wavelength.max(),
+            self.speed.max() / self.wavelength.min(),
+        )
+    }
+
+    /// The P2 resonance of the wheel on the track, between 20 Hz and 300 Hz; none on a rail without
+    /// support.
+    pub fn p2(&self) -> Option<Resonance> {
+        self.track.support?;
+        let total = |w: f64| {
+            let speed = self.speed.max();
+            self.feedback.track.receptance(w, speed)
+                + self.feedback.wheel.receptance(w, speed)
+                + self.feedback.contact_stiffness.recip()
+        };
+        Resonance::p2(total, [20.0, 300.0].map(|hertz| TAU * hertz))
     }
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::quantity::{
-    Damping, DampingPerLength, Density, Force, Inertia, Length, Mass, MassPerLength, Modulus,
+    Area, Damping, DampingPerLength, Density, Force, Inertia, Length, Mass, MassPerLength, Modulus,
     Quantity, Ratio, SecondMoment, Speed, Stiffness, WearCoefficient,
 };
 
@@ -18,6 +18,9 @@ pub struct CaseFile {
     /// What the case is, for titles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
+    /// Name of a vehicle preset, for the wheel and its normal load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<String>,
     /// Material of wheel and rail.
     #[serde(default)]
     pub steel: Steel,
@@ -101,6 +104,41 @@ pub struct Rail {
     /// Second moment of area I for vertical bending.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub second_moment: Option<Quantity<SecondMoment>>,
+    /// Second moment of area about the vertical axis, for lateral bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_second_moment: Option<Quantity<SecondMoment>>,
+    /// How the rail bends; left out, `timoshenko` on discrete supports and `euler-bernoulli` on all
+    /// others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beam: Option<BeamModel>,
+    /// Cross-section A, for Timoshenko's beam and for the bar.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area: Option<Quantity<Area>>,
+    /// Shear coefficient κ for vertical bending, for Timoshenko's beam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_coefficient: Option<Quantity<Ratio>>,
+    /// Shear coefficient for lateral bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_shear_coefficient: Option<Quantity<Ratio>>,
+    /// Shear modulus G; left out, that of the steel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<Quantity<Modulus>>,
+    /// Density ρ, of which rotary inertia is made; left out, 7850 kg/m³.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<Quantity<Density>>,
+    /// Loss factor η of the rail: E and G become E(1 + iη) and G(1 + iη); left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_factor: Option<Quantity<Ratio>>,
+}
+
+/// How the rail bends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BeamModel {
+    /// Without shear: the paper's rail.
+    EulerBernoulli,
+    /// With shear and rotary inertia; needs `area` and `shear_coefficient`.
+    Timoshenko,
 }
 
 /// What the rail lies on. Values are per support and per rail; a model takes those it needs.
@@ -109,7 +147,7 @@ pub struct Rail {
 pub struct Track {
     /// The model.
     pub model: TrackModel,
-    /// Name of a track preset, for the two-layer track.
+    /// Name of a track preset, for its supports.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub preset: Option<String>,
     /// Distance of supports.
@@ -124,42 +162,169 @@ pub struct Track {
     /// Ballast.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ballast: Option<Support>,
-    /// Viscous damping of the rail per length, for the moving beam; left out, none.
+    /// Viscous damping of the rail per length; left out, none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rail_damping: Option<Quantity<DampingPerLength>>,
+    /// Place of the wheel on discrete supports, from one of them; left out, over a support.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub position: Option<Quantity<Length>>,
+    /// Where a measured receptance is found.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measurement: Option<Measurement>,
 }
 
 /// Model of the track.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TrackModel {
-    /// Infinite Euler–Bernoulli rail without support under a stationary load.
+    /// Infinite rail without support under a stationary load.
     FreeBeam,
-    /// The same under a moving load.
+    /// The same under a moving load; on pads if `pad` is given, on pads, sleepers and ballast if
+    /// `ballast` is given, spread evenly.
     MovingBeam,
+    /// Rail on pads, spread evenly; needs `support_spacing` and `pad`.
+    OneLayer,
     /// Rail on pads, sleepers and ballast, spread evenly; needs `preset`, or `support_spacing`,
     /// `pad`, `sleeper` and `ballast`.
     TwoLayer,
+    /// Rail on pads at every `support_spacing`.
+    OneLayerPeriodic,
+    /// Rail on pads, sleepers and ballast at every `support_spacing`.
+    TwoLayerPeriodic,
+    /// A receptance from a file; needs `measurement`.
+    Measured,
 }
 
-/// A spring and a viscous damper side by side.
+impl TrackModel {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FreeBeam => "free-beam",
+            Self::MovingBeam => "moving-beam",
+            Self::OneLayer => "one-layer",
+            Self::TwoLayer => "two-layer",
+            Self::OneLayerPeriodic => "one-layer-periodic",
+            Self::TwoLayerPeriodic => "two-layer-periodic",
+            Self::Measured => "measured",
+        }
+    }
+
+    /// True for supports at discrete places.
+    pub fn is_periodic(self) -> bool {
+        matches!(self, Self::OneLayerPeriodic | Self::TwoLayerPeriodic)
+    }
+}
+
+/// A spring with viscous and hysteretic damping.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Support {
-    /// Stiffness per support.
+    /// Name of a pad or ballast preset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
+    /// Vertical stiffness per support.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Quantity<Stiffness>>,
-    /// Viscous damping per support.
+    /// Viscous damping per support; with `loss_factor`, both act.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub damping: Option<Quantity<Damping>>,
+    /// Loss factor η: the stiffness becomes k(1 + iη).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_factor: Option<Quantity<Ratio>>,
+    /// Lateral stiffness per support; its damping is in proportion to the vertical one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_stiffness: Option<Quantity<Stiffness>>,
+    /// Stiffness along the rail per support; its damping is in proportion to the vertical one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub longitudinal_stiffness: Option<Quantity<Stiffness>>,
 }
 
 /// A sleeper.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sleeper {
+    /// Name of a sleeper preset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub preset: Option<String>,
     /// Mass per support and rail: half of a sleeper under two rails.
-    pub mass: Quantity<Mass>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<Quantity<Mass>>,
+}
+
+/// A frequency response in a file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Measurement {
+    /// The file: a table (CSV), or a universal file with dataset 58 if its name ends in .uff, .unv
+    /// or .u58. Relative to the case file.
+    pub file: String,
+    /// What was measured; a universal file says so itself.
+    #[serde(default)]
+    pub quantity: Response,
+    /// Unit of the values in a table; left out, m/N, m/(s N) or m/(s² N).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    /// Column of the frequency.
+    #[serde(default = "Measurement::frequency_column")]
+    pub frequency: String,
+    /// Unit of the frequency.
+    #[serde(default = "Measurement::hertz")]
+    pub frequency_unit: String,
+    /// Column of the real part; with `imaginary`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub real: Option<String>,
+    /// Column of the imaginary part.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub imaginary: Option<String>,
+    /// Column of the modulus; with `phase`, instead of `real` and `imaginary`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub modulus: Option<String>,
+    /// Column of the phase.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phase: Option<String>,
+    /// Unit of the phase.
+    #[serde(default)]
+    pub phase_unit: AngleUnit,
+    /// Number of the function in a universal file with several, from one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub function: Option<u32>,
+    /// True for values that follow exp(−iωt): their imaginary parts change sign.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub conjugate: bool,
+}
+
+impl Measurement {
+    fn frequency_column() -> String {
+        "frequency_hz".to_owned()
+    }
+
+    fn hertz() -> String {
+        "Hz".to_owned()
+    }
+}
+
+/// What a frequency response is of, per force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Response {
+    /// Displacement.
+    #[default]
+    Receptance,
+    /// Velocity.
+    Mobility,
+    /// Acceleration.
+    Accelerance,
+}
+
+/// Unit of an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AngleUnit {
+    /// Degrees.
+    #[default]
+    Degrees,
+    /// Radians.
+    Radians,
 }
 
 /// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.

@@ -18,17 +18,19 @@ mod builder;
 mod case;
 mod error;
 pub mod file;
+mod fill_in;
+mod measurement;
 mod preset;
 pub mod quantity;
 mod source;
+mod track;
 mod unit;
 mod validity;
 
 pub use case::Case;
 pub use error::CaseError;
-pub use preset::{
-    Badge, Preset, PresetRow, PresetValues, RailPreset, Sourced, TrackPreset, preset, presets,
-};
+pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
+pub use track::{Direction, Track};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

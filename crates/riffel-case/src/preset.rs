@@ -2,22 +2,14 @@
 
 use std::fmt;
 
+use include_dir::{Dir, include_dir};
 use serde::Deserialize;
+use toml::{Table, Value};
 
 use crate::CaseError;
-use crate::quantity::{
-    Damping, Dimension, Length, Mass, MassPerLength, Quantity, QuantityError, SecondMoment,
-    Stiffness,
-};
 
 /// The data files, built into the program.
-const FILES: [&str; 5] = [
-    include_str!("../../../presets/rails/bs113a.toml"),
-    include_str!("../../../presets/rails/uic60.toml"),
-    include_str!("../../../presets/tracks/bhaskar-inferred.toml"),
-    include_str!("../../../presets/tracks/br-stiff.toml"),
-    include_str!("../../../presets/tracks/br-soft-ballast.toml"),
-];
+static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../presets");
 
 /// How well a value is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -41,161 +33,172 @@ impl fmt::Display for Badge {
     }
 }
 
+/// What a preset describes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PresetKind {
+    /// A rail section.
+    Rail,
+    /// All supports of a track.
+    Track,
+    /// A rail pad.
+    Pad,
+    /// A sleeper.
+    Sleeper,
+    /// Ballast.
+    Ballast,
+    /// A wheel with its load.
+    Vehicle,
+}
+
+impl PresetKind {
+    /// Every kind, those that fill in single parts before those that fill in the whole.
+    pub(crate) const ALL: [Self; 6] = [
+        Self::Rail,
+        Self::Pad,
+        Self::Sleeper,
+        Self::Ballast,
+        Self::Track,
+        Self::Vehicle,
+    ];
+
+    /// The key of a case file that takes the name.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Rail => "rail.section",
+            Self::Track => "track.preset",
+            Self::Pad => "track.pad.preset",
+            Self::Sleeper => "track.sleeper.preset",
+            Self::Ballast => "track.ballast.preset",
+            Self::Vehicle => "vehicle",
+        }
+    }
+
+    /// The kind, as a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rail => "rail",
+            Self::Track => "track",
+            Self::Pad => "pad",
+            Self::Sleeper => "sleeper",
+            Self::Ballast => "ballast",
+            Self::Vehicle => "vehicle",
+        }
+    }
+}
+
+/// Values for some keys of a case file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Preset {
+    /// The name used in a case file.
+    pub name: String,
+    /// Other names.
+    pub aliases: Vec<String>,
+    /// What it describes.
+    pub kind: PresetKind,
+    /// What it is.
+    pub title: String,
+    /// Its values, in the order of the file.
+    pub values: Vec<PresetValue>,
+}
+
 /// One value of a preset with its source.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(try_from = "Written", bound = "")]
-pub struct Sourced<D: Dimension> {
-    /// The value.
-    pub quantity: Quantity<D>,
+#[derive(Debug, Clone, PartialEq)]
+pub struct PresetValue {
+    /// The key of a case file it stands for, dotted.
+    pub key: String,
     /// The value as written, in engineers' units.
-    pub written: String,
+    pub value: String,
     /// How well it is known.
     pub badge: Badge,
     /// Where it comes from.
     pub source: String,
 }
 
-/// [`Sourced`] as it stands in the file.
+/// A preset as it stands in its file: after the head, one table for each key.
+#[derive(Deserialize)]
+struct Written {
+    name: String,
+    #[serde(default)]
+    aliases: Vec<String>,
+    kind: PresetKind,
+    title: String,
+    #[serde(flatten)]
+    tables: Table,
+}
+
+/// The table of one key.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Written {
+struct WrittenValue {
     value: String,
     badge: Badge,
     source: String,
 }
 
-impl<D: Dimension> TryFrom<Written> for Sourced<D> {
-    type Error = QuantityError;
-
-    fn try_from(written: Written) -> Result<Self, QuantityError> {
+impl Preset {
+    fn read(text: &str) -> Result<Self, toml::de::Error> {
+        let written: Written = toml::from_str(text)?;
+        let mut values = Vec::new();
+        collect("", written.tables, &mut values)?;
         Ok(Self {
-            quantity: written.value.parse()?,
-            written: written.value,
-            badge: written.badge,
-            source: written.source,
+            name: written.name,
+            aliases: written.aliases,
+            kind: written.kind,
+            title: written.title,
+            values,
         })
     }
-}
 
-/// A rail section.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RailPreset {
-    /// Mass per length.
-    pub mass_per_length: Sourced<MassPerLength>,
-    /// Second moment of area for vertical bending.
-    pub second_moment: Sourced<SecondMoment>,
-}
-
-/// Supports of a two-layer track.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct TrackPreset {
-    /// Distance of supports.
-    pub support_spacing: Sourced<Length>,
-    /// Pad stiffness per support.
-    pub pad_stiffness: Sourced<Stiffness>,
-    /// Pad damping per support.
-    pub pad_damping: Sourced<Damping>,
-    /// Sleeper mass per support and rail.
-    pub sleeper_mass: Sourced<Mass>,
-    /// Ballast stiffness per support.
-    pub ballast_stiffness: Sourced<Stiffness>,
-    /// Ballast damping per support.
-    pub ballast_damping: Sourced<Damping>,
-}
-
-/// A preset of any kind.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct Preset {
-    /// The name used in a case file.
-    pub name: String,
-    /// What it is.
-    pub title: String,
-    /// Its values.
-    #[serde(flatten)]
-    pub values: PresetValues,
-}
-
-/// Values of a preset, by kind.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PresetValues {
-    /// For `rail.section`.
-    Rail(RailPreset),
-    /// For `track.preset`.
-    Track(Box<TrackPreset>),
-}
-
-impl PresetValues {
-    /// The kind, as a word.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Self::Rail(_) => "rail",
-            Self::Track(_) => "track",
-        }
-    }
-
-    /// The key of a case file that takes the name.
-    pub fn key(&self) -> &'static str {
-        match self {
-            Self::Rail(_) => "rail.section",
-            Self::Track(_) => "track.preset",
-        }
-    }
-
-    /// One row for each value.
-    pub fn rows(&self) -> Vec<PresetRow<'_>> {
-        match self {
-            Self::Rail(rail) => vec![
-                PresetRow::new("rail.mass_per_length", &rail.mass_per_length),
-                PresetRow::new("rail.second_moment", &rail.second_moment),
-            ],
-            Self::Track(track) => vec![
-                PresetRow::new("track.support_spacing", &track.support_spacing),
-                PresetRow::new("track.pad.stiffness", &track.pad_stiffness),
-                PresetRow::new("track.pad.damping", &track.pad_damping),
-                PresetRow::new("track.sleeper.mass", &track.sleeper_mass),
-                PresetRow::new("track.ballast.stiffness", &track.ballast_stiffness),
-                PresetRow::new("track.ballast.damping", &track.ballast_damping),
-            ],
-        }
+    fn is_called(&self, name: &str) -> bool {
+        std::iter::once(&self.name)
+            .chain(&self.aliases)
+            .any(|known| known.eq_ignore_ascii_case(name))
     }
 }
 
-/// A value of a preset as text, for tables.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PresetRow<'a> {
-    /// The key of a case file it stands for.
-    pub key: &'static str,
-    /// The value as written.
-    pub value: &'a str,
-    /// How well it is known.
-    pub badge: Badge,
-    /// Where it comes from.
-    pub source: &'a str,
-}
-
-impl<'a> PresetRow<'a> {
-    fn new<D: Dimension>(key: &'static str, sourced: &'a Sourced<D>) -> Self {
-        Self {
-            key,
-            value: &sourced.written,
-            badge: sourced.badge,
-            source: &sourced.source,
+/// The values of the tables below a dotted key.
+fn collect(
+    parent: &str,
+    table: Table,
+    values: &mut Vec<PresetValue>,
+) -> Result<(), toml::de::Error> {
+    for (name, inner) in table {
+        let key = if parent.is_empty() {
+            name
+        } else {
+            format!("{parent}.{name}")
+        };
+        match inner {
+            Value::Table(inner) if !inner.contains_key("source") => {
+                collect(&key, inner, values)?;
+            }
+            other => {
+                let written: WrittenValue = other.try_into()?;
+                values.push(PresetValue {
+                    key,
+                    value: written.value,
+                    badge: written.badge,
+                    source: written.source,
+                });
+            }
         }
     }
+    Ok(())
 }
 
-/// All presets, in the order of their files.
+/// All presets, by kind and name.
 pub fn presets() -> Vec<Preset> {
-    FILES
-        .iter()
-        .filter_map(|text| toml::from_str(text).ok())
-        .collect()
+    let mut presets: Vec<Preset> = FILES
+        .dirs()
+        .flat_map(|folder| folder.files())
+        .filter_map(|file| Preset::read(file.contents_utf8()?).ok())
+        .collect();
+    presets.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
+    presets
 }
 
-/// The preset of the given name, upper or lower case.
+/// The preset of the given name or alias, upper or lower case.
 ///
 /// # Errors
 /// [`CaseError::UnknownPreset`] with the names there are.
@@ -203,7 +206,7 @@ pub fn preset(name: &str) -> Result<Preset, CaseError> {
     let presets = presets();
     presets
         .iter()
-        .find(|preset| preset.name.eq_ignore_ascii_case(name))
+        .find(|preset| preset.is_called(name))
         .cloned()
         .ok_or_else(|| CaseError::UnknownPreset {
             name: name.to_owned(),
@@ -221,10 +224,25 @@ mod tests {
 
     #[test]
     fn every_file_reads_and_says_where_its_values_come_from() {
+        let files = FILES.dirs().flat_map(|folder| folder.files());
+        for file in files {
+            let preset = Preset::read(file.contents_utf8().unwrap())
+                .unwrap_or_else(|error| panic!("{}: {error}", file.path().display()));
+            assert!(!preset.values.is_empty());
+            for value in &preset.values {
+                assert!(value.source.len() > 20, "{value:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn names_and_aliases_are_unique() {
         let presets = presets();
-        assert_eq!(presets.len(), FILES.len());
-        for row in presets.iter().flat_map(|preset| preset.values.rows()) {
-            assert!(row.source.len() > 20, "{row:?}");
+        for preset in &presets {
+            for name in std::iter::once(&preset.name).chain(&preset.aliases) {
+                let called = presets.iter().filter(|other| other.is_called(name));
+                assert_eq!(called.count(), 1, "{name}");
+            }
         }
     }
 }

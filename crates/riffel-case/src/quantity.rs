@@ -52,6 +52,8 @@ dimensions! {
     Inertia = "a moment of inertia", "kg m2", "27.77 kg m2";
     /// Elastic modulus.
     Modulus = "an elastic modulus", "Pa", "207 GPa";
+    /// Area.
+    Area = "an area", "m2", "76.7 cm2";
     /// Second moment of area.
     SecondMoment = "a second moment of area", "m4", "2350 cm4";
     /// Mass per length.
@@ -358,6 +360,7 @@ mod tests {
         check::<Force>();
         check::<Inertia>();
         check::<Modulus>();
+        check::<Area>();
         check::<SecondMoment>();
         check::<MassPerLength>();
         check::<Stiffness>();

@@ -12,6 +12,7 @@ use toml::{Table, Value};
 use crate::CaseError;
 
 /// A case file as TOML, each key with the place where it was set.
+#[derive(Clone)]
 pub(crate) struct Source {
     name: String,
     text: String,
@@ -104,6 +105,38 @@ impl Source {
         {
             table.remove(replaced);
         }
+    }
+
+    /// The text that a key holds, if it holds a text.
+    pub(crate) fn text_of(&self, key: &str) -> Option<String> {
+        self.value(key)?.as_str().map(str::to_owned)
+    }
+
+    /// True if the key is set.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.value(key).is_some()
+    }
+
+    fn value(&self, key: &str) -> Option<&Value> {
+        let mut parts = key.split('.');
+        let first = self.table.get(parts.next()?)?;
+        parts.try_fold(first, |value, part| value.as_table()?.get(part))
+    }
+
+    /// Set a key to a text. A value where a table is needed stays, for the reader to complain of.
+    pub(crate) fn put(&mut self, key: &str, text: &str) {
+        let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
+        let mut table = &mut self.table;
+        for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
+            let inner = table
+                .entry(parent.to_owned())
+                .or_insert_with(|| Value::Table(Table::new()));
+            let Some(inner) = inner.as_table_mut() else {
+                return;
+            };
+            table = inner;
+        }
+        table.insert(last.to_owned(), Value::String(text.to_owned()));
     }
 
     /// The keys as types.

@@ -2,7 +2,10 @@
 
 use riffel::{Axis, FeedbackLoop, HertzContact};
 
-use crate::file::{CaseFile, TrackModel};
+use crate::builder::Builder;
+use crate::file::{BeamModel, TrackModel};
+use crate::measurement;
+use crate::track::{Direction, Track};
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
 /// (2009), section 2.
@@ -17,27 +20,51 @@ const EULER_BEAM_UP_TO_HZ: f64 = 500.0;
 /// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
 const CONTACT_FILTER_LENGTHS: f64 = 1.5;
 
+/// Share of the pinned-pinned frequency up to which supports may be taken as spread evenly: a tenth of
+/// the receptance off at that frequency on stiff pads, two thirds of it on soft ones.
+const EVEN_SUPPORT_UP_TO: f64 = 0.6;
+
 /// Sentences on the validity of the models over the window of the map.
 pub(crate) fn remarks(
-    file: &CaseFile,
+    builder: &Builder,
+    track: &Track,
     feedback: &FeedbackLoop,
     hertz: HertzContact,
-    wavelength: Axis,
-    speed: Axis,
+    [wavelength, speed]: [Axis; 2],
 ) -> Vec<String> {
     let mut remarks = Vec::new();
+    let file = &builder.file;
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
-    if file.track.model != TrackModel::TwoLayer && lowest < FREE_BEAM_FROM_HZ {
+    let measured = file.track.model == TrackModel::Measured;
+    if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
         remarks.push(format!(
             "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (the map begins at \
              {lowest:.0} Hz) pads, sleepers and ballast change its receptance"
         ));
     }
-    if highest > EULER_BEAM_UP_TO_HZ {
+    let bends_only = builder.beam_model() == BeamModel::EulerBernoulli;
+    if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
         remarks.push(format!(
             "the rail bends without shear: its receptance is some 9° off at {EULER_BEAM_UP_TO_HZ} Hz, 24° \
              and 14 % at 1500 Hz (the map ends at {highest:.0} Hz)"
+        ));
+    }
+    if bends_only && file.track.model.is_periodic() {
+        remarks.push(
+            "the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % and \
+             not named (choose rail.beam = \"timoshenko\")"
+                .to_owned(),
+        );
+    }
+    if let Some(pinned) = evenly_supported_pinned_pinned(builder)
+        && highest > EVEN_SUPPORT_UP_TO * pinned
+    {
+        remarks.push(format!(
+            "supports are spread evenly along the rail: from about {:.0} Hz on, the pinned-pinned \
+             resonance near {pinned:.0} Hz is missing (the map ends at {highest:.0} Hz; choose a model that ends in \
+             -periodic)",
+            EVEN_SUPPORT_UP_TO * pinned
         ));
     }
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
@@ -47,6 +74,12 @@ pub(crate) fn remarks(
              is overstated",
             1e3 * shortest
         ));
+    }
+    // Outside the frequencies of a measurement there is nothing to look at.
+    let (known_from, known_to) = measurement::range(&*feedback.track);
+    let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
+    if lowest >= highest {
+        return remarks;
     }
     // The force amplitude has one smooth maximum over frequency or few; a coarse look suffices.
     let worst = (0..=200)
@@ -66,4 +99,18 @@ pub(crate) fn remarks(
         ));
     }
     remarks
+}
+
+/// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on
+/// the supports of the case.
+fn evenly_supported_pinned_pinned(builder: &Builder) -> Option<f64> {
+    let mut discrete = builder.clone();
+    discrete.file.track.model = match builder.file.track.model {
+        TrackModel::OneLayer => TrackModel::OneLayerPeriodic,
+        TrackModel::TwoLayer => TrackModel::TwoLayerPeriodic,
+        _ => return None,
+    };
+    discrete.file.rail.beam = Some(BeamModel::Timoshenko);
+    let w = discrete.track(Direction::Vertical).ok()?.pinned_pinned?;
+    Some(w / std::f64::consts::TAU)
 }

@@ -9,6 +9,7 @@ mod observations;
 mod output;
 mod paper;
 mod staging;
+mod track_in_words;
 
 use std::process::ExitCode;
 

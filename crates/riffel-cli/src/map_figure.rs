@@ -2,8 +2,10 @@
 
 use riffel::{GrowthMap, Ridge, RollingContact};
 use riffel_case::Case;
-use riffel_case::file::{DissipationPhase, Rotation, Support, TrackModel};
+use riffel_case::file::{DissipationPhase, Rotation};
 use riffel_plot::{MapPanel, RidgeMark, constant_frequency_rays};
+
+use crate::track_in_words::{rail, track};
 
 /// What a map shows.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -109,58 +111,18 @@ pub(crate) fn parameters(case: &Case) -> String {
         DissipationPhase::None => "none",
     };
     format!(
-        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; rail {:.1} kg/m, \
-         I = {:.3e} m⁴; P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; dissipation phase: {phase}.",
+        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; dissipation phase: {phase}.",
         track(case),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,
         file.wheel.rolling_radius.si(),
         file.contact.transverse_radius.si(),
         file.wheel.mass.si(),
-        si(file.rail.mass_per_length.map(|mass| mass.si())),
-        si(file.rail.second_moment.map(|moment| moment.si())),
+        rail(case),
         1e-3 * steady.normal_force,
         steady.friction,
         steady.tractive_ratio(),
         100.0 * steady.creepage,
         1e6 * case.feedback.amplitude,
     )
-}
-
-/// The track of a case in words.
-pub(crate) fn track(case: &Case) -> String {
-    let track = &case.file.track;
-    match track.model {
-        TrackModel::FreeBeam => "free Euler beam".to_owned(),
-        TrackModel::MovingBeam => "free Euler beam under a moving load".to_owned(),
-        TrackModel::TwoLayer => {
-            let support = |support: &Option<Support>| {
-                let (stiffness, damping) = support
-                    .as_ref()
-                    .map_or((None, None), |support| (support.stiffness, support.damping));
-                format!(
-                    "{:.0} MN/m, {:.0} kNs/m",
-                    1e-6 * si(stiffness.map(|stiffness| stiffness.si())),
-                    1e-3 * si(damping.map(|damping| damping.si()))
-                )
-            };
-            format!(
-                "Euler rail on pads ({}), sleepers ({:.0} kg) and ballast ({}) every {:.2} m, spread evenly{}",
-                support(&track.pad),
-                track
-                    .sleeper
-                    .as_ref()
-                    .map_or(f64::NAN, |sleeper| sleeper.mass.si()),
-                support(&track.ballast),
-                track
-                    .support_spacing
-                    .map_or(f64::NAN, |spacing| spacing.si()),
-                track
-                    .preset
-                    .as_ref()
-                    .map(|name| format!(", preset {name}"))
-                    .unwrap_or_default(),
-            )
-        }
-    }
 }

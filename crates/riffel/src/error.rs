@@ -33,6 +33,15 @@ pub enum Error {
         saturation_creepage: f64,
     },
 
+    /// A measured receptance that is none.
+    #[error("{rule} (value number {})", index + 1)]
+    Measurement {
+        /// Place of the value among the others, from zero.
+        index: usize,
+        /// What is allowed.
+        rule: &'static str,
+    },
+
     /// The load outruns the bending waves that its own oscillation excites.
     #[error(
         "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \

@@ -63,10 +63,12 @@ mod contact;
 mod elastic;
 mod error;
 mod feedback;
+mod golden_section;
 mod growth;
 mod place_of_wear;
 mod receptance;
 mod split_complex;
+mod square_root;
 mod wear;
 mod wheelset;
 
@@ -80,8 +82,10 @@ pub use growth::{Axis, GrowthMap, Ridge, RidgePoint, RowEvaluator};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::{
-    EulerBernoulliBeam, FreeBeam, Frequencies, Layer, MovingBeam, MovingLoadRoots, Receptance,
-    RigidMass, Tabulated, TabulationError, TwoLayerTrack,
+    Bar, Beam, ContinuousTrack, CrossReceptance, DecayRate, EulerBernoulliBeam, FloquetWaves,
+    FreeBeam, Frequencies, Layer, MeasuredReceptance, MovingBeam, MovingLoadRoots, MovingLoadTrack,
+    PeriodicTrack, Receptance, Resonance, ResonanceKind, RigidMass, ShearSection, Support,
+    Tabulated, Wave, Waveguide, Waves,
 };
 pub use split_complex::{SplitComplex, TILE, Tile};
 pub use wear::EnergyWear;

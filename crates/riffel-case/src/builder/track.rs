@@ -1,74 +1,331 @@
-//! The track of a case.
+//! The track of a case, in each direction.
 
 use std::sync::Arc;
 
 use riffel::{
-    ElasticMaterial, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, Receptance, TwoLayerTrack,
+    Bar, Beam, ContinuousTrack, ElasticMaterial, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam,
+    MovingLoadTrack, PeriodicTrack, ShearSection, Waveguide,
 };
 
 use super::Builder;
-use crate::CaseError;
-use crate::file::{Support, TrackModel};
+use crate::file::{BeamModel, Support, TrackModel};
+use crate::quantity::{Dimension, Quantity};
+use crate::track::{Direction, Track};
+use crate::{CaseError, measurement};
+
+/// Density of rail steel \[kg/m³\].
+const RAIL_DENSITY: f64 = 7850.0;
 
 impl Builder {
-    fn beam(&self, steel: ElasticMaterial) -> Result<EulerBernoulliBeam, CaseError> {
-        let rail = &self.file.rail;
-        let help = "give it, or name a preset by rail.section";
-        let mass_per_length = rail
-            .mass_per_length
-            .ok_or_else(|| self.source.missing("rail.mass_per_length", help))?;
-        let second_moment = rail
-            .second_moment
-            .ok_or_else(|| self.source.missing("rail.second_moment", help))?;
-        let beam = EulerBernoulliBeam::new(
-            steel,
-            self.positive("rail.second_moment", second_moment)?,
-            self.positive("rail.mass_per_length", mass_per_length)?,
-        );
-        self.physics("rail", beam)
+    /// The track in one direction, over a support or where the case says.
+    pub(crate) fn track(&self, direction: Direction) -> Result<Track, CaseError> {
+        self.check_track()?;
+        let steel = self.steel()?;
+        let model = self.file.track.model;
+        if direction != Direction::Vertical
+            && matches!(model, TrackModel::MovingBeam | TrackModel::Measured)
+        {
+            return Err(self.source.invalid(
+                "track.model",
+                &format!("is \"{}\", which is vertical only", model.name()),
+                "",
+            ));
+        }
+        match (model, direction) {
+            (TrackModel::Measured, _) => self.measured(),
+            (TrackModel::MovingBeam, _) => self.moving(steel),
+            (_, Direction::Longitudinal) => self.on_supports(self.bar(steel)?, direction),
+            (TrackModel::FreeBeam, Direction::Vertical) if self.is_papers_rail() => {
+                let rail = self.papers_rail(steel)?;
+                let mut track = self.on_supports(Beam::from(rail), direction)?;
+                track.receptance = Arc::new(FreeBeam::new(rail));
+                Ok(track)
+            }
+            _ => {
+                let beam = self.beam(steel, direction)?;
+                let mut track = self.on_supports(beam, direction)?;
+                track.pinned_pinned = track
+                    .support_spacing()
+                    .filter(|_| beam.shears())
+                    .map(|spacing| beam.pinned_pinned_frequency(spacing, 1));
+                Ok(track)
+            }
+        }
     }
 
-    /// The track under every load of the map, up to the longest wavelength \[m\] and highest speed
-    /// \[m/s\].
-    pub(super) fn track(
+    /// A rail on the supports of the model.
+    fn on_supports(
         &self,
-        steel: ElasticMaterial,
-        wavelength: f64,
-        speed: f64,
-    ) -> Result<Arc<dyn Receptance>, CaseError> {
-        self.check_track()?;
-        let beam = self.beam(steel)?;
+        rail: impl Waveguide + Copy + 'static,
+        direction: Direction,
+    ) -> Result<Track, CaseError> {
         let track = &self.file.track;
-        Ok(match track.model {
-            TrackModel::FreeBeam => Arc::new(FreeBeam::new(beam)),
-            TrackModel::MovingBeam => {
-                let damping = track.rail_damping.map_or(0.0, |damping| damping.si());
-                let model = self.physics("track.rail_damping", MovingBeam::new(beam, damping))?;
-                self.physics("map", model.check_speed(wavelength, speed))?;
-                Arc::new(model)
+        let rail_mass = Some(rail.mass_per_length());
+        if track.model == TrackModel::FreeBeam {
+            let free = Arc::new(ContinuousTrack::free(rail));
+            return Ok(Track {
+                receptance: free.clone(),
+                structure: Some(free),
+                support: None,
+                rail_mass,
+                pinned_pinned: None,
+                remarks: Vec::new(),
+            });
+        }
+        let two_layers = matches!(
+            track.model,
+            TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic
+        );
+        let (support, spacing) = self.support(two_layers, direction)?;
+        let per_metre = self.physics("track.support_spacing", support.per_metre(spacing))?;
+        let mut built = if track.model.is_periodic() {
+            let periodic = PeriodicTrack::new(rail, support, spacing);
+            let periodic = self.physics("track.support_spacing", periodic)?;
+            let position = track.position.map_or(0.0, |position| position.si());
+            Track {
+                receptance: Arc::new(periodic.at(position)),
+                structure: Some(Arc::new(periodic)),
+                support: None,
+                rail_mass,
+                pinned_pinned: None,
+                remarks: Vec::new(),
             }
-            TrackModel::TwoLayer => {
-                let spacing = self.required("track.support_spacing", track.support_spacing)?;
-                let spacing = spacing.si();
-                let pad = self.layer("track.pad", track.pad.as_ref(), spacing)?;
-                let ballast = self.layer("track.ballast", track.ballast.as_ref(), spacing)?;
-                let sleeper = self.required("track.sleeper.mass", track.sleeper.as_ref())?;
-                let model = TwoLayerTrack::new(beam, pad, sleeper.mass.si() / spacing, ballast);
-                Arc::new(self.physics("track", model)?)
+        } else {
+            let even = Arc::new(ContinuousTrack::new(rail, per_metre));
+            Track {
+                receptance: even.clone(),
+                structure: Some(even),
+                support: None,
+                rail_mass,
+                pinned_pinned: None,
+                remarks: Vec::new(),
+            }
+        };
+        built.support = Some(per_metre);
+        Ok(built)
+    }
+
+    /// A load that moves over a free rail, or over one on the layers that are given.
+    fn moving(&self, steel: ElasticMaterial) -> Result<Track, CaseError> {
+        let track = &self.file.track;
+        let support = if track.ballast.is_some() {
+            Some(self.support(true, Direction::Vertical)?)
+        } else if track.pad.is_some() {
+            Some(self.support(false, Direction::Vertical)?)
+        } else {
+            None
+        };
+        let support = support
+            .map(|(support, spacing)| {
+                self.physics("track.support_spacing", support.per_metre(spacing))
+            })
+            .transpose()?;
+        let beam = self.beam(steel, Direction::Vertical)?;
+        let mut built = Track {
+            receptance: Arc::new(MovingLoadTrack::new(beam, support)),
+            structure: None,
+            support,
+            rail_mass: Some(beam.mass_per_length()),
+            pinned_pinned: None,
+            remarks: Vec::new(),
+        };
+        // The critical speed is lowest for long waves and high speeds.
+        let (wavelength, speed) = self.window()?;
+        let track = MovingLoadTrack::new(beam, support);
+        self.physics("map", track.check_speed(wavelength.max(), speed.max()))?;
+        if support.is_none() && self.is_papers_rail() {
+            built.receptance = Arc::new(MovingBeam::new(self.papers_rail(steel)?));
+        }
+        Ok(built)
+    }
+
+    fn measured(&self) -> Result<Track, CaseError> {
+        let measurement =
+            self.required("track.measurement", self.file.track.measurement.as_ref())?;
+        let measured = measurement::read(measurement, &self.folder).map_err(|error| {
+            let key = match error.key {
+                "" => "track.measurement".to_owned(),
+                key => format!("track.measurement.{key}"),
+            };
+            self.source.invalid(&key, &error.message, "")
+        })?;
+        Ok(Track {
+            receptance: Arc::new(measured.receptance),
+            structure: None,
+            support: None,
+            rail_mass: None,
+            pinned_pinned: None,
+            remarks: measured.remarks,
+        })
+    }
+
+    /// How the rail bends: as written, or with shear where supports are discrete.
+    pub(crate) fn beam_model(&self) -> BeamModel {
+        self.file.rail.beam.unwrap_or({
+            if self.file.track.model.is_periodic() {
+                BeamModel::Timoshenko
+            } else {
+                BeamModel::EulerBernoulli
             }
         })
     }
 
+    /// True for a rail without shear and without loss, which has closed forms of its own.
+    fn is_papers_rail(&self) -> bool {
+        self.beam_model() == BeamModel::EulerBernoulli
+            && self
+                .file
+                .rail
+                .loss_factor
+                .is_none_or(|loss| loss.si() == 0.0)
+            && self
+                .file
+                .track
+                .rail_damping
+                .is_none_or(|damping| damping.si() == 0.0)
+    }
+
+    fn papers_rail(&self, steel: ElasticMaterial) -> Result<EulerBernoulliBeam, CaseError> {
+        let second_moment = self.of_rail("rail.second_moment", self.file.rail.second_moment)?;
+        let beam = EulerBernoulliBeam::new(steel, second_moment, self.mass_per_length()?);
+        self.physics("rail", beam)
+    }
+
+    fn beam(&self, steel: ElasticMaterial, direction: Direction) -> Result<Beam, CaseError> {
+        let rail = &self.file.rail;
+        let (second_moment, shear_coefficient) = match direction {
+            Direction::Lateral => (
+                ("rail.lateral_second_moment", rail.lateral_second_moment),
+                (
+                    "rail.lateral_shear_coefficient",
+                    rail.lateral_shear_coefficient,
+                ),
+            ),
+            _ => (
+                ("rail.second_moment", rail.second_moment),
+                ("rail.shear_coefficient", rail.shear_coefficient),
+            ),
+        };
+        let second_moment = self.of_rail(second_moment.0, second_moment.1)?;
+        let mass_per_length = self.mass_per_length()?;
+        let beam = match self.beam_model() {
+            BeamModel::EulerBernoulli => {
+                EulerBernoulliBeam::new(steel, second_moment, mass_per_length).map(Beam::from)
+            }
+            BeamModel::Timoshenko => {
+                let shear = ShearSection {
+                    area: self.of_rail("rail.area", rail.area)?,
+                    shear_coefficient: self.of_rail(shear_coefficient.0, shear_coefficient.1)?,
+                    shear_modulus: match rail.shear_modulus {
+                        Some(modulus) => self.positive("rail.shear_modulus", modulus)?,
+                        None => steel.shear_modulus(),
+                    },
+                    density: match rail.density {
+                        Some(density) => self.positive("rail.density", density)?,
+                        None => RAIL_DENSITY,
+                    },
+                };
+                Beam::timoshenko(steel, second_moment, mass_per_length, shear)
+            }
+        };
+        let (loss_factor, damping) = self.rail_loss();
+        let beam = beam
+            .and_then(|beam| beam.with_loss_factor(loss_factor))
+            .and_then(|beam| beam.with_damping(damping));
+        self.physics("rail", beam)
+    }
+
+    fn bar(&self, steel: ElasticMaterial) -> Result<Bar, CaseError> {
+        let area = self.of_rail("rail.area", self.file.rail.area)?;
+        let (loss_factor, damping) = self.rail_loss();
+        let bar = Bar::new(steel, area, self.mass_per_length()?)
+            .and_then(|bar| bar.with_loss_factor(loss_factor))
+            .and_then(|bar| bar.with_damping(damping));
+        self.physics("rail", bar)
+    }
+
+    /// Loss factor and viscous damping of the rail.
+    fn rail_loss(&self) -> (f64, f64) {
+        let loss_factor = self.file.rail.loss_factor.map_or(0.0, |loss| loss.si());
+        let damping = self
+            .file
+            .track
+            .rail_damping
+            .map_or(0.0, |damping| damping.si());
+        (loss_factor, damping)
+    }
+
+    fn mass_per_length(&self) -> Result<f64, CaseError> {
+        self.of_rail("rail.mass_per_length", self.file.rail.mass_per_length)
+    }
+
+    /// A value of the rail that its model cannot do without.
+    fn of_rail<D: Dimension>(
+        &self,
+        key: &str,
+        value: Option<Quantity<D>>,
+    ) -> Result<f64, CaseError> {
+        let help = match key {
+            "rail.area" | "rail.shear_coefficient" => {
+                "Timoshenko's beam needs it: give it, name a preset by rail.section, or choose \
+                 rail.beam = \"euler-bernoulli\""
+            }
+            _ => "give it, or name a preset by rail.section",
+        };
+        let value = value.ok_or_else(|| self.source.missing(key, help))?;
+        self.positive(key, value)
+    }
+
+    /// One support, values per support, and their distance \[m\].
+    fn support(
+        &self,
+        two_layers: bool,
+        direction: Direction,
+    ) -> Result<(riffel::Support, f64), CaseError> {
+        let track = &self.file.track;
+        let spacing = self.required("track.support_spacing", track.support_spacing)?;
+        let pad = self.layer("track.pad", track.pad.as_ref(), direction)?;
+        if !two_layers {
+            return Ok((riffel::Support::one_layer(pad), spacing.si()));
+        }
+        let sleeper = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
+        let mass = self.required("track.sleeper.mass", sleeper)?;
+        let ballast = self.layer("track.ballast", track.ballast.as_ref(), direction)?;
+        let support = riffel::Support::two_layer(pad, mass.si(), ballast);
+        Ok((self.physics("track", support)?, spacing.si()))
+    }
+
+    /// A layer in one direction; its damping is in proportion to its stiffness in all of them.
     fn layer(
         &self,
         key: &str,
         support: Option<&Support>,
-        spacing: f64,
+        direction: Direction,
     ) -> Result<Layer, CaseError> {
         let support = self.required(key, support)?;
-        let stiffness = self.required(&format!("{key}.stiffness"), support.stiffness)?;
-        let damping = self.required(&format!("{key}.damping"), support.damping)?;
-        let layer = Layer::new(stiffness.si() / spacing, damping.si() / spacing);
+        let vertical = self.required(&format!("{key}.stiffness"), support.stiffness)?;
+        let stiffness = match direction {
+            Direction::Vertical => vertical,
+            Direction::Lateral => self.required(
+                &format!("{key}.lateral_stiffness"),
+                support.lateral_stiffness,
+            )?,
+            Direction::Longitudinal => self.required(
+                &format!("{key}.longitudinal_stiffness"),
+                support.longitudinal_stiffness,
+            )?,
+        };
+        if support.damping.is_none() && support.loss_factor.is_none() {
+            return Err(self.source.missing(
+                &format!("{key}.damping"),
+                &format!("give {key}.damping, {key}.loss_factor, or both"),
+            ));
+        }
+        let damping = support.damping.map_or(0.0, |damping| damping.si());
+        let loss_factor = support.loss_factor.map_or(0.0, |loss| loss.si());
+        let share = stiffness.si() / vertical.si();
+        let layer = Layer::new(stiffness.si(), damping * share)
+            .and_then(|layer| layer.with_loss_factor(loss_factor));
         self.physics(key, layer)
     }
 
@@ -78,20 +335,62 @@ impl Builder {
         if let Some(spacing) = track.support_spacing {
             self.positive("track.support_spacing", spacing)?;
         }
+        if let Some(position) = track.position {
+            self.check_position(position)?;
+        }
         for (key, support) in [("track.pad", &track.pad), ("track.ballast", &track.ballast)] {
             let Some(support) = support else { continue };
-            if let Some(stiffness) = support.stiffness {
-                self.positive(&format!("{key}.stiffness"), stiffness)?;
+            for (name, stiffness) in [
+                ("stiffness", support.stiffness),
+                ("lateral_stiffness", support.lateral_stiffness),
+                ("longitudinal_stiffness", support.longitudinal_stiffness),
+            ] {
+                if let Some(stiffness) = stiffness {
+                    self.positive(&format!("{key}.{name}"), stiffness)?;
+                }
             }
             if let Some(damping) = support.damping {
                 self.not_negative(&format!("{key}.damping"), damping)?;
             }
+            if let Some(loss_factor) = support.loss_factor {
+                self.not_negative(&format!("{key}.loss_factor"), loss_factor)?;
+            }
         }
-        if let Some(sleeper) = &track.sleeper {
-            self.not_negative("track.sleeper.mass", sleeper.mass)?;
+        if let Some(mass) = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass) {
+            self.not_negative("track.sleeper.mass", mass)?;
         }
         if let Some(damping) = track.rail_damping {
             self.not_negative("track.rail_damping", damping)?;
+        }
+        if let Some(loss_factor) = self.file.rail.loss_factor {
+            self.not_negative("rail.loss_factor", loss_factor)?;
+        }
+        if let Some(coefficient) = self.file.rail.shear_coefficient
+            && !(coefficient.si() > 0.0 && coefficient.si() <= 1.0)
+        {
+            let rule = "above 0 and at most 1";
+            return Err(self.out_of_range("rail.shear_coefficient", coefficient, rule));
+        }
+        Ok(())
+    }
+
+    /// A position means something only on discrete supports, and within one bay.
+    fn check_position(&self, position: Quantity<crate::quantity::Length>) -> Result<(), CaseError> {
+        let track = &self.file.track;
+        if !track.model.is_periodic() {
+            return Err(self.source.invalid(
+                "track.position",
+                &format!(
+                    "is given, but track.model = \"{}\" is the same everywhere along the rail",
+                    track.model.name()
+                ),
+                "choose one-layer-periodic or two-layer-periodic",
+            ));
+        }
+        let spacing = self.required("track.support_spacing", track.support_spacing)?;
+        if !(0.0..=spacing.si()).contains(&position.si()) {
+            let rule = format!("between 0 m and the support spacing, {spacing}");
+            return Err(self.out_of_range("track.position", position, &rule));
         }
         Ok(())
     }

@@ -10,18 +10,18 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
         None => {
             let mut table = text_table(&["name", "key", "what it is"]);
             for preset in presets() {
-                table.add_row([&preset.name, preset.values.key(), &preset.title]);
+                table.add_row([&preset.name, preset.kind.key(), &preset.title]);
             }
             format!("{table}\nriffel presets NAME shows the values with their sources\n")
         }
         Some(name) => {
             let preset = preset(name)?;
             let mut table = text_table(&["key", "value", "", "source"]);
-            for row in preset.values.rows() {
-                let badge = row.badge.to_string();
-                table.add_row([row.key, row.value, &badge, row.source]);
+            for value in &preset.values {
+                let badge = value.badge.to_string();
+                table.add_row([&value.key, &value.value, &badge, &value.source]);
             }
-            let (title, key, name) = (&preset.title, preset.values.key(), &preset.name);
+            let (title, key, name) = (&preset.title, preset.kind.key(), &preset.name);
             format!("{title}\n{key} = \"{name}\"\n{table}\n")
         }
     };

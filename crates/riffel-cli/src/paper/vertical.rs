@@ -5,7 +5,8 @@ use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{PaperFigure, bhaskar_track, lines, nominal};
-use crate::map_figure::{parameters, track};
+use crate::map_figure::parameters;
+use crate::track_in_words::track;
 
 /// Speed of both figures \[m/s\].
 const SPEED: f64 = 27.8;

@@ -52,6 +52,28 @@ impl GrowthMap {
         }
     }
 
+    /// The mean of maps over the same window, each with its weight; the weights sum to one. None of
+    /// no map.
+    ///
+    /// Growth rates that change along the rail act one after the other on the same profile, so their
+    /// mean is the growth of the whole.
+    pub fn weighted_mean(maps: impl IntoIterator<Item = (f64, Self)>) -> Option<Self> {
+        maps.into_iter()
+            .map(|(weight, mut map)| {
+                for value in map.tiles.as_flattened_mut() {
+                    *value *= weight;
+                }
+                map
+            })
+            .reduce(|mut sum, map| {
+                let values = map.tiles.as_flattened();
+                for (value, other) in sum.tiles.as_flattened_mut().iter_mut().zip(values) {
+                    *value += other;
+                }
+                sum
+            })
+    }
+
     /// Wavelengths \[m\], the fast axis.
     pub fn wavelength(&self) -> Axis {
         self.wavelength

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::FeedbackLoop;
+use crate::golden_section::golden_section;
 
 /// The highest growth at one speed within the window of wavelengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,25 +150,6 @@ fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize)
     }
 }
 
-/// Minimum of a unimodal function by golden-section search (Kiefer 1953) to an absolute tolerance.
-fn golden_section([mut low, mut high]: [f64; 2], tolerance: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let ratio = (5f64.sqrt() - 1.0) / 2.0;
-    let (mut inner_low, mut inner_high) = (high - ratio * (high - low), low + ratio * (high - low));
-    let (mut at_low, mut at_high) = (f(inner_low), f(inner_high));
-    while high - low > tolerance {
-        if at_low < at_high {
-            (high, inner_high, at_high) = (inner_high, inner_low, at_low);
-            inner_low = high - ratio * (high - low);
-            at_low = f(inner_low);
-        } else {
-            (low, inner_low, at_low) = (inner_low, inner_high, at_high);
-            inner_high = low + ratio * (high - low);
-            at_high = f(inner_high);
-        }
-    }
-    0.5 * (low + high)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -194,12 +176,5 @@ mod tests {
         ];
         assert_eq!(Ridge { points }.best_fit_frequency(), Some(500.0));
         assert_eq!(Ridge { points: vec![] }.best_fit_frequency(), None);
-    }
-
-    /// The minimum of a parabola, to the tolerance asked for.
-    #[test]
-    fn golden_section_finds_a_minimum() {
-        let minimum = golden_section([0.0, 3.0], 1e-9, |x| (x - 1.25f64).powi(2));
-        assert!((minimum - 1.25).abs() < 1e-7); // the square root of rounding limits any search
     }
 }

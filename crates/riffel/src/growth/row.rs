@@ -119,10 +119,8 @@ impl RowEvaluator {
         {
             let lowest = 2.0 * PI * speed.min() / wavelength.max();
             let highest = 2.0 * PI * speed.max() / wavelength.min();
-            // A resonance too sharp for a table is evaluated point by point.
-            if let Ok(table) = Tabulated::new(&*feedback.track, lowest, highest, TABLE_TOLERANCE) {
-                feedback.track = Arc::new(table);
-            }
+            let source = feedback.track.clone();
+            feedback.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
         }
         Self::new(&feedback, &wavelength.values())
     }

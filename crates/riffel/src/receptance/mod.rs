@@ -1,19 +1,39 @@
 //! Receptances of track and wheel: complex displacement per unit force \[m/N\], both positive
 //! downward, for the time factor exp(+iωt). A passive structure has Im H ≤ 0.
 
+mod bar;
 mod beam;
+mod continuous;
+mod decay_rate;
+mod euler_bernoulli;
 mod free_beam;
+mod measured;
 mod moving_beam;
+mod moving_load;
+mod periodic;
+mod resonance;
 mod rigid_mass;
+mod support;
 mod tabulated;
-mod two_layer;
+mod waves;
 
-pub use beam::EulerBernoulliBeam;
+pub use bar::Bar;
+pub use beam::{Beam, ShearSection};
+pub use continuous::ContinuousTrack;
+pub use decay_rate::DecayRate;
+pub use euler_bernoulli::EulerBernoulliBeam;
 pub use free_beam::FreeBeam;
+pub use measured::MeasuredReceptance;
 pub use moving_beam::{MovingBeam, MovingLoadRoots};
+pub use moving_load::MovingLoadTrack;
+pub use periodic::{FloquetWaves, PeriodicTrack};
+pub use resonance::{Resonance, ResonanceKind};
 pub use rigid_mass::RigidMass;
-pub use tabulated::{Tabulated, TabulationError};
-pub use two_layer::{Layer, TwoLayerTrack};
+pub use support::{Layer, Support};
+pub use tabulated::Tabulated;
+pub use waves::{Wave, Waveguide, Waves};
+
+use std::sync::Arc;
 
 use num_complex::Complex64;
 
@@ -50,4 +70,23 @@ pub trait Receptance: Send + Sync {
     fn worth_tabulating(&self) -> bool {
         false
     }
+
+    /// Lowest and highest angular frequency \[rad/s\] at which the receptance is known.
+    fn frequency_range(&self) -> (f64, f64) {
+        (0.0, f64::INFINITY)
+    }
+}
+
+/// A track that answers at one place to a force at another.
+pub trait CrossReceptance: Receptance {
+    /// Displacement at `to` per force at `from` \[m/N\], both places in metres along the rail, the
+    /// origin over a support; angular frequency ω > 0 \[rad/s\]. Reciprocal: the two may be
+    /// exchanged.
+    fn cross_receptance(&self, angular_frequency: f64, from: f64, to: f64) -> Complex64;
+
+    /// Distance of the supports \[m\], where they are discrete.
+    fn support_spacing(&self) -> Option<f64>;
+
+    /// The receptance under a load at a place along the rail \[m\].
+    fn under_load_at(&self, place: f64) -> Arc<dyn Receptance>;
 }

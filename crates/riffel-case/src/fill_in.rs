@@ -1,0 +1,57 @@
+//! Presets in the place of keys left out.
+
+use crate::preset::{Preset, PresetKind, presets};
+use crate::source::Source;
+use crate::{CaseError, preset};
+
+impl Source {
+    /// Put the values of the presets that the case names in the place of keys left out: first those of
+    /// single parts, then those of the whole track.
+    ///
+    /// The damping of a layer is one choice: where a viscous damping or a loss factor is given, a
+    /// preset adds neither.
+    pub(crate) fn fill_in(&mut self) -> Result<(), CaseError> {
+        for kind in PresetKind::ALL {
+            let key = kind.key();
+            let Some(name) = self.text_of(key) else {
+                continue;
+            };
+            let preset = preset::preset(&name)
+                .ok()
+                .filter(|preset| preset.kind == kind)
+                .ok_or_else(|| self.unknown_preset(kind, &name))?;
+            self.fill_in_one(&preset);
+        }
+        Ok(())
+    }
+
+    fn fill_in_one(&mut self, preset: &Preset) {
+        let missing: Vec<_> = preset
+            .values
+            .iter()
+            .filter(|value| match value.key.rsplit_once('.') {
+                Some((layer, "damping" | "loss_factor")) => {
+                    !self.has(&format!("{layer}.damping"))
+                        && !self.has(&format!("{layer}.loss_factor"))
+                }
+                _ => !self.has(&value.key),
+            })
+            .collect();
+        for value in missing {
+            self.put(&value.key, &value.value);
+        }
+    }
+
+    fn unknown_preset(&self, kind: PresetKind, name: &str) -> CaseError {
+        let known: Vec<String> = presets()
+            .into_iter()
+            .filter(|preset| preset.kind == kind)
+            .map(|preset| preset.name)
+            .collect();
+        self.invalid(
+            kind.key(),
+            &format!("is \"{name}\", but no {} preset has that name", kind.name()),
+            &format!("allowed: {}", known.join(", ")),
+        )
+    }
+}

@@ -1,0 +1,128 @@
+//! A frequency response in a universal file.
+
+use super::universal_file::{self, Axis, Function, Units};
+use super::{FrequencyResponse, MeasurementError};
+use crate::file::{Measurement, Response};
+use crate::unit::{Exponents, Unit};
+
+/// Kinds of the format, dataset 58.
+const FREQUENCY_RESPONSE: i32 = 4;
+const FREQUENCY: i32 = 18;
+const DISPLACEMENT: i32 = 8;
+const VELOCITY: i32 = 11;
+const ACCELERATION: i32 = 12;
+const REACTION_FORCE: i32 = 9;
+const EXCITATION_FORCE: i32 = 13;
+
+/// The function that the case asks for, or the only frequency response of the file.
+pub(super) fn read(
+    bytes: &[u8],
+    measurement: &Measurement,
+) -> Result<FrequencyResponse, MeasurementError> {
+    let file =
+        universal_file::read(bytes).map_err(|error| MeasurementError::file(error.to_string()))?;
+    let function = match measurement.function {
+        Some(number) => number
+            .checked_sub(1)
+            .and_then(|index| file.functions.get(index as usize))
+            .ok_or_else(|| {
+                MeasurementError::new(
+                    "function",
+                    format!(
+                        "is {number}, but the file has {} functions",
+                        file.functions.len()
+                    ),
+                )
+            })?,
+        None => only(&file.functions)?,
+    };
+    response(function, file.units)
+}
+
+fn only(functions: &[Function]) -> Result<&Function, MeasurementError> {
+    let mut candidates = functions
+        .iter()
+        .filter(|function| function.function_type == FREQUENCY_RESPONSE);
+    match (candidates.next(), candidates.count()) {
+        (Some(function), 0) => Ok(function),
+        (None, _) => Err(MeasurementError::file(
+            "the file has no frequency response (dataset 58, function type 4)",
+        )),
+        (Some(_), others) => Err(MeasurementError::file(format!(
+            "the file has {} frequency responses: choose one by track.measurement.function",
+            others + 1
+        ))),
+    }
+}
+
+fn response(
+    function: &Function,
+    units: Option<Units>,
+) -> Result<FrequencyResponse, MeasurementError> {
+    let wrong = |rule: &str| {
+        Err(MeasurementError::file(format!(
+            "line {}, \"{}\": {rule}",
+            function.line, function.title
+        )))
+    };
+    if function.function_type != FREQUENCY_RESPONSE || !function.complex {
+        return wrong("is not a complex frequency response");
+    }
+    if function.load_case != 0 {
+        return wrong("belongs to a load case, not to a force at one point");
+    }
+    if function.abscissa_axis.kind != FREQUENCY {
+        return wrong("does not run over frequency");
+    }
+    let quantity = match function.numerator.kind {
+        DISPLACEMENT => Response::Receptance,
+        VELOCITY => Response::Mobility,
+        ACCELERATION => Response::Accelerance,
+        _ => return wrong("is no displacement, velocity or acceleration"),
+    };
+    if ![REACTION_FORCE, EXCITATION_FORCE].contains(&function.denominator.kind) {
+        return wrong("is not per force");
+    }
+    let translation = |direction: i32| (1..=3).contains(&direction.abs());
+    if !translation(function.response.direction) || !translation(function.reference.direction) {
+        return wrong("is not along x, y or z");
+    }
+    let (length, force) = units.map_or((1.0, 1.0), |units| (units.length, units.force));
+    let motion = match quantity {
+        Response::Receptance => Exponents::new(0, 1, 0),
+        Response::Mobility => Exponents::new(0, 1, -1),
+        Response::Accelerance => Exponents::new(0, 1, -2),
+    };
+    let newton = Exponents::new(1, 1, -2);
+    let factors =
+        size(&function.numerator, motion, length).zip(size(&function.denominator, newton, force));
+    let Some((numerator, denominator)) = factors else {
+        return wrong("is labelled with a unit that does not fit what it is");
+    };
+    // The sign of a direction that points against its axis.
+    let sign =
+        f64::from(function.response.direction.signum() * function.reference.direction.signum());
+    let factor = sign * numerator / denominator;
+    Ok(FrequencyResponse {
+        response: quantity,
+        frequencies: function.abscissa.clone(),
+        values: function
+            .ordinate
+            .iter()
+            .map(|value| value * factor)
+            .collect(),
+        places: (1..=function.ordinate.len())
+            .map(|number| format!("line {}, value {number}", function.line))
+            .collect(),
+    })
+}
+
+/// SI units in one unit of an axis: by its label, or by the units of the file where it has none.
+fn size(axis: &Axis, exponents: Exponents, per_si: f64) -> Option<f64> {
+    let label = axis.unit.trim();
+    if label.is_empty() || label.eq_ignore_ascii_case("none") {
+        return Some(per_si.recip());
+    }
+    let unit = Unit::parse(label).ok()?;
+    (unit.exponents == exponents).then_some(unit.factor)
+}

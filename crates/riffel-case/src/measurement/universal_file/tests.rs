@@ -1,0 +1,784 @@
+//! The reader against files of pyuff, against the definition's layouts, and against damaged files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proptest::prelude::*;
+use proptest::sample::Index;
+use riffel::Complex64;
+use rstest::rstest;
+
+use super::{Axis, Freedom, Function, Units, UniversalFile, read};
+
+/// Rounding to six digits, as E13.5 writes them: half a unit of the last one.
+const SINGLE: f64 = 5e-6;
+/// Rounding to the twelve digits that pyuff writes in the field E20.12, and twice the rounding of
+/// the formula, which loses some digits at the resonances.
+const DOUBLE: f64 = 5e-12 + 2.0 * FORMULA;
+/// Binary doubles lose nothing: what is left is the rounding of the formula here and there.
+const FORMULA: f64 = 1e-12;
+
+const FIXTURES: [&str; 11] = [
+    "accelerance_single_uneven.uff",
+    "mobility_single_even.uff",
+    "modulus_double_even.uff",
+    "modulus_double_uneven.uff",
+    "modulus_single_even.uff",
+    "modulus_single_uneven.uff",
+    "receptance_binary_even.uff",
+    "receptance_binary_uneven.uff",
+    "receptance_double_even.uff",
+    "receptance_double_uneven.uff",
+    "several.uff",
+];
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/universal-files")
+        .join(name)
+}
+
+fn fixture(name: &str) -> Vec<u8> {
+    fs::read(path(name)).unwrap()
+}
+
+fn only_function(file: UniversalFile) -> Function {
+    let [function] = file.functions.try_into().unwrap();
+    function
+}
+
+fn sentence(bytes: &[u8]) -> String {
+    read(bytes).unwrap_err().to_string()
+}
+
+fn even() -> Vec<f64> {
+    (1..=100).map(|step| 20.0 * f64::from(step)).collect()
+}
+
+fn uneven() -> Vec<f64> {
+    let exponent = |step| 2.0 * f64::from(step) / 99.0;
+    (0..100)
+        .map(|step| 20.0 * 10f64.powf(exponent(step)))
+        .collect()
+}
+
+fn laplace(frequency: f64) -> Complex64 {
+    Complex64::new(0.0, std::f64::consts::TAU * frequency)
+}
+
+/// Receptance of the two masses of the fixtures.
+fn receptance(frequency: f64) -> Complex64 {
+    let s = laplace(frequency);
+    let (m1, m2) = (2.0, 0.5);
+    let ground = 2e6 + 40.0 * s;
+    let between = 5e6 + 30.0 * s;
+    let second = m2 * s * s + between;
+    second / ((m1 * s * s + ground + between) * second - between * between)
+}
+
+fn mobility(frequency: f64) -> Complex64 {
+    receptance(frequency) * laplace(frequency)
+}
+
+fn accelerance(frequency: f64) -> Complex64 {
+    mobility(frequency) * laplace(frequency)
+}
+
+fn modulus(frequency: f64) -> Complex64 {
+    receptance(frequency).norm().into()
+}
+
+fn assert_near(read: &[Complex64], exact: impl Iterator<Item = Complex64>, tolerance: f64) {
+    let exact: Vec<Complex64> = exact.collect();
+    assert_eq!(read.len(), exact.len());
+    for (index, (read, exact)) in read.iter().zip(&exact).enumerate() {
+        let error = (read - exact).norm() / exact.norm();
+        assert!(error <= tolerance, "point {index}: {read} for {exact}");
+    }
+}
+
+/// Every file of pyuff gives back the function it was made from. An uneven abscissa has six digits
+/// in the text form, whatever the ordinate has.
+#[rstest]
+#[case("receptance_double_even.uff", receptance, even(), 0.0, 8, true, DOUBLE)]
+#[case(
+    "receptance_double_uneven.uff",
+    receptance,
+    uneven(),
+    SINGLE,
+    8,
+    true,
+    DOUBLE
+)]
+#[case(
+    "receptance_binary_even.uff",
+    receptance,
+    even(),
+    0.0,
+    8,
+    true,
+    FORMULA
+)]
+#[case(
+    "receptance_binary_uneven.uff",
+    receptance,
+    uneven(),
+    FORMULA,
+    8,
+    true,
+    FORMULA
+)]
+#[case("mobility_single_even.uff", mobility, even(), 0.0, 11, true, SINGLE)]
+#[case(
+    "accelerance_single_uneven.uff",
+    accelerance,
+    uneven(),
+    SINGLE,
+    12,
+    true,
+    SINGLE
+)]
+#[case("modulus_double_even.uff", modulus, even(), 0.0, 8, false, DOUBLE)]
+#[case(
+    "modulus_double_uneven.uff",
+    modulus,
+    uneven(),
+    SINGLE,
+    8,
+    false,
+    DOUBLE
+)]
+#[case("modulus_single_even.uff", modulus, even(), 0.0, 8, false, SINGLE)]
+#[case(
+    "modulus_single_uneven.uff",
+    modulus,
+    uneven(),
+    SINGLE,
+    8,
+    false,
+    SINGLE
+)]
+fn reads_what_pyuff_writes(
+    #[case] name: &str,
+    #[case] exact: fn(f64) -> Complex64,
+    #[case] frequencies: Vec<f64>,
+    #[case] abscissa_tolerance: f64,
+    #[case] kind: i32,
+    #[case] complex: bool,
+    #[case] tolerance: f64,
+) {
+    let file = read(&fixture(name)).unwrap();
+    assert_eq!(file.units, None);
+    let function = only_function(file);
+    assert_eq!(function.line, 1);
+    assert_eq!(function.function_type, 4);
+    assert_eq!(function.abscissa_axis.kind, 18);
+    assert_eq!(function.numerator.kind, kind);
+    assert_eq!(function.denominator.kind, 13);
+    assert_eq!(function.complex, complex);
+    assert_eq!(function.abscissa.len(), frequencies.len());
+    for (read, exact) in function.abscissa.iter().zip(&frequencies) {
+        assert!(
+            (read - exact).abs() <= abscissa_tolerance * exact,
+            "{read} for {exact}"
+        );
+    }
+    assert_near(
+        &function.ordinate,
+        frequencies.iter().map(|&f| exact(f)),
+        tolerance,
+    );
+}
+
+/// The formula of the fixtures and the one of the tests are the same.
+#[test]
+fn formula_is_that_of_the_fixtures() {
+    let table = fs::read_to_string(path("exact.csv")).unwrap();
+    let frequencies = even().into_iter().chain(uneven());
+    assert_eq!(table.lines().count(), 201);
+    for (row, frequency) in table.lines().skip(1).zip(frequencies) {
+        let row: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let exact = receptance(frequency);
+        assert!((row[0] / frequency - 1.0).abs() < 1e-14);
+        assert!((Complex64::new(row[1], row[2]) - exact).norm() < FORMULA * exact.norm());
+    }
+}
+
+/// Every field of the header, units in millimetres, and two functions after a skipped dataset.
+#[test]
+fn reads_several_datasets_and_units() {
+    let file = read(&fixture("several.uff")).unwrap();
+    let units = file.units.unwrap();
+    assert_eq!(
+        units,
+        Units {
+            length: 1000.0,
+            force: 1.0,
+            temperature: 1.0,
+            temperature_offset: 273.15,
+        }
+    );
+    let [first, second] = <[Function; 2]>::try_from(file.functions).unwrap();
+    assert_eq!((first.line, second.line), (17, 81));
+    assert_eq!(first.title, "displacement over force");
+    assert_eq!(first.load_case, 0);
+    let freedom = |node, direction| Freedom {
+        entity: "RAIL".to_owned(),
+        node,
+        direction,
+    };
+    assert_eq!(first.response, freedom(1, 3));
+    assert_eq!(second.response, freedom(2, 3));
+    assert_eq!(second.reference, freedom(1, -3));
+    let axis = |kind, length, force, label: &str, unit: &str| Axis {
+        kind,
+        length,
+        force,
+        temperature: 0,
+        label: label.to_owned(),
+        unit: unit.to_owned(),
+    };
+    assert_eq!(first.abscissa_axis, axis(18, 0, 0, "Frequency", "Hz"));
+    assert_eq!(first.numerator, axis(8, 1, 0, "Displacement", "m"));
+    assert_eq!(first.denominator, axis(13, 0, 1, "Force", "N"));
+    let si: Vec<Complex64> = first
+        .ordinate
+        .iter()
+        .map(|value| value / units.length * units.force)
+        .collect();
+    assert_near(&si, even().into_iter().map(receptance), DOUBLE);
+}
+
+/// A dataset 58 of two complex points, single precision, even spacing.
+const SMALL: &str = "    -1
+    58
+Receptance
+NONE
+NONE
+NONE
+NONE
+    4         0    0         0       NONE         1   3       NONE         1   3
+         5         2         1  2.00000e+01  1.00000e+01  0.00000e+00
+        18    0    0    0 NONE                 Hz
+         8    0    0    0 NONE                 m
+        13    0    0    0 NONE                 N
+         0    0    0    0 NONE                 NONE
+  1.00000e+00 -2.00000e+00  3.00000e+00 -4.00000e+00
+    -1
+";
+
+const SMALL_DATA: &str = "  1.00000e+00 -2.00000e+00  3.00000e+00 -4.00000e+00\n";
+
+/// A dataset 164 in millimetres.
+const MILLIMETRES: &str = "    -1
+   164
+         9mm and N                     1
+  1.00000000000000000D+03  1.00000000000000000D+00  1.00000000000000000D+00
+  2.73149999999999980D+02
+    -1
+";
+
+fn small_with(from: &str, to: &str) -> String {
+    let text = SMALL.replacen(from, to, 1);
+    assert_ne!(text, SMALL);
+    text
+}
+
+fn small_points() -> Vec<Complex64> {
+    vec![Complex64::new(1.0, -2.0), Complex64::new(3.0, -4.0)]
+}
+
+#[rstest]
+#[case::as_it_is(SMALL.to_owned())]
+#[case::lines_of_windows(SMALL.replace('\n', "\r\n"))]
+#[case::padded_lines(SMALL.replace('\n', "                    \n"))]
+#[case::no_last_line_end(SMALL.trim_end().to_owned())]
+#[case::blank_lines_around(format!("\n{SMALL}\n  \n"))]
+#[case::upper_case(SMALL.replace('e', "E"))]
+#[case::double_exponents(small_with(
+    SMALL_DATA,
+    "  1.00000D+00 -2.00000d+00  3.00000D+00 -4.00000D+00\n"
+))]
+#[case::plain_numbers(small_with(
+    SMALL_DATA,
+    "            1          -2.          3.0        -4.00\n"
+))]
+#[case::filled_with_zeros(small_with(
+    "-4.00000e+00\n",
+    "-4.00000e+00  0.00000e+00  0.00000e+00\n"
+))]
+#[case::other_data_set_before(format!("    -1\n    15\n         1         0\n        -1\n    -1\n{SMALL}"))]
+fn reads_the_manners_of_writers(#[case] text: String) {
+    let function = only_function(read(text.as_bytes()).unwrap());
+    assert_eq!(function.abscissa, [20.0, 30.0]);
+    assert_eq!(function.ordinate, small_points());
+}
+
+/// Fields are columns: they may touch, and a large exponent displaces its letter.
+#[test]
+fn reads_fields_that_touch() {
+    let text = small_with(
+        SMALL_DATA,
+        "-0.10000E+001-2.0000000000-1.00000e-300-1.23450-100\n",
+    );
+    let function = only_function(read(text.as_bytes()).unwrap());
+    let expected = [
+        Complex64::new(-1.0, -2.0),
+        Complex64::new(-1e-300, -1.2345e-100),
+    ];
+    assert_eq!(function.ordinate, expected);
+}
+
+/// A unit of an older system, a micrometre in Latin-1, takes one column as it does in UTF-8.
+#[rstest]
+#[case(b"\xb5m")]
+#[case("µm".as_bytes())]
+fn reads_labels_of_either_encoding(#[case] unit: &[u8]) {
+    let axis = b"         8    0    0    0 NONE                 m\n";
+    let at = SMALL.find(str::from_utf8(axis).unwrap()).unwrap() + axis.len() - 2;
+    let mut bytes = SMALL.as_bytes().to_vec();
+    bytes.splice(at..at + 1, unit.iter().copied());
+    assert_eq!(only_function(read(&bytes).unwrap()).numerator.unit, "µm");
+}
+
+/// Units stand alone, and may be repeated.
+#[test]
+fn reads_units_alone() {
+    let file = read(MILLIMETRES.repeat(2).as_bytes()).unwrap();
+    assert!(file.functions.is_empty());
+    assert_eq!(file.units.unwrap().length, 1000.0);
+}
+
+const POINTS: [[f64; 3]; 3] = [[20.0, 1.5, -2.25], [40.0, -3.0, 4.5], [80.0, 5.0, 0.125]];
+
+/// A dataset 58b of the three points with abscissae of the given width.
+fn binary(data_type: i32, even: bool, order: i32, abscissa: usize, end: &str) -> Vec<u8> {
+    let double = data_type == 4 || data_type == 6;
+    let mut data = Vec::new();
+    let mut push = |value: f64, width| match (width, order) {
+        (4, 1) => data.extend((value as f32).to_le_bytes()),
+        (4, _) => data.extend((value as f32).to_be_bytes()),
+        (_, 1) => data.extend(value.to_le_bytes()),
+        _ => data.extend(value.to_be_bytes()),
+    };
+    for [x, real, imaginary] in POINTS {
+        let ordinate = if double { 8 } else { 4 };
+        if !even {
+            push(x, abscissa);
+        }
+        push(real, ordinate);
+        if data_type >= 5 {
+            push(imaginary, ordinate);
+        }
+    }
+    let name = format!(
+        "    58b{order:6}     2          11{:12}     0     0           0           0",
+        data.len()
+    );
+    let form = format!(
+        "{data_type:10}         3{:10}  2.00000e+01  2.00000e+01  0.00000e+00",
+        i32::from(even)
+    );
+    let header = SMALL.replacen("    58", &name, 1).replacen(
+        &SMALL[SMALL.find("         5  ").unwrap()..][..69],
+        &form,
+        1,
+    );
+    let header = &header[..header.find(SMALL_DATA).unwrap()];
+    [header.as_bytes(), &data, end.as_bytes(), b"    -1\n"].concat()
+}
+
+/// Both byte orders, all layouts, the abscissa single as defined or as wide as the ordinate, and the
+/// closing mark behind the data at once or on its own line.
+#[rstest]
+fn reads_binary_layouts(
+    #[values(2, 4, 5, 6)] data_type: i32,
+    #[values(true, false)] even: bool,
+    #[values(1, 2)] order: i32,
+    #[values(4, 8)] abscissa: usize,
+) {
+    let single = data_type == 2 || data_type == 5;
+    if single && abscissa == 8 {
+        return;
+    }
+    let complex = data_type >= 5;
+    let ordinate = POINTS.map(|[_, real, imaginary]| match complex {
+        true => Complex64::new(real, imaginary),
+        false => real.into(),
+    });
+    let last = if even { 60.0 } else { 80.0 };
+    for end in ["", "\n", "\r\n"] {
+        let bytes = binary(data_type, even, order, abscissa, end);
+        let function = only_function(read(&bytes).unwrap());
+        assert_eq!(function.complex, complex);
+        assert_eq!(function.abscissa, [20.0, 40.0, last]);
+        assert_eq!(function.ordinate, ordinate);
+    }
+}
+
+#[rstest]
+#[case::nothing(
+    "",
+    "the file holds no dataset, which would begin with -1 in columns 5 and 6"
+)]
+#[case::blank(
+    "\n \n",
+    "the file holds no dataset, which would begin with -1 in columns 5 and 6"
+)]
+#[case::table(
+    "20.0,1.0\n",
+    "line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6"
+)]
+#[case::shifted_mark(
+    "-1\n    58\n",
+    "line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6"
+)]
+#[case::mark_only(
+    "    -1\n",
+    "line 1: the dataset that begins here is cut short by the end of the file"
+)]
+#[case::skipped_and_cut(
+    "    -1\n    15\n",
+    "line 1: the dataset that begins here is cut short by the end of the file"
+)]
+#[case::no_name(
+    "    -1\n    -1\n",
+    "line 2: the dataset ends where its number must stand"
+)]
+#[case::number_of_letters(
+    "    -1\nabcdef\n",
+    "line 2: the number of the dataset must be a whole number within 32 bits, not \"abcdef\""
+)]
+#[case::no_number(
+    "    -1\n\n",
+    "line 2: the number of the dataset must be positive, not 0"
+)]
+#[case::unknown_form(
+    "    -1\n    58c\n",
+    "line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"c\""
+)]
+#[case::other_binary(
+    "    -1\n    55b\n",
+    "line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"b\""
+)]
+fn refuses_what_is_no_universal_file(#[case] text: &str, #[case] expected: &str) {
+    assert_eq!(sentence(text.as_bytes()), expected);
+}
+
+#[rstest]
+#[case::header_ends(
+    "        13    0    0    0",
+    "    -1\n",
+    "line 12: the dataset ends where its record 10 must stand"
+)]
+#[case::no_end(
+    "-4.00000e+00\n    -1\n",
+    "-4.00000e+00\n",
+    "line 1: the dataset that begins here is cut short by the end of the file"
+)]
+#[case::shifted_fields(
+    "       NONE         1   3       NONE         1   3",
+    " RAILWAYSET1         1   3       NONE         1   3",
+    "line 8: column 56 must be blank, as it lies between two fields"
+)]
+#[case::node(
+    "NONE         1   3",
+    "NONE         x   3",
+    "line 8: the node must be a whole number within 32 bits, not \"x\""
+)]
+#[case::data_type(
+    "         5         2",
+    "         3         2",
+    "line 9: the data type of the ordinate must be 2 or 4 or 5 or 6, not 3"
+)]
+#[case::spacing(
+    "         2         1",
+    "         2         2",
+    "line 9: the spacing of the abscissa must be 0 or 1, not 2"
+)]
+#[case::no_points(
+    "         5         2",
+    "         5         0",
+    "line 9: the number of points must be positive, not 0"
+)]
+#[case::negative_points(
+    "         5         2",
+    "         5        -2",
+    "line 9: the number of points must be positive, not -2"
+)]
+#[case::count_over_32_bits(
+    "         5         2",
+    "         59999999999",
+    "line 9: the number of points must be a whole number within 32 bits, not \"9999999999\""
+)]
+#[case::huge_count(
+    "         5         2",
+    "         52147483647",
+    "line 9: the number of points is 2147483647, which takes 4294967294 numbers, but the dataset holds 4"
+)]
+#[case::too_few(
+    "         5         2",
+    "         5         3",
+    "line 9: the number of points is 3, which takes 6 numbers, but the dataset holds 4"
+)]
+#[case::too_many(
+    "         5         2",
+    "         5         1",
+    "line 14: the number of points is 1, which takes 2 numbers, but the dataset goes on after them"
+)]
+#[case::one_line_more(
+    "-4.00000e+00\n",
+    "-4.00000e+00\n  0.00000e+00\n",
+    "line 15: the number of points is 2, which takes 4 numbers, but the dataset goes on after them"
+)]
+#[case::not_zero_fill(
+    "-4.00000e+00\n",
+    "-4.00000e+00  0.00000e+00  1.00000e+00\n",
+    "line 14: the number of points is 2, which takes 4 numbers, but the dataset goes on after them"
+)]
+#[case::short_line(
+    "  3.00000e+00 -4.00000e+00\n",
+    "\n  3.00000e+00 -4.00000e+00\n",
+    "line 14: this line must hold 4 numbers, not 2"
+)]
+#[case::text_after(
+    "-4.00000e+00\n",
+    "-4.00000e+00                           x\n",
+    "line 14: the numbers of this line end in column 52, but text follows"
+)]
+#[case::no_increment(
+    "  1.00000e+01  0.0",
+    "  0.00000e+00  0.0",
+    "line 9: the increment of the abscissa must be positive, not 0"
+)]
+#[case::minimum(
+    "  2.00000e+01",
+    "          NaN",
+    "line 9: the minimum of the abscissa must be a finite number, not \"NaN\""
+)]
+#[case::endless_abscissa(
+    "  2.00000e+01  1.00000e+01",
+    " 1.00000e+308 1.79000e+308",
+    "line 9: the last value of the abscissa must be a finite number, not \"inf\""
+)]
+#[case::not_a_number(
+    "  3.00000e+00",
+    "          NaN",
+    "line 14: a value must be a finite number, not \"NaN\""
+)]
+#[case::infinite(
+    "  3.00000e+00",
+    "     Infinity",
+    "line 14: a value must be a finite number, not \"Infinity\""
+)]
+#[case::overflow(
+    "  3.00000e+00",
+    " 3.00000e+999",
+    "line 14: a value must be a finite number, not \"3.00000e+999\""
+)]
+#[case::stars(
+    "  3.00000e+00",
+    "*************",
+    "line 14: a value must be a finite number, not \"*************\""
+)]
+#[case::decimal_comma(
+    "  3.00000e+00",
+    "  3,00000e+00",
+    "line 14: a value must be a finite number, not \"3,00000e+00\""
+)]
+#[case::kind(
+    "         8    0",
+    "         8    m",
+    "line 11: the exponent of length must be a whole number within 32 bits, not \"m\""
+)]
+fn refuses_damaged_functions(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
+    assert_eq!(sentence(small_with(from, to).as_bytes()), expected);
+}
+
+#[rstest]
+#[case::zero(
+    "1.00000000000000000D+03",
+    "0.00000000000000000D+00",
+    "line 4: the factor of length must be positive, not 0"
+)]
+#[case::text(
+    "1.00000000000000000D+03",
+    "            millimetres",
+    "line 4: the factor of length must be a finite number, not \"millimetres\""
+)]
+#[case::short(
+    "  2.73149999999999980D+02\n",
+    "",
+    "line 5: the dataset ends where its temperature offset must stand"
+)]
+fn refuses_damaged_units(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
+    let text = MILLIMETRES.replacen(from, to, 1);
+    assert_eq!(sentence(text.as_bytes()), expected);
+}
+
+#[test]
+fn refuses_two_units() {
+    let other = MILLIMETRES.replacen("1.00000000000000000D+03", "1.00000000000000000D+00", 1);
+    assert_eq!(
+        sentence(format!("{MILLIMETRES}{other}").as_bytes()),
+        "line 8: the file states its units a second time, and differently"
+    );
+}
+
+#[rstest]
+#[case::byte_order(
+    "58b     1",
+    "58b     3",
+    "line 2: the byte order must be 1 or 2, not 3"
+)]
+#[case::not_ieee(
+    "     2          11",
+    "     1          11",
+    "line 2: the floating point format must be 2, not 1"
+)]
+#[case::lines(
+    "          11",
+    "          12",
+    "line 2: the number of lines before the binary data must be 11, not 12"
+)]
+#[case::bytes(
+    "          48",
+    "          47",
+    "line 2: the number of bytes is 47, but the points take 48"
+)]
+#[case::count(
+    "         6         3",
+    "         6         4",
+    "line 9: the number of points is 4, which takes 64 bytes, but the closing -1 does not follow them"
+)]
+#[case::huge_count(
+    "         6         3",
+    "         62147483647",
+    "line 9: the number of points is 2147483647, which takes 34359738352 bytes, but the closing -1 does not follow them"
+)]
+#[case::single(
+    "         6         3",
+    "         5         3",
+    "line 9: the number of points is 3, which takes 24 bytes, but the closing -1 does not follow them"
+)]
+fn refuses_damaged_binary(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
+    let bytes = binary(6, true, 1, 8, "");
+    let at = bytes
+        .windows(from.len())
+        .position(|window| window == from.as_bytes())
+        .unwrap();
+    let mut damaged = bytes.clone();
+    damaged.splice(at..at + from.len(), to.bytes());
+    assert_eq!(sentence(&damaged), expected);
+}
+
+#[test]
+fn refuses_binary_values_that_are_not_numbers() {
+    let bytes = binary(6, true, 1, 8, "");
+    let data = bytes.len() - b"    -1\n".len() - 48;
+    let mut damaged = bytes.clone();
+    damaged[data..data + 8].copy_from_slice(&f64::NAN.to_le_bytes());
+    assert_eq!(
+        sentence(&damaged),
+        "line 14: a value must be a finite number, not \"NaN\""
+    );
+}
+
+/// However a file of one function is cut, it is refused.
+#[test]
+fn refuses_every_truncation() {
+    for name in FIXTURES.iter().filter(|&&name| name != "several.uff") {
+        let bytes = fixture(name);
+        let mark = bytes.len() - b"\n".len();
+        for end in 0..mark {
+            assert!(read(&bytes[..end]).is_err(), "{name} cut at {end}");
+        }
+        assert!(read(&bytes[..mark]).is_ok());
+    }
+}
+
+/// Nothing but finite points that the bytes have room for comes from any input.
+fn check(bytes: &[u8]) {
+    let Ok(file) = read(bytes) else { return };
+    let mut points = 0;
+    for function in &file.functions {
+        points += function.abscissa.len();
+        assert_eq!(function.abscissa.len(), function.ordinate.len());
+        assert!(function.abscissa.iter().all(|value| value.is_finite()));
+        assert!(function.ordinate.iter().all(|value| value.is_finite()));
+    }
+    assert!(points <= bytes.len());
+}
+
+/// One damage to a file: bytes from one place on are replaced by others.
+fn damage() -> impl Strategy<Value = (Index, usize, Vec<u8>)> {
+    let bytes = prop_oneof![
+        prop::collection::vec(any::<u8>(), 0..8),
+        prop::collection::vec(
+            prop::sample::select(b"0123456789.+-eEdD \r\nb".to_vec()),
+            0..8
+        ),
+        Just(b"    -1\n".to_vec()),
+        Just(b"2147483647".to_vec()),
+        Just("µ".as_bytes().to_vec()),
+    ];
+    (any::<Index>(), 0..40usize, bytes)
+}
+
+proptest! {
+    #[test]
+    fn survives_any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..2000)) {
+        check(&bytes);
+    }
+
+    /// Lines that look like those of a universal file, in any order.
+    #[test]
+    fn survives_any_lines(lines in prop::collection::vec(
+        prop_oneof![
+            prop::sample::select(SMALL.lines().chain(MILLIMETRES.lines()).collect::<Vec<_>>())
+                .prop_map(str::to_owned),
+            "[ 0-9.eED+-]{0,90}",
+            ".{0,90}",
+        ],
+        0..40,
+    )) {
+        check(lines.join("\n").as_bytes());
+    }
+
+    #[test]
+    fn survives_damage(
+        name in prop::sample::select(FIXTURES.to_vec()),
+        damages in prop::collection::vec(damage(), 1..4),
+    ) {
+        let mut bytes = fixture(name);
+        for (at, removed, inserted) in damages {
+            let at = at.index(bytes.len());
+            let end = (at + removed).min(bytes.len());
+            bytes.splice(at..end, inserted);
+            if bytes.is_empty() {
+                break;
+            }
+        }
+        check(&bytes);
+    }
+
+    /// Damage within the header, where it means most.
+    #[test]
+    fn survives_damaged_headers(
+        data_type in prop::sample::select(vec![2, 4, 5, 6]),
+        even: bool,
+        text: bool,
+        at in 0..700usize,
+        removed in 0..4usize,
+        inserted in prop::collection::vec(any::<u8>(), 0..4),
+    ) {
+        let mut bytes = match text {
+            true => SMALL.as_bytes().to_vec(),
+            false => binary(data_type, even, 1, 4, ""),
+        };
+        let at = at.min(bytes.len());
+        let end = (at + removed).min(bytes.len());
+        bytes.splice(at..end, inserted);
+        check(&bytes);
+    }
+}

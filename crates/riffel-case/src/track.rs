@@ -1,0 +1,76 @@
+//! The track of a case.
+
+use std::sync::Arc;
+
+use riffel::{CrossReceptance, Receptance, Resonance, ResonanceKind, Support};
+
+/// The direction of force and displacement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Downward.
+    Vertical,
+    /// Across the track.
+    Lateral,
+    /// Along the rail.
+    Longitudinal,
+}
+
+/// A track in one direction, and what its model knows of itself.
+#[derive(Clone)]
+pub struct Track {
+    /// Receptance under the load, which a loop takes.
+    pub receptance: Arc<dyn Receptance>,
+    /// The track as one that answers at one place to a force at another; none for a load that moves
+    /// and for a measurement.
+    pub structure: Option<Arc<dyn CrossReceptance>>,
+    /// What carries the rail, per metre; none for a free rail and for a measurement.
+    pub support: Option<Support>,
+    /// Mass of the rail per length \[kg/m\]; none for a measurement.
+    pub rail_mass: Option<f64>,
+    /// Angular frequency \[rad/s\] at which the rail bends with nodes at its supports; none where the
+    /// model does not know it: without discrete supports, or without the shear of the rail.
+    pub pinned_pinned: Option<f64>,
+    /// What the reader of the case should know.
+    pub remarks: Vec<String>,
+}
+
+impl Track {
+    /// Distance of the supports \[m\], where they are discrete.
+    pub fn support_spacing(&self) -> Option<f64> {
+        self.structure.as_ref()?.support_spacing()
+    }
+
+    /// Receptance under a load at a distance from a support \[m\]; none without discrete supports.
+    pub fn at(&self, position: f64) -> Option<Arc<dyn Receptance>> {
+        self.support_spacing()?;
+        Some(self.structure.as_ref()?.under_load_at(position))
+    }
+
+    /// The resonances that have a peak in the receptance of the rail, lowest first: full-track and
+    /// rail on pad over a support, pinned-pinned in the middle of a bay.
+    ///
+    /// A peak belongs to the frequency that theory gives it, up to a factor 1.6, or 1.1 for
+    /// pinned-pinned.
+    pub fn resonances(&self) -> Vec<Resonance> {
+        let over_support = self.at(0.0).unwrap_or_else(|| self.receptance.clone());
+        let mut resonances = Vec::new();
+        if let (Some(support), Some(rail_mass)) = (self.support, self.rail_mass) {
+            let kinds = match support {
+                Support::OneLayer { .. } => &[ResonanceKind::RailOnPad][..],
+                Support::TwoLayer { .. } => &[ResonanceKind::FullTrack, ResonanceKind::RailOnPad],
+            };
+            let frequencies = support.cut_on_frequencies(rail_mass);
+            resonances.extend(
+                kinds.iter().zip(frequencies).filter_map(|(&kind, cut_on)| {
+                    Resonance::near(&*over_support, kind, cut_on, 1.6)
+                }),
+            );
+        }
+        let mid_span = self.support_spacing().and_then(|d| self.at(0.5 * d));
+        if let (Some(mid_span), Some(expected)) = (mid_span, self.pinned_pinned) {
+            let kind = ResonanceKind::PinnedPinned;
+            resonances.extend(Resonance::near(&*mid_span, kind, expected, 1.1));
+        }
+        resonances
+    }
+}

@@ -1,0 +1,94 @@
+//! The track of a case in words, for captions.
+
+use riffel_case::Case;
+use riffel_case::file::{BeamModel, Support, TrackModel};
+use riffel_case::quantity::{Dimension, Quantity};
+
+/// A value in a unit of the given size, or "?" where the case has none.
+fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {
+    quantity.map_or_else(
+        || "?".to_owned(),
+        |quantity| format!("{:.decimals$}", quantity.si() / unit),
+    )
+}
+
+/// The rail, if the model has one: "rail 56.0 kg/m, I = 2.350e-5 m⁴; ".
+pub(crate) fn rail(case: &Case) -> String {
+    let rail = &case.file.rail;
+    if case.file.track.model == TrackModel::Measured {
+        return String::new();
+    }
+    let moment = rail.second_moment.map_or(f64::NAN, |moment| moment.si());
+    let mut words = format!(
+        "rail {} kg/m, I = {moment:.3e} m⁴",
+        value(rail.mass_per_length, 1.0, 1)
+    );
+    if let Some(loss_factor) = rail.loss_factor {
+        words.push_str(&format!(", η = {loss_factor}"));
+    }
+    words + "; "
+}
+
+/// Stiffness, damping and loss factor of a layer.
+fn layer(support: Option<&Support>) -> String {
+    let Some(support) = support else {
+        return "?".to_owned();
+    };
+    let mut words = format!("{} MN/m", value(support.stiffness, 1e6, 0));
+    if support.damping.is_some() {
+        words.push_str(&format!(", {} kNs/m", value(support.damping, 1e3, 0)));
+    }
+    if let Some(loss_factor) = support.loss_factor {
+        words.push_str(&format!(", η = {loss_factor}"));
+    }
+    words
+}
+
+/// The track of a case.
+pub(crate) fn track(case: &Case) -> String {
+    let track = &case.file.track;
+    let beam = match case.beam_model() {
+        BeamModel::EulerBernoulli => "Euler",
+        BeamModel::Timoshenko => "Timoshenko",
+    };
+    let moving = if track.model == TrackModel::MovingBeam {
+        " under a moving load"
+    } else {
+        ""
+    };
+    if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
+        return format!("receptance read from {}", measurement.file);
+    }
+    if case.track.support.is_none() {
+        return format!("free {beam} beam{moving}");
+    }
+    let mut words = format!(
+        "{beam} rail{moving} on pads ({})",
+        layer(track.pad.as_ref())
+    );
+    if matches!(case.track.support, Some(riffel::Support::TwoLayer { .. })) {
+        let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
+        words.push_str(&format!(
+            ", sleepers ({} kg) and ballast ({})",
+            value(mass, 1.0, 0),
+            layer(track.ballast.as_ref())
+        ));
+    }
+    words.push_str(&format!(
+        " every {} m, {}",
+        value(track.support_spacing, 1.0, 2),
+        if track.model.is_periodic() {
+            "discrete"
+        } else {
+            "spread evenly"
+        }
+    ));
+    if track.model.is_periodic() {
+        let position = track.position.map_or(0.0, |position| position.si());
+        words.push_str(&format!(", wheel {position:.2} m from a support"));
+    }
+    if let Some(name) = &track.preset {
+        words.push_str(&format!(", preset {name}"));
+    }
+    words
+}

@@ -1,0 +1,118 @@
+//! Resonances of a track, found on its receptance and named.
+
+use std::fmt;
+
+use num_complex::Complex64;
+
+use super::Receptance;
+use crate::golden_section::golden_section;
+
+/// What a resonance is, in the field's words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResonanceKind {
+    /// Unsprung mass of the wheel on the stiffness of the track: normal force largest for a given
+    /// roughness.
+    P2,
+    /// Rail and sleepers together on the ballast.
+    FullTrack,
+    /// Rail on its pads, against the sleepers or the slab.
+    RailOnPad,
+    /// Rail bending between supports, half a wave in each bay.
+    PinnedPinned,
+}
+
+impl fmt::Display for ResonanceKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::P2 => "P2",
+            Self::FullTrack => "full-track",
+            Self::RailOnPad => "rail on pad",
+            Self::PinnedPinned => "pinned-pinned",
+        })
+    }
+}
+
+/// A peak with its name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resonance {
+    /// What it is.
+    pub kind: ResonanceKind,
+    /// Angular frequency of the peak \[rad/s\].
+    pub angular_frequency: f64,
+    /// Receptance of the rail there, or for P2 the sum of all joints \[m/N\].
+    pub receptance: Complex64,
+}
+
+impl Resonance {
+    /// P2: the lowest frequency within \[rad/s\] the range at which the sum of the receptances of rail,
+    /// wheel and contact is least.
+    pub fn p2(total: impl Fn(f64) -> Complex64, range: [f64; 2]) -> Option<Self> {
+        let least = local_maxima(|w| -total(w).norm(), range);
+        let &angular_frequency = least.first()?;
+        Some(Self {
+            kind: ResonanceKind::P2,
+            angular_frequency,
+            receptance: total(angular_frequency),
+        })
+    }
+
+    /// The peak of a rail's receptance that belongs to a frequency \[rad/s\] which theory gives for an
+    /// undamped or evenly supported track: the nearest, at most `factor` times above or below it.
+    /// None where damping leaves no peak.
+    pub fn near(
+        rail: &dyn Receptance,
+        kind: ResonanceKind,
+        expected: f64,
+        factor: f64,
+    ) -> Option<Self> {
+        let distance = |w: f64| (w / expected).ln().abs();
+        let angular_frequency = local_maxima(
+            |w| rail.receptance(w, 0.0).norm(),
+            [expected / factor, expected * factor],
+        )
+        .into_iter()
+        .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
+        Some(Self {
+            kind,
+            angular_frequency,
+            receptance: rail.receptance(angular_frequency, 0.0),
+        })
+    }
+}
+
+/// Places of the local maxima of a function inside a range of positive numbers, lowest first.
+///
+/// Method: 400 points a decade, then golden section to 1e-7 of the place. A peak narrower than 0.6 %
+/// of its place may be missed.
+fn local_maxima(f: impl Fn(f64) -> f64, [low, high]: [f64; 2]) -> Vec<f64> {
+    const POINTS_A_DECADE: f64 = 400.0;
+    let steps = (POINTS_A_DECADE * (high / low).log10()).ceil().max(2.0);
+    let place = |step: usize| low * (high / low).powf(step as f64 / steps);
+    let values: Vec<f64> = (0..=steps as usize).map(|step| f(place(step))).collect();
+    (1..steps as usize)
+        .filter(|&step| values[step] > values[step - 1] && values[step] >= values[step + 1])
+        .map(|step| {
+            let bracket = [place(step - 1), place(step + 1)];
+            golden_section(bracket, 1e-7 * bracket[0], |x| -f(x))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_every_peak() {
+        let peaks = local_maxima(|x| (x / 10.0).sin(), [10.0, 200.0]);
+        let expected = [0.5, 2.5, 4.5].map(|n| 10.0 * n * std::f64::consts::PI);
+        assert_eq!(peaks.len(), 3);
+        for (peak, expected) in peaks.iter().zip(expected) {
+            assert!(
+                (peak - expected).abs() < 1e-5 * expected,
+                "{peak} {expected}"
+            );
+        }
+        assert!(local_maxima(|x| x, [1.0, 2.0]).is_empty());
+    }
+}

@@ -1,0 +1,4 @@
+//! Identities and limits over random physical cases.
+
+mod growth;
+mod track;
