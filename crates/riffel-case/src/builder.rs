@@ -91,7 +91,8 @@ impl Builder {
             wear: self.physics("wear", wear)?,
             amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
         };
-        let mut remarks = track.remarks.clone();
+        let mut remarks = self.source.remarks.clone();
+        remarks.extend(track.remarks.iter().cloned());
         let window = [wavelength, speed];
         remarks.extend(validity::remarks(&self, &track, &feedback, hertz, window));
         Ok(Case {
@@ -131,12 +132,14 @@ impl Builder {
         if lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING) {
             return Ok(());
         }
+        let asked = if lowest == highest {
+            format!("{lowest:.4} Hz is")
+        } else {
+            format!("{lowest:.4} to {highest:.4} Hz are")
+        };
         Err(self.source.invalid(
             "track.measurement.file",
-            &format!(
-                "is known from {low:.4} to {high:.4} Hz and is not extrapolated, but frequencies from \
-                 {lowest:.4} to {highest:.4} Hz are asked for"
-            ),
+            &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             "narrow the window, or measure further",
         ))
     }

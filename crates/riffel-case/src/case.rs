@@ -107,16 +107,18 @@ impl Case {
         )
     }
 
-    /// The P2 resonance of the wheel on the track, between 20 Hz and 300 Hz; none on a rail without
-    /// support.
+    /// The P2 resonance of the wheel on the track: above 10 Hz and below the frequency at which the
+    /// track moves on its own. None on a rail without support, or where damping leaves no resonance.
     pub fn p2(&self) -> Option<Resonance> {
-        self.track.support?;
+        let rail_mass = self.track.rail_mass?;
+        let cut_on = self.track.support?.cut_on_frequencies(rail_mass);
+        let &highest = cut_on.first()?;
         let total = |w: f64| {
             let speed = self.speed.max();
             self.feedback.track.receptance(w, speed)
                 + self.feedback.wheel.receptance(w, speed)
                 + self.feedback.contact_stiffness.recip()
         };
-        Resonance::p2(total, [20.0, 300.0].map(|hertz| TAU * hertz))
+        Resonance::p2(total, [TAU * 10.0, highest])
     }
 }

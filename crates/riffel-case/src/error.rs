@@ -61,11 +61,12 @@ pub enum CaseError {
     },
 
     /// No preset has this name.
-    #[error("no preset is called \"{name}\"; there are {known}")]
+    #[error("no preset is called \"{name}\"; the nearest is \"{nearest}\"")]
+    #[diagnostic(help("riffel presets lists them all"))]
     UnknownPreset {
         /// The name asked for.
         name: String,
-        /// All names.
-        known: String,
+        /// The name most like it.
+        nearest: String,
     },
 }

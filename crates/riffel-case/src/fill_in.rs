@@ -9,7 +9,8 @@ impl Source {
     /// single parts, then those of the whole track.
     ///
     /// The damping of a layer is one choice: where a viscous damping or a loss factor is given, a
-    /// preset adds neither.
+    /// preset adds neither. The inertia of a wheel goes with its mass. A preset of which nothing is left
+    /// is worth a remark.
     pub(crate) fn fill_in(&mut self) -> Result<(), CaseError> {
         for kind in PresetKind::ALL {
             let key = kind.key();
@@ -34,9 +35,19 @@ impl Source {
                     !self.has(&format!("{layer}.damping"))
                         && !self.has(&format!("{layer}.loss_factor"))
                 }
+                _ if value.key == "wheel.inertia" => {
+                    !self.has(&value.key) && !self.has("wheel.mass")
+                }
                 _ => !self.has(&value.key),
             })
             .collect();
+        if missing.is_empty() {
+            self.remarks.push(format!(
+                "{} = \"{}\" changes nothing: the case gives all of its values itself",
+                preset.kind.key(),
+                preset.name
+            ));
+        }
         for value in missing {
             self.put(&value.key, &value.value);
         }

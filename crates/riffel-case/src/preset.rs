@@ -150,10 +150,13 @@ impl Preset {
         })
     }
 
+    /// Name and aliases.
+    fn names(&self) -> impl Iterator<Item = &String> {
+        std::iter::once(&self.name).chain(&self.aliases)
+    }
+
     fn is_called(&self, name: &str) -> bool {
-        std::iter::once(&self.name)
-            .chain(&self.aliases)
-            .any(|known| known.eq_ignore_ascii_case(name))
+        self.names().any(|known| known.eq_ignore_ascii_case(name))
     }
 }
 
@@ -201,21 +204,21 @@ pub fn presets() -> Vec<Preset> {
 /// The preset of the given name or alias, upper or lower case.
 ///
 /// # Errors
-/// [`CaseError::UnknownPreset`] with the names there are.
+/// [`CaseError::UnknownPreset`] with the nearest name.
 pub fn preset(name: &str) -> Result<Preset, CaseError> {
     let presets = presets();
-    presets
+    if let Some(preset) = presets.iter().find(|preset| preset.is_called(name)) {
+        return Ok(preset.clone());
+    }
+    let likeness = |known: &&String| strsim::jaro_winkler(name, known);
+    let nearest = presets
         .iter()
-        .find(|preset| preset.is_called(name))
-        .cloned()
-        .ok_or_else(|| CaseError::UnknownPreset {
-            name: name.to_owned(),
-            known: presets
-                .iter()
-                .map(|preset| preset.name.as_str())
-                .collect::<Vec<_>>()
-                .join(", "),
-        })
+        .flat_map(Preset::names)
+        .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+    Err(CaseError::UnknownPreset {
+        name: name.to_owned(),
+        nearest: nearest.cloned().unwrap_or_default(),
+    })
 }
 
 #[cfg(test)]
@@ -239,7 +242,7 @@ mod tests {
     fn names_and_aliases_are_unique() {
         let presets = presets();
         for preset in &presets {
-            for name in std::iter::once(&preset.name).chain(&preset.aliases) {
+            for name in preset.names() {
                 let called = presets.iter().filter(|other| other.is_called(name));
                 assert_eq!(called.count(), 1, "{name}");
             }

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 use crate::CaseError;
+use crate::preset::PresetKind;
 
 /// A case file as TOML, each key with the place where it was set.
 #[derive(Clone)]
@@ -23,6 +24,8 @@ pub(crate) struct Source {
     keys: HashMap<String, Range<usize>>,
     /// Dotted key → the override that set it last.
     overrides: HashMap<String, String>,
+    /// What the reader of the case should know.
+    pub(crate) remarks: Vec<String>,
 }
 
 impl Source {
@@ -41,6 +44,7 @@ impl Source {
             values: HashMap::new(),
             keys: HashMap::new(),
             overrides: HashMap::new(),
+            remarks: Vec::new(),
         };
         source.index("", spans.get_ref());
         Ok(source)
@@ -65,11 +69,16 @@ impl Source {
         };
         let (path, value) = assignment.split_once('=').ok_or_else(malformed)?;
         let (path, value) = (path.trim(), value.trim());
+        // The rail 60E1 is not the number 600.
+        let is_name = |value: &Value| {
+            value.is_str() || !PresetKind::ALL.iter().any(|kind| kind.key() == path)
+        };
         let value = format!("value = {value}")
             .parse::<Table>()
             .ok()
             .filter(|table| table.len() == 1)
             .and_then(|mut table| table.remove("value"))
+            .filter(is_name)
             .unwrap_or_else(|| Value::String(value.to_owned()));
 
         let parts: Vec<&str> = path.split('.').map(str::trim).collect();

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, Parser, Subcommand};
-use riffel_case::Case;
+use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Speed};
+use riffel_case::{Case, CaseError};
 
 use crate::error::CliError;
 
@@ -56,6 +56,30 @@ pub(crate) struct CaseArguments {
 impl CaseArguments {
     pub(crate) fn read(&self) -> miette::Result<Case> {
         Ok(Case::read(&self.path, &self.overrides)?)
+    }
+
+    /// The case with the wheel at another place of the bay.
+    pub(crate) fn read_at(&self, position: Option<Quantity<Length>>) -> miette::Result<Case> {
+        let Some(position) = position else {
+            return self.read();
+        };
+        let mut overrides = self.overrides.clone();
+        overrides.push(format!("track.position={position}"));
+        match Case::read(&self.path, &overrides) {
+            // It was not an override that the user wrote.
+            Err(CaseError::Override {
+                assignment,
+                message,
+            }) if Some(&assignment) == overrides.last() => Err(CliError::Position { message })?,
+            Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
+                message: format!(
+                    "the track is the same everywhere along the rail with track.model = \"{}\"; choose \
+                     one-layer-periodic or two-layer-periodic",
+                    case.file.track.model.name()
+                ),
+            })?,
+            case => Ok(case?),
+        }
     }
 
     /// The folder given for results, or one named after the case and what it holds.
@@ -113,6 +137,10 @@ pub(crate) struct Point {
     #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Quantity<Speed>,
 
+    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) position: Option<Quantity<Length>>,
+
     /// Print one JSON document; complex numbers as [re, im].
     #[arg(long)]
     pub(crate) json: bool,
@@ -133,6 +161,23 @@ pub(crate) struct Map {
     #[arg(long, value_name = "CSV")]
     pub(crate) observations: Option<PathBuf>,
 
+    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) position: Option<Quantity<Length>>,
+
+    /// Growth over the bay between two supports as well: maps over a support, in mid-span and of the
+    /// mean, and the curve of growth against position.
+    #[arg(long)]
+    pub(crate) bay: bool,
+
+    /// Wavelength of the curve over the bay [default: where the mean grows fastest].
+    #[arg(long, value_name = "LENGTH", requires = "bay", requires = "speed")]
+    pub(crate) wavelength: Option<Quantity<Length>>,
+
+    /// Speed of the curve over the bay.
+    #[arg(long, value_name = "SPEED", requires = "bay", requires = "wavelength")]
+    pub(crate) speed: Option<Quantity<Speed>>,
+
     /// Print the summary as one JSON document.
     #[arg(long)]
     pub(crate) json: bool,
@@ -148,13 +193,13 @@ pub(crate) struct Receptance {
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Lowest frequency, in Hz or with its unit.
-    #[arg(long, value_name = "FREQUENCY", default_value = "20 Hz")]
-    pub(crate) from: Quantity<Frequency>,
+    /// Lowest frequency, in Hz or with its unit [default: 20 Hz, or the lowest measured].
+    #[arg(long, value_name = "FREQUENCY")]
+    pub(crate) from: Option<Quantity<Frequency>>,
 
-    /// Highest frequency, in Hz or with its unit.
-    #[arg(long, value_name = "FREQUENCY", default_value = "5 kHz")]
-    pub(crate) to: Quantity<Frequency>,
+    /// Highest frequency, in Hz or with its unit [default: 5 kHz, or the highest measured].
+    #[arg(long, value_name = "FREQUENCY")]
+    pub(crate) to: Option<Quantity<Frequency>>,
 
     /// Number of frequencies, equally spaced in their logarithm.
     #[arg(long, value_name = "N", default_value_t = 600, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
@@ -163,6 +208,29 @@ pub(crate) struct Receptance {
     /// Speed of the load, in m/s or with its unit [default: the highest of the map].
     #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Option<Quantity<Speed>>,
+
+    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) position: Option<Quantity<Length>>,
+
+    /// Direction of force and displacement; wheel and contact are vertical only.
+    #[arg(long, value_enum, default_value_t = DirectionArgument::Vertical)]
+    pub(crate) direction: DirectionArgument,
+
+    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Direction of force and displacement.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DirectionArgument {
+    /// Downward.
+    Vertical,
+    /// Across the track.
+    Lateral,
+    /// Along the rail.
+    Longitudinal,
 }
 
 #[derive(Args)]

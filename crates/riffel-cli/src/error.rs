@@ -23,6 +23,15 @@ pub(crate) enum CliError {
         rule: String,
     },
 
+    #[error(
+        "--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail"
+    )]
+    #[diagnostic(help("choose track.model = \"one-layer-periodic\" or \"two-layer-periodic\""))]
+    NoBay { model: &'static str },
+
+    #[error("--position: {message}")]
+    Position { message: String },
+
     #[error("cannot read the observations {path}: {reason}", path = path.display())]
     ReadObservations { path: PathBuf, reason: csv::Error },
 

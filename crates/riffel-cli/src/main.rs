@@ -1,6 +1,7 @@
 //! `riffel`: predicts which rail corrugation grows, how fast, and why.
 
 mod arguments;
+mod bay;
 mod command;
 mod error;
 mod growth_table;

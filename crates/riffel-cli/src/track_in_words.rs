@@ -83,12 +83,18 @@ pub(crate) fn track(case: &Case) -> String {
             "spread evenly"
         }
     ));
-    if track.model.is_periodic() {
-        let position = track.position.map_or(0.0, |position| position.si());
-        words.push_str(&format!(", wheel {position:.2} m from a support"));
-    }
     if let Some(name) = &track.preset {
         words.push_str(&format!(", preset {name}"));
     }
     words
+}
+
+/// Where the wheel stands on discrete supports, as a sentence; nothing on others.
+pub(crate) fn place(case: &Case) -> String {
+    let track = &case.file.track;
+    if !track.model.is_periodic() {
+        return String::new();
+    }
+    let position = track.position.map_or(0.0, |position| position.si());
+    format!(" Wheel {position:.2} m from a support.")
 }

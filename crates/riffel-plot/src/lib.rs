@@ -67,7 +67,7 @@ mod text;
 pub use axis::Scale;
 pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
-pub use line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+pub use line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 pub use map_figure::{MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};
 pub use rays::constant_frequency_rays;

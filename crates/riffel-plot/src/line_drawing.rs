@@ -1,19 +1,25 @@
 //! Curves as pictures.
 
+use plotters::style::text_anchor::{HPos, VPos};
+
 use crate::axis::{Axis, Ticks};
-use crate::canvas::{self, Canvas, Point, Stroke};
+use crate::canvas::{self, Canvas, Lettering, Point, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
 use crate::contours;
 use crate::error::PlotError;
 use crate::frame::{self, Side};
 use crate::legend::{self, Entry, Sample};
-use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
 
 const LINE_WIDTH: f64 = 1.4;
 const MARK_RADIUS: f64 = 3.2;
+const MARK_LINE_WIDTH: f64 = 0.8;
+const MARK_FONT: f64 = 10.0;
+/// Distance of the name of a mark from the frame, pixels.
+const MARK_GAP: f64 = 5.0;
 /// Distance by which a drawn line may leave its samples, pixels: half a unit of the sheet.
 const LINE_TOLERANCE: f64 = 0.05;
 /// Distance from a legend to the frame around it, pixels.
@@ -88,11 +94,11 @@ struct Drawing<'a> {
 
 impl<'a> Drawing<'a> {
     fn new(panel: &'a LinePanel, frame: &SheetBox) -> Self {
-        let (low, high) = panel.drawn_x_range();
+        let (low_x, high_x) = panel.drawn_x_range();
         let x = Axis {
             scale: panel.x_scale,
-            low,
-            high,
+            low: low_x,
+            high: high_x,
             start: frame.left,
             end: frame.right,
         };
@@ -113,7 +119,16 @@ impl<'a> Drawing<'a> {
             })
             .collect();
         let entries = legend_entries(panel);
-        let legend_corner = free_corner(&entries, &lines, frame);
+        // A legend keeps clear of the names of marks, which stand left of their lines.
+        let names = panel
+            .marks
+            .iter()
+            .filter(|mark| low_x <= mark.x && mark.x <= high_x)
+            .flat_map(|mark| [x.at(mark.x), x.at(mark.x) - MARK_FONT])
+            .map(|at| vec![(at, frame.top), (at, frame.bottom)]);
+        let mut obstacles = lines.clone();
+        obstacles.push(names.collect());
+        let legend_corner = free_corner(&entries, &obstacles, frame);
         let count = |length: f64, least: f64| (length / least).floor() as usize;
         let vertical_ticks = |count| {
             if panel.y_is_angle() {
@@ -146,6 +161,47 @@ impl<'a> Drawing<'a> {
         }
     }
 
+    /// Marks within the range of the abscissa.
+    fn marks(&self) -> impl Iterator<Item = &Mark> {
+        let (low, high) = (self.x.low, self.x.high);
+        let within = move |mark: &&Mark| low <= mark.x && mark.x <= high;
+        self.panel.marks.iter().filter(within)
+    }
+
+    /// The name of each mark left of its line, at that end of it which the curves leave free.
+    fn draw_mark_labels(
+        &self,
+        canvas: &mut Canvas<'_>,
+        frame: &SheetBox,
+        x: &Axis,
+    ) -> Result<(), PlotError> {
+        let middle = 0.5 * (self.y.start + self.y.end);
+        for mark in self.marks() {
+            let here = self.x.at(mark.x);
+            let near = |point: &&Point| (point.0 - here).abs() < MARK_FONT;
+            let (above, below) = self.lines.iter().flatten().flatten().filter(near).fold(
+                (0, 0),
+                |(above, below), point| {
+                    if point.1 < middle {
+                        (above + 1, below)
+                    } else {
+                        (above, below + 1)
+                    }
+                },
+            );
+            let (end, anchor) = if above > below {
+                (frame.bottom - MARK_GAP, HPos::Left)
+            } else {
+                (frame.top + MARK_GAP, HPos::Right)
+            };
+            let lettering = Lettering::new(MARK_FONT)
+                .anchor(anchor, VPos::Bottom)
+                .upward();
+            canvas.text(&mark.label, (x.at(mark.x) - 1.0, end), lettering)?;
+        }
+        Ok(())
+    }
+
     fn draw(&self, canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
         let shift = (frame.left, frame.top);
         let moved = |axis: &Axis, by: f64| Axis {
@@ -155,6 +211,11 @@ impl<'a> Drawing<'a> {
         };
         let (x, y) = (moved(&self.x, shift.0), moved(&self.y, shift.1));
         frame::draw_grid(canvas, frame, (&x, &self.x_ticks), (&y, &self.y_ticks))?;
+        for mark in self.marks() {
+            let at = x.at(mark.x);
+            let line = [(at, frame.top), (at, frame.bottom)];
+            canvas.line(&line, Stroke::dashed(Rgb::INK, MARK_LINE_WIDTH, 1.0, 2.0))?;
+        }
         for (index, (series, lines)) in self.panel.series.iter().zip(&self.lines).enumerate() {
             let color = series_color(series, index);
             for line in lines {
@@ -173,6 +234,7 @@ impl<'a> Drawing<'a> {
                 }
             }
         }
+        self.draw_mark_labels(canvas, frame, &x)?;
         frame::draw_outline(canvas, frame)?;
         frame::draw_axis(
             canvas,

@@ -45,6 +45,15 @@ pub struct Series {
     pub color: Option<Rgb>,
 }
 
+/// A place on the abscissa with a name, such as a resonance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark {
+    /// Abscissa, in the unit the axis names.
+    pub x: f64,
+    /// Its name.
+    pub label: String,
+}
+
 /// A pair of axes with curves.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LinePanel {
@@ -64,6 +73,8 @@ pub struct LinePanel {
     pub y_range: Option<(f64, f64)>,
     /// The curves, later ones on top.
     pub series: Vec<Series>,
+    /// Named places, drawn as upright lines below the curves.
+    pub marks: Vec<Mark>,
 }
 
 /// One or more panels of curves.

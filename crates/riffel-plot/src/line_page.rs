@@ -6,7 +6,7 @@ use crate::axis::{Scale, degree_step};
 use crate::error::PlotError;
 use crate::html::{self, PagePanel, coordinates, words};
 use crate::line_drawing::series_color;
-use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
 
 pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
@@ -33,11 +33,34 @@ fn page_panel(panel: &LinePanel) -> PagePanel {
     if panel.y_is_angle() && panel.y_scale == Scale::Linear {
         y["dtick"] = json!(degree_step(high - low, 8));
     }
+    let mut layout = html::layout(&panel.subtitle, x, y);
+    layout["shapes"] = panel.marks.iter().map(upright).collect();
+    layout["annotations"] = panel
+        .marks
+        .iter()
+        .map(|mark| name(mark, panel.x_scale))
+        .collect();
     PagePanel {
         data,
-        layout: html::layout(&panel.subtitle, x, y),
+        layout,
         hover: Value::Null,
     }
+}
+
+/// The line of a mark.
+fn upright(mark: &Mark) -> Value {
+    json!({ "type": "line", "layer": "below", "xref": "x", "yref": "paper", "x0": mark.x, "x1": mark.x,
+        "y0": 0, "y1": 1, "line": { "width": 1, "dash": "dot", "color": "#555555" } })
+}
+
+/// The name of a mark; plotly places words on a logarithmic axis by the logarithm.
+fn name(mark: &Mark, scale: Scale) -> Value {
+    let x = match scale {
+        Scale::Linear => mark.x,
+        Scale::Log => mark.x.log10(),
+    };
+    json!({ "text": words(&mark.label), "showarrow": false, "textangle": -90, "xref": "x", "yref": "paper",
+        "x": x, "y": 0.01, "xanchor": "right", "yanchor": "bottom", "font": { "size": 11 } })
 }
 
 fn axis(title: &str, scale: Scale, (low, high): (f64, f64)) -> Value {

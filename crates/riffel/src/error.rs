@@ -45,7 +45,7 @@ pub enum Error {
     /// The load outruns the bending waves that its own oscillation excites.
     #[error(
         "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \
-         the moving-load beam holds below {critical_speed:.1} m/s"
+         a moving load must stay below the critical speed of {critical_speed:.1} m/s"
     )]
     Supercritical {
         /// Speed of the load \[m/s\].

@@ -5,7 +5,7 @@
 //!
 //! | joint | trait | equations of Afferrante & Ciavarella (2009) |
 //! |---|---|---|
-//! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`], [`TwoLayerTrack`] |
+//! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`]; [`ContinuousTrack`], [`PeriodicTrack`], [`MovingLoadTrack`], [`MeasuredReceptance`] |
 //! | contact patch | [`HertzContact`] | (22), (26) |
 //! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`] |
 //! | wheel rotation | [`WheelRotation`] | (15)–(18) [`RigidInertia`], [`ConstantTangentialForce`], [`ConstantCreepage`] |
@@ -78,7 +78,7 @@ pub use contact::{
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};
-pub use growth::{Axis, GrowthMap, Ridge, RidgePoint, RowEvaluator};
+pub use growth::{Axis, Bay, BayMaps, GrowthMap, Ridge, RidgePoint, RowEvaluator};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::{

@@ -9,7 +9,7 @@ use riffel::{
 
 use super::Builder;
 use crate::file::{BeamModel, Support, TrackModel};
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Length, Quantity};
 use crate::track::{Direction, Track};
 use crate::{CaseError, measurement};
 
@@ -374,24 +374,16 @@ impl Builder {
         Ok(())
     }
 
-    /// A position means something only on discrete supports, and within one bay.
-    fn check_position(&self, position: Quantity<crate::quantity::Length>) -> Result<(), CaseError> {
+    /// A position lies within one bay.
+    fn check_position(&self, position: Quantity<Length>) -> Result<(), CaseError> {
         let track = &self.file.track;
-        if !track.model.is_periodic() {
-            return Err(self.source.invalid(
-                "track.position",
-                &format!(
-                    "is given, but track.model = \"{}\" is the same everywhere along the rail",
-                    track.model.name()
-                ),
-                "choose one-layer-periodic or two-layer-periodic",
-            ));
+        self.not_negative("track.position", position)?;
+        match track.support_spacing {
+            Some(spacing) if track.model.is_periodic() && position.si() > spacing.si() => {
+                let rule = format!("at most the support spacing, {spacing}");
+                Err(self.out_of_range("track.position", position, &rule))
+            }
+            _ => Ok(()),
         }
-        let spacing = self.required("track.support_spacing", track.support_spacing)?;
-        if !(0.0..=spacing.si()).contains(&position.si()) {
-            let rule = format!("between 0 m and the support spacing, {spacing}");
-            return Err(self.out_of_range("track.position", position, &rule));
-        }
-        Ok(())
     }
 }

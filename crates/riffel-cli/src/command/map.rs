@@ -7,13 +7,15 @@ use riffel_case::Case;
 use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, Observation, png};
 use serde::Serialize;
 
-use crate::arguments::Map;
+use crate::arguments::{Map, positive};
+use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
 use crate::growth_table::{map_csv, map_netcdf, ridge_csv};
 use crate::map_figure::{SIGN, Shown, panel, parameters};
 use crate::observations;
 use crate::output::{Progress, json, print, print_remarks, table};
 use crate::staging::Staging;
+use crate::track_in_words::place;
 
 /// Rows of the table on the terminal.
 const TABLE_ROWS: usize = 9;
@@ -26,6 +28,8 @@ struct Summary<'a> {
     inputs: &'a riffel_case::file::CaseFile,
     derived: Derived,
     ridge: RidgeSummary,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bay: Option<BaySummary>,
     remarks: &'a [String],
 }
 
@@ -75,7 +79,7 @@ impl From<&RidgePoint> for RidgeEntry {
 }
 
 impl<'a> Summary<'a> {
-    fn new(case: &'a Case, ridge: &Ridge) -> Self {
+    fn new(case: &'a Case, ridge: &Ridge, bay: Option<&BayGrowth>) -> Self {
         let steady = case.creep_law.steady();
         let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
         Self {
@@ -98,13 +102,22 @@ impl<'a> Summary<'a> {
                 speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
                 speeds: ridge.points.len(),
             },
+            bay: bay.map(BayGrowth::summary),
             remarks: &case.remarks,
         }
     }
 }
 
 pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_at(arguments.position)?;
+    case.check_window()?;
+    let curve = match (arguments.wavelength, arguments.speed) {
+        (Some(wavelength), Some(speed)) => Some((
+            positive("--wavelength", wavelength)?,
+            positive("--speed", speed)?,
+        )),
+        _ => None,
+    };
     let observations = match &arguments.observations {
         Some(path) => observations::read(path)?,
         None => Vec::new(),
@@ -118,13 +131,21 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     });
     drop(progress);
     let ridge = Ridge::of_map(&case.feedback, &map);
-    let summary = json(&Summary::new(&case, &ridge));
-    let files = write_files(staging, &case, &map, &ridge, observations, &summary)?;
+    let bay = arguments
+        .bay
+        .then(|| BayGrowth::compute(&case, curve))
+        .transpose()?;
+    let summary = json(&Summary::new(&case, &ridge, bay.as_ref()));
+    let mut staging = write_files(staging, &case, &map, &ridge, observations, &summary)?;
+    if let Some(bay) = &bay {
+        bay.write(&case, &mut staging)?;
+    }
+    let files = staging.publish()?;
 
     if arguments.json {
         print(&summary);
     } else {
-        print(&readable(&case, &ridge, &folder, &files));
+        print(&readable(&case, &ridge, bay.as_ref(), &folder, &files));
     }
     print_remarks(&case.remarks);
     Ok(())
@@ -137,13 +158,13 @@ fn write_files(
     ridge: &Ridge,
     observations: Vec<Observation>,
     summary: &str,
-) -> Result<Vec<String>, CliError> {
+) -> Result<Staging, CliError> {
     let title = case.file.title.as_deref().unwrap_or("Growth map");
     let mut panel = panel(case, map, ridge, Shown::Normalized);
     panel.observations = observations;
     let figure = MapFigure {
         title: title.to_owned(),
-        caption: format!("{} {SIGN}", parameters(case)),
+        caption: format!("{}{} {SIGN}", parameters(case), place(case)),
         panels: vec![panel],
     };
     let svg = figure.svg()?;
@@ -158,11 +179,17 @@ fn write_files(
     map_netcdf(map, title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
     staging.write("summary.json", summary)?;
-    staging.publish()
+    Ok(staging)
 }
 
 /// The ridge at a few speeds, and where the files are.
-fn readable(case: &Case, ridge: &Ridge, folder: &Path, files: &[String]) -> String {
+fn readable(
+    case: &Case,
+    ridge: &Ridge,
+    bay: Option<&BayGrowth>,
+    folder: &Path,
+    files: &[String],
+) -> String {
     let mut table = table(&[
         "speed km/h",
         "wavelength mm",
@@ -198,8 +225,9 @@ fn readable(case: &Case, ridge: &Ridge, folder: &Path, files: &[String]) -> Stri
             )
         },
     );
+    let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     format!(
-        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{fit}\n{}: {}\n",
+        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{fit}\n{bay}{}: {}\n",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),

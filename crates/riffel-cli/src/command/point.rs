@@ -78,9 +78,10 @@ impl Document {
 }
 
 pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_at(arguments.position)?;
     let wavelength = positive("--wavelength", arguments.wavelength)?;
     let speed = positive("--speed", arguments.speed)?;
+    case.check_frequencies(speed / wavelength, speed / wavelength)?;
     let state = case.feedback.at(wavelength, speed);
     let document = Document::new(&case, &state);
     if arguments.json {

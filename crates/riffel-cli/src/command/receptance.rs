@@ -1,127 +1,414 @@
 //! `riffel receptance`
 
+use std::f64::consts::TAU;
 use std::io::{self, Write};
+use std::sync::Arc;
 
-use riffel::{Complex64, LoopState};
+use riffel::{Complex64, DecayRate, Resonance};
+use riffel_case::{Case, Direction, Track};
 use riffel_plot::{
-    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, Scale, Series, png,
+    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, Mark, Scale, Series, png,
 };
+use serde::Serialize;
 
-use crate::arguments::{Receptance, positive};
+use crate::arguments::{DirectionArgument, Receptance, positive};
 use crate::error::CliError;
 use crate::map_figure::parameters;
-use crate::output::print;
+use crate::output::{print, print_json, print_remarks, table};
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
-    let case = arguments.case.read()?;
+    let case = arguments.case.read_at(arguments.position)?;
+    let direction = match arguments.direction {
+        DirectionArgument::Vertical => Direction::Vertical,
+        DirectionArgument::Lateral => Direction::Lateral,
+        DirectionArgument::Longitudinal => Direction::Longitudinal,
+    };
+    let track = case.track_in(direction)?;
     let speed = match arguments.speed {
         Some(speed) => positive("--speed", speed)?,
         None => case.speed.max(),
     };
-    let (from, to) = (positive("--from", arguments.from)?, arguments.to.si());
-    if from >= to {
-        Err(CliError::Argument {
-            argument: "--to",
-            value: format!("{to} Hz"),
-            rule: format!("above --from, {from} Hz"),
-        })?;
+    let (from, to) = range(arguments, &track)?;
+    case.check_frequencies(from, to)?;
+    let curves = Curves::new(
+        &case,
+        &track,
+        direction,
+        speed,
+        frequencies(from, to, arguments.points),
+    );
+    if arguments.json {
+        print_json(&curves.document());
+        print_remarks(&case.remarks);
+        if arguments.output.is_none() {
+            return Ok(());
+        }
     }
 
-    let last = f64::from(arguments.points - 1);
-    let states: Vec<LoopState> = (0..arguments.points)
-        .map(|index| from * (to / from).powf(f64::from(index) / last))
-        .map(|frequency| case.feedback.at(speed / frequency, speed))
-        .collect();
-    let contact = case.feedback.contact_stiffness.recip();
-    let figure = figure(&states, contact, speed, &parameters(&case));
+    let mut resonances = track.resonances();
+    if direction == Direction::Vertical {
+        resonances.extend(case.p2());
+    }
+    resonances.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
+    // A rail without support hardly decays.
+    let decay = track
+        .structure
+        .as_deref()
+        .filter(|_| track.support.is_some())
+        .map(DecayRate::of_track);
 
     let folder = arguments
         .case
         .folder(arguments.output.as_deref(), "receptance");
     let mut staging = Staging::new(&folder)?;
+    let figure = curves.figure(&case, &resonances);
     let svg = figure.svg().map_err(CliError::from)?;
     let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
     staging.write("receptance.png", picture)?;
     staging.write("receptance.svg", svg)?;
-    staging.write_with("receptance.csv", |file| table(&states, contact, file))?;
+    staging.write("receptance.html", figure.html().map_err(CliError::from)?)?;
+    staging.write_with("receptance.csv", |file| curves.table(file))?;
+    staging.write_with("resonances.csv", |file| resonance_table(&resonances, file))?;
+    if let Some(decay) = &decay {
+        staging.write_with("decay-rate.csv", |file| decay_table(decay, file))?;
+        let svg = decay_figure(&case, decay).svg().map_err(CliError::from)?;
+        let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
+        staging.write("decay-rate.png", picture)?;
+        staging.write("decay-rate.svg", svg)?;
+    }
     let files = staging.publish()?;
-    print(&format!("{}: {}\n", folder.display(), files.join(" ")));
+    if !arguments.json {
+        let place = format!("{}: {}\n", folder.display(), files.join(" "));
+        print(&(readable(&case, &track, &resonances, decay.as_deref()) + &place));
+        print_remarks(&case.remarks);
+    }
     Ok(())
 }
 
-/// Receptances of the joints at a state: track, wheel, contact spring and their sum.
-fn joints(state: &LoopState, contact: f64) -> [Complex64; 4] {
-    let (track, wheel) = (state.track_receptance, state.wheel_receptance);
-    [track, wheel, contact.into(), track + wheel + contact]
+/// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement
+/// has.
+fn range(arguments: &Receptance, track: &Track) -> Result<(f64, f64), CliError> {
+    let (known_from, known_to) = track.receptance.frequency_range();
+    let from = match arguments.from {
+        Some(from) => positive("--from", from)?,
+        None => 20f64.max(known_from / TAU),
+    };
+    let to = match arguments.to {
+        Some(to) => to.si(),
+        None => 5000f64.min(known_to / TAU),
+    };
+    if from < to {
+        return Ok((from, to));
+    }
+    Err(CliError::Argument {
+        argument: "--to",
+        value: format!("{to} Hz"),
+        rule: format!("above --from, {from} Hz"),
+    })
 }
 
-fn table(states: &[LoopState], contact: f64, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec!["frequency_hz".to_owned()];
-    for joint in ["rail", "wheel", "contact", "total"] {
-        header.push(format!("{joint}_receptance_re_m_per_n"));
-        header.push(format!("{joint}_receptance_im_m_per_n"));
+/// Equally spaced in their logarithm, both ends included and exact.
+fn frequencies(from: f64, to: f64, points: u32) -> Vec<f64> {
+    let last = points - 1;
+    (0..points)
+        .map(|index| match index {
+            0 => from,
+            _ if index == last => to,
+            _ => from * (to / from).powf(f64::from(index) / f64::from(last)),
+        })
+        .collect()
+}
+
+/// A joint of the loop over frequency.
+struct Curve {
+    /// Key in documents and tables.
+    key: &'static str,
+    /// Name in the figure.
+    label: String,
+    style: LineStyle,
+    values: Vec<Complex64>,
+}
+
+/// What the command shows.
+struct Curves {
+    frequencies: Vec<f64>,
+    /// What stands in documents and tables.
+    joints: Vec<Curve>,
+    /// The rail elsewhere in the bay, for the figure and the table.
+    places: Vec<Curve>,
+    speed: f64,
+    direction: Direction,
+}
+
+fn pairs(values: &[Complex64]) -> Vec<[f64; 2]> {
+    values.iter().map(|value| [value.re, value.im]).collect()
+}
+
+/// `receptance --json`.
+#[derive(Serialize)]
+struct Document {
+    frequency_hz: Vec<f64>,
+    #[serde(flatten)]
+    joints: serde_json::Map<String, serde_json::Value>,
+}
+
+impl Curves {
+    fn new(
+        case: &Case,
+        track: &Track,
+        direction: Direction,
+        speed: f64,
+        frequencies: Vec<f64>,
+    ) -> Self {
+        let over = |structure: &dyn riffel::Receptance| -> Vec<Complex64> {
+            frequencies
+                .iter()
+                .map(|frequency| structure.receptance(TAU * frequency, speed))
+                .collect()
+        };
+        let curve = |key, label: &str, style, values| Curve {
+            key,
+            label: label.to_owned(),
+            style,
+            values,
+        };
+        let rail = over(&*track.receptance);
+        let mut joints = vec![curve("rail_m_per_n", "rail", LineStyle::Solid, rail)];
+        if direction == Direction::Vertical {
+            let wheel = over(&*case.feedback.wheel);
+            let contact = Complex64::from(case.feedback.contact_stiffness.recip());
+            let total = joints[0].values.iter().zip(&wheel);
+            let total = total.map(|(rail, wheel)| rail + wheel + contact).collect();
+            let contact = vec![contact; frequencies.len()];
+            joints.extend([
+                curve("wheel_m_per_n", "wheel", LineStyle::Dashed, wheel),
+                curve(
+                    "contact_m_per_n",
+                    "contact spring",
+                    LineStyle::Dotted,
+                    contact,
+                ),
+                curve("total_m_per_n", "total", LineStyle::Solid, total),
+            ]);
+        }
+        let mut places = Vec::new();
+        if let Some(spacing) = track.support_spacing() {
+            for (key, label, place) in [
+                ("rail_over_support_m_per_n", "rail over support", 0.0),
+                ("rail_mid_span_m_per_n", "rail in mid-span", 0.5 * spacing),
+            ] {
+                let rail: Option<Arc<dyn riffel::Receptance>> = track.at(place);
+                places.extend(rail.map(|rail| curve(key, label, LineStyle::Solid, over(&*rail))));
+            }
+        }
+        Self {
+            frequencies,
+            joints,
+            places,
+            speed,
+            direction,
+        }
     }
-    writer.write_record(&header)?;
-    for state in states {
-        let mut row = vec![state.speed / state.wavelength];
-        row.extend(joints(state, contact).iter().flat_map(|h| [h.re, h.im]));
-        writer.serialize(row)?;
+
+    fn document(&self) -> Document {
+        let joints = self.joints.iter().map(|curve| {
+            let values = serde_json::to_value(pairs(&curve.values)).unwrap_or_default();
+            (curve.key.to_owned(), values)
+        });
+        Document {
+            frequency_hz: self.frequencies.clone(),
+            joints: joints.collect(),
+        }
+    }
+
+    fn table(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        let curves = || self.joints.iter().chain(&self.places);
+        let mut header = vec!["frequency_hz".to_owned()];
+        header.extend(
+            curves().flat_map(|curve| ["re", "im"].map(|part| format!("{}_{part}", curve.key))),
+        );
+        writer.write_record(&header)?;
+        for (index, &frequency) in self.frequencies.iter().enumerate() {
+            let mut row = vec![frequency];
+            row.extend(curves().flat_map(|curve| {
+                let value = curve.values[index];
+                [value.re, value.im]
+            }));
+            writer.serialize(row)?;
+        }
+        writer.flush()
+    }
+
+    /// Discrete supports show the rail at both of its typical places instead of at one.
+    fn drawn(&self) -> Vec<&Curve> {
+        let rail = if self.places.is_empty() {
+            &self.joints[..1]
+        } else {
+            &self.places[..]
+        };
+        rail.iter().chain(&self.joints[1..]).collect()
+    }
+
+    fn figure(&self, case: &Case, resonances: &[Resonance]) -> LineFigure {
+        // Names stand in the first panel only.
+        let panel = |named: bool, y_label: &str, y_scale, value: fn(Complex64) -> f64| LinePanel {
+            x_label: "frequency f [Hz]".to_owned(),
+            y_label: y_label.to_owned(),
+            x_scale: Scale::Log,
+            y_scale,
+            series: self
+                .drawn()
+                .into_iter()
+                .map(|curve| Series {
+                    label: if named {
+                        curve.label.clone()
+                    } else {
+                        String::new()
+                    },
+                    x: self.frequencies.clone(),
+                    y: curve
+                        .values
+                        .iter()
+                        .map(|&receptance| value(receptance))
+                        .collect(),
+                    style: curve.style,
+                    color: None,
+                })
+                .collect(),
+            marks: resonances
+                .iter()
+                .map(|resonance| mark(resonance, named))
+                .collect(),
+            ..LinePanel::default()
+        };
+        let (title, force) = match self.direction {
+            Direction::Vertical => ("Receptances at the contact", "both downward"),
+            Direction::Lateral => ("Lateral receptance of the rail", "both across the track"),
+            Direction::Longitudinal => ("Receptance along the rail", "both along the rail"),
+        };
+        LineFigure {
+            title: title.to_owned(),
+            caption: format!(
+                "Displacement per force, {force}, exp(+iωt), load at {:.1} m/s. {}",
+                self.speed,
+                parameters(case)
+            ),
+            panels: vec![
+                panel(true, "|H| [m/N]", Scale::Log, |h| h.norm()),
+                panel(false, "arg H [°]", Scale::Linear, |h| {
+                    // −180 … 0°: a passive structure never leads; −0.0 turns a real negative H to −180°.
+                    let degrees = h.arg().to_degrees();
+                    if degrees > 90.0 {
+                        degrees - 360.0
+                    } else {
+                        degrees
+                    }
+                }),
+            ],
+            arrangement: Arrangement::Stacked,
+        }
+    }
+}
+
+fn mark(resonance: &Resonance, named: bool) -> Mark {
+    let frequency = resonance.angular_frequency / TAU;
+    Mark {
+        x: frequency,
+        label: if named {
+            format!("{} {frequency:.0} Hz", resonance.kind)
+        } else {
+            String::new()
+        },
+    }
+}
+
+fn resonance_table(resonances: &[Resonance], file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record(["resonance", "frequency_hz", "receptance_modulus_m_per_n"])?;
+    for resonance in resonances {
+        writer.serialize((
+            resonance.kind.to_string(),
+            resonance.angular_frequency / TAU,
+            resonance.receptance.norm(),
+        ))?;
     }
     writer.flush()
 }
 
-fn figure(states: &[LoopState], contact: f64, speed: f64, parameters: &str) -> LineFigure {
-    let frequencies: Vec<f64> = states
-        .iter()
-        .map(|state| state.speed / state.wavelength)
-        .collect();
-    let styles = [
-        ("rail", LineStyle::Solid),
-        ("wheel", LineStyle::Dashed),
-        ("contact spring", LineStyle::Dotted),
-        ("total", LineStyle::Solid),
-    ];
-    let panel = |subtitle: &str, y_label: &str, y_scale, value: fn(Complex64) -> f64| LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: "frequency f [Hz]".to_owned(),
-        y_label: y_label.to_owned(),
-        x_scale: Scale::Log,
-        y_scale,
-        series: styles
-            .iter()
-            .enumerate()
-            .map(|(joint, &(label, style))| Series {
-                label: label.to_owned(),
-                x: frequencies.clone(),
-                y: states
-                    .iter()
-                    .map(|state| value(joints(state, contact)[joint]))
-                    .collect(),
-                style,
-                color: None,
-            })
-            .collect(),
-        ..LinePanel::default()
-    };
+fn decay_table(rates: &[DecayRate], file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record(["frequency_hz", "decay_rate_db_per_m", "upper_bound"])?;
+    for rate in rates {
+        writer.serialize((rate.nominal_frequency, rate.decay_rate, rate.upper_bound))?;
+    }
+    writer.flush()
+}
+
+fn decay_figure(case: &Case, rates: &[DecayRate]) -> LineFigure {
     LineFigure {
-        title: "Receptances at the contact".to_owned(),
+        title: "Track decay rate".to_owned(),
         caption: format!(
-            "Displacement per force, both downward, exp(+iωt), load at {speed:.1} m/s. {parameters}"
+            "One-third octaves of EN 15461, force in mid-span. {}",
+            parameters(case)
         ),
-        panels: vec![
-            panel("modulus", "|H| [m/N]", Scale::Log, |h| h.norm()),
-            panel("phase", "arg H [°]", Scale::Linear, |h| {
-                // −180 … 0°: a passive structure never leads; −0.0 turns a real negative H to −180°.
-                let degrees = h.arg().to_degrees();
-                if degrees > 90.0 {
-                    degrees - 360.0
-                } else {
-                    degrees
-                }
-            }),
-        ],
+        panels: vec![LinePanel {
+            x_label: "frequency f [Hz]".to_owned(),
+            y_label: "decay rate [dB/m]".to_owned(),
+            x_scale: Scale::Log,
+            y_scale: Scale::Log,
+            series: vec![Series {
+                x: rates.iter().map(|rate| rate.nominal_frequency).collect(),
+                y: rates.iter().map(|rate| rate.decay_rate).collect(),
+                ..Series::default()
+            }],
+            ..LinePanel::default()
+        }],
         arrangement: Arrangement::Stacked,
     }
+}
+
+/// Resonances and decay rates for the terminal.
+fn readable(
+    case: &Case,
+    track: &Track,
+    resonances: &[Resonance],
+    decay: Option<&[DecayRate]>,
+) -> String {
+    let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Receptance"));
+    if resonances.is_empty() {
+        text.push_str("no resonance to name: the rail has no support that is known\n");
+    } else {
+        let mut rows = table(&["resonance", "frequency Hz", "|H| nm/N", "of"]);
+        for resonance in resonances {
+            let of = match resonance.kind {
+                riffel::ResonanceKind::P2 => "rail, wheel and contact: least",
+                riffel::ResonanceKind::PinnedPinned => "rail in mid-span",
+                _ if track.support_spacing().is_some() => "rail over support",
+                _ => "rail",
+            };
+            rows.add_row([
+                resonance.kind.to_string(),
+                format!("{:.1}", resonance.angular_frequency / TAU),
+                format!("{:.3}", 1e9 * resonance.receptance.norm()),
+                of.to_owned(),
+            ]);
+        }
+        text.push_str(&format!("{rows}\n"));
+    }
+    if let Some(rates) = decay {
+        let list: Vec<String> = rates
+            .iter()
+            .map(|rate| {
+                let bound = if rate.upper_bound { "<" } else { "" };
+                format!(
+                    "{} Hz {bound}{:.2}",
+                    rate.nominal_frequency, rate.decay_rate
+                )
+            })
+            .collect();
+        text.push_str(&format!("decay rate dB/m: {}\n", list.join(", ")));
+    }
+    text
 }

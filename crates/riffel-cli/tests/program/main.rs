@@ -3,3 +3,4 @@
 mod documentation;
 mod files;
 mod sandbox;
+mod track;

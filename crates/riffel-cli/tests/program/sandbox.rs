@@ -48,7 +48,8 @@ impl Sandbox {
 
     /// Run `riffel` with arguments separated by blanks.
     pub(crate) fn riffel(&self, arguments: &str) -> Outcome {
-        let words = shlex::split(arguments).unwrap();
+        let words =
+            shlex::split(arguments).unwrap_or_else(|| panic!("no command line: {arguments}"));
         let (mut reader, writer) = std::io::pipe().unwrap();
         let mut child = {
             let mut command = self.command();

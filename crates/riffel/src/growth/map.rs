@@ -52,26 +52,21 @@ impl GrowthMap {
         }
     }
 
-    /// The mean of maps over the same window, each with its weight; the weights sum to one. None of
-    /// no map.
-    ///
-    /// Growth rates that change along the rail act one after the other on the same profile, so their
-    /// mean is the growth of the whole.
-    pub fn weighted_mean(maps: impl IntoIterator<Item = (f64, Self)>) -> Option<Self> {
-        maps.into_iter()
-            .map(|(weight, mut map)| {
-                for value in map.tiles.as_flattened_mut() {
-                    *value *= weight;
-                }
-                map
-            })
-            .reduce(|mut sum, map| {
-                let values = map.tiles.as_flattened();
-                for (value, other) in sum.tiles.as_flattened_mut().iter_mut().zip(values) {
-                    *value += other;
-                }
-                sum
-            })
+    /// The map with every value multiplied by a factor.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let mut scaled = self.clone();
+        for value in scaled.tiles.as_flattened_mut() {
+            *value *= factor;
+        }
+        scaled
+    }
+
+    /// Add another map of the same window, multiplied by a factor.
+    pub(super) fn add(&mut self, other: &Self, factor: f64) {
+        let values = other.tiles.as_flattened();
+        for (value, other) in self.tiles.as_flattened_mut().iter_mut().zip(values) {
+            *value += other * factor;
+        }
     }
 
     /// Wavelengths \[m\], the fast axis.

@@ -1,10 +1,12 @@
 //! Growth of corrugation over wavelength and speed: whole maps, and the ridge of highest growth.
 
+mod bay;
 mod closing;
 mod map;
 mod ridge;
 mod row;
 
+pub use bay::{Bay, BayMaps};
 pub use map::GrowthMap;
 pub use ridge::{Ridge, RidgePoint};
 pub use row::RowEvaluator;

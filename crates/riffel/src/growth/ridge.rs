@@ -44,7 +44,7 @@ impl Ridge {
             .map_with((evaluator, row), |(evaluator, row), index| {
                 let speed = speed.value(index);
                 evaluator.evaluate(speed, row);
-                refined(feedback, wavelength, speed, lowest(row))
+                refined_on(feedback, wavelength, speed, lowest(row))
             })
             .collect();
         Self { points }
@@ -52,11 +52,26 @@ impl Ridge {
 
     /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
     pub fn of_map(feedback: &FeedbackLoop, map: &GrowthMap) -> Self {
+        Self::refined_from(map, |wavelength, speed| {
+            feedback.at(wavelength, speed).normalized_dissipation
+        })
+    }
+
+    /// The ridge of a map, refined between its points on the function Ŵ₁ of wavelength and speed
+    /// that the map samples.
+    pub(super) fn refined_from(
+        map: &GrowthMap,
+        normalized: impl Fn(f64, f64) -> Complex64 + Sync,
+    ) -> Self {
+        let rate = map.growth_rate_per_dissipation();
         let points = (0..map.speed().points())
             .into_par_iter()
             .map(|index| {
                 let speed = map.speed().value(index);
-                refined(feedback, map.wavelength(), speed, lowest(map.row(index)))
+                let lowest = lowest(map.row(index));
+                refined(map.wavelength(), speed, lowest, rate, |wavelength| {
+                    normalized(wavelength, speed)
+                })
             })
             .collect();
         Self { points }
@@ -77,7 +92,7 @@ impl Ridge {
                 let lower_right = j == last || row[j].re <= row[j + 1].re;
                 row[j].re < 0.0 && lower_left && lower_right
             })
-            .map(|j| refined(feedback, wavelength, speed, j))
+            .map(|j| refined_on(feedback, wavelength, speed, j))
             .collect()
     }
 
@@ -120,17 +135,21 @@ fn lowest(row: &[Complex64]) -> usize {
         .unwrap_or(0)
 }
 
-/// The minimum between the neighbours of a point of the grid.
-fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
+/// The minimum between the neighbours of a point of the grid; `rate` is the growth rate for Ŵ₁ = 1.
+fn refined(
+    wavelength: Axis,
+    speed: f64,
+    lowest: usize,
+    rate: f64,
+    normalized: impl Fn(f64) -> Complex64,
+) -> RidgePoint {
     let last = wavelength.points() - 1;
     let bracket = [
         wavelength.value(lowest.saturating_sub(1)),
         wavelength.value((lowest + 1).min(last)),
     ];
     let tolerance = 1e-7 * (wavelength.max() - wavelength.min());
-    let minimum = golden_section(bracket, tolerance, |wavelength| {
-        feedback.at(wavelength, speed).normalized_dissipation.re
-    });
+    let minimum = golden_section(bracket, tolerance, |wavelength| normalized(wavelength).re);
     // At an end of the window the search walks to that end.
     let at_edge = minimum - wavelength.min() < 2.0 * tolerance
         || wavelength.max() - minimum < 2.0 * tolerance;
@@ -139,15 +158,24 @@ fn refined(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize)
     } else {
         wavelength.max()
     };
-    let state = feedback.at(if at_edge { end } else { minimum }, speed);
+    let place = if at_edge { end } else { minimum };
+    let normalized_dissipation = normalized(place).re;
     RidgePoint {
         speed,
-        wavelength: state.wavelength,
-        frequency: speed / state.wavelength,
-        normalized_dissipation: state.normalized_dissipation.re,
-        growth_rate: state.growth_rate,
+        wavelength: place,
+        frequency: speed / place,
+        normalized_dissipation,
+        growth_rate: rate * normalized_dissipation,
         at_edge,
     }
+}
+
+/// [`refined`] on the loop itself.
+fn refined_on(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
+    let rate = feedback.growth_rate(&feedback.contact.steady(), Complex64::ONE);
+    refined(wavelength, speed, lowest, rate, |wavelength| {
+        feedback.at(wavelength, speed).normalized_dissipation
+    })
 }
 
 #[cfg(test)]

@@ -25,7 +25,8 @@ use crate::golden_section::golden_section;
 ///
 /// Range of validity: below [`critical_speed`](Self::critical_speed), and that of the track at rest.
 /// A hysteretic loss factor is taken at its value whatever the local frequency, which is right while
-/// Im s > 0. The free undamped Euler–Bernoulli beam has a closed form, [`MovingBeam`](super::MovingBeam).
+/// Im s > 0; waves in which sleepers move alone have Im s < 0, and their share of H is then counted on the
+/// wrong side: 1e-8 at 60 m/s, 1e-4 at 200 m/s. The free undamped Euler–Bernoulli beam has a closed form, [`MovingBeam`](super::MovingBeam).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MovingLoadTrack {
     beam: Beam,
@@ -43,10 +44,12 @@ impl MovingLoadTrack {
     /// the wavenumber k. Beyond it waves run at negative frequency in the track, and a damped track
     /// may push the load along.
     ///
-    /// Method: golden section over k to 1e-6. Ω² = (k_s + Bk⁴/(1 + Bhk²))/m with the static
-    /// stiffness k_s of the support, and with the sleepers' mass moving with the rail: the slowest
-    /// waves the track has, so the speed is a lower bound on two layers. Rotary inertia, which
-    /// changes it by less than a hundredth, is left out.
+    /// Method: golden section over ln k to 1e-6. Ω² = (k_s + Bk⁴/(1 + Bhk²))/m with the static stiffness
+    /// k_s of the support, and with the sleepers' mass moving with the rail, as it does in the long
+    /// waves that pile up; short waves in which sleepers move alone are slower still, but carry next to
+    /// nothing. Rotary inertia is left out: 0.3–2 % up to 500 Hz, up to 9 % at 2 kHz, where the speed
+    /// is some 2000 m/s. Below its cut-on frequency an undamped track is singular also at
+    /// min (Ω − ω)/k, a lower speed; it stays passive there, and any loss makes it finite.
     pub fn critical_speed(&self, angular_frequency: f64) -> f64 {
         self.slowest(|k| (angular_frequency + self.frequency(k)) / k)
     }
@@ -392,9 +395,9 @@ mod tests {
             }
         }
 
-        /// A slow load is one at rest, on every foundation and rail; the difference is of second
-        /// order in the speed over that of the waves, here 1 m/s over some hundreds. The sleepers
-        /// add a term of first order, the share of the wave that their motion carries.
+        /// A slow load is one at rest, on every foundation and rail: H(V) = H(−V) by symmetry, so the
+        /// difference is of second order in the speed over that of the waves, here 0.1 m/s over some
+        /// hundreds.
         #[test]
         fn slow_is_at_rest(w in 200.0..20e3, damping in 1e4..1e5, loss in 0.0..0.3) {
             let pad = Layer::new(2e8, damping).unwrap().with_loss_factor(loss).unwrap();

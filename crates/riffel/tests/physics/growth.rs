@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use riffel::{
-    Axis, Beam, Carter3d, ConstantCreepage, ConstantTangentialForce, ContinuousTrack,
+    Axis, Bay, Beam, Carter3d, ConstantCreepage, ConstantTangentialForce, ContinuousTrack,
     DissipationPhase, ElasticMaterial, EnergyWear, EulerBernoulliBeam, FeedbackLoop, FreeBeam,
-    GrowthMap, HertzContact, Layer, LoopState, MovingBeam, PlaceOfWear, Receptance, Ridge,
-    RigidInertia, RigidMass, RollingContact, RowEvaluator, Support, TILE, WheelRotation,
+    GrowthMap, HertzContact, Layer, LoopState, MovingBeam, PeriodicTrack, PlaceOfWear, Receptance,
+    Ridge, RigidInertia, RigidMass, RollingContact, RowEvaluator, ShearSection, Support, TILE,
+    WheelRotation,
 };
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
@@ -241,4 +242,92 @@ fn a_tabulated_map_is_its_points() {
         assert!(ridge.normalized_dissipation <= smallest + 1e-9);
         assert_eq!(ridge.speed, speed);
     }
+}
+
+/// Growth over a sleeper bay: the mean by Simpson's rule against two thousand places, and the maps
+/// against their points.
+#[test]
+fn bay_mean() {
+    let railway = Railway {
+        poisson_ratio: 0.3,
+        rolling_radius: 0.46,
+        transverse_radius: 0.3,
+        normal_force: 60e3,
+        friction: 0.35,
+        tractive_ratio: 0.2,
+        wheel_mass: 600.0,
+        rail_mass: 60.2,
+        second_moment: 3.04e-5,
+        wavelength: 0.05,
+        speed: 30.0,
+    };
+    let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
+    let shear = ShearSection {
+        area: 7.67e-3,
+        shear_coefficient: 0.393,
+        shear_modulus: 80e9,
+        density: 7850.0,
+    };
+    let rail = Beam::timoshenko(steel, railway.second_moment, railway.rail_mass, shear)
+        .and_then(|rail| rail.with_loss_factor(0.01))
+        .unwrap();
+    let pad = Layer::new(3e8, 3e4).unwrap();
+    let ballast = Layer::new(8e7, 6e4).unwrap();
+    let support = Support::two_layer(pad, 150.0, ballast).unwrap();
+    let track = PeriodicTrack::new(rail, support, 0.6).unwrap();
+    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let feedback = railway.feedback(track, rotation);
+    let bay = Bay::new(&feedback, Arc::new(track)).unwrap();
+
+    // Low, at the rail on its pads, at the pinned-pinned resonance, and above.
+    for (wavelength, speed) in [
+        (0.08, 10.0),
+        (0.05, 25.0),
+        (0.03, 31.7),
+        (0.03, 33.0),
+        (0.03, 45.0),
+    ] {
+        let mean = bay.mean_normalized_dissipation(wavelength, speed);
+        let states = bay.states(wavelength, speed, 2001);
+        // The trapezoidal rule: both ends are supports and count once together.
+        let sum: riffel::Complex64 = states[1..]
+            .iter()
+            .map(|(_, s)| s.normalized_dissipation)
+            .sum();
+        let expected = sum / 2000.0;
+        let error = (mean - expected).norm() / expected.norm();
+        assert!(error < 1e-3, "{wavelength} m {speed} m/s: {error}");
+    }
+
+    let (wavelength, speed) = (
+        Axis::new(0.02, 0.08, 40).unwrap(),
+        Axis::new(5.0, 60.0, 30).unwrap(),
+    );
+    let maps = bay.maps(wavelength, speed, |_| ());
+    for (row, column) in [(0, 0), (7, 20), (29, 39)] {
+        let (v, l) = (speed.value(row), wavelength.value(column));
+        let pairs = [
+            (
+                maps.over_support.row(row)[column],
+                bay.at(0.0).at(l, v).normalized_dissipation,
+            ),
+            (
+                maps.mid_span.row(row)[column],
+                bay.at(0.3).at(l, v).normalized_dissipation,
+            ),
+            (
+                maps.mean.row(row)[column],
+                bay.mean_normalized_dissipation(l, v),
+            ),
+        ];
+        for (got, expected) in pairs {
+            assert!(
+                (got - expected).norm() < 1e-12 * expected.norm(),
+                "{got} {expected}"
+            );
+        }
+    }
+    let ridge = bay.ridge(&maps.mean);
+    assert_eq!(ridge.points.len(), 30);
+    assert!(Bay::new(&feedback, Arc::new(ContinuousTrack::free(rail))).is_none());
 }

@@ -1,0 +1,272 @@
+//! Measured receptances.
+
+use std::fs;
+use std::path::Path;
+
+use riffel::Complex64;
+use riffel_case::{Case, CaseError, NOMINAL_CASE};
+use rstest::rstest;
+use tempfile::TempDir;
+
+/// A case with the file as its track, in a folder of its own; the window of the map lies within
+/// 50–2000 Hz.
+fn case(name: &str, bytes: &[u8], keys: &str) -> Result<Case, CaseError> {
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join(name), bytes).unwrap();
+    let text = NOMINAL_CASE.replace("model = \"free-beam\"", "model = \"measured\"")
+        + &format!("\n[track.measurement]\nfile = \"{name}\"\n{keys}\n");
+    let path = folder.path().join("case.toml");
+    fs::write(&path, text).unwrap();
+    let overrides = ["map.speed.max=30", "map.speed.min=8"].map(str::to_owned);
+    Case::read(&path, &overrides)
+}
+
+const CARTESIAN: &str = "real = \"re\"\nimaginary = \"im\"";
+
+/// H = 1e-8/(1 + if/100) at 40 frequencies from 50 to 2500 Hz, times a factor.
+fn table(header: &str, row: impl Fn(f64, Complex64) -> String) -> String {
+    let mut text = format!("{header}\n");
+    for step in 0..40 {
+        let frequency = 50.0 * 50f64.powf(f64::from(step) / 39.0);
+        let h = 1e-8 / Complex64::new(1.0, frequency / 100.0);
+        text.push_str(&row(frequency, h));
+        text.push('\n');
+    }
+    text
+}
+
+fn cartesian() -> String {
+    table("frequency_hz,re,im", |f, h| {
+        format!("{f},{:e},{:e}", h.re, h.im)
+    })
+}
+
+fn check(case: &Case) {
+    assert!(case.remarks.iter().all(|remark| !remark.contains("energy")));
+    case.check_window().unwrap();
+    let f = 50.0 * 50f64.powf(20.0 / 39.0);
+    let h = case
+        .feedback
+        .track
+        .receptance(std::f64::consts::TAU * f, 0.0);
+    let expected = 1e-8 / Complex64::new(1.0, f / 100.0);
+    assert!(
+        (h - expected).norm() < 1e-9 * expected.norm(),
+        "{h} {expected}"
+    );
+}
+
+#[test]
+fn reads_a_table() {
+    check(&case("rail.csv", cartesian().as_bytes(), CARTESIAN).unwrap());
+}
+
+/// Semicolons, decimal commas, kilohertz, a comment, mobility in other units, modulus and phase.
+#[test]
+fn reads_a_table_as_instruments_write_it() {
+    let text = "# exported\r\n".to_owned()
+        + &table("f;mod;phase", |f, h| {
+            let mobility = h * Complex64::new(0.0, std::f64::consts::TAU * f);
+            // mm/s per kN: 1e-6 m/s per N.
+            format!(
+                "{};{:e};{}",
+                f / 1e3,
+                1e6 * mobility.norm(),
+                mobility.arg().to_degrees()
+            )
+            .replace('.', ",")
+        });
+    let keys = "quantity = \"mobility\"\nunit = \"mm/s/kN\"\nfrequency = \"f\"\nfrequency_unit = \"kHz\"\n\
+                modulus = \"mod\"\nphase = \"phase\"";
+    check(&case("rail.csv", text.as_bytes(), keys).unwrap());
+}
+
+/// The other sign of time is told, and can be turned.
+#[test]
+fn warns_where_the_receptance_is_not_passive() {
+    let text = table("frequency_hz,re,im", |f, h| {
+        format!("{f},{:e},{:e}", h.re, -h.im)
+    });
+    let wrong = case("rail.csv", text.as_bytes(), CARTESIAN).unwrap();
+    let warned = "gives energy away (Im H > 0) at 40 of 40 frequencies, between 50 and 2500 Hz";
+    assert!(
+        wrong.remarks.iter().any(|remark| remark.contains(warned)),
+        "{:?}",
+        wrong.remarks
+    );
+    let turned = format!("{CARTESIAN}\nconjugate = true");
+    check(&case("rail.csv", text.as_bytes(), &turned).unwrap());
+}
+
+/// Files written by pyuff: see tests/universal-files/make_fixtures.py. Their displacement points up
+/// (direction 3) and their force down (−3), so the receptance in one direction is the negative. An
+/// uneven abscissa in text has six digits, which near a
+/// resonance is five of the value, and all values in single precision have six.
+#[rstest]
+#[case("receptance_double_even.uff", 1e-10)]
+#[case("receptance_double_uneven.uff", 1e-4)]
+#[case("receptance_binary_even.uff", 1e-10)]
+#[case("mobility_single_even.uff", 1e-5)]
+#[case("accelerance_single_uneven.uff", 1e-4)]
+fn reads_universal_files(#[case] name: &str, #[case] tolerance: f64) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/universal-files");
+    let case = case(name, &fs::read(folder.join(name)).unwrap(), "").unwrap();
+    let exact = fs::read_to_string(folder.join("exact.csv")).unwrap();
+    let mut compared = 0;
+    for line in exact.lines().skip(1) {
+        let cells: Vec<f64> = line
+            .split(',')
+            .filter_map(|cell| cell.parse().ok())
+            .collect();
+        let [frequency, re, im] = cells[..] else {
+            continue;
+        };
+        let uneven = name.contains("uneven");
+        let is_even = (frequency / 20.0 - (frequency / 20.0).round()).abs() < 1e-9;
+        if uneven == is_even {
+            continue;
+        }
+        let h = case
+            .feedback
+            .track
+            .receptance(std::f64::consts::TAU * frequency, 0.0);
+        if h.is_nan() {
+            continue; // the last frequency, rounded down in the file
+        }
+        let expected = -Complex64::new(re, im);
+        assert!(
+            (h - expected).norm() < tolerance * expected.norm(),
+            "{frequency} {h} {expected}"
+        );
+        compared += 1;
+    }
+    assert!(compared > 90, "{compared}");
+}
+
+#[test]
+fn is_not_extrapolated() {
+    let case = case("rail.csv", cartesian().as_bytes(), CARTESIAN).unwrap();
+    let error = case.check_frequencies(40.0, 100.0).unwrap_err().to_string();
+    assert!(
+        error.contains("is known from 50") && error.contains("not extrapolated"),
+        "{error}"
+    );
+}
+
+#[rstest]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,,-1\n",
+    CARTESIAN,
+    "line 3: column `re` is empty"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,NaN,-1\n",
+    CARTESIAN,
+    "line 3: column `re` is NaN, but must be finite"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,x,-1\n",
+    CARTESIAN,
+    "line 3: column `re` is \"x\", not a number"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n1,1,-1\n",
+    CARTESIAN,
+    "line 3: the frequency 1 Hz is there twice"
+)]
+#[case(
+    "frequency_hz,re,im\n2,1,-1\n1,1,-1\n",
+    CARTESIAN,
+    "line 3: the frequency falls from 2 Hz to 1 Hz"
+)]
+#[case(
+    "frequency_hz,re,im\n0,1,-1\n1,1,-1\n",
+    CARTESIAN,
+    "line 2: the frequency is 0 Hz, but must be greater than zero"
+)]
+#[case(
+    "frequency_hz,re,im\n-1,1,-1\n1,1,-1\n",
+    CARTESIAN,
+    "line 2: the frequency is -1 Hz"
+)]
+#[case(
+    "frequency_hz,re,im\n100,1,-1\n300,1,-1\n",
+    CARTESIAN,
+    "line 3: nothing between 100 Hz and 300 Hz"
+)]
+#[case(
+    "frequency_hz,re,im\n100,1,-1\n",
+    CARTESIAN,
+    "needs two frequencies or more"
+)]
+#[case("frequency_hz,re,im\n", CARTESIAN, "needs two frequencies or more")]
+#[case("frequency_hz,re,im\n100,1\n", CARTESIAN, "found record with 2 fields")]
+#[case(
+    "",
+    CARTESIAN,
+    "`track.measurement.frequency` is \"frequency_hz\", but the file has no such column"
+)]
+#[case("f,re,im\n1,1,-1\n", CARTESIAN, "it has f, re, im")]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
+    "real = \"re\"",
+    "`real` and `imaginary`, or by `modulus` and `phase`"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
+    "real = \"re\"\nimaginary = \"im\"\nunit = \"m/s\"",
+    "`track.measurement.unit` is \"m/s\", which is no unit of a receptance in m/N"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
+    "real = \"re\"\nimaginary = \"im\"\nunit = \"furlong\"",
+    "unknown unit"
+)]
+#[case(
+    "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
+    "real = \"re\"\nimaginary = \"im\"\nfrequency_unit = \"s\"",
+    "is no unit of a frequency"
+)]
+fn bad_tables(#[case] text: &str, #[case] keys: &str, #[case] sentence: &str) {
+    let error = case("rail.csv", text.as_bytes(), keys)
+        .err()
+        .expect("a bad table");
+    assert!(error.to_string().contains(sentence), "{error}");
+}
+
+#[test]
+fn a_million_lines_are_no_frequency_response() {
+    let mut text = "frequency_hz,re,im\n".to_owned();
+    for line in 1..=1_000_000 {
+        text.push_str(&format!("{line},1e-9,-1e-9\n"));
+    }
+    let error = case("rail.csv", text.as_bytes(), CARTESIAN)
+        .err()
+        .expect("too long");
+    assert!(
+        error.to_string().contains("more than 200000 lines"),
+        "{error}"
+    );
+}
+
+#[rstest]
+#[case(b"", "the file holds no dataset")]
+#[case(b"    -1\n    58\n", "line")]
+fn bad_universal_files(#[case] bytes: &[u8], #[case] sentence: &str) {
+    let error = case("rail.uff", bytes, "").err().expect("a bad file");
+    assert!(error.to_string().contains(sentence), "{error}");
+}
+
+#[test]
+fn a_missing_file_is_named() {
+    let text = NOMINAL_CASE.replace("model = \"free-beam\"", "model = \"measured\"")
+        + "\n[track.measurement]\nfile = \"nowhere.csv\"\n";
+    let error = Case::parse("case.toml", &text, &[])
+        .err()
+        .unwrap()
+        .to_string();
+    assert!(
+        error.contains("`track.measurement.file`: cannot read nowhere.csv"),
+        "{error}"
+    );
+}
