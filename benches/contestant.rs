@@ -1,11 +1,14 @@
 //! Contestants: processes that do one task for each line they are sent and answer with the seconds it
-//! took and the sum of the real parts of its result.
+//! took and a sum of its result.
 
 use std::error::Error;
-use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::{fs, iter};
+
+const NUMPY_REQUIREMENTS: &str = "peers/requirements.txt";
+const ROLLAND_REQUIREMENTS: &str = "peers/requirements-rolland.txt";
 
 /// Anything that stops a benchmark.
 pub(crate) type Failure = Box<dyn Error>;
@@ -18,28 +21,28 @@ pub(crate) struct Contestant {
 }
 
 impl Contestant {
-    /// NumPy on one thread, in a virtual environment of the peers that is made if it is not there.
-    pub(crate) fn numpy(folder: &Path) -> Result<Self, Failure> {
-        let environment = folder.join("../target/peers");
-        let python = environment.join("bin/python");
-        if !python.exists() {
-            run(Command::new("python3")
-                .args(["-m", "venv"])
-                .arg(&environment))?;
-        }
-        run(Command::new(&python)
-            .args([
-                "-m",
-                "pip",
-                "install",
-                "--quiet",
-                "--disable-pip-version-check",
-                "-r",
-            ])
-            .arg(requirements(folder)))?;
+    /// A script of the peers in NumPy.
+    pub(crate) fn numpy(folder: &Path, script: &str) -> Result<Self, Failure> {
+        let python = environment(folder, "peers", || Ok("python3".into()))?;
+        install(&python, &folder.join(NUMPY_REQUIREMENTS))?;
+        Self::python(&python, &folder.join("peers").join(script))
+    }
+
+    /// rolland, apart from the other peers: it wants a Python of its own and holds NumPy back. The error
+    /// says in few words what is missing.
+    pub(crate) fn rolland(folder: &Path) -> Result<Self, Failure> {
+        let python = environment(folder, "peers-rolland", recent_python)?;
+        install(&python, &folder.join(ROLLAND_REQUIREMENTS)).map_err(|_| "pip failed")?;
+        let mut rolland = Self::python(&python, &folder.join("peers/receptance_rolland.py"))?;
+        rolland.once("rolland", 1).map_err(|_| "it does not run")?;
+        Ok(rolland)
+    }
+
+    /// A Python script on one thread.
+    fn python(python: &Path, script: &Path) -> Result<Self, Failure> {
         Self::start(
-            Command::new(&python)
-                .arg(folder.join("peers/map_numpy.py"))
+            Command::new(python)
+                .arg(script)
                 .env("OMP_NUM_THREADS", "1")
                 .env("OPENBLAS_NUM_THREADS", "1"),
         )
@@ -68,15 +71,15 @@ impl Contestant {
         })
     }
 
-    /// Seconds for one task on a map of side × side points, and the sum of the real parts. The task is
-    /// done twice and the second counts: the turn of another contestant has emptied the caches.
-    pub(crate) fn time(&mut self, task: &str, side: usize) -> Result<(f64, f64), Failure> {
-        self.once(task, side)?;
-        self.once(task, side)
+    /// Seconds for one task on an axis of so many points, and the sum of its result. The task is done
+    /// twice and the second counts: the turn of another contestant has emptied the caches.
+    pub(crate) fn time(&mut self, task: &str, points: usize) -> Result<(f64, f64), Failure> {
+        self.once(task, points)?;
+        self.once(task, points)
     }
 
-    fn once(&mut self, task: &str, side: usize) -> Result<(f64, f64), Failure> {
-        writeln!(self.input, "{task} {side}")?;
+    fn once(&mut self, task: &str, points: usize) -> Result<(f64, f64), Failure> {
+        writeln!(self.input, "{task} {points}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
         let (seconds, sum) = line
@@ -103,15 +106,89 @@ fn run(command: &mut Command) -> Result<(), Failure> {
     }
 }
 
-fn requirements(folder: &Path) -> PathBuf {
-    folder.join("peers/requirements.txt")
+/// The Python of a virtual environment, which is made with another Python if it is not there.
+fn environment(
+    folder: &Path,
+    name: &str,
+    maker: impl FnOnce() -> Result<PathBuf, Failure>,
+) -> Result<PathBuf, Failure> {
+    let environment = folder.join("../target").join(name);
+    let python = environment.join("bin/python");
+    if !python.exists() {
+        run(Command::new(maker()?)
+            .args(["-m", "venv"])
+            .arg(&environment))?;
+    }
+    Ok(python)
+}
+
+fn install(python: &Path, requirements: &Path) -> Result<(), Failure> {
+    run(Command::new(python)
+        .args([
+            "-m",
+            "pip",
+            "install",
+            "--quiet",
+            "--disable-pip-version-check",
+            "-r",
+        ])
+        .arg(requirements))
+}
+
+/// A Python of version 3.12 or later, from the search path or from pyenv.
+fn recent_python() -> Result<PathBuf, Failure> {
+    let named = ["python3.13", "python3.12", "python3.14", "python3"].map(PathBuf::from);
+    let python = named
+        .into_iter()
+        .chain(iter::once_with(pyenv_pythons).flatten())
+        .find(|python| is_recent(python));
+    Ok(python.ok_or("no Python 3.12 or later")?)
+}
+
+fn is_recent(python: &Path) -> bool {
+    let question = "import sys; print(sys.version_info >= (3, 12))";
+    answer(Command::new(python).args(["-c", question])).is_some_and(|answer| answer == "True")
+}
+
+/// The Pythons of pyenv, the latest first; none without pyenv.
+fn pyenv_pythons() -> Vec<PathBuf> {
+    let versions = answer(Command::new("pyenv").args(["versions", "--bare"])).unwrap_or_default();
+    let prefixes = versions
+        .lines()
+        .rev()
+        .filter_map(|version| answer(Command::new("pyenv").args(["prefix", version])));
+    prefixes
+        .map(|prefix| Path::new(&prefix).join("bin/python"))
+        .collect()
+}
+
+/// What a command prints; nothing if it fails or is not there.
+fn answer(command: &mut Command) -> Option<String> {
+    let output = command.output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+/// Version of a package that the peers require.
+fn required_version(requirements: &Path, package: &str) -> Result<String, Failure> {
+    let text = fs::read_to_string(requirements)?;
+    let version = text.lines().find_map(|line| {
+        let (name, version) = line.split_once("==")?;
+        (name == package).then_some(version)
+    });
+    Ok(version
+        .ok_or(format!("no version of {package} is required"))?
+        .to_owned())
 }
 
 /// Version of NumPy.
 pub(crate) fn numpy_version(folder: &Path) -> Result<String, Failure> {
-    let text = fs::read_to_string(requirements(folder))?;
-    let version = text.lines().find_map(|line| line.strip_prefix("numpy=="));
-    Ok(version.ok_or("no version of NumPy is required")?.to_owned())
+    required_version(&folder.join(NUMPY_REQUIREMENTS), "numpy")
+}
+
+/// Version of rolland.
+pub(crate) fn rolland_version(folder: &Path) -> Result<String, Failure> {
+    required_version(&folder.join(ROLLAND_REQUIREMENTS), "rolland")
 }
 
 /// Processor and system, as far as the system tells.

@@ -6,18 +6,28 @@
 mod contestant;
 
 use std::fmt::Write as _;
+use std::hint::black_box;
 use std::io::{BufRead, Write as _};
 use std::path::Path;
 use std::time::Instant;
 
-use riffel::{Axis, Complex64, FeedbackLoop, GrowthMap, Ridge, RowEvaluator};
+use riffel::{
+    Axis, Beam, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Layer, PeriodicTrack,
+    Receptance, Ridge, RowEvaluator, ShearSection, Support,
+};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
-use contestant::{Contestant, Failure, machine, numpy_version};
+use contestant::{Contestant, Failure, machine, numpy_version, rolland_version};
 
 /// Points along each axis of the map of the comparison.
 const SIDE: usize = 1001;
 const ROUNDS: usize = 41;
+/// Frequencies of the receptance of the comparison.
+const FREQUENCIES: usize = 200;
+/// rolland takes a quarter of a second a turn.
+const ROLLAND_ROUNDS: usize = 5;
+/// Points along each axis of the map under a moving load on layers, whose points cost most.
+const MOVING_LOAD_SIDE: usize = 101;
 
 /// The argument that makes this program a contestant.
 pub(crate) const CONTESTANT: &str = "--contestant";
@@ -35,53 +45,38 @@ fn main() -> Result<(), Failure> {
 
 /// The tracks of the tasks.
 fn feedback(track: &str) -> Result<FeedbackLoop, Failure> {
-    let moving = ["track.model=moving-beam".to_owned()];
-    let (text, overrides): (&str, &[String]) = match track {
-        "moving" => (NOMINAL_CASE, &moving),
-        "two-layer" => (BHASKAR_TRACK_CASE, &[]),
-        _ => (NOMINAL_CASE, &[]),
+    const MOVING: &str = "track.model=moving-beam";
+    const PERIODIC: [&str; 4] = [
+        "rail.section=60E1",
+        "track.model=two-layer-periodic",
+        "track.preset=br-stiff",
+        "track.position=0.35 m",
+    ];
+    let (text, overrides) = match track {
+        "moving" => (NOMINAL_CASE, vec![MOVING]),
+        "two-layer" => (BHASKAR_TRACK_CASE, vec![]),
+        "moving-two-layer" => (BHASKAR_TRACK_CASE, vec![MOVING]),
+        "periodic" => {
+            let lossy = [&PERIODIC[..], &["rail.loss_factor=0.02"]].concat();
+            (NOMINAL_CASE, lossy)
+        }
+        "periodic-lossless" => (NOMINAL_CASE, PERIODIC.to_vec()),
+        _ => (NOMINAL_CASE, vec![]),
     };
-    Ok(Case::parse("benchmark", text, overrides)?.feedback)
+    let overrides: Vec<_> = overrides.into_iter().map(str::to_owned).collect();
+    Ok(Case::parse("benchmark", text, &overrides)?.feedback)
 }
 
-/// Answer each line "TASK TRACK SIDE" with the seconds it took and a sum of the result.
+/// Answer each line "TASK TRACK POINTS" with the seconds it took and a sum of the result.
 fn contest() -> Result<(), Failure> {
     for line in std::io::stdin().lock().lines() {
         let line = line?;
-        let [task, track, side] = line.split(' ').collect::<Vec<_>>()[..] else {
+        let [task, track, points] = line.split(' ').collect::<Vec<_>>()[..] else {
             return Err("a task has three words".into());
         };
-        let feedback = feedback(track)?;
-        let wavelength = Axis::new(0.020, 0.080, side.parse()?)?;
-        let speed = Axis::new(5.0, 60.0, side.parse()?)?;
-        let begun = Instant::now();
-        let (seconds, sum): (f64, f64) = match task {
-            "map" => {
-                let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
-                let seconds = begun.elapsed().as_secs_f64();
-                let values = map.rows().flat_map(|(_, row)| row);
-                (seconds, values.map(|value| value.re).sum())
-            }
-            "rows" => {
-                let mut evaluator = RowEvaluator::new(&feedback, &wavelength.values());
-                let mut row = vec![Complex64::ZERO; wavelength.points()];
-                let mut sum = 0.0;
-                for index in 0..speed.points() {
-                    evaluator.evaluate(speed.value(index), &mut row);
-                    // A few values show that the row was computed and cost nothing.
-                    sum += row[0].re + row[row.len() / 2].re;
-                }
-                (begun.elapsed().as_secs_f64(), sum)
-            }
-            _ => {
-                let ridge = Ridge::search(&feedback, wavelength, speed);
-                let seconds = begun.elapsed().as_secs_f64();
-                let values = ridge.points.iter();
-                (
-                    seconds,
-                    values.map(|point| point.normalized_dissipation).sum(),
-                )
-            }
+        let (seconds, sum) = match task {
+            "receptance" => receptance(points.parse()?)?,
+            _ => growth(task, track, points.parse()?)?,
         };
         println!("{seconds} {sum}");
         std::io::stdout().flush()?;
@@ -89,9 +84,95 @@ fn contest() -> Result<(), Failure> {
     Ok(())
 }
 
+/// A map, its rows one by one, or its ridge.
+fn growth(task: &str, track: &str, side: usize) -> Result<(f64, f64), Failure> {
+    let feedback = feedback(track)?;
+    let wavelength = Axis::new(0.020, 0.080, side)?;
+    let speed = Axis::new(5.0, 60.0, side)?;
+    let begun = Instant::now();
+    Ok(match task {
+        "map" => {
+            let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
+            let seconds = begun.elapsed().as_secs_f64();
+            let values = map.rows().flat_map(|(_, row)| row);
+            (seconds, values.map(|value| value.re).sum())
+        }
+        "rows" => {
+            let mut evaluator = RowEvaluator::new(&feedback, &wavelength.values());
+            let mut row = vec![Complex64::ZERO; wavelength.points()];
+            let mut sum = 0.0;
+            for index in 0..speed.points() {
+                evaluator.evaluate(speed.value(index), &mut row);
+                // A few values show that the row was computed and cost nothing.
+                sum += row[0].re + row[row.len() / 2].re;
+            }
+            (begun.elapsed().as_secs_f64(), sum)
+        }
+        _ => {
+            let ridge = Ridge::search(&feedback, wavelength, speed);
+            let seconds = begun.elapsed().as_secs_f64();
+            let values = ridge.points.iter();
+            let sum = values.map(|point| point.normalized_dissipation).sum();
+            (seconds, sum)
+        }
+    })
+}
+
+/// Receptances from 20 Hz to 3000 Hz, spaced evenly in logarithm, and the sum of their moduli.
+fn receptance(points: usize) -> Result<(f64, f64), Failure> {
+    /// A single turn is too short for the clock and for the processor to settle.
+    const REPEATS: usize = 50;
+    let angular_frequencies: Vec<f64> = (0..points)
+        .map(|index| index as f64 / (points - 1) as f64)
+        .map(|share| std::f64::consts::TAU * 20.0 * (3000.0_f64 / 20.0).powf(share))
+        .collect();
+    let begun = Instant::now();
+    let mut receptances = Vec::new();
+    for _ in 0..REPEATS {
+        let track = black_box(uic60_on_stiff_pads()?);
+        let values = angular_frequencies.iter();
+        receptances = black_box(values.map(|&w| track.receptance(w, 0.0)).collect());
+    }
+    let seconds = begun.elapsed().as_secs_f64() / REPEATS as f64;
+    Ok((seconds, receptances.iter().map(|value| value.norm()).sum()))
+}
+
+/// At mid-span; values of validation/reference/receptance/uic60_stiff_pad.json.
+fn uic60_on_stiff_pads() -> Result<PeriodicTrack, Failure> {
+    let spacing = 0.6;
+    let section = ShearSection {
+        area: 7.67e-3,
+        shear_coefficient: 0.393,
+        shear_modulus: 80.769e9,
+        density: 7850.0,
+    };
+    let steel = ElasticMaterial::new(210e9, 0.3)?;
+    let rail = Beam::timoshenko(steel, 3.037e-5, 60.2, section)?.with_loss_factor(0.02)?;
+    let support = Support::two_layer(Layer::new(800e6, 30e3)?, 162.0, Layer::new(100e6, 60e3)?)?;
+    Ok(PeriodicTrack::new(rail, support, spacing)?.at(spacing / 2.0))
+}
+
+/// An error unless two contestants found the same.
+fn check_agreement(what: &str, (sum, expected): (f64, f64), tolerance: f64) -> Result<(), Failure> {
+    let difference = ((sum - expected) / expected).abs();
+    if difference <= tolerance {
+        return Ok(());
+    }
+    let message = format!(
+        "the {what} differ by {difference:.1e}, more than {tolerance:.0e}: {sum}, not {expected}"
+    );
+    Err(message.into())
+}
+
 fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
+}
+
+/// A ratio with the digits that its noise leaves.
+fn ratio(value: f64) -> String {
+    let decimals = usize::from(value < 100.0);
+    format!("{value:.decimals$}")
 }
 
 /// Median nanoseconds a point of a task.
@@ -108,7 +189,7 @@ fn cost(
 }
 
 fn report(folder: &Path) -> Result<String, Failure> {
-    let mut numpy = Contestant::numpy(folder)?;
+    let mut numpy = Contestant::numpy(folder, "map_numpy.py")?;
     let (mut one, mut two) = (Contestant::riffel(1)?, Contestant::riffel(2)?);
     let mut text = String::from("# Benchmarks\n\n");
     writeln!(
@@ -128,9 +209,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
         let tuned = numpy.time("tuned", SIDE)?;
         let single = one.time("map free", SIDE)?;
         for (times, (seconds, sum)) in times.iter_mut().zip([written, tuned, single]) {
-            if ((sum - written.1) / written.1).abs() > 1e-9 {
-                return Err(format!("the maps differ: {sum}, {} in NumPy", written.1).into());
-            }
+            check_agreement("maps", (sum, written.1), 1e-9)?;
             times.push(1e9 * seconds / (SIDE * SIDE) as f64);
         }
     }
@@ -165,23 +244,8 @@ fn report(folder: &Path) -> Result<String, Failure> {
     writeln!(text, "| one | {single:.1} | 1 |")?;
     writeln!(text, "| two | {double:.1} | {:.2} |\n", single / double)?;
 
-    writeln!(
-        text,
-        "## Other tracks, {SIDE} × {SIDE} points, one thread\n"
-    )?;
-    writeln!(
-        text,
-        "| track | map, ns a point | ridge alone, ns a point |\n|---|---|---|"
-    )?;
-    for (name, track) in [
-        ("free beam", "free"),
-        ("moving beam, closed form", "moving"),
-        ("two layers, table good to 1e-9", "two-layer"),
-    ] {
-        let map = cost(&mut one, &format!("map {track}"), SIDE, ROUNDS)?;
-        let ridge = cost(&mut one, &format!("ridge {track}"), SIDE, ROUNDS)?;
-        writeln!(text, "| {name} | {map:.1} | {ridge:.1} |")?;
-    }
+    report_receptances(&mut text, folder, &mut one)?;
+    report_tracks(&mut text, &mut one)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(
@@ -201,4 +265,132 @@ fn report(folder: &Path) -> Result<String, Failure> {
          on short rows.\n",
     );
     Ok(text)
+}
+
+/// The receptance of one track beside the peers.
+fn report_receptances(
+    text: &mut String,
+    folder: &Path,
+    riffel: &mut Contestant,
+) -> Result<(), Failure> {
+    let mut numpy = Contestant::numpy(folder, "receptance_numpy.py")?;
+    let mut rolland = Contestant::rolland(folder);
+    let mut times = [const { Vec::new() }; 4];
+    for round in 0..ROUNDS {
+        let single = riffel.time("receptance uic60", FREQUENCIES)?;
+        let written = numpy.time("as-written", FREQUENCIES)?;
+        let tuned = numpy.time("tuned", FREQUENCIES)?;
+        check_agreement(
+            "receptances of Riffel and NumPy",
+            (written.1, single.1),
+            1e-9,
+        )?;
+        check_agreement("receptances of Riffel and NumPy", (tuned.1, single.1), 1e-9)?;
+        for (times, (seconds, _)) in times.iter_mut().zip([single, written, tuned]) {
+            times.push(seconds);
+        }
+        if let Ok(rolland) = &mut rolland
+            && round < ROLLAND_ROUNDS
+        {
+            let (seconds, sum) = rolland.time("rolland", FREQUENCIES)?;
+            check_agreement("receptances of rolland and Riffel", (sum, single.1), 1e-6)?;
+            times[3].push(seconds);
+        }
+    }
+    let [single, written, tuned, others] = times;
+    let [single, written, tuned] = [single, written, tuned].map(|times| 1e6 * median(times));
+    let row = |contestant: &str, track: &str, time: f64| {
+        let each = time / FREQUENCIES as f64;
+        let ratio = ratio(time / single);
+        format!("| {contestant} | {track} | {time:.0} | {each:.2} | {ratio} × faster |")
+    };
+
+    writeln!(
+        text,
+        "## Receptance at mid-span, {FREQUENCIES} frequencies, 20–3000 Hz, one thread\n"
+    )?;
+    writeln!(
+        text,
+        "Timoshenko rail on discrete two-layer supports: UIC 60 on stiff pads, rail loss factor 0.02.\n"
+    )?;
+    writeln!(
+        text,
+        "| contestant | track | µs | µs a frequency | Riffel is |\n|---|---|---|---|---|"
+    )?;
+    let each = single / FREQUENCIES as f64;
+    writeln!(text, "| Riffel | infinite | {single:.0} | {each:.2} | |")?;
+    let version = numpy_version(folder)?;
+    let contestant = format!("NumPy {version}, matrices of the bay, `eig` and `solve`");
+    writeln!(text, "{}", row(&contestant, "infinite", written))?;
+    let contestant = format!("NumPy {version}, tuned by hand");
+    writeln!(text, "{}", row(&contestant, "infinite", tuned))?;
+    let contestant = format!("rolland {}, `TSBDiscr2L`", rolland_version(folder)?);
+    match rolland {
+        Ok(_) => writeln!(
+            text,
+            "{}",
+            row(&contestant, "122 supports", 1e6 * median(others))
+        )?,
+        Err(reason) => writeln!(
+            text,
+            "| {contestant} | 122 supports | not installed: {reason} | | |"
+        )?,
+    }
+    writeln!(
+        text,
+        "\nThe frequencies are given; all else is timed. Riffel and NumPy solve the infinite track exactly, by its \
+         Floquet waves; rolland solves an infinite rail on a finite number of supports, a dense matrix for each \
+         frequency. The sums of |H| must agree with Riffel's to 1e-9 in NumPy and to 1e-6 in rolland. rolland takes \
+         {ROLLAND_ROUNDS} of the {ROUNDS} rounds."
+    )?;
+    Ok(())
+}
+
+/// Maps and ridges of other tracks beside those of the free beam.
+fn report_tracks(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
+    let tracks = [
+        ("free beam", "free", SIDE),
+        ("moving beam, closed form", "moving", SIDE),
+        ("two layers, table good to 1e-9", "two-layer", SIDE),
+        (
+            "discrete two-layer supports, Timoshenko rail of loss factor 0.02, at mid-span",
+            "periodic",
+            SIDE,
+        ),
+        ("the same, rail without loss", "periodic-lossless", SIDE),
+        (
+            "load moving on two layers",
+            "moving-two-layer",
+            MOVING_LOAD_SIDE,
+        ),
+    ];
+    let mut maps = tracks.map(|_| Vec::new());
+    let mut ridges = tracks.map(|_| Vec::new());
+    for _ in 0..ROUNDS {
+        for (kind, times) in [("map", &mut maps), ("ridge", &mut ridges)] {
+            for ((_, track, side), times) in tracks.iter().zip(times) {
+                let (seconds, _) = riffel.time(&format!("{kind} {track}"), *side)?;
+                times.push(1e9 * seconds / (side * side) as f64);
+            }
+        }
+    }
+    let [maps, ridges] = [maps, ridges].map(|times| times.map(median));
+
+    writeln!(
+        text,
+        "\n## Other tracks, {SIDE} × {SIDE} points, one thread\n"
+    )?;
+    writeln!(
+        text,
+        "| track | map, ns a point | times free beam | ridge alone, ns a point |\n|---|---|---|---|"
+    )?;
+    for (((name, _, side), map), ridge) in tracks.iter().zip(maps).zip(ridges) {
+        let points = match *side {
+            SIDE => String::new(),
+            side => format!(", {side} × {side} points"),
+        };
+        let ratio = ratio(map / maps[0]);
+        writeln!(text, "| {name}{points} | {map:.1} | {ratio} | {ridge:.1} |")?;
+    }
+    Ok(())
 }

@@ -4,6 +4,7 @@
 
 mod appendix;
 mod contact;
+pub mod decay_rate;
 mod ground;
 mod growth;
 mod points;
@@ -68,6 +69,7 @@ checks! {
         minimum_nearly_constant_over_speed, inertia_bounds, limits_bound_all_speeds,
         growth_with_tractive_ratio, not_monotonic_near_full_slip, growth_falls_with_inertia,
         reduced_inertia, lead_is_not_constant_frequency, growth_without_resonance;
+    decay_rate: decay_rate_peak_and_dip, decay_rate_residual, decay_rate_within_the_curves;
 }
 
 /// All checks as a Markdown table.

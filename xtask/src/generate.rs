@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 
-use crate::{Outcome, root};
+use crate::{Outcome, decay_rate, presets, root};
 
 /// Commands whose help the book shows.
 const COMMANDS: [&str; 8] = [
@@ -25,6 +25,8 @@ pub(crate) fn run(check: bool) -> Outcome {
         ("docs/src/validation.md", validation()),
         ("docs/src/command-line.md", command_line()?),
         ("docs/src/case.schema.json", schema + "\n"),
+        ("docs/src/decay-rate.md", decay_rate::page()?),
+        ("docs/src/presets.md", presets::page()),
     ];
     for (path, text) in files {
         let file = root().join(path);
@@ -38,7 +40,8 @@ pub(crate) fn run(check: bool) -> Outcome {
         }
     }
     if !check {
-        picture()?;
+        pictures()?;
+        decay_rate::picture()?;
     }
     println!(
         "# generated files {}",
@@ -47,17 +50,32 @@ pub(crate) fn run(check: bool) -> Outcome {
     Ok(())
 }
 
-/// The picture of the README. It is not compared: the last digit of a mathematical function may move
-/// a line by a tenth of a pixel from one machine to another.
-fn picture() -> Outcome {
+/// The pictures that commands make for README and book. They are not compared: the last digit of a
+/// mathematical function may move a line by a tenth of a pixel from one machine to another.
+fn pictures() -> Outcome {
+    const PICTURES: [(&[&str], &str, &str); 3] = [
+        (&["map", "cases/nominal.toml"], "map.png", "nominal-map.png"),
+        (
+            &["map", "cases/discrete-supports.toml", "--bay"],
+            "bay-map.png",
+            "bay-map.png",
+        ),
+        (
+            &["receptance", "cases/discrete-supports.toml"],
+            "receptance.png",
+            "receptance.png",
+        ),
+    ];
     let results = root().join("target/generate");
-    riffel(&["map", "cases/nominal.toml", "-o", "target/generate"])?;
-    fs::copy(
-        results.join("map.png"),
-        root().join("docs/src/images/nominal-map.png"),
-    )
-    .map(|_| ())
-    .map_err(|error| format!("cannot copy the picture: {error}"))
+    for (command, written, name) in PICTURES {
+        riffel(&[command, &["-o", "target/generate"]].concat())?;
+        fs::copy(
+            results.join(written),
+            root().join("docs/src/images").join(name),
+        )
+        .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
+    }
+    Ok(())
 }
 
 fn validation() -> String {

@@ -1,6 +1,8 @@
 //! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
 
+mod decay_rate;
 mod generate;
+mod presets;
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};

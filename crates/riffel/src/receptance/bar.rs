@@ -64,7 +64,7 @@ impl Waveguide for Bar {
         let elastic = Complex64::new(self.stiffness, self.stiffness * self.loss_factor);
         let stiffness =
             foundation + Complex64::new(-w * w * self.mass_per_length, w * self.damping);
-        let propagation = outgoing(stiffness / elastic, elastic.inv());
+        let propagation = outgoing(stiffness / elastic, || elastic.inv());
         Waves::Bar(Wave {
             propagation,
             amplitude: (2.0 * elastic * propagation).inv(),

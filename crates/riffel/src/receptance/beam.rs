@@ -175,7 +175,7 @@ impl Beam {
         let propagation = [0, 1].map(|j| {
             let (z, other) = (squares[j], squares[1 - j]);
             // dz/dK of the dispersion relation.
-            outgoing(z, (b * h * z - rigid) / (b * (z - other)))
+            outgoing(z, || (b * h * z - rigid) / (b * (z - other)))
         });
         Dispersion {
             stiffness,
@@ -220,14 +220,14 @@ impl Waveguide for Beam {
             propagation,
         } = self.dispersion(angular_frequency, foundation);
         // ψ(0) = 0 and S(0⁺) = −F/2 fix the amplitudes.
-        let amplitude = |j: usize| {
-            let other = 1 - j;
-            propagation[j] * (squares[other] - shear)
-                / (2.0 * stiffness * (squares[other] - squares[j]))
-        };
+        let common = (2.0 * stiffness * (squares[1] - squares[0])).inv();
+        let amplitudes = [
+            propagation[0] * (squares[1] - shear) * common,
+            propagation[1] * (shear - squares[0]) * common,
+        ];
         Waves::Beam([0, 1].map(|j| Wave {
             propagation: propagation[j],
-            amplitude: amplitude(j),
+            amplitude: amplitudes[j],
         }))
     }
 

@@ -137,10 +137,11 @@ impl FloquetWaves {
         let [mut shifted, mut sinh, mut amplitudes, mut bay] = [[Complex64::ZERO; 2]; 4];
         for (j, wave) in free.as_slice().iter().enumerate() {
             let half = (0.5 * spacing * wave.propagation).exp();
-            let half_sinh = 0.5 * (half - half.inv());
+            let decayed = half.inv();
+            let half_sinh = 0.5 * (half - decayed);
             bay[j] = half * half;
             shifted[j] = 2.0 * half_sinh * half_sinh;
-            sinh[j] = half_sinh * (half + half.inv());
+            sinh[j] = half_sinh * (half + decayed);
             amplitudes[j] = wave.amplitude;
         }
         let count = free.as_slice().len();
@@ -166,7 +167,8 @@ impl FloquetWaves {
         let wave = |root: Complex64| {
             // Scale by the free wave nearest to the root.
             let distances = [0, 1].map(|j| shifted[j] - root);
-            let nearest = usize::from(count == 2 && distances[1].norm() < distances[0].norm());
+            let nearest =
+                usize::from(count == 2 && distances[1].norm_sqr() < distances[0].norm_sqr());
             let share = |j: usize| {
                 if j == nearest {
                     Complex64::ONE

@@ -48,15 +48,16 @@ pub trait Waveguide: Send + Sync {
 }
 
 /// The root α = √z that decays away from its force, or, without loss, the limit of vanishing damping:
-/// `damped` is the direction in which z moves with Im κ.
-pub(super) fn outgoing(z: Complex64, damped: Complex64) -> Complex64 {
+/// `damped` is dz/dκ, the direction in which z moves with Im κ, asked for only there.
+#[inline]
+pub(super) fn outgoing(z: Complex64, damped: impl Fn() -> Complex64) -> Complex64 {
     /// A thousand roundings: an imaginary part below is noise beside the real part.
     const NOISE: f64 = 1e-13;
     if z.re < 0.0 && z.im.abs() <= NOISE * -z.re {
         // z = −k² ± i0: α = ±ik.
         let travelling = Complex64::new(0.0, (-z.re).sqrt());
-        // dz = i·damped·d(Im κ), so the sign of Im dz is that of Re `damped`.
-        return if damped.re >= 0.0 {
+        // dz = i·damped·d(Im κ), so the sign of Im dz is that of Re dz/dκ.
+        return if damped().re >= 0.0 {
             travelling
         } else {
             -travelling

@@ -70,11 +70,16 @@ impl Track {
     }
 
     fn shearing(&self) -> Beam {
+        self.of_area(self.mass_per_length / 7850.0)
+    }
+
+    /// A Timoshenko rail of the cross-section A \[m²\], its mass per length that of the track.
+    fn of_area(&self, area: f64) -> Beam {
         let shear = ShearSection {
-            area: self.mass_per_length / 7850.0,
+            area,
             shear_coefficient: self.shear_coefficient,
             shear_modulus: 80e9,
-            density: 7850.0,
+            density: self.mass_per_length / area,
         };
         Beam::timoshenko(
             Self::steel(),
@@ -206,18 +211,18 @@ proptest! {
         prop_assert!((h - expected).norm() < 2e-8 * free.receptance(w, 0.0).norm(), "{h} {expected}");
     }
 
-    /// A slender rail bends as Euler and Bernoulli say: shear and rotary inertia enter as (αr)²E/κG,
-    /// where r is the radius of gyration: 7e-4 for a rail a thousand times too thin on the stiffest pads,
-    /// where 4EIα⁴ is their stiffness per metre; point supports bend it more. The load is below all resonances, which would
-    /// enlarge it.
+    /// A slender rail bends as Euler and Bernoulli say: shear and rotary inertia enter as (αr)²E/κG with
+    /// the radius of gyration r² = I/A. A section 10⁸ times as large of the same I and mass leaves some
+    /// 1e-8, which a resonance with a loss factor of 1e-3 may enlarge a thousandfold.
     #[test]
     fn slender_timoshenko_is_euler(track in track()) {
-        let thin = Track { second_moment: 1e-6 * track.second_moment, ..track };
-        let w = 0.001 * track.angular_frequency;
-        let pairs = thin.on_every_support(thin.shearing()).into_iter();
-        for (shearing, bending) in pairs.zip(thin.on_every_support(thin.bending())) {
+        let track = Track { loss_factor: track.loss_factor.max(1e-3), ..track };
+        let slender = track.of_area(1e8 * track.mass_per_length / 7850.0);
+        let w = track.angular_frequency;
+        let pairs = track.on_every_support(slender).into_iter();
+        for (shearing, bending) in pairs.zip(track.on_every_support(track.bending())) {
             let (h, expected) = (shearing.receptance(w, 0.0), bending.receptance(w, 0.0));
-            prop_assert!(close(h, expected, 2e-3), "{h} {expected}");
+            prop_assert!(close(h, expected, 1e-4), "{h} {expected}");
         }
     }
 
