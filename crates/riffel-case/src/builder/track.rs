@@ -61,16 +61,17 @@ impl Builder {
     ) -> Result<Track, CaseError> {
         let track = &self.file.track;
         let rail_mass = Some(rail.mass_per_length());
+        let built = |receptance, structure, support| Track {
+            receptance,
+            structure: Some(structure),
+            support,
+            rail_mass,
+            pinned_pinned: None,
+            remarks: Vec::new(),
+        };
         if track.model == TrackModel::FreeBeam {
             let free = Arc::new(ContinuousTrack::free(rail));
-            return Ok(Track {
-                receptance: free.clone(),
-                structure: Some(free),
-                support: None,
-                rail_mass,
-                pinned_pinned: None,
-                remarks: Vec::new(),
-            });
+            return Ok(built(free.clone(), free, None));
         }
         let two_layers = matches!(
             track.model,
@@ -78,31 +79,15 @@ impl Builder {
         );
         let (support, spacing) = self.support(two_layers, direction)?;
         let per_metre = self.physics("track.support_spacing", support.per_metre(spacing))?;
-        let mut built = if track.model.is_periodic() {
+        if track.model.is_periodic() {
             let periodic = PeriodicTrack::new(rail, support, spacing);
             let periodic = self.physics("track.support_spacing", periodic)?;
             let position = track.position.map_or(0.0, |position| position.si());
-            Track {
-                receptance: Arc::new(periodic.at(position)),
-                structure: Some(Arc::new(periodic)),
-                support: None,
-                rail_mass,
-                pinned_pinned: None,
-                remarks: Vec::new(),
-            }
-        } else {
-            let even = Arc::new(ContinuousTrack::new(rail, per_metre));
-            Track {
-                receptance: even.clone(),
-                structure: Some(even),
-                support: None,
-                rail_mass,
-                pinned_pinned: None,
-                remarks: Vec::new(),
-            }
-        };
-        built.support = Some(per_metre);
-        Ok(built)
+            let receptance = Arc::new(periodic.at(position));
+            return Ok(built(receptance, Arc::new(periodic), Some(per_metre)));
+        }
+        let even = Arc::new(ContinuousTrack::new(rail, per_metre));
+        Ok(built(even.clone(), even, Some(per_metre)))
     }
 
     /// A load that moves over a free rail, or over one on the layers that are given.
