@@ -7,8 +7,10 @@ mod contact;
 pub mod decay_rate;
 mod ground;
 mod growth;
+mod linear_theory;
 mod points;
 mod receptance;
+mod rolling;
 
 /// The outcome of one check.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,7 +62,11 @@ checks! {
     receptance: two_layer_receptance, timoshenko_receptance, periodic_receptance_over_support,
         periodic_receptance_mid_span, two_layer_peaks, one_layer_peak, pinned_pinned_antiresonance,
         pinned_pinned_overstated_by_euler, bhaskar_resonance, free_beam_is_the_high_frequency_limit;
-    contact: hertz_semi_axis, creep_curve, saturation_creepage, creepage_of_four_per_mille;
+    contact: hertz_semi_axis, exact_hertz_ellipse, kalker_coefficients_linear_theory,
+        kalker_coefficients_printed, kalker_coefficients_contact, creep_curve, saturation_creepage,
+        creepage_of_four_per_mille;
+    rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
+        dissipation_at_the_rail;
     appendix: moving_load_modulus, moving_load_phase, stationary_lag;
     growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,
         ridge_low_traction, ridge_high_traction, growth_at_low_speed, growth_highest_at_highest_speed,

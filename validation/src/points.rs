@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use riffel::{Complex64, RollingContact};
+use riffel::Complex64;
 use riffel_case::Case;
 use serde::Deserialize;
 
@@ -89,13 +89,13 @@ fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, 
         ("semi_axis_lateral_m", real(case.hertz.semi_axis_lateral())),
         (
             "creep_coefficient",
-            real(case.creep_law.creep_coefficient()),
+            real(case.carter.expect("the paper's law").creep_coefficient()),
         ),
         (
             "saturation_creepage",
-            real(case.creep_law.saturation_creepage()),
+            real(case.carter.expect("the paper's law").saturation_creepage()),
         ),
-        ("creepage", real(case.creep_law.steady().creepage)),
+        ("creepage", real(case.steady.creepage)),
         (
             "contact_stiffness_n_per_m",
             real(case.feedback.contact_stiffness),

@@ -6,11 +6,12 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 8] = [
+const COMMANDS: [&str; 9] = [
     "init",
     "point",
     "map",
     "receptance",
+    "contact",
     "figures",
     "presets",
     "schema",

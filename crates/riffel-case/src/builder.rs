@@ -1,5 +1,6 @@
 //! From keys to the physics: every value checked, every joint of the loop built.
 
+mod contact;
 mod track;
 
 use std::fmt::Display;
@@ -7,9 +8,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use riffel::{
-    Axis, Carter3d, ConstantCreepage, ConstantTangentialForce, ElasticMaterial, EnergyWear,
-    FeedbackLoop, HertzContact, PlaceOfWear, RigidInertia, RigidMass, RollingContact,
-    WheelRotation,
+    Axis, ConstantCreepage, ConstantTangentialForce, ElasticMaterial, EnergyWear, FeedbackLoop,
+    PlaceOfWear, RigidInertia, RigidMass, WheelRotation,
 };
 
 use crate::case::Case;
@@ -51,29 +51,22 @@ impl Builder {
         let file = &self.file;
         let steel = self.steel()?;
 
-        let contact = &file.contact;
-        let radius = self.positive("wheel.rolling_radius", file.wheel.rolling_radius)?;
-        let hertz = HertzContact::new(
-            steel,
-            radius,
-            self.positive("contact.transverse_radius", contact.transverse_radius)?,
-            self.positive("contact.normal_load", contact.normal_load)?,
-        );
-        let hertz = self.physics("contact", hertz)?;
-        let creep_law = self.creep_law(hertz)?;
+        let hertz = self.hertz(steel)?;
+        let contact = self.contact(hertz)?;
+        let steady = contact.rolling.steady();
 
         let (wavelength, speed) = self.window()?;
         let track = self.track(Direction::Vertical)?;
         let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
         let wheel = self.physics("wheel.mass", wheel)?;
         let place_of_wear = PlaceOfWear::new(
-            match contact.dissipation_phase {
+            match file.contact.dissipation_phase {
                 DissipationPhase::Lag => riffel::DissipationPhase::Lag,
                 DissipationPhase::Lead => riffel::DissipationPhase::Lead,
                 DissipationPhase::None => riffel::DissipationPhase::None,
             },
             hertz.semi_axis_longitudinal(),
-            creep_law.steady().tractive_ratio(),
+            steady.tractive_ratio(),
         );
         let wear = EnergyWear::new(
             self.positive("wear.coefficient", file.wear.coefficient)?,
@@ -84,9 +77,9 @@ impl Builder {
             track: track.receptance.clone(),
             wheel: Arc::new(wheel),
             contact_stiffness: hertz.stiffness(),
-            contact: Arc::new(creep_law),
-            rotation: self.rotation(radius)?,
-            rolling_radius: radius,
+            contact: contact.rolling,
+            rotation: self.rotation(hertz.rolling_radius())?,
+            rolling_radius: hertz.rolling_radius(),
             place_of_wear,
             wear: self.physics("wear", wear)?,
             amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
@@ -101,7 +94,8 @@ impl Builder {
             feedback,
             track,
             hertz,
-            creep_law,
+            steady,
+            carter: contact.carter,
             wavelength,
             speed,
             remarks,
@@ -142,48 +136,6 @@ impl Builder {
             &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             "narrow the window, or measure further",
         ))
-    }
-
-    fn creep_law(&self, hertz: HertzContact) -> Result<Carter3d, CaseError> {
-        let contact = &self.file.contact;
-        let friction = self.positive("contact.friction", contact.friction)?;
-        let (key, law) = match (contact.tractive_ratio, contact.creepage) {
-            (Some(_), Some(_)) => {
-                return Err(self.source.invalid(
-                    "contact.creepage",
-                    "and `contact.tractive_ratio` exclude each other",
-                    "give one of the two",
-                ));
-            }
-            (None, None) => {
-                return Err(self.source.missing(
-                    "contact.tractive_ratio",
-                    "give contact.tractive_ratio or contact.creepage",
-                ));
-            }
-            (Some(ratio), None) => {
-                let ratio = ratio.si();
-                if !(ratio > 0.0 && ratio < 1.0) {
-                    return Err(self.out_of_range(
-                        "contact.tractive_ratio",
-                        ratio,
-                        "between 0 and 1, both excluded",
-                    ));
-                }
-                (
-                    "contact.tractive_ratio",
-                    Carter3d::from_tractive_ratio(hertz, friction, ratio),
-                )
-            }
-            (None, Some(creepage)) => {
-                self.positive("contact.creepage", creepage)?;
-                (
-                    "contact.creepage",
-                    Carter3d::from_creepage(hertz, friction, creepage.si()),
-                )
-            }
-        };
-        self.physics(key, law)
     }
 
     fn rotation(&self, radius: f64) -> Result<Arc<dyn WheelRotation>, CaseError> {

@@ -3,11 +3,11 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance};
+use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRolling};
 
 use crate::CaseError;
 use crate::builder::Builder;
-use crate::file::{BeamModel, CaseFile};
+use crate::file::{BeamModel, CaseFile, CreepLawName};
 use crate::source::Source;
 use crate::track::{Direction, Track};
 
@@ -23,8 +23,10 @@ pub struct Case {
     pub track: Track,
     /// The contact patch.
     pub hertz: HertzContact,
-    /// The creep law at the mean state.
-    pub creep_law: Carter3d,
+    /// The mean state of rolling.
+    pub steady: SteadyRolling,
+    /// The paper's creep law, where it is that of the case.
+    pub carter: Option<Carter3d>,
     /// Wavelengths of the map \[m\].
     pub wavelength: Axis,
     /// Speeds of the map \[m/s\].
@@ -72,6 +74,11 @@ impl Case {
         source.fill_in()?;
         let file = source.deserialize()?;
         Builder::new(source, folder.to_owned(), file).build()
+    }
+
+    /// The creep law: as written, or the one that goes with the response.
+    pub fn creep_law(&self) -> CreepLawName {
+        self.builder.creep_law_name()
     }
 
     /// How the rail bends: as written, or with shear where supports are discrete.

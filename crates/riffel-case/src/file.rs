@@ -343,9 +343,93 @@ pub struct Contact {
     /// Creepage ξ₀, above 0 and below the one at which full slip begins.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub creepage: Option<Quantity<Ratio>>,
-    /// Reading of the phase between dissipation at the wheel and at a point of the rail.
+    /// Reading of the phase between dissipation at the wheel and at a point of the rail; a non-steady
+    /// contact resolves it itself.
     #[serde(default)]
     pub dissipation_phase: DissipationPhase,
+    /// Steady creep law; left out, `carter-3d`, or `half-space` with a non-steady response.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creep_law: Option<CreepLawName>,
+    /// How the contact answers to oscillations.
+    #[serde(default)]
+    pub response: ContactDynamics,
+    /// Contact ellipse; left out, `paper` with `carter-3d` and `exact` with all others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hertz: Option<HertzTheory>,
+    /// Elements over a diameter of the ellipse for `half-space`, an even number.
+    #[serde(default = "Contact::default_grid")]
+    #[schemars(range(min = 16, max = 200))]
+    pub grid: u64,
+}
+
+impl Contact {
+    fn default_grid() -> u64 {
+        36
+    }
+}
+
+/// Steady creep law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum CreepLawName {
+    /// The paper's, equation (5).
+    #[serde(rename = "carter-3d")]
+    Carter3d,
+    /// Carter (1926), a line contact as long and as large as the ellipse.
+    #[serde(rename = "carter-2d")]
+    Carter2d,
+    /// Vermeulen & Johnson (1964), with Kalker's slope.
+    #[serde(rename = "johnson-vermeulen")]
+    JohnsonVermeulen,
+    /// Shen, Hedrick & Elkins (1983).
+    #[serde(rename = "shen-hedrick-elkins")]
+    ShenHedrickElkins,
+    /// Polach (2000), with a constant coefficient of friction.
+    #[serde(rename = "polach")]
+    Polach,
+    /// Kalker's simplified theory (1982).
+    #[serde(rename = "fastsim")]
+    Fastsim,
+    /// Kalker's exact theory.
+    #[serde(rename = "half-space")]
+    HalfSpace,
+}
+
+impl CreepLawName {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Carter3d => "carter-3d",
+            Self::Carter2d => "carter-2d",
+            Self::JohnsonVermeulen => "johnson-vermeulen",
+            Self::ShenHedrickElkins => "shen-hedrick-elkins",
+            Self::Polach => "polach",
+            Self::Fastsim => "fastsim",
+            Self::HalfSpace => "half-space",
+        }
+    }
+}
+
+/// How the contact answers to oscillations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactDynamics {
+    /// At once, by the slopes of the creep law.
+    #[default]
+    QuasiStatic,
+    /// By a spring (Mindlin) in series with a dashpot (the slope of the creep law).
+    SpringDashpot,
+    /// By the exact theory of non-steady rolling, which resolves where in the patch the rail wears.
+    NonSteady,
+}
+
+/// Theory of the contact ellipse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum HertzTheory {
+    /// Elliptic integrals.
+    Exact,
+    /// The paper's closed form, equations (22) and (26).
+    Paper,
 }
 
 /// Reading of the phase between dissipation at the wheel and at a point of the rail.

@@ -3,7 +3,7 @@
 use riffel::{Axis, FeedbackLoop, HertzContact};
 
 use crate::builder::Builder;
-use crate::file::{BeamModel, TrackModel};
+use crate::file::{BeamModel, ContactDynamics, TrackModel};
 use crate::measurement;
 use crate::track::{Direction, Track};
 
@@ -69,7 +69,8 @@ pub(crate) fn remarks(
         ));
     }
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
-    if wavelength.min() < shortest {
+    let resolved = file.contact.response == ContactDynamics::NonSteady;
+    if !resolved && wavelength.min() < shortest {
         remarks.push(format!(
             "the contact is quasi-static and does not average over its patch: below {:.0} mm growth \
              is overstated",

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Speed};
+use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_case::{Case, CaseError};
 
 use crate::error::CliError;
@@ -31,6 +31,8 @@ pub(crate) enum Command {
     Map(Map),
     /// Receptance of track, wheel and contact over frequency.
     Receptance(Receptance),
+    /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
+    Contact(Contact),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
@@ -231,6 +233,33 @@ pub(crate) enum DirectionArgument {
     Lateral,
     /// Along the rail.
     Longitudinal,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact"
+)]
+pub(crate) struct Contact {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Folder for the results, made if need be [default: CASE-contact].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Creepages of the creep curves, as ratios or with %, separated by commas [default: 40, to 1.2
+    /// times that of full slip].
+    #[arg(long, value_name = "CREEPAGES", value_delimiter = ',')]
+    pub(crate) creepage: Vec<Quantity<Ratio>>,
+
+    /// Wavelengths of the frequency response in semi-axes λ/a, separated by commas [default: 30, from 2
+    /// to 100].
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',')]
+    pub(crate) ratio: Vec<Quantity<Ratio>>,
+
+    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 #[derive(Args)]

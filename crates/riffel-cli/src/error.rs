@@ -32,6 +32,9 @@ pub(crate) enum CliError {
     #[error("--position: {message}")]
     Position { message: String },
 
+    #[error("{input}: {error}")]
+    Physics { input: String, error: riffel::Error },
+
     #[error("cannot read the observations {path}: {reason}", path = path.display())]
     ReadObservations { path: PathBuf, reason: csv::Error },
 

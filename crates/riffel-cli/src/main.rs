@@ -36,6 +36,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Point(arguments) => command::point::run(&arguments)?,
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
+        Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Schema => command::schema::run()?,

@@ -1,8 +1,8 @@
 //! Growth maps as figures.
 
-use riffel::{GrowthMap, Ridge, RollingContact};
+use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_case::file::{DissipationPhase, Rotation};
+use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
 use riffel_plot::{MapPanel, RidgeMark, constant_frequency_rays};
 
 use crate::track_in_words::{rail, track};
@@ -21,7 +21,7 @@ impl Shown {
     fn factor(self, case: &Case, speed: f64) -> f64 {
         match self {
             Self::Normalized => 1.0,
-            Self::Power => case.creep_law.steady().full_slip_energy_per_metre() * speed,
+            Self::Power => case.steady.full_slip_energy_per_metre() * speed,
         }
     }
 
@@ -96,7 +96,7 @@ fn si(value: Option<f64>) -> f64 {
 /// The parameters of a case in one sentence.
 pub(crate) fn parameters(case: &Case) -> String {
     let file = &case.file;
-    let steady = case.creep_law.steady();
+    let steady = case.steady;
     let rotation = match file.wheel.rotation {
         Rotation::Inertia => format!(
             "I_w = {:.2} kg m²",
@@ -106,12 +106,21 @@ pub(crate) fn parameters(case: &Case) -> String {
         Rotation::ConstantCreepage => "constant creepage (I_w → ∞)".to_owned(),
     };
     let phase = match file.contact.dissipation_phase {
-        DissipationPhase::Lag => "lag",
-        DissipationPhase::Lead => "lead",
-        DissipationPhase::None => "none",
+        _ if file.contact.response == ContactDynamics::NonSteady => "non-steady contact",
+        DissipationPhase::Lag => "dissipation phase: lag",
+        DissipationPhase::Lead => "dissipation phase: lead",
+        DissipationPhase::None => "dissipation phase: none",
+    };
+    let law = match case.creep_law() {
+        CreepLawName::Carter3d => String::new(),
+        law => format!("creep law {}; ", law.name()),
+    };
+    let dynamics = match file.contact.response {
+        ContactDynamics::SpringDashpot => "spring and dashpot; ",
+        _ => "",
     };
     format!(
-        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; dissipation phase: {phase}.",
+        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
         track(case),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,

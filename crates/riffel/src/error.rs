@@ -42,6 +42,20 @@ pub enum Error {
         rule: &'static str,
     },
 
+    /// An iteration that did not reach its tolerance.
+    #[error(
+        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; try another grid \
+         (contact.grid) or a creepage further from full slip"
+    )]
+    NotConverged {
+        /// What was to be solved.
+        problem: &'static str,
+        /// Residual when it was given up.
+        residual: f64,
+        /// Residual that was asked for.
+        tolerance: f64,
+    },
+
     /// The load outruns the bending waves that its own oscillation excites.
     #[error(
         "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \

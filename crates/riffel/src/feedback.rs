@@ -107,8 +107,11 @@ impl FeedbackLoop {
         let tangential_force = turn * ratio.impedance;
 
         let dissipation = dw_dp * normal_force + dw_domega * angular_velocity; // (14), (19)
-        let dissipation_lag_angle = self.place_of_wear.lag(wavelength);
-        let dissipation_at_rail = dissipation * Complex64::cis(-dissipation_lag_angle);
+        let rail = response.at_rail(self.place_of_wear.lag(wavelength));
+        let dissipation_at_rail = (rail.de_dp * normal_force
+            + rail.de_dxi * creepage_per_omega * angular_velocity)
+            * speed;
+        let dissipation_lag_angle = -(dissipation_at_rail / dissipation).arg();
         let normalized_dissipation =
             dissipation_at_rail / (steady.full_slip_energy_per_metre() * speed); // (20)
 

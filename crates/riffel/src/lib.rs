@@ -73,8 +73,16 @@ mod wear;
 mod wheelset;
 
 pub use contact::{
-    Carter3d, ContactResponse, HertzContact, RollingContact, SteadyRolling, creep_coefficient,
+    Carter2d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages,
+    FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach, QuasiStatic,
+    ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
 };
+pub use contact::{
+    Carter3d, ContactElement, ContactResponse, HalfSpace, HalfSpaceRolling, HertzContact,
+    NonSteady, RailDissipation, RollingContact, SlowHalfSpace, SpringDashpot, SteadyRolling,
+    creep_coefficient,
+};
+pub use contact::{ContactBody, EllipticContact, EllipticIntegrals, KalkerCoefficients};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};

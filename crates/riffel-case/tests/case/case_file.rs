@@ -2,7 +2,6 @@
 
 use miette::Diagnostic;
 use proptest::prelude::*;
-use riffel::RollingContact;
 use riffel_case::{BHASKAR_TRACK_CASE, Case, CaseError, NOMINAL_CASE};
 use rstest::rstest;
 
@@ -252,26 +251,16 @@ fn overrides_replace_values_and_exclusive_keys() {
         let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
         Case::parse("case.toml", NOMINAL_CASE, &overrides).unwrap()
     };
-    assert_eq!(
-        case(&["contact.friction=0.3"]).creep_law.steady().friction,
-        0.3
-    );
+    assert_eq!(case(&["contact.friction=0.3"]).steady.friction, 0.3);
     assert_eq!(
         case(&["contact.normal_load=60 kN"]).hertz.normal_force(),
         60e3
     );
     // The case gives a tractive ratio; a creepage on the command line takes its place.
-    assert_eq!(
-        case(&["contact.creepage=0.4 %"])
-            .creep_law
-            .steady()
-            .creepage,
-        0.004
-    );
+    assert_eq!(case(&["contact.creepage=0.4 %"]).steady.creepage, 0.004);
     assert_eq!(
         case(&["contact.friction=0.3", "contact.friction=0.2"])
-            .creep_law
-            .steady()
+            .steady
             .friction,
         0.2
     );

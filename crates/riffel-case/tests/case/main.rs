@@ -1,5 +1,6 @@
 //! Case files as users write them.
 
 mod case_file;
+mod contact;
 mod measurement;
 mod track;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel::{GrowthMap, Ridge, RidgePoint, RollingContact};
+use riffel::{GrowthMap, Ridge, RidgePoint};
 use riffel_case::Case;
 use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, Observation, png};
 use serde::Serialize;
@@ -37,8 +37,11 @@ struct Summary<'a> {
 struct Derived {
     semi_axis_longitudinal_m: f64,
     semi_axis_lateral_m: f64,
-    creep_coefficient: f64,
-    saturation_creepage: f64,
+    /// Of the paper's creep law only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    creep_coefficient: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    saturation_creepage: Option<f64>,
     creepage: f64,
     tractive_ratio: f64,
     contact_stiffness_n_per_m: f64,
@@ -80,7 +83,7 @@ impl From<&RidgePoint> for RidgeEntry {
 
 impl<'a> Summary<'a> {
     fn new(case: &'a Case, ridge: &Ridge, bay: Option<&BayGrowth>) -> Self {
-        let steady = case.creep_law.steady();
+        let steady = case.steady;
         let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
         Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
@@ -88,8 +91,8 @@ impl<'a> Summary<'a> {
             derived: Derived {
                 semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
                 semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
-                creep_coefficient: case.creep_law.creep_coefficient(),
-                saturation_creepage: case.creep_law.saturation_creepage(),
+                creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
+                saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
                 creepage: steady.creepage,
                 tractive_ratio: steady.tractive_ratio(),
                 contact_stiffness_n_per_m: case.feedback.contact_stiffness,

@@ -1,5 +1,6 @@
 //! One file for each command.
 
+pub(crate) mod contact;
 pub(crate) mod figures;
 pub(crate) mod init;
 pub(crate) mod map;

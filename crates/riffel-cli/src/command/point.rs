@@ -1,6 +1,6 @@
 //! `riffel point`
 
-use riffel::{Complex64, LoopState, RollingContact};
+use riffel::{Complex64, LoopState};
 use riffel_case::Case;
 use serde::Serialize;
 
@@ -15,8 +15,11 @@ struct Document {
     frequency_hz: f64,
     semi_axis_longitudinal_m: f64,
     semi_axis_lateral_m: f64,
-    creep_coefficient: f64,
-    saturation_creepage: f64,
+    /// Of the paper's creep law only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    creep_coefficient: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    saturation_creepage: Option<f64>,
     creepage: f64,
     contact_stiffness_n_per_m: f64,
     angular_frequency_rad_per_s: f64,
@@ -24,10 +27,10 @@ struct Document {
     /// Real for a rigid mass.
     wheel_receptance_m_per_n: f64,
     normal_force_n: [f64; 2],
-    dq_dp: f64,
-    dq_domega_n_s_per_rad: f64,
-    dw_dp_m_per_s: f64,
-    dw_domega_w_s_per_rad: f64,
+    dq_dp: RealOrPair,
+    dq_domega_n_s_per_rad: RealOrPair,
+    dw_dp_m_per_s: RealOrPair,
+    dw_domega_w_s_per_rad: RealOrPair,
     tangential_force_n: [f64; 2],
     angular_velocity_rad_per_s: [f64; 2],
     dissipation_w: [f64; 2],
@@ -37,6 +40,24 @@ struct Document {
     normalized_by_mean: [f64; 2],
     mean_dissipation_w: f64,
     growth_rate_per_passage: f64,
+}
+
+/// A derivative of the contact: a number if it answers at once, a pair if it answers late.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum RealOrPair {
+    Real(f64),
+    Pair([f64; 2]),
+}
+
+impl From<Complex64> for RealOrPair {
+    fn from(value: Complex64) -> Self {
+        if value.im == 0.0 {
+            Self::Real(value.re)
+        } else {
+            Self::Pair(pair(value))
+        }
+    }
 }
 
 fn pair(value: Complex64) -> [f64; 2] {
@@ -51,19 +72,18 @@ impl Document {
             frequency_hz: state.speed / state.wavelength,
             semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
             semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
-            creep_coefficient: case.creep_law.creep_coefficient(),
-            saturation_creepage: case.creep_law.saturation_creepage(),
-            creepage: case.creep_law.steady().creepage,
+            creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
+            saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
+            creepage: case.steady.creepage,
             contact_stiffness_n_per_m: case.feedback.contact_stiffness,
             angular_frequency_rad_per_s: state.angular_frequency,
             rail_receptance_m_per_n: pair(state.track_receptance),
             wheel_receptance_m_per_n: state.wheel_receptance.re,
             normal_force_n: pair(state.normal_force),
-            // The derivatives of a quasi-static contact are real.
-            dq_dp: state.dq_dp.re,
-            dq_domega_n_s_per_rad: state.dq_domega.re,
-            dw_dp_m_per_s: state.dw_dp.re,
-            dw_domega_w_s_per_rad: state.dw_domega.re,
+            dq_dp: state.dq_dp.into(),
+            dq_domega_n_s_per_rad: state.dq_domega.into(),
+            dw_dp_m_per_s: state.dw_dp.into(),
+            dw_domega_w_s_per_rad: state.dw_domega.into(),
             tangential_force_n: pair(state.tangential_force),
             angular_velocity_rad_per_s: pair(state.angular_velocity),
             dissipation_w: pair(state.dissipation),
@@ -138,9 +158,13 @@ fn readable(case: &Case, state: &LoopState, document: &Document) -> String {
             std::f64::consts::LN_2 / -rate
         )
     };
+    let full_slip = document
+        .saturation_creepage
+        .map(|creepage| format!(" (full slip from {:.4} %)", 100.0 * creepage))
+        .unwrap_or_default();
     format!(
         "{}{:.1} mm at {:.1} km/h: {:.1} Hz\n\
-         tractive ratio {:.3}, creepage {:.4} % (full slip from {:.4} %), contact {:.2} × {:.2} mm\n\
+         tractive ratio {:.3}, creepage {:.4} %{full_slip}, contact {:.2} × {:.2} mm\n\
          {table}\n\
          Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n",
         case.file
@@ -151,9 +175,8 @@ fn readable(case: &Case, state: &LoopState, document: &Document) -> String {
         1e3 * state.wavelength,
         3.6 * state.speed,
         document.frequency_hz,
-        case.creep_law.steady().tractive_ratio(),
+        case.steady.tractive_ratio(),
         100.0 * document.creepage,
-        100.0 * document.saturation_creepage,
         2e3 * document.semi_axis_longitudinal_m,
         2e3 * document.semi_axis_lateral_m,
         state.normalized_dissipation.re,

@@ -1,6 +1,6 @@
 //! Figures 4 and 5: dissipation over wavelength and speed.
 
-use riffel::{GrowthMap, Ridge, RollingContact};
+use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_plot::{MapFigure, MapPanel};
 
@@ -80,7 +80,7 @@ fn rows(
         dissipation_re_w: f64,
         normalized_dissipation_re: f64,
     }
-    let full_slip = case.creep_law.steady().full_slip_energy_per_metre();
+    let full_slip = case.steady.full_slip_energy_per_metre();
     for (speed, row) in map.rows() {
         for (index, value) in row.iter().enumerate() {
             writer.serialize(Record {

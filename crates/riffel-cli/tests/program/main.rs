@@ -1,5 +1,6 @@
 //! The program as its users meet it.
 
+mod contact;
 mod documentation;
 mod files;
 mod sandbox;

@@ -152,6 +152,7 @@ impl RollingContact for Carter3d {
             dq_dxi: Complex64::from(self.dq_dxi()),
             de_dp: Complex64::from(self.de_dp()),
             de_dxi: Complex64::from(self.de_dxi()),
+            at_rail: None,
         }
     }
 }

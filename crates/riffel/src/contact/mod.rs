@@ -2,12 +2,32 @@
 //! force and dissipation to small oscillations of load and creepage.
 
 mod carter3d;
+mod creep_law;
+mod elliptic;
+mod elliptic_contact;
+mod half_space;
 mod hertz;
 mod kalker;
+mod kalker_coefficients;
+mod kalker_table;
+mod non_steady;
+mod spring_dashpot;
+mod unit_ellipse;
 
 pub use carter3d::Carter3d;
+pub use creep_law::{
+    Carter2d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages,
+    FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach, QuasiStatic,
+    ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
+};
+pub use elliptic::EllipticIntegrals;
+pub use elliptic_contact::{ContactBody, EllipticContact};
+pub use half_space::{ContactElement, HalfSpace, HalfSpaceRolling};
 pub use hertz::HertzContact;
 pub use kalker::creep_coefficient;
+pub use kalker_coefficients::KalkerCoefficients;
+pub use non_steady::{NonSteady, SlowHalfSpace};
+pub use spring_dashpot::SpringDashpot;
 
 use num_complex::Complex64;
 
@@ -59,6 +79,33 @@ pub struct ContactResponse {
     pub de_dp: Complex64,
     /// ∂e/∂ξ at constant normal force \[J/m\].
     pub de_dxi: Complex64,
+    /// The energy that a point of the rail receives, where the contact resolves its patch; none where
+    /// the place of wear is a joint of its own.
+    pub at_rail: Option<RailDissipation>,
+}
+
+/// Energy left at a point of the rail over the whole passage of the patch, relative to the input at the
+/// instant at which the wheel centre passes the point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RailDissipation {
+    /// ∂e/∂P at constant creepage \[m/m\].
+    pub de_dp: Complex64,
+    /// ∂e/∂ξ at constant normal force \[J/m\].
+    pub de_dxi: Complex64,
+}
+
+impl ContactResponse {
+    /// The energy that a point of the rail receives: as the contact resolves it, or that at the wheel
+    /// centre later by an angle \[rad\].
+    pub fn at_rail(&self, lag: f64) -> RailDissipation {
+        self.at_rail.unwrap_or_else(|| {
+            let phase = Complex64::cis(-lag);
+            RailDissipation {
+                de_dp: self.de_dp * phase,
+                de_dxi: self.de_dxi * phase,
+            }
+        })
+    }
 }
 
 /// Joint of the loop: a wheel rolling on a rail with longitudinal creepage.

@@ -8,7 +8,8 @@ use pulp::Arch;
 
 use super::closing::Closing;
 use crate::{
-    Axis, ContactResponse, FeedbackLoop, Frequencies, SplitComplex, TILE, Tabulated, Tile,
+    Axis, ContactResponse, FeedbackLoop, Frequencies, RailDissipation, SplitComplex, TILE,
+    Tabulated, Tile,
 };
 
 /// Relative accuracy of a tabulated track receptance.
@@ -39,9 +40,9 @@ struct Columns {
     wavenumber: Tile,
     /// λ/2π \[m/rad\].
     per_wavenumber: Tile,
-    /// e_P e^{−iθ} Δ/(μP₀ξ₀).
+    /// e_P Δ/(μP₀ξ₀), as a point of the rail receives it.
     by_impedance: SplitComplex,
-    /// R (e_P Q_ξ − e_ξ Q_P) e^{−iθ} Δ/(μP₀ξ₀).
+    /// R (e_P Q_ξ − e_ξ Q_P) Δ/(μP₀ξ₀), likewise.
     by_lever: SplitComplex,
     /// R Q_ξ.
     slip: SplitComplex,
@@ -65,19 +66,22 @@ impl Columns {
         let scale = feedback.amplitude / feedback.contact.steady().full_slip_energy_per_metre();
         let radius = feedback.rolling_radius;
         let at = wavelengths.map(|wavelength| {
-            let phase = Complex64::cis(-feedback.place_of_wear.lag(wavelength));
-            (feedback.contact.response(wavelength), phase * scale)
+            let response = feedback.contact.response(wavelength);
+            (
+                response,
+                response.at_rail(feedback.place_of_wear.lag(wavelength)),
+            )
         });
-        let column = |value: &dyn Fn(ContactResponse, Complex64) -> Complex64| {
+        let column = |value: &dyn Fn(ContactResponse, RailDissipation) -> Complex64| {
             SplitComplex::from_fn(|j| value(at[j].0, at[j].1))
         };
         Self {
             wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
             per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
-            by_impedance: column(&|response, phase| response.de_dp * phase),
-            by_lever: column(&|response, phase| {
-                let cross = response.de_dp * response.dq_dxi - response.de_dxi * response.dq_dp;
-                cross * phase * radius
+            by_impedance: column(&|_, rail| rail.de_dp * scale),
+            by_lever: column(&|response, rail| {
+                let cross = rail.de_dp * response.dq_dxi - rail.de_dxi * response.dq_dp;
+                cross * scale * radius
             }),
             slip: column(&|response, _| response.dq_dxi * radius),
         }

@@ -1,0 +1,186 @@
+//! The contact ellipse cut into elements.
+
+use crate::Error;
+
+/// Fewest and most elements across a diameter of the ellipse.
+const ELEMENTS: std::ops::RangeInclusive<usize> = 8..=200;
+
+/// Equal rectangles over the box around a Hertz ellipse; those with their centre inside carry
+/// traction. x points along the direction of rolling, so that the rail's material enters at x = +a.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Patch {
+    /// Elements across a diameter, in both directions.
+    pub(super) across: usize,
+    /// Length of an element \[m\].
+    pub(super) dx: f64,
+    /// Width of an element \[m\].
+    pub(super) dy: f64,
+    /// Column and row of each element inside, row by row.
+    pub(super) places: Vec<(usize, usize)>,
+    /// Centre of each element \[m\].
+    pub(super) centres: Vec<(f64, f64)>,
+    /// Share of the peak pressure that is the mean pressure of each element \[-\].
+    pub(super) pressure: Vec<f64>,
+    /// Steps of one element length that the material makes: one into each element, in the order of
+    /// the elements, then one out of the last element of each row.
+    pub(super) steps: Vec<Step>,
+}
+
+/// A step of the material from x + dx to x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Step {
+    /// Column and row at the end of the step; the column behind the first is −1.
+    pub(super) end: (isize, usize),
+    /// Middle of the step \[m\].
+    pub(super) middle: (f64, f64),
+    /// Element in which it begins; none if it enters the patch.
+    pub(super) from: Option<usize>,
+    /// Element in which it ends; none if it leaves the patch.
+    pub(super) to: Option<usize>,
+}
+
+impl Patch {
+    /// The ellipse of the semi-axes a along x and b along y \[m\].
+    pub(super) fn new(a: f64, b: f64, across: usize) -> Result<Self, Error> {
+        if !ELEMENTS.contains(&across) {
+            return Err(Error::OutOfRange {
+                quantity: "number of elements across the contact",
+                value: across as f64,
+                unit: "",
+                rule: "must be between 8 and 200",
+            });
+        }
+        // The elements together are as large as the ellipse.
+        let inside = |index: usize| (2.0 * index as f64 + 1.0) / across as f64 - 1.0;
+        let count = (0..across)
+            .flat_map(|row| (0..across).map(move |column| (row, column)))
+            .filter(|&(row, column)| inside(row).powi(2) + inside(column).powi(2) < 1.0)
+            .count();
+        let scale = (std::f64::consts::FRAC_PI_4 * (across * across) as f64 / count as f64).sqrt();
+        let (dx, dy) = (
+            2.0 * a * scale / across as f64,
+            2.0 * b * scale / across as f64,
+        );
+        let centre =
+            |index: usize, step: f64, semi: f64| (index as f64 + 0.5) * step - semi * scale;
+        let mut patch = Self {
+            across,
+            dx,
+            dy,
+            places: Vec::new(),
+            centres: Vec::new(),
+            pressure: Vec::new(),
+            steps: Vec::new(),
+        };
+        for row in 0..across {
+            for column in 0..across {
+                let (x, y) = (centre(column, dx, a), centre(row, dy, b));
+                if inside(row).powi(2) + inside(column).powi(2) < 1.0 {
+                    patch.places.push((column, row));
+                    patch.centres.push((x, y));
+                    patch
+                        .pressure
+                        .push(mean_pressure((x / a, y / b), (dx / a, dy / b)));
+                }
+            }
+        }
+        // What elements with their centre outside would carry, half a per cent, goes to the others.
+        let sum: f64 = patch.pressure.iter().sum::<f64>() * patch.area();
+        let share = 2.0 / 3.0 * std::f64::consts::PI * a * b / sum;
+        for pressure in &mut patch.pressure {
+            *pressure *= share;
+        }
+        patch.steps = patch.all_steps();
+        Ok(patch)
+    }
+
+    fn all_steps(&self) -> Vec<Step> {
+        let at = |place: (usize, usize)| self.places.iter().position(|&other| other == place);
+        let into = self
+            .places
+            .iter()
+            .enumerate()
+            .map(|(index, &(column, row))| Step {
+                end: (column as isize, row),
+                middle: (self.centres[index].0 + 0.5 * self.dx, self.centres[index].1),
+                from: at((column + 1, row)),
+                to: Some(index),
+            });
+        let is_last = |&(_, &(column, row)): &(usize, &(usize, usize))| {
+            column == 0 || at((column - 1, row)).is_none()
+        };
+        let out_of =
+            self.places
+                .iter()
+                .enumerate()
+                .filter(is_last)
+                .map(|(index, &(column, row))| Step {
+                    end: (column as isize - 1, row),
+                    middle: (self.centres[index].0 - 0.5 * self.dx, self.centres[index].1),
+                    from: Some(index),
+                    to: None,
+                });
+        into.chain(out_of).collect()
+    }
+
+    /// Number of elements inside.
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Area of an element \[m²\].
+    pub(super) fn area(&self) -> f64 {
+        self.dx * self.dy
+    }
+}
+
+/// Mean of √(1 − x² − y²) over a rectangle, zero outside the unit circle: an element on the edge is
+/// covered in part. Midpoint rule in y, exact in x; 1e-3 relative on the edge, 1e-6 inside.
+fn mean_pressure((x, y): (f64, f64), (width, height): (f64, f64)) -> f64 {
+    const LINES: usize = 16;
+    (0..LINES)
+        .map(|line| {
+            let y = y + height * ((line as f64 + 0.5) / LINES as f64 - 0.5);
+            let chord = (1.0 - y * y).max(0.0).sqrt();
+            let [low, high] = [x - 0.5 * width, x + 0.5 * width].map(|x| x.clamp(-chord, chord));
+            // ∫√(c² − x²) dx
+            let integral = |x: f64| {
+                let root = (chord * chord - x * x).max(0.0).sqrt();
+                0.5 * (x * root + chord * chord * x.atan2(root))
+            };
+            (integral(high) - integral(low)) / width
+        })
+        .sum::<f64>()
+        / LINES as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The elements carry the load, 2/3 of the peak pressure over the ellipse, and are together as large
+    /// as it; each row ends with a step out of the patch.
+    #[test]
+    fn elements_are_the_ellipse() {
+        for across in [15, 16, 40] {
+            let patch = Patch::new(6e-3, 4e-3, across).unwrap();
+            let area = std::f64::consts::PI * 6e-3 * 4e-3;
+            let load: f64 = patch.pressure.iter().sum::<f64>() * patch.area();
+            assert!((load / (2.0 / 3.0 * area) - 1.0).abs() < 1e-12);
+            assert!((patch.len() as f64 * patch.area() / area - 1.0).abs() < 1e-12);
+            let rows = patch.places.iter().map(|place| place.1);
+            let rows = rows.collect::<std::collections::BTreeSet<_>>().len();
+            assert_eq!(patch.steps.len(), patch.len() + rows);
+        }
+        assert!(Patch::new(6e-3, 4e-3, 4).is_err());
+    }
+
+    /// In the middle the mean over an element is the pressure there, less its curvature.
+    #[test]
+    fn mean_pressure_is_a_mean() {
+        let mean = mean_pressure((0.1, 0.2), (0.05, 0.05));
+        let middle = (1.0f64 - 0.01 - 0.04).sqrt();
+        assert!((mean / middle - 1.0).abs() < 1e-3);
+        assert_eq!(mean_pressure((2.0, 0.0), (0.1, 0.1)), 0.0);
+    }
+}

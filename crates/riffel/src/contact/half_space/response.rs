@@ -1,0 +1,194 @@
+//! Response of rolling contact to small harmonic oscillations, at the frequency itself.
+
+use num_complex::Complex64;
+
+use super::gmres::gmres;
+use super::influence::{Field, Influence};
+use super::patch::Patch;
+use super::steady::SteadyTractions;
+use super::strips::Strips;
+
+/// Residual of the linear equations, as a share of their right-hand side.
+pub(super) const TOLERANCE: f64 = 1e-5;
+const MOST_PRODUCTS: usize = 400;
+
+/// What oscillates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Input {
+    /// Longitudinal creepage, per unit.
+    Creepage,
+    /// Normal load, per share of the mean load.
+    Load,
+}
+
+/// Complex amplitudes per unit of the input.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Response {
+    /// Longitudinal creep force \[N\].
+    pub(super) force: Complex64,
+    /// Energy dissipated per metre rolled, in the patch at this moment \[J/m\].
+    pub(super) dissipation: Complex64,
+    /// Energy dissipated per metre at a point of the rail over the whole passage \[J/m\], relative to the
+    /// input at the moment when the centre of the patch is over that point.
+    pub(super) rail_dissipation: Complex64,
+}
+
+/// The response at the wavenumber k = ω/V \[rad/m\].
+pub(super) fn response(
+    patch: &Patch,
+    influence: &Influence,
+    steady: &SteadyTractions,
+    input: Input,
+    wavenumber: f64,
+) -> Option<Response> {
+    let (count, steps) = (patch.len(), patch.steps.len());
+    let weight = 1.0 / influence.own;
+    // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
+    // middle of the step.
+    let half = Complex64::cis(0.5 * wavenumber * patch.dx);
+    let difference = [half, -half.conj()];
+    let real = |field: &[Vec<f64>; 2]| -> Field {
+        [0, 1].map(|part| {
+            field[part]
+                .iter()
+                .map(|&value| Complex64::from(value))
+                .collect()
+        })
+    };
+
+    // S₁ = forcing − (u₁ − u₁ ahead), bound₁.
+    let mut forcing: Field = [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
+    let bound: Vec<f64> = match input {
+        Input::Creepage => {
+            forcing[0].fill(Complex64::from(patch.dx));
+            vec![0.0; count]
+        }
+        Input::Load => {
+            // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
+            // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
+            // by ε, and is carried along by the stretching.
+            let tractions = real(&steady.tractions);
+            let third = 1.0 / 3.0;
+            let step = influence.apply(patch, &tractions, [-Complex64::ONE, Complex64::ONE]);
+            let stretched = influence.apply(patch, &tractions, difference);
+            let across = influence.slope_across(patch, &tractions);
+            for part in 0..2 {
+                for index in 0..steps {
+                    let (x, y) = patch.steps[index].middle;
+                    let along = x * step[part][index] / patch.dx;
+                    let carried = Complex64::new(0.0, wavenumber * patch.dx)
+                        * (along + y * across[part][index]);
+                    forcing[part][index] =
+                        third * (carried - step[part][index] - stretched[part][index]);
+                }
+            }
+            steady.bound.iter().map(|bound| third * bound).collect()
+        }
+    };
+
+    // Slip elements: p₁ = g₁ŝ + (g/|S|)(1 − ŝŝᵀ) S₁; stick elements: S₁ = 0.
+    let slip = |index: usize| [steady.slip[0][index], steady.slip[1][index]];
+    let across_slip = |index: usize, value: [Complex64; 2]| -> [Complex64; 2] {
+        let [x, y] = slip(index);
+        let size = x.hypot(y);
+        let unit = [x / size, y / size];
+        let along = unit[0] * value[0] + unit[1] * value[1];
+        let stiffness = steady.bound[index] / (size * patch.dx);
+        [0, 1].map(|part| stiffness * (value[part] - unit[part] * along))
+    };
+    let mut right = vec![Complex64::ZERO; 2 * count];
+    for index in 0..count {
+        let force = [forcing[0][index], forcing[1][index]];
+        let row = if steady.slips[index] {
+            let [x, y] = slip(index);
+            let size = x.hypot(y);
+            let turned = across_slip(index, force);
+            [
+                turned[0] + bound[index] * x / size,
+                turned[1] + bound[index] * y / size,
+            ]
+        } else {
+            force.map(|value| weight * value)
+        };
+        right[index] = row[0];
+        right[count + index] = row[1];
+    }
+    let product = |tractions: &[Complex64]| {
+        let field: Field = [tractions[..count].to_vec(), tractions[count..].to_vec()];
+        let moved = influence.apply(patch, &field, difference);
+        let mut image = vec![Complex64::ZERO; 2 * count];
+        for index in 0..count {
+            let moved = [moved[0][index], moved[1][index]];
+            let row = if steady.slips[index] {
+                let turned = across_slip(index, moved);
+                [field[0][index] + turned[0], field[1][index] + turned[1]]
+            } else {
+                moved.map(|value| weight * value)
+            };
+            image[index] = row[0];
+            image[count + index] = row[1];
+        }
+        image
+    };
+    let strips = Strips::new(
+        patch,
+        influence,
+        difference,
+        Complex64::from,
+        |index, part| {
+            if !steady.slips[index] {
+                return (0.0, weight);
+            }
+            let mut unit = [Complex64::ZERO; 2];
+            unit[part] = Complex64::ONE;
+            (1.0, across_slip(index, unit)[part].re)
+        },
+    )?;
+    let solution = gmres(
+        product,
+        |right| strips.solve(right),
+        &right,
+        TOLERANCE,
+        MOST_PRODUCTS,
+    )?;
+    let field: Field = [solution[..count].to_vec(), solution[count..].to_vec()];
+    let moved = influence.apply(patch, &field, difference);
+
+    let mut result = Response {
+        force: Complex64::ZERO,
+        dissipation: Complex64::ZERO,
+        rail_dissipation: Complex64::ZERO,
+    };
+    let area = patch.area();
+    let growth = if input == Input::Load { 1.0 / 3.0 } else { 0.0 };
+    for (change, mean) in field[0].iter().zip(&steady.tractions[0]) {
+        result.force += area * (change + 2.0 * growth * mean);
+    }
+    for (index, step) in patch.steps.iter().enumerate() {
+        // The traction on the way is the mean of that at both ends of the step; so the sum over all
+        // steps is the balance of energy to rounding, the release at the rear edge included.
+        let (mut mean, mut change) = ([0.0; 2], [Complex64::ZERO; 2]);
+        for (element, phase) in [(step.to, half), (step.from, half.conj())] {
+            let Some(element) = element else { continue };
+            for part in 0..2 {
+                mean[part] += 0.5 * steady.tractions[part][element];
+                change[part] += 0.5 * phase * field[part][element];
+            }
+        }
+        let mut density = Complex64::ZERO;
+        let mut steady_density = 0.0;
+        for part in 0..2 {
+            let slip = steady.slip[part][index];
+            let slip_change = (forcing[part][index] - moved[part][index]) / patch.dx;
+            steady_density += mean[part] * slip;
+            density += mean[part] * slip_change + change[part] * slip;
+        }
+        let total = area * (density + 2.0 * growth * steady_density);
+        result.dissipation += total;
+        // A stretched patch leaves its wear further from its centre.
+        let x = step.middle.0;
+        let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
+        result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
+    }
+    Some(result)
+}

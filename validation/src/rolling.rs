@@ -1,0 +1,194 @@
+//! The exact theory of rolling contact against CONTACT.
+
+use riffel::{
+    Complex64, ContactResponse, ElasticMaterial, HalfSpace, HalfSpaceRolling, HertzContact,
+};
+
+use crate::Row;
+
+const CREEP_CURVE: &str = include_str!("../reference/contact/creep_curve.csv");
+const FREQUENCY_RESPONSE: &str = include_str!("../reference/contact/frequency_response.csv");
+const RAIL_DISSIPATION: &str = include_str!("../reference/contact/rail_fixed_dissipation.csv");
+
+/// The contact of the references.
+fn contact(load: f64, across: usize) -> HalfSpace {
+    let steel = ElasticMaterial::new(207e9, 0.3).expect("a steel");
+    let hertz = HertzContact::exact(steel, 0.46, 0.23, load).expect("a contact");
+    HalfSpace::new(hertz, 0.4, across).expect("a grid")
+}
+
+fn cells(line: &str) -> Vec<&str> {
+    line.split(',').collect()
+}
+
+fn number(cell: &str) -> f64 {
+    cell.parse().expect("a number")
+}
+
+pub(crate) fn half_space_creep_curve() -> Row {
+    let mut worst: f64 = 0.0;
+    let mut compared = 0;
+    for load in [45e3, 50e3] {
+        let contact = contact(load, 36);
+        let rows = CREEP_CURVE.lines().skip(1).map(cells);
+        for row in rows.filter(|row| number(row[0]) == load) {
+            let state = contact.roll(number(row[1])).expect("a steady state");
+            let ratio = state.tangential_force() / (0.4 * load);
+            let error = (ratio / number(row[2]) - 1.0).abs();
+            worst = if error <= worst { worst } else { error };
+            compared += 1;
+        }
+    }
+    Row {
+        statement: "Creep curve of the exact theory, 36 elements across",
+        source: "CONTACT, `contact/creep_curve.csv`",
+        expected: format!("{compared} tractive ratios"),
+        got: format!("within {:.1} %", 100.0 * worst),
+        tolerance: "0.7 %: 0.5 % of the reference's own extrapolation, and 0.2 % of this one",
+        holds: worst <= 0.007 && compared >= 18,
+    }
+}
+
+/// The steady states of the references, by tractive ratio.
+fn states(contact: &HalfSpace) -> [(f64, HalfSpaceRolling); 2] {
+    [0.1, 0.6].map(|ratio| {
+        let state = contact.roll_at_tractive_ratio(ratio);
+        (ratio, state.expect("a steady state"))
+    })
+}
+
+/// A response over its quasi-static value.
+fn normalized(
+    contact: &HalfSpace,
+    state: &HalfSpaceRolling,
+    ratio: f64,
+    value: fn(&ContactResponse) -> (Complex64, Complex64),
+) -> Complex64 {
+    let hertz = ElasticMaterial::new(207e9, 0.3)
+        .and_then(|steel| HertzContact::exact(steel, 0.46, 0.23, 50e3))
+        .expect("a contact");
+    let wavelength = ratio * hertz.semi_axis_longitudinal();
+    let slow = contact.response(state, f64::INFINITY).expect("a response");
+    let response = contact.response(state, wavelength).expect("a response");
+    value(&response).0 / value(&slow).1
+}
+
+/// Largest errors of modulus (relative) and phase \[rad\] of the responses with one input.
+fn compare(input: &str) -> (f64, f64, f64, usize) {
+    let contact = contact(50e3, 36);
+    let states = states(&contact);
+    let (mut modulus, mut phase, mut absolute): (f64, f64, f64) = (0.0, 0.0, 0.0);
+    let mut compared = 0;
+    let force = |response: &ContactResponse| (response.dq_dxi, response.dq_dxi);
+    let dissipation = |response: &ContactResponse| (response.de_dxi, response.de_dxi);
+    let force_by_load = |response: &ContactResponse| (response.dq_dp, response.dq_dp);
+    let dissipation_by_load = |response: &ContactResponse| (response.de_dp, response.de_dp);
+    type Value = fn(&ContactResponse) -> (Complex64, Complex64);
+    let values: [(usize, Value); 2] = if input == "xi" {
+        [(4, force), (8, dissipation)]
+    } else {
+        [(4, force_by_load), (8, dissipation_by_load)]
+    };
+    for row in FREQUENCY_RESPONSE.lines().skip(1).map(cells) {
+        if row[0] != input {
+            continue;
+        }
+        let tau = number(row[1]);
+        let state = &states
+            .iter()
+            .find(|state| state.0 == tau)
+            .expect("0.1 or 0.6")
+            .1;
+        for (column, value) in values {
+            let expected = Complex64::new(number(row[column]), number(row[column + 1]));
+            let got = normalized(&contact, state, number(row[3]), value);
+            compared += 1;
+            if expected.norm() < 0.1 {
+                absolute = absolute.max((got - expected).norm());
+            } else {
+                modulus = modulus.max((got.norm() / expected.norm() - 1.0).abs());
+                phase = phase.max((got / expected).arg().abs());
+            }
+        }
+    }
+    (modulus, phase, absolute, compared)
+}
+
+fn response_row(
+    statement: &'static str,
+    input: &str,
+    tolerance: &'static str,
+    (modulus_limit, phase_limit): (f64, f64),
+) -> Row {
+    let (modulus, phase, absolute, compared) = compare(input);
+    Row {
+        statement,
+        source: "CONTACT stepped through time, `contact/frequency_response.csv`",
+        expected: format!("{compared} complex responses of creep force and dissipation"),
+        got: format!(
+            "within {:.1} % and {phase:.3} rad; {absolute:.3} where small",
+            100.0 * modulus
+        ),
+        tolerance,
+        holds: modulus <= modulus_limit
+            && phase <= phase_limit
+            && absolute <= 0.01
+            && compared >= 32,
+    }
+}
+
+pub(crate) fn frequency_response_to_creepage() -> Row {
+    response_row(
+        "Frequency response of rolling contact to creepage, wavelengths of 2–100 a, τ = 0.1 and 0.6",
+        "xi",
+        "3 % and 0.04 rad, 0.01 where |H| < 0.1: 1 % and 0.01 rad of the reference, the rest for 36 elements",
+        (0.03, 0.04),
+    )
+}
+
+pub(crate) fn frequency_response_to_load() -> Row {
+    response_row(
+        "The same to load",
+        "P",
+        "5 % and 0.06 rad, 0.01 where |H| < 0.1: up to 3 % and 0.03 rad of the reference, the rest for 36 elements",
+        (0.05, 0.06),
+    )
+}
+
+pub(crate) fn dissipation_at_the_rail() -> Row {
+    let contact = contact(50e3, 48);
+    let states = states(&contact);
+    let (mut by_creepage, mut by_load): (f64, f64) = (0.0, 0.0);
+    let mut compared = 0;
+    for row in RAIL_DISSIPATION.lines().skip(1).map(cells) {
+        let tau = number(row[1]);
+        let state = &states
+            .iter()
+            .find(|state| state.0 == tau)
+            .expect("0.1 or 0.6")
+            .1;
+        let expected = Complex64::new(number(row[3]), number(row[4]));
+        let ratio = number(row[2]);
+        compared += 1;
+        if row[0] == "xi" {
+            let got = normalized(&contact, state, ratio, |response| {
+                (response.at_rail(0.0).de_dxi, response.de_dxi)
+            });
+            by_creepage = by_creepage.max((got - expected).norm());
+        } else {
+            let got = normalized(&contact, state, ratio, |response| {
+                (response.at_rail(0.0).de_dp, response.de_dp)
+            });
+            by_load = by_load.max((got - expected).norm());
+        }
+    }
+    Row {
+        statement: "Dissipation that a point of the rail receives over the passage",
+        source: "CONTACT stepped through time, `contact/rail_fixed_dissipation.csv`",
+        expected: format!("{compared} complex responses"),
+        got: format!("within {by_creepage:.3} for creepage, {by_load:.3} for load"),
+        tolerance: "0.03 and 0.05, absolute: the reference's own error of up to 0.02, the rest for 48 elements; 36 leave \
+                    0.055 at the shortest wave and smallest traction, 2 a and τ = 0.1",
+        holds: by_creepage <= 0.03 && by_load <= 0.05 && compared >= 30,
+    }
+}
