@@ -6,8 +6,8 @@
 //! | joint | trait | equations of Afferrante & Ciavarella (2009) |
 //! |---|---|---|
 //! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`]; [`ContinuousTrack`], [`PeriodicTrack`], [`MovingLoadTrack`], [`MeasuredReceptance`] |
-//! | contact patch | [`HertzContact`] | (22), (26) |
-//! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`] |
+//! | contact patch | [`HertzContact`], [`EllipticContact`], [`KalkerCoefficients`] | (22), (26) |
+//! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`]; [`CreepLaw`], [`HalfSpace`], [`NonSteady`] |
 //! | wheel rotation | [`WheelRotation`] | (15)–(18) [`RigidInertia`], [`ConstantTangentialForce`], [`ConstantCreepage`] |
 //! | place of wear | [`PlaceOfWear`] | below (22) |
 //! | wear | [`EnergyWear`] | |
