@@ -129,15 +129,7 @@ impl Builder {
         let material = hertz.material();
         let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio());
         let kalker = self.physics("contact", kalker)?;
-        let ellipse = CreepEllipse {
-            normal_force: hertz.normal_force(),
-            semi_axis_longitudinal: hertz.semi_axis_longitudinal(),
-            semi_axis_lateral: hertz.semi_axis_lateral(),
-            shear_modulus: material.shear_modulus(),
-            c11: kalker.c11,
-            c22: kalker.c22,
-            c23: kalker.c23,
-        };
+        let ellipse = CreepEllipse::new(hertz, kalker);
         fn shared<L: CreepLaw + 'static>(law: L) -> Arc<dyn CreepLaw> {
             Arc::new(law)
         }

@@ -210,15 +210,7 @@ impl SimpleLaws {
         friction: f64,
     ) -> Result<Self, riffel::Error> {
         let material = hertz.material();
-        let ellipse = CreepEllipse {
-            normal_force: hertz.normal_force(),
-            semi_axis_longitudinal: hertz.semi_axis_longitudinal(),
-            semi_axis_lateral: hertz.semi_axis_lateral(),
-            shear_modulus: material.shear_modulus(),
-            c11: kalker.c11,
-            c22: kalker.c22,
-            c23: kalker.c23,
-        };
+        let ellipse = CreepEllipse::new(hertz, kalker);
         // Dry and constant: with k_A = k_S = 1 Polach's law does not depend on the speed.
         let full = SlopeReduction {
             adhesion: 1.0,

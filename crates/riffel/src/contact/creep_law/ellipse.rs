@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{CreepForces, Creepages};
-use crate::Error;
+use crate::{Error, HertzContact, KalkerCoefficients};
 
 /// Contact ellipse under a reference load, with Kalker's creep coefficients.
 ///
@@ -28,6 +28,19 @@ pub struct CreepEllipse {
 }
 
 impl CreepEllipse {
+    /// The ellipse of a Hertz contact with its creep coefficients.
+    pub fn new(hertz: HertzContact, kalker: KalkerCoefficients) -> Self {
+        Self {
+            normal_force: hertz.normal_force(),
+            semi_axis_longitudinal: hertz.semi_axis_longitudinal(),
+            semi_axis_lateral: hertz.semi_axis_lateral(),
+            shear_modulus: hertz.material().shear_modulus(),
+            c11: kalker.c11,
+            c22: kalker.c22,
+            c23: kalker.c23,
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
         Error::unless_positive("normal force", self.normal_force, "N")?;
         Error::unless_positive("longitudinal semi-axis", self.semi_axis_longitudinal, "m")?;
