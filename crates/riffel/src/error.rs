@@ -33,7 +33,7 @@ pub enum Error {
         saturation_creepage: f64,
     },
 
-    /// A measured receptance that is none.
+    /// A measured receptance, profile or spectrum that is none.
     #[error("{rule} (value number {})", index + 1)]
     Measurement {
         /// Place of the value among the others, from zero.
