@@ -22,6 +22,7 @@ mod fill_in;
 mod measurement;
 mod preset;
 pub mod quantity;
+pub mod roughness;
 mod source;
 mod track;
 mod unit;

@@ -157,7 +157,11 @@ impl Recipe {
         Ok(heights)
     }
 
-    fn check(&self) -> Result<(), Error> {
+    /// `Ok` for a recipe that can be made.
+    ///
+    /// # Errors
+    /// As [`heights`](Self::heights).
+    pub fn check(&self) -> Result<(), Error> {
         Error::unless_positive("length of the profile", self.length, "m")?;
         Error::unless_positive("sample spacing", self.spacing, "m")?;
         if !(2.0..=MOST_SAMPLES).contains(&(self.length / self.spacing).round()) {
