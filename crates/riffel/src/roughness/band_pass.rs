@@ -47,7 +47,7 @@ impl BandPass {
     pub fn new(spacing: f64, samples: usize, bands: &[WavelengthBand]) -> Result<Self, Error> {
         Error::unless_positive("sample spacing", spacing, "m")?;
         for band in bands {
-            if band.from() * 10f64.powf(-HALF_TRANSITION) < 2.0 * spacing {
+            if !Self::resolves(*band, spacing) {
                 return Err(Error::OutOfRange {
                     quantity: "shortest wavelength of a band",
                     value: band.from(),
@@ -75,6 +75,12 @@ impl BandPass {
             .map(|band| bank.tapered(|k| gain(*band, k), spacing))
             .collect();
         Ok(bank)
+    }
+
+    /// Whether samples of this spacing \[m\] tell the shortest waves of a band, transition included, from
+    /// others.
+    pub fn resolves(band: WavelengthBand, spacing: f64) -> bool {
+        band.from() * 10f64.powf(-HALF_TRANSITION) >= 2.0 * spacing
     }
 
     /// Gains of a response cut to the reach, over the lines of a block and with the scale of the two

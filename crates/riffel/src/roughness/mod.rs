@@ -2,7 +2,7 @@
 //!
 //! A [`Profile`] is cleaned of [spikes](Profile::remove_spikes) and rolled over by the
 //! [wheel](Profile::roll_over) as EN 15610 asks, and becomes a [`Spectrum`] of one-third-octave levels
-//! or a [`BandStatistics`] of what grinding is judged by. Heights are positive upward, out of the rail;
+//! or a [`BandStatistics`] of what grinding is judged by; [`RailAnalysis`] does it all. Heights are positive upward, out of the rail;
 //! levels are in dB re 1 µm, L = 10 lg(mean square / 1 µm²).
 //!
 //! ```
@@ -19,6 +19,7 @@
 //! # }
 //! ```
 
+mod analysis;
 mod band_pass;
 mod band_statistics;
 mod curvature;
@@ -34,6 +35,7 @@ mod synthesis;
 mod third_octave;
 mod wavelength_band;
 
+pub use analysis::{AnalysisSettings, BandSummary, BlockRms, RailAnalysis};
 pub use band_pass::BandPass;
 pub use band_statistics::{BandStatistics, Exceedance};
 pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
