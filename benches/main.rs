@@ -4,6 +4,7 @@
 //! process of its own that keeps what it needs between tasks, as a program in use does.
 
 mod contestant;
+mod roughness;
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -76,6 +77,7 @@ fn contest() -> Result<(), Failure> {
         };
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
+            _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
         };
         println!("{seconds} {sum}");
@@ -246,6 +248,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
 
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
+    roughness::report(&mut text, folder, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(

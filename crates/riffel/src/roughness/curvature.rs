@@ -9,7 +9,7 @@ use super::Profile;
 /// Radius of the wheel that rolls over a profile \[m\], EN 15610:2009.
 pub const WHEEL_RADIUS: f64 = 0.375;
 
-/// Least height by which the wheel bridges a pit that is counted \[m\]: the reference roughness.
+/// Least height at which the wheel passes over a pit that is counted \[m\]: the reference roughness.
 pub const PIT_DEPTH: f64 = 1e-6;
 
 /// Samples of a block: small enough for the nearest cache, and for the slope of the profile to matter
@@ -18,7 +18,8 @@ const BLOCK: usize = 1024;
 
 impl Profile {
     /// The height of a wheel's lowest point as it rolls over the profile, in place of the profile; returns
-    /// the pits that it bridges by more than `pit_depth` \[m\], in samples.
+    /// the pits, in samples: where the wheel stays higher over the rail than `pit_depth` \[m\] wherever it
+    /// stands.
     ///
     /// r′(ξ) = max over x of r(x) − (R − √(R² − (x − ξ)²)), EN 15610:2009 with R = 0.375 m
     /// ([`WHEEL_RADIUS`]). A smooth profile changes only where its slope or curvature is great: by Rs²/2 at
@@ -45,12 +46,14 @@ impl Profile {
             .into_par_iter()
             .flat_map_iter(|block| roll_block(heights, block * BLOCK, &rise))
             .collect();
-        let pits = runs(
-            rolled
-                .iter()
-                .zip(heights)
-                .map(|(wheel, rail)| wheel - rail > pit_depth),
-        );
+        let lifted = rolled
+            .iter()
+            .zip(heights)
+            .map(|(wheel, rail)| wheel - rail > pit_depth);
+        let pits = runs(lifted)
+            .into_par_iter()
+            .flat_map_iter(|run| bridged(heights, &rolled, run, &rise, pit_depth))
+            .collect();
         self.heights = rolled;
         pits
     }
@@ -85,6 +88,38 @@ fn raise(rolled: &mut [f64], contact: &[f64], rise: f64) {
             *rolled
         };
     }
+}
+
+/// Where within a run the wheel passes over the rail without coming nearer than the depth.
+fn bridged(
+    heights: &[f64],
+    rolled: &[f64],
+    run: Range<usize>,
+    rise: &[f64],
+    depth: f64,
+) -> Vec<Range<usize>> {
+    let around = run.start.saturating_sub(rise.len())..(run.end + rise.len()).min(rolled.len());
+    let lowest = rolled[around].iter().copied().fold(f64::INFINITY, f64::min);
+    let touched = |place: usize| {
+        let level = heights[place] + depth;
+        // A wheel further away stands higher over this place than any is low.
+        let near = rise
+            .iter()
+            .enumerate()
+            .take_while(|(_, rise)| lowest + **rise <= level);
+        near.into_iter().any(|(distance, rise)| {
+            let reaches = |wheel: Option<&f64>| wheel.is_some_and(|wheel| wheel + rise <= level);
+            let behind = place
+                .checked_sub(distance)
+                .and_then(|place| rolled.get(place));
+            reaches(behind) || reaches(rolled.get(place + distance))
+        })
+    };
+    let start = run.start;
+    runs(run.map(|place| !touched(place)))
+        .into_iter()
+        .map(|pit| pit.start + start..pit.end + start)
+        .collect()
 }
 
 /// The greatest distance at which a contact may lift the wheel within the block.
@@ -191,6 +226,18 @@ mod tests {
         let mut profile = Profile::new(0.0, 1e-3, heights.clone())?;
         assert_eq!(profile.roll_over(WHEEL_RADIUS, PIT_DEPTH), []);
         assert_eq!(profile.heights(), heights);
+        Ok(())
+    }
+
+    /// Steep corrugation lifts the middle of the wheel by Rs²/2 = 1.04 µm, but the wheel touches all of it.
+    #[test]
+    fn a_steep_wave_has_no_pits() -> Result<(), Error> {
+        let phase = |i: usize| std::f64::consts::TAU * i as f64 * 1e-3 / 0.04;
+        let heights: Vec<f64> = (0..4000).map(|i| 15e-6 * phase(i).sin()).collect();
+        let mut profile = Profile::new(0.0, 1e-3, heights.clone())?;
+        assert_eq!(profile.roll_over(WHEEL_RADIUS, PIT_DEPTH), []);
+        let lifted = profile.heights().iter().zip(&heights);
+        assert!(lifted.map(|(wheel, rail)| wheel - rail).fold(0.0, f64::max) > 1e-6);
         Ok(())
     }
 }

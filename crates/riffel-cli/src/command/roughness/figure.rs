@@ -16,7 +16,12 @@ pub(super) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) ->
     let mut curves: Vec<Series> = report
         .rails
         .iter()
-        .map(|(name, rail)| levels(name, &rail.spectrum, LineStyle::Solid, None))
+        .enumerate()
+        .map(|(index, (name, rail))| {
+            // Black is the mean's and the limit's.
+            let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
+            levels(name, &rail.spectrum, LineStyle::Solid, Some(color))
+        })
         .collect();
     if rails > 1 {
         curves.push(levels(
