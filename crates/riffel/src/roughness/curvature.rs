@@ -53,6 +53,8 @@ impl Profile {
         let pits = runs(lifted)
             .into_par_iter()
             .flat_map_iter(|run| bridged(heights, &rolled, run, &rise, pit_depth))
+            // At the ends the wheel stands on one side only.
+            .filter(|pit| pit.start > 0 && pit.end < heights.len())
             .collect();
         self.heights = rolled;
         pits
