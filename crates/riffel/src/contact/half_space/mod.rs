@@ -4,6 +4,7 @@
 //! that of Hertz. Coulomb friction bounds the traction everywhere. What remains is to find where the
 //! patch sticks and where it slips.
 
+mod friction;
 mod gmres;
 mod influence;
 mod patch;
@@ -12,13 +13,15 @@ mod steady;
 mod strips;
 #[cfg(test)]
 mod tests;
+mod transform;
 
 use num_complex::Complex64;
 
+use self::friction::Slip;
 use self::influence::Influence;
 use self::patch::Patch;
 use self::response::{Input, Response};
-use self::steady::SteadyTractions;
+use self::steady::Rigid;
 use super::{
     Carter3d, ContactResponse, HertzContact, RailDissipation, RollingContact, SteadyRolling,
 };
@@ -73,11 +76,14 @@ impl Grid {
     fn roll(
         &self,
         creepage: f64,
-        start: Option<&SteadyTractions>,
-    ) -> Result<SteadyTractions, Error> {
-        let rigid = vec![[creepage, 0.0]; self.patch.steps.len()];
+        start: Option<&Slip>,
+    ) -> Result<Slip, Error> {
+        let rigid = Rigid {
+            longitudinal: creepage,
+            ..Rigid::default()
+        };
         let start = start.map(|start| &start.tractions);
-        steady::solve(&self.patch, &self.influence, &rigid, &self.bound, start).map_err(
+        steady::solve(&self.patch, &self.influence, rigid, &self.bound, start).map_err(
             |residual| Error::NotConverged {
                 problem: "steady rolling",
                 residual,
@@ -87,17 +93,17 @@ impl Grid {
     }
 
     /// Creep force along the rail \[N\].
-    fn force(&self, state: &SteadyTractions) -> f64 {
+    fn force(&self, state: &Slip) -> f64 {
         state.tractions[0].iter().sum::<f64>() * self.patch.area()
     }
 
     fn response(
         &self,
-        state: &SteadyTractions,
+        state: &Slip,
         input: Input,
         wavenumber: f64,
     ) -> Result<Response, Error> {
-        response::response(&self.patch, &self.influence, state, input, wavenumber).ok_or(
+        response::response(self, state, input, wavenumber).ok_or(
             Error::NotConverged {
                 problem: "frequency response of rolling contact",
                 residual: f64::NAN,
@@ -111,8 +117,8 @@ impl Grid {
 pub struct HalfSpaceRolling {
     creepage: f64,
     tangential_force: f64,
-    fine: SteadyTractions,
-    coarse: SteadyTractions,
+    fine: Slip,
+    coarse: Slip,
 }
 
 impl HalfSpaceRolling {
@@ -320,7 +326,7 @@ impl HalfSpace {
                 state.fine.tractions[0][index],
                 state.fine.tractions[1][index],
             ),
-            bound: state.fine.bound[index],
+            bound: self.fine.bound[index],
             slips: state.fine.slips[index],
         })
     }

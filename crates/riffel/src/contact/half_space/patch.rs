@@ -95,32 +95,42 @@ impl Patch {
     }
 
     fn all_steps(&self) -> Vec<Step> {
-        let at = |place: (usize, usize)| self.places.iter().position(|&other| other == place);
-        let into = self
-            .places
-            .iter()
-            .enumerate()
-            .map(|(index, &(column, row))| Step {
-                end: (column as isize, row),
-                middle: (self.centres[index].0 + 0.5 * self.dx, self.centres[index].1),
-                from: at((column + 1, row)),
-                to: Some(index),
-            });
-        let is_last = |&(_, &(column, row)): &(usize, &(usize, usize))| {
-            column == 0 || at((column - 1, row)).is_none()
+        // Elements of a row follow each other.
+        let neighbour = |index: Option<usize>, of: usize| {
+            index.filter(|&index| {
+                self.places
+                    .get(index)
+                    .is_some_and(|place| place.1 == self.places[of].1)
+            })
         };
-        let out_of =
-            self.places
-                .iter()
-                .enumerate()
-                .filter(is_last)
-                .map(|(index, &(column, row))| Step {
-                    end: (column as isize - 1, row),
-                    middle: (self.centres[index].0 - 0.5 * self.dx, self.centres[index].1),
-                    from: Some(index),
-                    to: None,
-                });
-        into.chain(out_of).collect()
+        let step = |index: usize, back: bool| {
+            let (column, row) = self.places[index];
+            let side = if back { -0.5 } else { 0.5 };
+            Step {
+                end: (column as isize - isize::from(back), row),
+                middle: (self.centres[index].0 + side * self.dx, self.centres[index].1),
+                from: if back {
+                    Some(index)
+                } else {
+                    neighbour(Some(index + 1), index)
+                },
+                to: (!back).then_some(index),
+            }
+        };
+        let is_last = |&index: &usize| neighbour(index.checked_sub(1), index).is_none();
+        let into = (0..self.len()).map(|index| step(index, false));
+        let out_of = (0..self.len()).filter(is_last);
+        into.chain(out_of.map(|index| step(index, true))).collect()
+    }
+
+    /// The elements of each row.
+    pub(super) fn rows(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        let mut begin = 0;
+        self.places.chunk_by(|a, b| a.1 == b.1).map(move |row| {
+            let range = begin..begin + row.len();
+            begin = range.end;
+            range
+        })
     }
 
     /// Number of elements inside.

@@ -1,141 +1,151 @@
 //! Each row of elements by itself: an approximate inverse of the whole contact.
 
-use num_complex::ComplexFloat;
+use std::ops::Range;
 
+use super::gmres::Scalar;
 use super::influence::Influence;
 use super::patch::Patch;
 
-/// Factors of the equations of every row of elements along the rail, x and y part apart, with the other
-/// rows and the other part left out. What is left out is smooth, so that few products with the whole
-/// matrix make up for it.
-pub(super) struct Strips<T> {
-    strips: Vec<Strip<T>>,
-}
-
-struct Strip<T> {
-    first: usize,
-    /// LU factors, x and y part.
+/// The equations of every row of elements along the rail, x and y part apart, with the other rows and
+/// the other part left out. What is left out is smooth, so that few products with the whole matrix make
+/// up for it.
+///
+/// Method: elements are alike, so the displacement of one by another depends on their distance alone,
+/// and so do its triangular factors without pivots: those of the longest row contain those of every
+/// shorter one. Cost: O(n³) once for n elements across and O(n²) for each row and solution.
+pub(super) struct Strips<'a, T> {
+    patch: &'a Patch,
+    /// x and y part.
     factors: [Factors<T>; 2],
 }
 
+/// The equation p·identity + difference·(displacement) of an element and part, of which an approximate
+/// inverse keeps the larger term.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Diagonal {
+    pub(super) identity: f64,
+    pub(super) difference: f64,
+}
+
+impl<'a, T: Scalar> Strips<'a, T> {
+    /// For displacements here·u(x) + ahead·u(x + dx).
+    pub(super) fn new(patch: &'a Patch, influence: &Influence, [here, ahead]: [T; 2]) -> Self {
+        let factors = |part: usize| {
+            let entry = |distance: isize| {
+                let influence = |distance| T::of(influence.along(part, distance));
+                here * influence(distance) + ahead * influence(distance + 1)
+            };
+            Factors::new(patch.across, entry)
+        };
+        Self {
+            patch,
+            factors: [factors(0), factors(1)],
+        }
+    }
+
+    /// The approximate solution for a right-hand side, x part first, in its place.
+    pub(super) fn solve(&self, diagonal: impl Fn(usize, usize) -> Diagonal, values: &mut [T]) {
+        for (part, values) in values.chunks_exact_mut(self.patch.len()).enumerate() {
+            let factors = &self.factors[part];
+            let of_displacement = |index: usize| {
+                let Diagonal {
+                    identity,
+                    difference,
+                } = diagonal(index, part);
+                difference * factors.own > identity
+            };
+            for row in self.patch.rows() {
+                for index in row.clone() {
+                    let Diagonal {
+                        identity,
+                        difference,
+                    } = diagonal(index, part);
+                    let size = if of_displacement(index) {
+                        difference
+                    } else {
+                        identity + difference * factors.own
+                    };
+                    values[index] = values[index] / T::of(size);
+                }
+                let mut next = row.start;
+                while next < row.end {
+                    let begin = next;
+                    while next < row.end && of_displacement(next) {
+                        next += 1;
+                    }
+                    for cause in row.clone().filter(|&cause| !of_displacement(cause)) {
+                        factors.subtract(values[cause], begin..next, cause, values);
+                    }
+                    factors.solve(&mut values[begin..next]);
+                    next += 1;
+                }
+            }
+        }
+    }
+}
+
+/// L and U of the displacements along a row, by columns.
 struct Factors<T> {
     size: usize,
+    own: f64,
+    /// Displacement by the distance from its cause, from 1 − n on.
+    entries: Vec<T>,
     values: Vec<T>,
-    pivots: Vec<usize>,
 }
 
-impl<T: ComplexFloat<Real = f64>> Strips<T> {
-    /// `row` gives, for an element and a part, the equation p → identity·p + difference·(u − u ahead):
-    /// the factors (identity, difference) of its diagonal block.
-    pub(super) fn new(
-        patch: &Patch,
-        influence: &Influence,
-        [here, ahead]: [T; 2],
-        of: impl Fn(f64) -> T,
-        row: impl Fn(usize, usize) -> (f64, f64),
-    ) -> Option<Self> {
-        let mut strips: Vec<Strip<T>> = Vec::new();
-        let mut begin = 0;
-        while begin < patch.len() {
-            let line = patch.places[begin].1;
-            let end = patch.places[begin..]
-                .iter()
-                .position(|place| place.1 != line)
-                .map_or(patch.len(), |length| begin + length);
-            let size = end - begin;
-            let factors = |part: usize| {
-                let mut values = Vec::with_capacity(size * size);
-                for i in 0..size {
-                    let (identity, difference) = row(begin + i, part);
-                    for j in 0..size {
-                        let distance = i as isize - j as isize;
-                        let moved = here * of(influence.along(part, distance))
-                            + ahead * of(influence.along(part, distance + 1));
-                        let unit = if i == j { identity } else { 0.0 };
-                        values.push(of(unit) + of(difference) * moved);
-                    }
-                }
-                Factors::new(size, values)
-            };
-            strips.push(Strip {
-                factors: [factors(0)?, factors(1)?],
-                first: begin,
-            });
-            begin = end;
+impl<T: Scalar> Factors<T> {
+    fn new(size: usize, entry: impl Fn(isize) -> T) -> Self {
+        let mut values = Vec::with_capacity(size * size);
+        for column in 0..size as isize {
+            values.extend((0..size as isize).map(|row| entry(row - column)));
         }
-        Some(Self { strips })
-    }
-
-    /// The approximate solution for a right-hand side, x part first.
-    pub(super) fn solve(&self, right: &[T]) -> Vec<T> {
-        let count = right.len() / 2;
-        let mut solution = right.to_vec();
-        for strip in &self.strips {
-            for part in 0..2 {
-                let first = part * count + strip.first;
-                let range = first..first + strip.factors[part].size;
-                strip.factors[part].solve(&mut solution[range]);
-            }
-        }
-        solution
-    }
-}
-
-impl<T: ComplexFloat<Real = f64>> Factors<T> {
-    /// Gaussian elimination with row pivots; none if the matrix is singular.
-    fn new(size: usize, mut values: Vec<T>) -> Option<Self> {
-        let mut pivots = Vec::with_capacity(size);
         for column in 0..size {
-            let pivot = (column..size).max_by(|&a, &b| {
-                let size_of = |row: usize| values[row * size + column].abs();
-                size_of(a).total_cmp(&size_of(b))
-            })?;
-            pivots.push(pivot);
-            if values[pivot * size + column] == T::zero() {
-                return None;
+            let (done, rest) = values.split_at_mut((column + 1) * size);
+            let lower = &mut done[column * size + column..];
+            let (pivot, lower) = (lower[0], &mut lower[1..]);
+            for value in lower.iter_mut() {
+                *value = *value / pivot;
             }
-            if pivot != column {
-                for other in 0..size {
-                    values.swap(pivot * size + other, column * size + other);
-                }
-            }
-            let inverse = values[column * size + column].recip();
-            for row in column + 1..size {
-                let factor = values[row * size + column] * inverse;
-                values[row * size + column] = factor;
-                let (above, below) = values.split_at_mut(row * size);
-                let upper = &above[column * size + column + 1..(column + 1) * size];
-                let lower = &mut below[column + 1..size];
-                for (value, upper) in lower.iter_mut().zip(upper) {
-                    *value = *value - factor * *upper;
+            for other in rest.chunks_exact_mut(size) {
+                let upper = other[column];
+                for (value, &lower) in other[column + 1..].iter_mut().zip(lower.iter()) {
+                    *value = *value - upper * lower;
                 }
             }
         }
-        Some(Self {
+        let end = size as isize;
+        Self {
             size,
+            own: entry(0).abs(),
+            entries: (1 - end..end).map(entry).collect(),
             values,
-            pivots,
-        })
+        }
     }
 
-    fn solve(&self, solution: &mut [T]) {
-        let size = self.size;
-        for (row, &pivot) in self.pivots.iter().enumerate() {
-            solution.swap(row, pivot);
+    /// Subtract the displacements of a run of elements by the traction of another of its row.
+    fn subtract(&self, traction: T, run: Range<usize>, cause: usize, values: &mut [T]) {
+        let entries = &self.entries[run.start + self.size - 1 - cause..];
+        for (value, &entry) in values[run].iter_mut().zip(entries) {
+            *value = *value - traction * entry;
         }
-        let product = |line: &[T], known: &[T]| {
-            line.iter()
-                .zip(known)
-                .fold(T::zero(), |sum, (&a, &b)| sum + a * b)
-        };
-        for row in 0..size {
-            let line = &self.values[row * size..row * size + row];
-            solution[row] = solution[row] - product(line, &solution[..row]);
+    }
+
+    /// Solve for a run of elements, in the place of their displacements.
+    fn solve(&self, values: &mut [T]) {
+        for column in 0..values.len() {
+            let (known, rest) = values.split_at_mut(column + 1);
+            let lower = &self.values[column * self.size + column + 1..];
+            for (value, &lower) in rest.iter_mut().zip(lower) {
+                *value = *value - known[column] * lower;
+            }
         }
-        for row in (0..size).rev() {
-            let line = &self.values[row * size + row + 1..(row + 1) * size];
-            let rest = solution[row] - product(line, &solution[row + 1..]);
-            solution[row] = rest / self.values[row * size + row];
+        for column in (0..values.len()).rev() {
+            let upper = &self.values[column * self.size..];
+            let (rest, last) = values.split_at_mut(column);
+            last[0] = last[0] / upper[column];
+            for (value, &upper) in rest.iter_mut().zip(upper) {
+                *value = *value - last[0] * upper;
+            }
         }
     }
 }

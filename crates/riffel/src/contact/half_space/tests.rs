@@ -1,5 +1,6 @@
 use num_complex::Complex64;
 
+use super::influence::Convolution;
 use super::*;
 use crate::ElasticMaterial;
 
@@ -23,19 +24,16 @@ fn influence_is_cerrutis() {
     let (a, q) = (5e-3, 1e6);
     let patch = Patch::new(a, a, 40).unwrap();
     let influence = Influence::new(steel(), &patch);
-    let along = patch
-        .pressure
-        .iter()
-        .map(|share| Complex64::from(q * share));
-    let tractions = [along.collect(), vec![Complex64::ZERO; patch.len()]];
-    let moved = influence.apply(&patch, &tractions, [Complex64::ONE, Complex64::ZERO]);
+    let along: Vec<f64> = patch.pressure.iter().map(|share| q * share).collect();
+    let across = vec![0.0; patch.len()];
+    let moved = Convolution::new(&influence, &patch).real([&along, &across], [1.0, 0.0]);
     let (g, poisson) = (steel().shear_modulus(), 0.3);
     for (index, &(x, y)) in patch.centres.iter().enumerate() {
         let expected = std::f64::consts::PI * q / (16.0 * g * a)
             * (4.0 * (2.0 - poisson) * a * a
                 - (4.0 - 3.0 * poisson) * x * x
                 - (4.0 - poisson) * y * y);
-        let error = (moved[0][index].re - expected).abs() / expected;
+        let error = (moved[0][index] - expected).abs() / expected;
         assert!(error < 5e-3, "{x} {y}: {error}");
     }
 }
@@ -57,8 +55,12 @@ fn difference_is_that_of_apply() {
             .map(|&value| Complex64::from(value))
             .collect::<Vec<_>>()
     });
-    let expected = influence.apply(&patch, &complex, [Complex64::ONE, -Complex64::ONE]);
-    let got = influence.difference(&patch, &tractions);
+    let mut convolution = Convolution::new(&influence, &patch);
+    let expected = convolution.complex(
+        [&complex[0], &complex[1]],
+        [Complex64::ONE, -Complex64::ONE],
+    );
+    let got = convolution.real([&tractions[0], &tractions[1]], [1.0, -1.0]);
     let size = expected[0]
         .iter()
         .map(|value| value.norm())
@@ -100,7 +102,7 @@ fn friction_law_holds() {
         assert!(x.hypot(y) <= element.bound * (1.0 + 1e-4), "{element:?}");
         if element.slips {
             slipping += 1;
-            let slip = [0, 1].map(|part| state.fine.slip[part][index]);
+            let slip = [0, 1].map(|part| state.fine.distance[part][index]);
             let along = (x * slip[0] + y * slip[1]) / (x.hypot(y) * slip[0].hypot(slip[1]));
             assert!(along > 1.0 - 1e-3, "{along}");
         }
