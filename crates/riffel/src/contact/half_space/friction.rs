@@ -59,9 +59,8 @@ impl Friction<'_> {
             let slip = |part: usize, step: usize| self.forcing[part][step] - moved[part][step];
             let states: Vec<State> = (0..count)
                 .map(|index| {
-                    let w = [0, 1].map(|part| {
-                        tractions[part * count + index] + weight * slip(part, index)
-                    });
+                    let w = [0, 1]
+                        .map(|part| tractions[part * count + index] + weight * slip(part, index));
                     State::new(w, self.bound[index])
                 })
                 .collect();

@@ -102,11 +102,7 @@ impl<'a> Convolution<'a> {
 
     /// `here`·u(x) + `ahead`·u(x + dx) under real tractions: both parts go through one transform as real
     /// and imaginary part.
-    pub(super) fn real(
-        &mut self,
-        tractions: [&[f64]; 2],
-        [here, ahead]: [f64; 2],
-    ) -> Field<f64> {
+    pub(super) fn real(&mut self, tractions: [&[f64]; 2], [here, ahead]: [f64; 2]) -> Field<f64> {
         let (size, phases) = (self.influence.transform.size(), &self.influence.phases);
         let values = tractions[0].iter().zip(tractions[1]);
         self.spread(0, values.map(|(&x, &y)| Complex64::new(x, y)));
@@ -120,7 +116,8 @@ impl<'a> Convolution<'a> {
             for row in 0..size {
                 let index = column * size + row;
                 let value = spectrum[index];
-                let opposite = spectrum[opposite_column + if row == 0 { 0 } else { size - row }].conj();
+                let opposite =
+                    spectrum[opposite_column + if row == 0 { 0 } else { size - row }].conj();
                 let x = 0.5 * xx[index] * (value + opposite);
                 let y = 0.5 * yy[index] * (value - opposite);
                 let across = xy[index] * Complex64::new(-opposite.im, opposite.re);

@@ -18,7 +18,7 @@ mod transform;
 use num_complex::Complex64;
 
 use self::friction::Slip;
-use self::influence::Influence;
+use self::influence::{Field, Influence};
 use self::patch::Patch;
 use self::response::{Input, Response};
 use self::steady::Rigid;
@@ -73,23 +73,34 @@ impl Grid {
         })
     }
 
-    fn roll(
-        &self,
-        creepage: f64,
-        start: Option<&Slip>,
-    ) -> Result<Slip, Error> {
+    fn roll(&self, creepage: f64, start: Option<&Field<f64>>) -> Result<Slip, Error> {
         let rigid = Rigid {
             longitudinal: creepage,
             ..Rigid::default()
         };
-        let start = start.map(|start| &start.tractions);
-        steady::solve(&self.patch, &self.influence, rigid, &self.bound, start).map_err(
-            |residual| Error::NotConverged {
+        steady::solve(&self.patch, &self.influence, rigid, &self.bound, start).map_err(|residual| {
+            Error::NotConverged {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
-            },
-        )
+            }
+        })
+    }
+
+    /// Tractions of a grid of half as many elements across, as the same shares of the bounds here.
+    fn refined(&self, coarse: &Self, tractions: &Field<f64>) -> Field<f64> {
+        let mut shares = vec![[0.0; 2]; coarse.patch.across.pow(2)];
+        for (index, &(column, row)) in coarse.patch.places.iter().enumerate() {
+            shares[row * coarse.patch.across + column] =
+                [0, 1].map(|part| tractions[part][index] / coarse.bound[index]);
+        }
+        [0, 1].map(|part| {
+            let share = |&(column, row): &(usize, usize)| {
+                shares[row / 2 * coarse.patch.across + column / 2][part]
+            };
+            let places = self.patch.places.iter().map(share).zip(&self.bound);
+            places.map(|(share, bound)| share * bound).collect()
+        })
     }
 
     /// Creep force along the rail \[N\].
@@ -97,19 +108,12 @@ impl Grid {
         state.tractions[0].iter().sum::<f64>() * self.patch.area()
     }
 
-    fn response(
-        &self,
-        state: &Slip,
-        input: Input,
-        wavenumber: f64,
-    ) -> Result<Response, Error> {
-        response::response(self, state, input, wavenumber).ok_or(
-            Error::NotConverged {
-                problem: "frequency response of rolling contact",
-                residual: f64::NAN,
-                tolerance: response::TOLERANCE,
-            },
-        )
+    fn response(&self, state: &Slip, input: Input, wavenumber: f64) -> Result<Response, Error> {
+        response::response(self, state, input, wavenumber).ok_or(Error::NotConverged {
+            problem: "frequency response of rolling contact",
+            residual: f64::NAN,
+            tolerance: response::TOLERANCE,
+        })
     }
 }
 
@@ -187,10 +191,15 @@ impl HalfSpace {
         creepage: f64,
         start: Option<&HalfSpaceRolling>,
     ) -> Result<HalfSpaceRolling, Error> {
-        let fine = self.fine.roll(creepage, start.map(|start| &start.fine))?;
-        let coarse = self
-            .coarse
-            .roll(creepage, start.map(|start| &start.coarse))?;
+        let coarse = start.map(|start| &start.coarse.tractions);
+        let coarse = self.coarse.roll(creepage, coarse)?;
+        let fine = match start {
+            Some(start) => self.fine.roll(creepage, Some(&start.fine.tractions))?,
+            None => {
+                let start = self.fine.refined(&self.coarse, &coarse.tractions);
+                self.fine.roll(creepage, Some(&start))?
+            }
+        };
         let force = 2.0 * self.fine.force(&fine) - self.coarse.force(&coarse);
         Ok(HalfSpaceRolling {
             creepage,

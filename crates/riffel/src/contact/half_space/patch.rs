@@ -108,7 +108,10 @@ impl Patch {
             let side = if back { -0.5 } else { 0.5 };
             Step {
                 end: (column as isize - isize::from(back), row),
-                middle: (self.centres[index].0 + side * self.dx, self.centres[index].1),
+                middle: (
+                    self.centres[index].0 + side * self.dx,
+                    self.centres[index].1,
+                ),
                 from: if back {
                     Some(index)
                 } else {

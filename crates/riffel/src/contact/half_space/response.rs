@@ -2,11 +2,11 @@
 
 use num_complex::Complex64;
 
+use super::Grid;
 use super::friction::{Slip, halves};
 use super::gmres::gmres;
 use super::influence::{Convolution, Field};
 use super::strips::{Diagonal, Strips};
-use super::Grid;
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;
@@ -50,7 +50,8 @@ pub(super) fn response(
     let difference = [half, -half.conj()];
 
     // S₁ = forcing − (u₁ − u₁ ahead), bound₁.
-    let mut forcing: Field<Complex64> = [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
+    let mut forcing: Field<Complex64> =
+        [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
     let bound: Vec<f64> = match input {
         Input::Creepage => {
             forcing[0].fill(Complex64::from(patch.dx));

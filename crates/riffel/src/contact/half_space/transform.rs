@@ -63,7 +63,8 @@ impl Transform {
     pub(super) fn full(&self, grid: &mut [Complex64], workspace: &mut Workspace) {
         let size = self.size;
         for _ in 0..2 {
-            self.forward.process_with_scratch(grid, &mut workspace.scratch);
+            self.forward
+                .process_with_scratch(grid, &mut workspace.scratch);
             for column in 1..size {
                 for row in 0..column {
                     grid.swap(column * size + row, row * size + column);
