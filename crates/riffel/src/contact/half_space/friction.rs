@@ -99,7 +99,8 @@ impl Friction<'_> {
             let inverse = |values: &mut [f64]| {
                 strips.solve(|index, part| states[index].diagonal(part, weight), values);
             };
-            let change = gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).ok_or(reached)?;
+            let change =
+                gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).map_err(|_| reached)?;
             for (traction, change) in tractions.iter_mut().zip(change) {
                 *traction += change;
             }

@@ -20,7 +20,7 @@ impl Scalar for Complex64 {
 }
 
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
-/// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖. None if `most` products do not do.
+/// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.
 /// `inverse` applies an approximate inverse of A in place, before the product.
 pub(super) fn gmres<T: Scalar>(
     mut product: impl FnMut(&[T]) -> Vec<T>,
@@ -28,10 +28,10 @@ pub(super) fn gmres<T: Scalar>(
     right: &[T],
     tolerance: f64,
     most: usize,
-) -> Option<Vec<T>> {
+) -> Result<Vec<T>, f64> {
     let size = norm(right);
     if size == 0.0 {
-        return Some(vec![T::zero(); right.len()]);
+        return Ok(vec![T::zero(); right.len()]);
     }
     let mut basis: Vec<Vec<T>> = vec![scaled(right, size.recip())];
     // Columns of the triangular matrix, the rotations that made it, and the rotated right-hand side.
@@ -59,7 +59,7 @@ pub(super) fn gmres<T: Scalar>(
         let last = column[step];
         let length = last.abs().hypot(rest);
         if length == 0.0 {
-            return None;
+            return Err(rotated[step].abs() / size);
         }
         // The rotation that turns (last, rest) into (phase·length, 0); its cosine is real.
         let (cosine, sine) = if last.abs() == 0.0 {
@@ -77,11 +77,11 @@ pub(super) fn gmres<T: Scalar>(
         if rotated[step + 1].abs() <= tolerance * size || rest == 0.0 {
             let mut solution = combine(&basis, &columns, &rotated);
             inverse(&mut solution);
-            return Some(solution);
+            return Ok(solution);
         }
         basis.push(scaled(&next, rest.recip()));
     }
-    None
+    Err(rotated[most].abs() / size)
 }
 
 /// Back substitution, and the solution in the basis.
@@ -146,6 +146,6 @@ mod tests {
             .map(|(a, b)| a - b)
             .collect();
         assert!(norm(&residual) < 1e-9 * norm(&right));
-        assert!(gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 1).is_none());
+        assert!(gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 1).is_err());
     }
 }

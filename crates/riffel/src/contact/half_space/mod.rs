@@ -21,9 +21,9 @@ use self::friction::Slip;
 use self::influence::{Field, Influence};
 use self::patch::Patch;
 use self::response::{Input, Response};
-use self::steady::Rigid;
 use super::{
-    Carter3d, ContactResponse, HertzContact, RailDissipation, RollingContact, SteadyRolling,
+    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, RailDissipation,
+    RollingContact, SteadyRolling,
 };
 use crate::Error;
 
@@ -73,18 +73,14 @@ impl Grid {
         })
     }
 
-    fn roll(&self, creepage: f64, start: Option<&Field<f64>>) -> Result<Slip, Error> {
-        let rigid = Rigid {
-            longitudinal: creepage,
-            ..Rigid::default()
-        };
-        steady::solve(&self.patch, &self.influence, rigid, &self.bound, start).map_err(|residual| {
-            Error::NotConverged {
+    fn roll(&self, creepages: Creepages, start: Option<&Field<f64>>) -> Result<Slip, Error> {
+        steady::solve(&self.patch, &self.influence, creepages, &self.bound, start).map_err(
+            |residual| Error::NotConverged {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
-            }
-        })
+            },
+        )
     }
 
     /// Tractions of a grid of half as many elements across, as the same shares of the bounds here.
@@ -103,15 +99,19 @@ impl Grid {
         })
     }
 
-    /// Creep force along the rail \[N\].
-    fn force(&self, state: &Slip) -> f64 {
-        state.tractions[0].iter().sum::<f64>() * self.patch.area()
+    /// Creep forces \[N\].
+    fn forces(&self, state: &Slip) -> CreepForces {
+        let sum = |part: usize| state.tractions[part].iter().sum::<f64>() * self.patch.area();
+        CreepForces {
+            longitudinal: sum(0),
+            lateral: sum(1),
+        }
     }
 
     fn response(&self, state: &Slip, input: Input, wavenumber: f64) -> Result<Response, Error> {
-        response::response(self, state, input, wavenumber).ok_or(Error::NotConverged {
+        response::response(self, state, input, wavenumber).map_err(|residual| Error::NotConverged {
             problem: "frequency response of rolling contact",
-            residual: f64::NAN,
+            residual,
             tolerance: response::TOLERANCE,
         })
     }
@@ -119,8 +119,8 @@ impl Grid {
 
 /// Steady rolling of a [`HalfSpace`].
 pub struct HalfSpaceRolling {
-    creepage: f64,
-    tangential_force: f64,
+    creepages: Creepages,
+    forces: CreepForces,
     fine: Slip,
     coarse: Slip,
 }
@@ -128,12 +128,17 @@ pub struct HalfSpaceRolling {
 impl HalfSpaceRolling {
     /// Longitudinal creepage ξ \[-\].
     pub fn creepage(&self) -> f64 {
-        self.creepage
+        self.creepages.longitudinal
     }
 
-    /// Creep force Q \[N\].
+    /// Creep force along the rail, Q \[N\].
     pub fn tangential_force(&self) -> f64 {
-        self.tangential_force
+        self.forces.longitudinal
+    }
+
+    /// Creep forces along and across the rail \[N\].
+    pub fn forces(&self) -> CreepForces {
+        self.forces
     }
 }
 
@@ -183,28 +188,39 @@ impl HalfSpace {
     /// [`Error::OutOfRange`] if ξ is negative, [`Error::NotConverged`].
     pub fn roll(&self, creepage: f64) -> Result<HalfSpaceRolling, Error> {
         Error::unless_not_negative("creepage", creepage, "")?;
-        self.roll_from(creepage, None)
+        self.roll_from(Creepages::longitudinal(creepage), None)
+    }
+
+    /// Steady rolling with lateral creepage and spin as well, of either sign.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn roll_with(&self, creepages: Creepages) -> Result<HalfSpaceRolling, Error> {
+        self.roll_from(creepages, None)
     }
 
     fn roll_from(
         &self,
-        creepage: f64,
+        creepages: Creepages,
         start: Option<&HalfSpaceRolling>,
     ) -> Result<HalfSpaceRolling, Error> {
         let coarse = start.map(|start| &start.coarse.tractions);
-        let coarse = self.coarse.roll(creepage, coarse)?;
+        let coarse = self.coarse.roll(creepages, coarse)?;
         let fine = match start {
-            Some(start) => self.fine.roll(creepage, Some(&start.fine.tractions))?,
+            Some(start) => self.fine.roll(creepages, Some(&start.fine.tractions))?,
             None => {
                 let start = self.fine.refined(&self.coarse, &coarse.tractions);
-                self.fine.roll(creepage, Some(&start))?
+                self.fine.roll(creepages, Some(&start))?
             }
         };
-        let force = 2.0 * self.fine.force(&fine) - self.coarse.force(&coarse);
+        let (by_fine, by_coarse) = (self.fine.forces(&fine), self.coarse.forces(&coarse));
+        let forces = by_fine.combine(2.0, by_coarse, -1.0);
+        // Extrapolation may pass full slip by its own error.
+        let limit = self.friction * self.hertz.normal_force();
+        let share = (limit / forces.magnitude()).min(1.0);
         Ok(HalfSpaceRolling {
-            creepage,
-            // Extrapolation may pass full slip by its own error.
-            tangential_force: force.min(self.friction * self.hertz.normal_force()),
+            creepages,
+            forces: forces.combine(share, CreepForces::default(), 0.0),
             fine,
             coarse,
         })
@@ -234,15 +250,15 @@ impl HalfSpace {
         let mut state = self.roll(law.steady().creepage)?;
         let mut error = f64::NAN;
         for _ in 0..MOST_STEPS {
-            error = state.tangential_force / limit - ratio;
+            error = state.tangential_force() / limit - ratio;
             if error.abs() <= TOLERANCE {
                 return Ok(state);
             }
             let slope = self.at(&state, Input::Creepage, 0.0)?.force.re / limit;
             // Stay on the rising side of the creep curve.
-            let next =
-                (state.creepage - error / slope).clamp(0.5 * state.creepage, 2.0 * state.creepage);
-            state = self.roll_from(next, Some(&state))?;
+            let creepage = state.creepage();
+            let next = (creepage - error / slope).clamp(0.5 * creepage, 2.0 * creepage);
+            state = self.roll_from(Creepages::longitudinal(next), Some(&state))?;
         }
         Err(Error::NotConverged {
             problem: "creepage for the tractive ratio",
@@ -290,13 +306,22 @@ impl HalfSpace {
     /// quasi-static derivatives.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the wavelength has fewer than six elements, [`Error::NotConverged`].
+    /// [`Error::OutOfRange`] if the wavelength has fewer than six elements or the contact spins,
+    /// [`Error::NotConverged`].
     pub fn response(
         &self,
         state: &HalfSpaceRolling,
         wavelength: f64,
     ) -> Result<ContactResponse, Error> {
         self.check_wavelength(wavelength)?;
+        if state.creepages.spin != 0.0 {
+            return Err(Error::OutOfRange {
+                quantity: "spin",
+                value: state.creepages.spin,
+                unit: "1/m",
+                rule: "must be zero: the frequency response is that of rolling without spin",
+            });
+        }
         let wavenumber = 2.0 * std::f64::consts::PI / wavelength;
         let by_creepage = self.at(state, Input::Creepage, wavenumber)?;
         let by_share = self.at(state, Input::Load, wavenumber)?;
@@ -318,8 +343,8 @@ impl HalfSpace {
         SteadyRolling {
             normal_force: self.hertz.normal_force(),
             friction: self.friction,
-            creepage: state.creepage,
-            tangential_force: state.tangential_force,
+            creepage: state.creepage(),
+            tangential_force: state.tangential_force(),
         }
     }
 

@@ -33,13 +33,13 @@ pub(super) struct Response {
     pub(super) rail_dissipation: Complex64,
 }
 
-/// The response at the wavenumber k = ω/V \[rad/m\].
+/// The response at the wavenumber k = ω/V \[rad/m\]; the residual reached if it does not converge.
 pub(super) fn response(
     grid: &Grid,
     steady: &Slip,
     input: Input,
     wavenumber: f64,
-) -> Option<Response> {
+) -> Result<Response, f64> {
     let (patch, influence) = (&grid.patch, &grid.influence);
     let mut convolution = Convolution::new(influence, patch);
     let (count, steps) = (patch.len(), patch.steps.len());
@@ -184,5 +184,5 @@ pub(super) fn response(
         let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
         result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
     }
-    Some(result)
+    Ok(result)
 }

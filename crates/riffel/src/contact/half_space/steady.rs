@@ -2,18 +2,11 @@
 
 use super::friction::{Friction, Slip};
 use super::influence::{Field, Influence};
-use super::patch::Patch;
+use super::patch::{Patch, Step};
+use crate::Creepages;
 
 /// Residual of the friction law, see [`Friction`].
 pub(super) const TOLERANCE: f64 = 1e-6;
-
-/// Creepages \[-\] and spin \[rad/m\].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Rigid {
-    pub(super) longitudinal: f64,
-    pub(super) lateral: f64,
-    pub(super) spin: f64,
-}
 
 /// Steady rolling at these creepages under traction bounds \[Pa\], from the tractions `start`; the
 /// residual reached if it does not converge.
@@ -23,11 +16,11 @@ pub(super) struct Rigid {
 pub(super) fn solve(
     patch: &Patch,
     influence: &Influence,
-    rigid: Rigid,
+    creepages: Creepages,
     bound: &[f64],
     start: Option<&Field<f64>>,
 ) -> Result<Slip, f64> {
-    let forcing = rigid.over_a_step(patch);
+    let forcing = rigid_slip(patch, creepages);
     let friction = Friction {
         patch,
         influence,
@@ -41,16 +34,14 @@ pub(super) fn solve(
     friction.solve(&start.cloned().unwrap_or_else(nothing))
 }
 
-impl Rigid {
-    /// x and y part of the rigid slip of each step of the material \[m\].
-    pub(super) fn over_a_step(self, patch: &Patch) -> Field<f64> {
-        let slip = |step: &super::patch::Step| {
-            let (x, y) = step.middle;
-            [
-                patch.dx * (self.longitudinal - self.spin * y),
-                patch.dx * (self.lateral + self.spin * x),
-            ]
-        };
-        [0, 1].map(|part| patch.steps.iter().map(|step| slip(step)[part]).collect())
-    }
+/// x and y part of the rigid slip of each step of the material \[m\].
+pub(super) fn rigid_slip(patch: &Patch, creepages: Creepages) -> Field<f64> {
+    let slip = |step: &Step| {
+        let (x, y) = step.middle;
+        [
+            patch.dx * (creepages.longitudinal - creepages.spin * y),
+            patch.dx * (creepages.lateral + creepages.spin * x),
+        ]
+    };
+    [0, 1].map(|part| patch.steps.iter().map(|step| slip(step)[part]).collect())
 }
