@@ -80,7 +80,7 @@ pub use contact::{
 pub use contact::{
     Carter3d, ContactElement, ContactResponse, HalfSpace, HalfSpaceRolling, HertzContact,
     NonSteady, RailDissipation, RollingContact, SlowHalfSpace, SpringDashpot, SteadyRolling,
-    creep_coefficient,
+    TransientRolling, TransientStep, creep_coefficient,
 };
 pub use contact::{ContactBody, EllipticContact, EllipticIntegrals, KalkerCoefficients};
 pub use elastic::ElasticMaterial;

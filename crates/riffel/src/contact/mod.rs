@@ -22,7 +22,9 @@ pub use creep_law::{
 };
 pub use elliptic::EllipticIntegrals;
 pub use elliptic_contact::{ContactBody, EllipticContact};
-pub use half_space::{ContactElement, HalfSpace, HalfSpaceRolling};
+pub use half_space::{
+    ContactElement, HalfSpace, HalfSpaceRolling, TransientRolling, TransientStep,
+};
 pub use hertz::HertzContact;
 pub use kalker::creep_coefficient;
 pub use kalker_coefficients::KalkerCoefficients;

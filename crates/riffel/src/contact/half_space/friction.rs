@@ -25,7 +25,7 @@ pub(super) struct Friction<'a> {
     pub(super) bound: &'a [f64],
     /// Displacement by a unit traction that balances both sides of the friction law \[m/Pa\].
     pub(super) compliance: f64,
-    /// Residual of the friction law at which it counts as satisfied, as a share of all bounds.
+    /// Residual of the friction law at which it counts as satisfied, as a share of the tractions.
     pub(super) tolerance: f64,
 }
 
@@ -52,7 +52,6 @@ impl Friction<'_> {
         let strips = Strips::new(self.patch, self.influence, self.operator);
         let mut convolution = Convolution::new(self.influence, self.patch);
         let mut tractions = start.concat();
-        let size = norm(self.bound);
         let mut reached = f64::INFINITY;
         for _ in 0..MOST_STEPS {
             let moved = convolution.real(halves(&tractions), self.operator);
@@ -64,14 +63,18 @@ impl Friction<'_> {
                     State::new(w, self.bound[index])
                 })
                 .collect();
-            let gaps: Vec<f64> = [0, 1]
+            let projected: Vec<f64> = [0, 1]
                 .into_iter()
                 .flat_map(|part| states.iter().map(move |state| state.projected[part]))
+                .collect();
+            let gaps: Vec<f64> = projected
+                .iter()
                 .zip(&tractions)
                 .map(|(projected, traction)| projected - traction)
                 .collect();
-            reached = norm(&gaps) / size;
-            if reached <= self.tolerance {
+            reached = norm(&gaps) / norm(&projected);
+            // Nothing at all is a solution as well.
+            if reached <= self.tolerance || norm(&gaps) == 0.0 {
                 let slips = |step: usize| step >= count || states[step].slips;
                 let distance = [0, 1].map(|part| {
                     (0..self.patch.steps.len())
@@ -96,9 +99,8 @@ impl Friction<'_> {
                 }
                 image
             };
-            let inverse = |values: &mut [f64]| {
-                strips.solve(|index, part| states[index].diagonal(part, weight), values);
-            };
+            let inverse = strips.inverse(|index, part| states[index].diagonal(part, weight));
+            let inverse = |values: &mut [f64]| inverse.solve(values);
             let change =
                 gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).map_err(|_| reached)?;
             for (traction, change) in tractions.iter_mut().zip(change) {

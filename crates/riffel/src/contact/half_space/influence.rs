@@ -110,18 +110,23 @@ impl<'a> Convolution<'a> {
         let [spectrum, moved] = &mut self.spectra;
         // With the spectrum Z of x + iy and Z* that of the opposite wave, conjugate, the spectra are
         // X = (Z + Z*)/2 and iY = (Z − Z*)/2, and Y + iX = iZ*.
-        for column in 0..size {
-            let factor = here + ahead * phases[column];
+        for (column, phase) in phases.iter().enumerate() {
+            let factor = here + ahead * phase;
+            let places = column * size..(column + 1) * size;
             let opposite_column = (size - column) % size * size;
-            for row in 0..size {
-                let index = column * size + row;
-                let value = spectrum[index];
-                let opposite =
-                    spectrum[opposite_column + if row == 0 { 0 } else { size - row }].conj();
-                let x = 0.5 * xx[index] * (value + opposite);
-                let y = 0.5 * yy[index] * (value - opposite);
-                let across = xy[index] * Complex64::new(-opposite.im, opposite.re);
-                moved[index] = factor * (x + y + across);
+            let opposite = &spectrum[opposite_column..opposite_column + size];
+            // The opposite of row 0 is itself, that of row r is n − r.
+            let opposite = opposite[..1].iter().chain(opposite[1..].iter().rev());
+            let kernels = xx[places.clone()].iter().zip(&yy[places.clone()]);
+            let values = spectrum[places.clone()].iter().zip(opposite);
+            let values = values.zip(kernels.zip(&xy[places.clone()]));
+            for (moved, ((value, opposite), ((xx, yy), xy))) in moved[places].iter_mut().zip(values)
+            {
+                let opposite = opposite.conj();
+                let x = 0.5 * xx * (value + opposite);
+                let y = 0.5 * yy * (value - opposite);
+                let across = xy * Complex64::new(-opposite.im, opposite.re);
+                *moved = factor * (x + y + across);
             }
         }
         let moved = self.gather(1);
@@ -156,8 +161,8 @@ impl<'a> Convolution<'a> {
         filter: impl Fn(Complex64, Complex64) -> Complex64,
     ) -> Field<Complex64> {
         let (size, phases) = (self.influence.transform.size(), &self.influence.phases);
-        for part in 0..2 {
-            self.spread(part, tractions[part].iter().copied());
+        for (part, tractions) in tractions.into_iter().enumerate() {
+            self.spread(part, tractions.iter().copied());
         }
         let [xx, yy, xy] = &self.influence.spectra;
         let [x, y] = &mut self.spectra;

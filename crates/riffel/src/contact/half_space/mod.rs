@@ -14,6 +14,9 @@ mod strips;
 #[cfg(test)]
 mod tests;
 mod transform;
+mod transient;
+
+pub use self::transient::{TransientRolling, TransientStep};
 
 use num_complex::Complex64;
 

@@ -143,7 +143,8 @@ pub(super) fn response(
         }
     };
     let strips = Strips::new(patch, influence, difference);
-    let inverse = |values: &mut [Complex64]| strips.solve(diagonal, values);
+    let inverse = strips.inverse(diagonal);
+    let inverse = |values: &mut [Complex64]| inverse.solve(values);
     let solution = gmres(product, inverse, &right, TOLERANCE, MOST_PRODUCTS)?;
     let field = halves(&solution);
     let moved = convolution.complex(field, difference);

@@ -6,25 +6,44 @@ use super::gmres::Scalar;
 use super::influence::Influence;
 use super::patch::Patch;
 
-/// The equations of every row of elements along the rail, x and y part apart, with the other rows and
-/// the other part left out. What is left out is smooth, so that few products with the whole matrix make
-/// up for it.
+/// The displacements along every row of elements, x and y part apart, by the tractions of that row and
+/// part alone. What is left out is smooth, so that few products with the whole matrix make up for it.
 ///
 /// Method: elements are alike, so the displacement of one by another depends on their distance alone,
-/// and so do its triangular factors without pivots: those of the longest row contain those of every
-/// shorter one. Cost: O(n³) once for n elements across and O(n²) for each row and solution.
+/// and the triangular factors of the longest row, without pivots, contain those of every shorter one.
+/// All rows are solved at once. Cost: O(n³) for n elements across, once and for each solution.
 pub(super) struct Strips<'a, T> {
     patch: &'a Patch,
     /// x and y part.
     factors: [Factors<T>; 2],
 }
 
-/// The equation p·identity + difference·(displacement) of an element and part, of which an approximate
+/// The equation p·identity + (displacement)·difference of an element and part, of which an approximate
 /// inverse keeps the larger term.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Diagonal {
     pub(super) identity: f64,
     pub(super) difference: f64,
+}
+
+/// [`Strips`] with the equations of all elements.
+pub(super) struct StripInverse<'a, T> {
+    strips: &'a Strips<'a, T>,
+    /// x and y part.
+    equations: [Equations; 2],
+}
+
+struct Equations {
+    /// Factor on the right-hand side of each element.
+    scale: Vec<f64>,
+    runs: Vec<Run>,
+}
+
+/// Elements of a row, one behind the other, whose displacement counts.
+struct Run {
+    elements: Range<usize>,
+    /// The row they are in.
+    row: Range<usize>,
 }
 
 impl<'a, T: Scalar> Strips<'a, T> {
@@ -43,41 +62,85 @@ impl<'a, T: Scalar> Strips<'a, T> {
         }
     }
 
-    /// The approximate solution for a right-hand side, x part first, in its place.
-    pub(super) fn solve(&self, diagonal: impl Fn(usize, usize) -> Diagonal, values: &mut [T]) {
-        for (part, values) in values.chunks_exact_mut(self.patch.len()).enumerate() {
-            let factors = &self.factors[part];
-            let of_displacement = |index: usize| {
-                let Diagonal {
-                    identity,
-                    difference,
-                } = diagonal(index, part);
-                difference * factors.own > identity
-            };
+    /// `diagonal` gives the equation of an element and part.
+    pub(super) fn inverse(
+        &'a self,
+        diagonal: impl Fn(usize, usize) -> Diagonal,
+    ) -> StripInverse<'a, T> {
+        let equations = [0, 1].map(|part| {
+            let own = self.factors[part].own;
+            let diagonal: Vec<Diagonal> = (0..self.patch.len())
+                .map(|index| diagonal(index, part))
+                .collect();
+            let counts = |diagonal: &Diagonal| diagonal.difference * own > diagonal.identity;
+            let mut runs = Vec::new();
             for row in self.patch.rows() {
-                for index in row.clone() {
-                    let Diagonal {
-                        identity,
-                        difference,
-                    } = diagonal(index, part);
-                    let size = if of_displacement(index) {
-                        difference
-                    } else {
-                        identity + difference * factors.own
-                    };
-                    values[index] = values[index] / T::of(size);
+                let mut begin = row.start;
+                for run in diagonal[row.clone()].chunk_by(|a, b| counts(a) == counts(b)) {
+                    let elements = begin..begin + run.len();
+                    begin = elements.end;
+                    if counts(&run[0]) {
+                        let row = row.clone();
+                        runs.push(Run { elements, row });
+                    }
                 }
-                let mut next = row.start;
-                while next < row.end {
-                    let begin = next;
-                    while next < row.end && of_displacement(next) {
-                        next += 1;
-                    }
-                    for cause in row.clone().filter(|&cause| !of_displacement(cause)) {
-                        factors.subtract(values[cause], begin..next, cause, values);
-                    }
-                    factors.solve(&mut values[begin..next]);
-                    next += 1;
+            }
+            Equations {
+                scale: diagonal
+                    .iter()
+                    .map(|diagonal| {
+                        let Diagonal {
+                            identity,
+                            difference,
+                        } = *diagonal;
+                        if counts(diagonal) {
+                            difference.recip()
+                        } else {
+                            (identity + difference * own).recip()
+                        }
+                    })
+                    .collect(),
+                runs,
+            }
+        });
+        StripInverse {
+            strips: self,
+            equations,
+        }
+    }
+}
+
+impl<T: Scalar> StripInverse<'_, T> {
+    /// The approximate solution for a right-hand side, x part first, in its place.
+    pub(super) fn solve(&self, values: &mut [T]) {
+        let count = self.strips.patch.len();
+        let parts = self.strips.factors.iter().zip(&self.equations);
+        for ((factors, equations), values) in parts.zip(values.chunks_exact_mut(count)) {
+            for (value, &scale) in values.iter_mut().zip(&equations.scale) {
+                *value = *value * T::of(scale);
+            }
+            // Place in the run first, then run.
+            let lines = equations.runs.len();
+            let longest = equations.runs.iter().map(|run| run.elements.len()).max();
+            let mut block = vec![T::zero(); longest.unwrap_or(0) * lines];
+            for (line, run) in equations.runs.iter().enumerate() {
+                let places = block.iter_mut().skip(line).step_by(lines);
+                for (place, index) in places.zip(run.elements.clone()) {
+                    *place = values[index] - factors.caused(values, run, index);
+                }
+            }
+            factors.lower(&mut block, lines);
+            for (line, run) in equations.runs.iter().enumerate() {
+                let beyond = block.iter_mut().skip(line).step_by(lines);
+                for value in beyond.skip(run.elements.len()) {
+                    *value = T::zero();
+                }
+            }
+            factors.upper(&mut block, lines);
+            for (line, run) in equations.runs.iter().enumerate() {
+                let solution = block.iter().skip(line).step_by(lines);
+                for (&solution, value) in solution.zip(&mut values[run.elements.clone()]) {
+                    *value = solution;
                 }
             }
         }
@@ -95,9 +158,10 @@ struct Factors<T> {
 
 impl<T: Scalar> Factors<T> {
     fn new(size: usize, entry: impl Fn(isize) -> T) -> Self {
+        let end = size as isize;
         let mut values = Vec::with_capacity(size * size);
-        for column in 0..size as isize {
-            values.extend((0..size as isize).map(|row| entry(row - column)));
+        for column in 0..end {
+            values.extend((0..end).map(|row| entry(row - column)));
         }
         for column in 0..size {
             let (done, rest) = values.split_at_mut((column + 1) * size);
@@ -107,13 +171,10 @@ impl<T: Scalar> Factors<T> {
                 *value = *value / pivot;
             }
             for other in rest.chunks_exact_mut(size) {
-                let upper = other[column];
-                for (value, &lower) in other[column + 1..].iter_mut().zip(lower.iter()) {
-                    *value = *value - upper * lower;
-                }
+                let (above, below) = other.split_at_mut(column + 1);
+                subtract(below, lower, above[column]);
             }
         }
-        let end = size as isize;
         Self {
             size,
             own: entry(0).abs(),
@@ -122,30 +183,46 @@ impl<T: Scalar> Factors<T> {
         }
     }
 
-    /// Subtract the displacements of a run of elements by the traction of another of its row.
-    fn subtract(&self, traction: T, run: Range<usize>, cause: usize, values: &mut [T]) {
-        let entries = &self.entries[run.start + self.size - 1 - cause..];
-        for (value, &entry) in values[run].iter_mut().zip(entries) {
-            *value = *value - traction * entry;
+    /// Displacement of an element of a run by the others of its row, whose tractions are known.
+    fn caused(&self, tractions: &[T], run: &Run, index: usize) -> T {
+        let entry = |cause: usize| self.entries[index + self.size - 1 - cause];
+        (run.row.start..run.elements.start)
+            .chain(run.elements.end..run.row.end)
+            .fold(T::zero(), |sum, cause| {
+                sum + entry(cause) * tractions[cause]
+            })
+    }
+
+    /// Solve with L for all lines of a block.
+    fn lower(&self, block: &mut [T], lines: usize) {
+        for column in 0..block.len().checked_div(lines).unwrap_or(0) {
+            let (known, rest) = block.split_at_mut((column + 1) * lines);
+            let known = &known[column * lines..];
+            let factors = &self.values[column * self.size + column + 1..];
+            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
+                subtract(values, known, factor);
+            }
         }
     }
 
-    /// Solve for a run of elements, in the place of their displacements.
-    fn solve(&self, values: &mut [T]) {
-        for column in 0..values.len() {
-            let (known, rest) = values.split_at_mut(column + 1);
-            let lower = &self.values[column * self.size + column + 1..];
-            for (value, &lower) in rest.iter_mut().zip(lower) {
-                *value = *value - known[column] * lower;
+    /// Solve with U for all lines of a block.
+    fn upper(&self, block: &mut [T], lines: usize) {
+        for column in (0..block.len().checked_div(lines).unwrap_or(0)).rev() {
+            let factors = &self.values[column * self.size..];
+            let (rest, known) = block.split_at_mut(column * lines);
+            let known = &mut known[..lines];
+            for value in known.iter_mut() {
+                *value = *value / factors[column];
+            }
+            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
+                subtract(values, known, factor);
             }
         }
-        for column in (0..values.len()).rev() {
-            let upper = &self.values[column * self.size..];
-            let (rest, last) = values.split_at_mut(column);
-            last[0] = last[0] / upper[column];
-            for (value, &upper) in rest.iter_mut().zip(upper) {
-                *value = *value - last[0] * upper;
-            }
-        }
+    }
+}
+
+fn subtract<T: Scalar>(values: &mut [T], others: &[T], factor: T) {
+    for (value, &other) in values.iter_mut().zip(others) {
+        *value = *value - factor * other;
     }
 }
