@@ -6,6 +6,7 @@
 
 mod gmres;
 mod influence;
+mod normal;
 mod patch;
 mod response;
 mod steady;
@@ -15,6 +16,8 @@ mod tests;
 
 use num_complex::Complex64;
 
+pub use self::normal::{ContactGrid, NormalContact, NormalState};
+
 use self::influence::Influence;
 use self::patch::Patch;
 use self::response::{Input, Response};
@@ -23,6 +26,10 @@ use super::{
     Carter3d, ContactResponse, HertzContact, RailDissipation, RollingContact, SteadyRolling,
 };
 use crate::Error;
+
+/// What to try where rolling does not converge.
+pub(super) const REMEDY: &str =
+    "try another grid (contact.grid) or a creepage further from full slip";
 
 /// A Hertz contact as half-spaces with Coulomb friction.
 ///
@@ -82,6 +89,7 @@ impl Grid {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
+                remedy: REMEDY,
             },
         )
     }
@@ -102,6 +110,7 @@ impl Grid {
                 problem: "frequency response of rolling contact",
                 residual: f64::NAN,
                 tolerance: response::TOLERANCE,
+                remedy: REMEDY,
             },
         )
     }
@@ -233,6 +242,7 @@ impl HalfSpace {
             problem: "creepage for the tractive ratio",
             residual: error.abs(),
             tolerance: TOLERANCE,
+            remedy: REMEDY,
         })
     }
 
