@@ -82,8 +82,8 @@ pub use contact::{
     NonSteady, RailDissipation, RollingContact, SlowHalfSpace, SpringDashpot, SteadyRolling,
     creep_coefficient,
 };
-pub use contact::{ContactFilter, ContactGrid, NormalContact, NormalState};
 pub use contact::{ContactBody, EllipticContact, EllipticIntegrals, KalkerCoefficients};
+pub use contact::{ContactFilter, ContactGrid, NormalContact, NormalState};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};

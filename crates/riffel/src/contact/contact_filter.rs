@@ -67,8 +67,7 @@ impl ContactFilter {
 
     /// H \[-\] for a wave with the wave numbers k_x along and k_y across the rail \[rad/m\].
     pub fn amplitude(&self, along: f64, across: f64) -> f64 {
-        let angle =
-            (along * self.semi_axis_longitudinal).hypot(across * self.semi_axis_lateral);
+        let angle = (along * self.semi_axis_longitudinal).hypot(across * self.semi_axis_lateral);
         flat_punch(angle)
     }
 

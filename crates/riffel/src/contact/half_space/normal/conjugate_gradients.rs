@@ -5,9 +5,9 @@ use super::boussinesq::Boussinesq;
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;
 
-/// Steps after which the solution is given up. A smooth contact takes some 30, a rough one some 100,
-/// in proportion to the square root of the number of elements across.
-pub(super) const MOST_STEPS: usize = 2000;
+/// Steps after which the solution is given up. Of punches, cones, smooth, wavy and rough contacts on up to 200 ×
+/// 200 elements none took more than 100, and with elements a hundred times as long as wide 251.
+pub(super) const MOST_STEPS: usize = 1000;
 
 /// What is prescribed.
 #[derive(Debug, Clone, Copy)]
@@ -156,7 +156,9 @@ fn mean_in_contact(pressures: &[f64], field: &[f64]) -> f64 {
         .iter()
         .zip(field)
         .filter(|(pressure, _)| **pressure > 0.0)
-        .fold((0.0, 0), |(sum, count), (_, value)| (sum + value, count + 1));
+        .fold((0.0, 0), |(sum, count), (_, value)| {
+            (sum + value, count + 1)
+        });
     sum / f64::from(count)
 }
 

@@ -99,8 +99,7 @@ impl ContactGrid {
             (index as f64 - 0.5 * (count as f64 - 1.0)) * step
         };
         (0..rows).flat_map(move |row| {
-            (0..columns)
-                .map(move |column| (centre(column, columns, dx), centre(row, rows, dy)))
+            (0..columns).map(move |column| (centre(column, columns, dx), centre(row, rows, dy)))
         })
     }
 
