@@ -25,10 +25,10 @@ use crate::Error;
 /// across. See [`elastic`](Self::elastic) and [`uniform`](Self::uniform).
 ///
 /// Source: derived here, held against [`NormalContact`](super::NormalContact) in its tests; for the weight
-/// Johnson (1985), *Contact Mechanics*, section 3.9; P. J. Remington, *Journal of the Acoustical
-/// Society of America* 81 (1987), 1805–1823, for the mean over uncorrelated roughness. Range of validity: amplitudes that keep the
-/// patch whole, far below p₀λ/(πE\*), the amplitude at which a wave lifts off, and below 1/(k²R), at which it
-/// is as curved as the wheel.
+/// Johnson (1985), *Contact Mechanics*, section 3.5; P. J. Remington, *Journal of the Acoustical Society of
+/// America* 81 (1987), 1805–1823, for the mean over uncorrelated roughness. Range of validity: amplitudes
+/// that keep the patch whole, far below p₀λ/(πE\*), the amplitude at which a wave lifts off, and below
+/// 1/(k²R), at which it is as curved as the wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactFilter {
     semi_axis_longitudinal: f64,
