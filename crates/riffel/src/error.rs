@@ -44,8 +44,7 @@ pub enum Error {
 
     /// An iteration that did not reach its tolerance.
     #[error(
-        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; try another grid \
-         (contact.grid) or a creepage further from full slip"
+        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; {remedy}"
     )]
     NotConverged {
         /// What was to be solved.
@@ -54,6 +53,20 @@ pub enum Error {
         residual: f64,
         /// Residual that was asked for.
         tolerance: f64,
+        /// What to try, as the rest of the sentence.
+        remedy: &'static str,
+    },
+
+    /// A patch that the grid of the contact does not hold.
+    #[error(
+        "the patch reaches the rim of the grid of {length} m along and {width} m across the rail; make \
+         the grid larger"
+    )]
+    GridTooSmall {
+        /// Length of the grid along the rail \[m\].
+        length: f64,
+        /// Its width across the rail \[m\].
+        width: f64,
     },
 
     /// The load outruns the bending waves that its own oscillation excites.

@@ -33,8 +33,7 @@ impl Influence {
     pub(super) fn new(material: ElasticMaterial, patch: &Patch) -> Self {
         let across = patch.across;
         let step = (patch.dx, patch.dy);
-        let transform = Transform::new(across);
-        let size = transform.size();
+        let transform = Transform::new(across, across);
         // Distances from −n to +n: the neighbours before the first and behind the last are asked for.
         let corner: Vec<[f64; 3]> = (0..=across)
             .flat_map(|column| (0..=across).map(move |row| (column, row)))
@@ -44,24 +43,17 @@ impl Influence {
             })
             .collect();
         let at = |column: usize, row: usize| corner[column * (across + 1) + row];
-        let mut workspace = transform.workspace();
-        let scale = 1.0 / (size * size) as f64;
-        let spectra = [(0, 1.0), (1, 1.0), (2, -1.0)].map(|(kernel, mirrored)| {
-            // The grid of a kernel has more rows than a workspace holds: rows first, by hand.
-            let mut values = vec![Complex64::ZERO; size * size];
-            for column in 0..=across {
-                for row in 0..=across {
-                    let value = scale * at(column, row)[kernel];
-                    let (left, up) = ((size - column) % size, (size - row) % size);
-                    values[column * size + row] = Complex64::from(value);
-                    values[left * size + row] = Complex64::from(mirrored * value);
-                    values[column * size + up] = Complex64::from(mirrored * value);
-                    values[left * size + up] = Complex64::from(value);
+        let spectra = [(0, false), (1, false), (2, true)].map(|(kernel, is_odd)| {
+            transform.kernel(is_odd, |column, row| {
+                let is_asked_for = column <= across && row <= across;
+                if is_asked_for {
+                    at(column, row)[kernel]
+                } else {
+                    0.0
                 }
-            }
-            transform.full(&mut values, &mut workspace);
-            values.iter().map(|value| value.re).collect()
+            })
         });
+        let [size, _] = transform.size();
         Self {
             spectra,
             own: at(0, 0)[0] - at(1, 0)[0],
@@ -91,7 +83,7 @@ pub(super) struct Convolution<'a> {
 
 impl<'a> Convolution<'a> {
     pub(super) fn new(influence: &'a Influence, patch: &'a Patch) -> Self {
-        let size = influence.transform.size();
+        let [size, _] = influence.transform.size();
         Self {
             influence,
             patch,
@@ -103,7 +95,7 @@ impl<'a> Convolution<'a> {
     /// `here`·u(x) + `ahead`·u(x + dx) under real tractions: both parts go through one transform as real
     /// and imaginary part.
     pub(super) fn real(&mut self, tractions: [&[f64]; 2], [here, ahead]: [f64; 2]) -> Field<f64> {
-        let (size, phases) = (self.influence.transform.size(), &self.influence.phases);
+        let ([size, _], phases) = (self.influence.transform.size(), &self.influence.phases);
         let values = tractions[0].iter().zip(tractions[1]);
         self.spread(0, values.map(|(&x, &y)| Complex64::new(x, y)));
         let [xx, yy, xy] = &self.influence.spectra;
@@ -160,7 +152,7 @@ impl<'a> Convolution<'a> {
         tractions: [&[Complex64]; 2],
         filter: impl Fn(Complex64, Complex64) -> Complex64,
     ) -> Field<Complex64> {
-        let (size, phases) = (self.influence.transform.size(), &self.influence.phases);
+        let ([size, _], phases) = (self.influence.transform.size(), &self.influence.phases);
         for (part, tractions) in tractions.into_iter().enumerate() {
             self.spread(part, tractions.iter().copied());
         }
@@ -184,7 +176,7 @@ impl<'a> Convolution<'a> {
         let field = &mut self.workspace.field;
         field.fill(Complex64::ZERO);
         for (&(column, row), value) in self.patch.places.iter().zip(values) {
-            field[row * transform.size() + column] = value;
+            field[row * transform.size()[0] + column] = value;
         }
         transform.forward(&mut self.workspace, &mut self.spectra[part]);
     }
@@ -193,7 +185,7 @@ impl<'a> Convolution<'a> {
     fn gather(&mut self, part: usize) -> Vec<Complex64> {
         let transform = &self.influence.transform;
         transform.backward(&mut self.spectra[part], &mut self.workspace);
-        let size = transform.size();
+        let [size, _] = transform.size();
         let at = |&(column, row): &(isize, usize)| {
             self.workspace.field[row * size + column.rem_euclid(size as isize) as usize]
         };

@@ -7,6 +7,7 @@
 mod friction;
 mod gmres;
 mod influence;
+mod normal;
 mod patch;
 mod response;
 mod steady;
@@ -16,6 +17,7 @@ mod tests;
 mod transform;
 mod transient;
 
+pub use self::normal::{ContactGrid, NormalContact, NormalState};
 pub use self::transient::{TransientRolling, TransientStep};
 
 use num_complex::Complex64;
@@ -29,6 +31,10 @@ use super::{
     RollingContact, SteadyRolling,
 };
 use crate::Error;
+
+/// What to try where rolling does not converge.
+pub(super) const REMEDY: &str =
+    "try another grid (contact.grid) or a creepage further from full slip";
 
 /// A Hertz contact as half-spaces with Coulomb friction.
 ///
@@ -82,6 +88,7 @@ impl Grid {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
+                remedy: REMEDY,
             },
         )
     }
@@ -116,6 +123,7 @@ impl Grid {
             problem: "frequency response of rolling contact",
             residual,
             tolerance: response::TOLERANCE,
+            remedy: REMEDY,
         })
     }
 }
@@ -267,6 +275,7 @@ impl HalfSpace {
             problem: "creepage for the tractive ratio",
             residual: error.abs(),
             tolerance: TOLERANCE,
+            remedy: REMEDY,
         })
     }
 

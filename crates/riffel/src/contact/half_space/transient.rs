@@ -1,5 +1,6 @@
 //! Rolling and shifting followed in time.
 
+use super::REMEDY;
 use super::friction::{Friction, Slip};
 use super::influence::{Convolution, Field, Influence};
 use super::patch::{Patch, Step};
@@ -192,6 +193,7 @@ impl TransientRolling {
             problem: "creepage for the creep force",
             residual: error.abs(),
             tolerance: FORCE_TOLERANCE,
+            remedy: REMEDY,
         })
     }
 
@@ -249,6 +251,7 @@ impl TransientRolling {
                 problem: "step of transient rolling",
                 residual,
                 tolerance: TOLERANCE,
+                remedy: REMEDY,
             })
     }
 

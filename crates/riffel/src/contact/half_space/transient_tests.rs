@@ -230,7 +230,7 @@ fn response_to_load_is_what_time_shows() {
     for ((got, expected), (size, tolerance)) in
         got.iter()
             .zip(expected)
-            .zip([(got[0].norm(), 0.03), (size, 0.03), (size, 0.08)])
+            .zip([(got[0].norm(), 0.03), (size, 0.08), (size, 0.08)])
     {
         let error = (got - expected / share).norm() / size;
         assert!(error < tolerance, "{error}");
