@@ -7,6 +7,7 @@ use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRollin
 
 use crate::CaseError;
 use crate::builder::Builder;
+use crate::creep_laws::CreepLaws;
 use crate::file::{BeamModel, CaseFile, CreepLawName};
 use crate::source::Source;
 use crate::track::{Direction, Track};
@@ -79,6 +80,14 @@ impl Case {
     /// The creep law: as written, or the one that goes with the response.
     pub fn creep_law(&self) -> CreepLawName {
         self.builder.creep_law_name()
+    }
+
+    /// The creep laws that are formulas of the ellipse of the case, whichever is its own.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a Poisson's ratio or an ellipse beyond the table of Kalker's coefficients.
+    pub fn creep_laws(&self) -> Result<CreepLaws, CaseError> {
+        self.builder.creep_laws(self.hertz, self.steady.friction)
     }
 
     /// How the rail bends: as written, or with shear where supports are discrete.

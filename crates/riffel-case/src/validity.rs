@@ -3,7 +3,7 @@
 use riffel::{Axis, FeedbackLoop, HertzContact};
 
 use crate::builder::Builder;
-use crate::file::{BeamModel, ContactDynamics, TrackModel};
+use crate::file::{BeamModel, ContactDynamics, CreepLawName, TrackModel};
 use crate::measurement;
 use crate::track::{Direction, Track};
 
@@ -75,6 +75,14 @@ pub(crate) fn remarks(
             "the contact is quasi-static and does not average over its patch: below {:.0} mm growth \
              is overstated",
             1e3 * shortest
+        ));
+    }
+    let polach = file.contact.polach.as_ref();
+    if builder.creep_law_name() == CreepLawName::Polach
+        && let Some(rolling) = polach.and_then(|polach| polach.speed)
+    {
+        remarks.push(format!(
+            "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the map"
         ));
     }
     // Outside the frequencies of a measurement there is nothing to look at.

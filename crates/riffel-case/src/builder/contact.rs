@@ -3,10 +3,8 @@
 use std::sync::Arc;
 
 use riffel::{
-    Carter2d, Carter3d, CreepEllipse, CreepLaw, ElasticMaterial, FallingFriction, Fastsim,
-    HalfSpace, HalfSpaceRolling, HertzContact, JohnsonVermeulen, KalkerCoefficients, NonSteady,
-    Polach, QuasiStatic, RollingContact, ShenHedrickElkins, SlopeReduction, SlowHalfSpace,
-    SpringDashpot, TractionBound,
+    Carter3d, ElasticMaterial, HalfSpace, HalfSpaceRolling, HertzContact, NonSteady, QuasiStatic,
+    RollingContact, SlowHalfSpace, SpringDashpot,
 };
 
 use super::Builder;
@@ -76,6 +74,8 @@ impl Builder {
                 "choose contact.creep_law = \"half-space\", or leave it out",
             ));
         }
+        // Checked whatever the law is, so that a comparison changes one line.
+        self.polach(friction)?;
         if name == CreepLawName::Carter3d {
             let law = match mean {
                 MeanState::TractiveRatio(ratio) => {
@@ -89,18 +89,29 @@ impl Builder {
                 carter: Some(law),
             });
         }
-        let rolling = if name == CreepLawName::HalfSpace {
-            self.half_space(hertz, friction, mean)?
-        } else {
-            let law = self.simple_law(name, hertz, friction)?;
-            let load = hertz.normal_force();
-            let law = match mean {
-                MeanState::TractiveRatio(ratio) => {
-                    QuasiStatic::from_tractive_ratio(law, load, ratio)
-                }
-                MeanState::Creepage(creepage) => QuasiStatic::from_creepage(law, load, creepage),
-            };
-            self.answering(self.physics(mean.key(), law)?, hertz)
+        let laws = || self.creep_laws(hertz, friction);
+        let law = match name {
+            CreepLawName::Carter3d | CreepLawName::HalfSpace => None,
+            CreepLawName::Carter2d => Some(laws()?.carter_2d),
+            CreepLawName::JohnsonVermeulen => Some(laws()?.johnson_vermeulen),
+            CreepLawName::ShenHedrickElkins => Some(laws()?.shen_hedrick_elkins),
+            CreepLawName::Polach => Some(laws()?.polach),
+            CreepLawName::Fastsim => Some(laws()?.fastsim),
+        };
+        let rolling = match law {
+            None => self.half_space(hertz, friction, mean)?,
+            Some(law) => {
+                let load = hertz.normal_force();
+                let law = match mean {
+                    MeanState::TractiveRatio(ratio) => {
+                        QuasiStatic::from_tractive_ratio(law, load, ratio)
+                    }
+                    MeanState::Creepage(creepage) => {
+                        QuasiStatic::from_creepage(law, load, creepage)
+                    }
+                };
+                self.answering(self.physics(mean.key(), law)?, hertz)
+            }
         };
         Ok(BuiltContact {
             rolling,
@@ -118,45 +129,6 @@ impl Builder {
             ContactDynamics::SpringDashpot => Arc::new(SpringDashpot::new(law, hertz)),
             _ => Arc::new(law),
         }
-    }
-
-    fn simple_law(
-        &self,
-        name: CreepLawName,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<Arc<dyn CreepLaw>, CaseError> {
-        let material = hertz.material();
-        let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio());
-        let kalker = self.physics("contact", kalker)?;
-        let ellipse = CreepEllipse::new(hertz, kalker);
-        fn shared<L: CreepLaw + 'static>(law: L) -> Arc<dyn CreepLaw> {
-            Arc::new(law)
-        }
-        let law = match name {
-            CreepLawName::Carter2d => {
-                Carter2d::of_ellipse(ellipse, material.poisson_ratio(), friction).map(shared)
-            }
-            CreepLawName::ShenHedrickElkins => {
-                ShenHedrickElkins::new(ellipse, friction).map(shared)
-            }
-            CreepLawName::Polach => {
-                // Dry and constant: with k_A = k_S = 1 the law does not depend on the speed.
-                let full = SlopeReduction {
-                    adhesion: 1.0,
-                    slip: 1.0,
-                };
-                Polach::new(ellipse, FallingFriction::constant(friction), full, 1.0).map(shared)
-            }
-            CreepLawName::Fastsim => {
-                let divisions = Fastsim::DEFAULT_DIVISIONS;
-                Fastsim::new(ellipse, friction, TractionBound::Parabolic, divisions).map(shared)
-            }
-            CreepLawName::JohnsonVermeulen | CreepLawName::Carter3d | CreepLawName::HalfSpace => {
-                JohnsonVermeulen::new(ellipse, friction).map(shared)
-            }
-        };
-        self.physics("contact.creep_law", law)
     }
 
     fn half_space(
