@@ -5,6 +5,7 @@
 mod appendix;
 mod contact;
 pub mod decay_rate;
+mod fastsim;
 mod ground;
 mod growth;
 mod linear_theory;
@@ -67,6 +68,7 @@ checks! {
         creepage_of_four_per_mille;
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail;
+    fastsim: fastsim_against_the_exact_theory, fastsim_on_first_order_cells, fastsim_with_spin;
     appendix: moving_load_modulus, moving_load_phase, stationary_lag;
     growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,
         ridge_low_traction, ridge_high_traction, growth_at_low_speed, growth_highest_at_highest_speed,
