@@ -158,8 +158,9 @@ pub(crate) fn fastsim_on_first_order_cells() -> Row {
         expected: "30 tractive ratios, within 1 % on the same cells; Kalker's slope at no creepage"
             .to_owned(),
         got: format!(
-            "{} on the same cells, {} as it is; at ξ = 10⁻⁵ {:+.2} % of Kalker's linear theory, CONTACT's {:+.1} %",
-            percent(cells),
+            "{:+.2} … {:+.2} % on the same cells, {} as it is; at ξ = 10⁻⁵ {:+.2} % of Kalker's linear theory, CONTACT's {:+.1} %",
+            100.0 * cells.0,
+            100.0 * cells.1,
             percent(converged),
             100.0 * slope,
             100.0 * printed_slope
@@ -223,7 +224,7 @@ pub(crate) fn fastsim_with_spin() -> Row {
         (got[bound][quantity] / expected[bound][quantity] - 1.0).abs() < limit
     };
     Row {
-        statement: "FASTSIM with lateral creepage and spin: |F_y|/μP and frictional power",
+        statement: "FASTSIM with lateral creepage and spin: modulus of F_y/μP, and frictional power",
         source: "CONTACT, example fastsim, output of 2023-05-10, extrapolated from 40 and 200 cells to none, with the \
                  flexibilities it prints",
         expected: words(expected),

@@ -9,6 +9,7 @@ mod fastsim;
 mod ground;
 mod growth;
 mod linear_theory;
+pub mod place_of_wear;
 mod points;
 mod receptance;
 mod rolling;
@@ -69,6 +70,7 @@ checks! {
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail;
     fastsim: fastsim_against_the_exact_theory, fastsim_on_first_order_cells, fastsim_with_spin;
+    place_of_wear: lag_is_nearest_to_the_exact_contact;
     appendix: moving_load_modulus, moving_load_phase, stationary_lag;
     growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,
         ridge_low_traction, ridge_high_traction, growth_at_low_speed, growth_highest_at_highest_speed,
