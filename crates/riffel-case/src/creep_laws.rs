@@ -49,7 +49,12 @@ impl Builder {
         }
         let poisson_ratio = hertz.material().poisson_ratio();
         let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
-        let kalker = self.physics("contact", kalker)?;
+        let key = if poisson_ratio < 0.0 {
+            "steel.poisson_ratio"
+        } else {
+            "contact.transverse_radius"
+        };
+        let kalker = self.physics(key, kalker)?;
         let ellipse = CreepEllipse::new(hertz, kalker);
         let polach = self.polach(friction)?;
         let laws = || -> Result<CreepLaws, riffel::Error> {

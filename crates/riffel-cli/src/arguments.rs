@@ -96,6 +96,21 @@ impl CaseArguments {
     }
 }
 
+/// The case with a contact that answers at the wavelength \[m\] of `--wavelength`.
+pub(crate) fn covering(case: &Case, wavelength: f64) -> Result<Case, CliError> {
+    case.covering(wavelength).map_err(|error| {
+        let message = error.to_string();
+        // The window was not written by the user.
+        let sentence = ["min", "max"].iter().find_map(|end| {
+            let key = format!("`map.wavelength.{end}`: ");
+            message.split_once(&key).map(|(_, sentence)| sentence)
+        });
+        CliError::Wavelength {
+            message: sentence.unwrap_or(&message).to_owned(),
+        }
+    })
+}
+
 /// The value of an argument that must be above zero, in SI.
 pub(crate) fn positive<D: Dimension>(
     argument: &'static str,

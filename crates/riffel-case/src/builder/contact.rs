@@ -11,6 +11,9 @@ use super::Builder;
 use crate::CaseError;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
 
+/// Elements over a diameter; the half grid has half as many.
+const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
+
 /// The mean state, as the case gives it.
 #[derive(Clone, Copy)]
 enum MeanState {
@@ -44,20 +47,26 @@ impl Builder {
         })
     }
 
+    /// The theory of the ellipse: as written, or the one that goes with the creep law.
+    pub(crate) fn hertz_theory(&self) -> HertzTheory {
+        let contact = &self.file.contact;
+        contact.hertz.unwrap_or(match self.creep_law_name() {
+            CreepLawName::Carter3d => HertzTheory::Paper,
+            _ => HertzTheory::Exact,
+        })
+    }
+
     pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
         let radius = self.positive("wheel.rolling_radius", self.file.wheel.rolling_radius)?;
         let across = self.positive("contact.transverse_radius", contact.transverse_radius)?;
         let load = self.positive("contact.normal_load", contact.normal_load)?;
-        let theory = contact.hertz.unwrap_or(match self.creep_law_name() {
-            CreepLawName::Carter3d => HertzTheory::Paper,
-            _ => HertzTheory::Exact,
-        });
-        let hertz = match theory {
+        let hertz = match self.hertz_theory() {
             HertzTheory::Paper => HertzContact::new(steel, radius, across, load),
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
         };
-        self.physics("contact", hertz)
+        // Both others are positive: what is left is a contact that is no ellipse.
+        self.physics("contact.transverse_radius", hertz)
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
@@ -73,6 +82,10 @@ impl Builder {
                  theory",
                 "choose contact.creep_law = \"half-space\", or leave it out",
             ));
+        }
+        let grid = self.file.contact.grid;
+        if !GRIDS.contains(&grid) || !grid.is_multiple_of(2) {
+            return Err(self.out_of_range("contact.grid", grid, "an even number from 16 to 200"));
         }
         // Checked whatever the law is, so that a comparison changes one line.
         self.polach(friction)?;
@@ -147,11 +160,15 @@ impl Builder {
             MeanState::Creepage(creepage) => {
                 let state = self.physics(mean.key(), contact.roll(creepage))?;
                 let ratio = contact.steady(&state).tractive_ratio();
-                if ratio > HalfSpace::LARGEST_TRACTIVE_RATIO {
+                let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
+                if ratio > largest {
                     return Err(self.out_of_range(
                         mean.key(),
                         creepage,
-                        "so small that a region of stick is left: this one is full slip",
+                        &format!(
+                            "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
+                             slip there is no slope"
+                        ),
                     ));
                 }
                 state
