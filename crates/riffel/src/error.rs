@@ -33,6 +33,20 @@ pub enum Error {
         saturation_creepage: f64,
     },
 
+    /// The mean state lies beyond the maximum of adhesion, where the force falls with creepage.
+    #[error(
+        "{quantity} is {value}, but must stay below the maximum of adhesion of the creep law at {maximum:.6}, \
+         beyond which the force falls"
+    )]
+    BeyondAdhesion {
+        /// Tractive ratio or creepage.
+        quantity: &'static str,
+        /// Its value \[-\].
+        value: f64,
+        /// The same quantity at the maximum \[-\].
+        maximum: f64,
+    },
+
     /// A measured receptance that is none.
     #[error("{rule} (value number {})", index + 1)]
     Measurement {
