@@ -4,10 +4,13 @@
 
 mod appendix;
 mod contact;
+mod contact_filter;
 pub mod decay_rate;
+mod fastsim;
 mod ground;
 mod growth;
 mod linear_theory;
+pub mod place_of_wear;
 mod points;
 mod receptance;
 mod rolling;
@@ -68,6 +71,11 @@ checks! {
         creepage_of_four_per_mille;
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail;
+    contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,
+        contact_filter_rises_with_the_load, contact_filter_of_long_waves,
+        contact_filter_between_bounds, contact_filter_of_remington, contact_filter_approximation;
+    fastsim: fastsim_against_the_exact_theory, fastsim_on_first_order_cells, fastsim_with_spin;
+    place_of_wear: lag_is_nearest_to_the_exact_contact;
     appendix: moving_load_modulus, moving_load_phase, stationary_lag;
     growth: largest_normal_force, phase_near_300_hz, phase_at_high_frequency,
         ridge_low_traction, ridge_high_traction, growth_at_low_speed, growth_highest_at_highest_speed,

@@ -9,6 +9,7 @@ use riffel_validation::decay_rate::{
     FIT, MEASUREMENT, MeasuredBand, fit_in_words, table_by_assumption, table_by_band,
 };
 
+use crate::marked::between_marks;
 use crate::{Outcome, root};
 
 const PAGE: &str = "docs/src/decay-rate.md";
@@ -34,19 +35,9 @@ pub(crate) fn page() -> Result<String, String> {
         ("by band", table_by_band()),
         ("by assumption", table_by_assumption()),
     ];
-    parts
-        .iter()
-        .try_fold(page, |page, (name, text)| between_marks(&page, name, text))
-}
-
-/// The page with the text in place of what stands between the two marks of that name.
-fn between_marks(page: &str, name: &str, text: &str) -> Result<String, String> {
-    let begin = format!("<!-- {name}: written by cargo xtask generate -->\n");
-    let end = format!("<!-- end of {name} -->");
-    let missing = || format!("{PAGE} lacks the marks of \"{name}\"");
-    let (before, rest) = page.split_once(&begin).ok_or_else(missing)?;
-    let (_, after) = rest.split_once(&end).ok_or_else(missing)?;
-    Ok(format!("{before}{begin}\n{text}\n{end}{after}"))
+    parts.iter().try_fold(page, |page, (name, text)| {
+        between_marks(PAGE, &page, name, text)
+    })
 }
 
 /// Draw the figure of the page. Like the picture of the README it is not compared.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::Command;
 
-use crate::{Outcome, decay_rate, presets, root};
+use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
 const COMMANDS: [&str; 10] = [
@@ -29,6 +29,7 @@ pub(crate) fn run(check: bool) -> Outcome {
         ("docs/src/case.schema.json", schema + "\n"),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
+        ("docs/src/rolling-contact.md", place_of_wear::page()?),
     ];
     for (path, text) in files {
         let file = root().join(path);
@@ -44,6 +45,7 @@ pub(crate) fn run(check: bool) -> Outcome {
     if !check {
         pictures()?;
         decay_rate::picture()?;
+        place_of_wear::picture()?;
     }
     println!(
         "# generated files {}",

@@ -2,6 +2,8 @@
 
 mod decay_rate;
 mod generate;
+mod marked;
+mod place_of_wear;
 mod presets;
 
 use std::path::PathBuf;

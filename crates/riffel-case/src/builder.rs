@@ -14,7 +14,7 @@ use riffel::{
 
 use crate::case::Case;
 use crate::file::{CaseFile, DissipationPhase, Rotation};
-use crate::quantity::{Dimension, Quantity};
+use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::{CaseError, measurement, validity};
@@ -27,7 +27,7 @@ const MOST_MAP_POINTS: u64 = 100_000_000;
 /// A case file on its way to a case.
 #[derive(Clone)]
 pub(crate) struct Builder {
-    source: Source,
+    pub(crate) source: Source,
     /// Folder to which file names in the case are relative.
     folder: PathBuf,
     pub(crate) file: CaseFile,
@@ -204,21 +204,36 @@ impl Builder {
         self.physics(key, Axis::new(low, high, points as usize))
     }
 
-    fn positive<D: Dimension>(&self, key: &str, value: Quantity<D>) -> Result<f64, CaseError> {
+    pub(crate) fn positive<D: Dimension>(
+        &self,
+        key: &str,
+        value: Quantity<D>,
+    ) -> Result<f64, CaseError> {
         if value.si() > 0.0 {
             return Ok(value.si());
         }
         Err(self.out_of_range(key, value, "greater than zero"))
     }
 
-    fn not_negative<D: Dimension>(&self, key: &str, value: Quantity<D>) -> Result<f64, CaseError> {
+    pub(crate) fn not_negative<D: Dimension>(
+        &self,
+        key: &str,
+        value: Quantity<D>,
+    ) -> Result<f64, CaseError> {
         if value.si() >= 0.0 {
             return Ok(value.si());
         }
         Err(self.out_of_range(key, value, "zero or more"))
     }
 
-    fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
+    pub(crate) fn fraction(&self, key: &str, value: Quantity<Ratio>) -> Result<f64, CaseError> {
+        if value.si() > 0.0 && value.si() <= 1.0 {
+            return Ok(value.si());
+        }
+        Err(self.out_of_range(key, value, "above 0 and at most 1"))
+    }
+
+    pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
         self.source
             .invalid(key, &format!("is {value}, but must be {rule}"), "")
     }
@@ -237,7 +252,11 @@ impl Builder {
     }
 
     /// An error of the physics, as one of the key that causes it.
-    fn physics<T>(&self, key: &str, result: Result<T, riffel::Error>) -> Result<T, CaseError> {
+    pub(crate) fn physics<T>(
+        &self,
+        key: &str,
+        result: Result<T, riffel::Error>,
+    ) -> Result<T, CaseError> {
         result.map_err(|error| self.source.invalid(key, &error.to_string(), ""))
     }
 }

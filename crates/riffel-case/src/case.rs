@@ -7,7 +7,9 @@ use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRollin
 
 use crate::CaseError;
 use crate::builder::Builder;
-use crate::file::{BeamModel, CaseFile, CreepLawName};
+use crate::creep_laws::CreepLaws;
+use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
+use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
 
@@ -79,6 +81,35 @@ impl Case {
     /// The creep law: as written, or the one that goes with the response.
     pub fn creep_law(&self) -> CreepLawName {
         self.builder.creep_law_name()
+    }
+
+    /// The creep laws that are formulas of the ellipse of the case, whichever is its own.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a Poisson's ratio or an ellipse beyond the table of Kalker's coefficients.
+    pub fn creep_laws(&self) -> Result<CreepLaws, CaseError> {
+        self.builder.creep_laws(self.hertz, self.steady.friction)
+    }
+
+    /// The case with a contact that answers at a wavelength \[m\] outside the window of its map, too: a
+    /// non-steady one is tabulated over the window.
+    ///
+    /// # Errors
+    /// [`CaseError`] where the grid of the contact does not resolve the wavelength.
+    pub fn covering(&self, wavelength: f64) -> Result<Self, CaseError> {
+        let tabulated = self.file.contact.response == ContactDynamics::NonSteady;
+        let (shortest, longest) = (self.wavelength.min(), self.wavelength.max());
+        if !tabulated || (shortest..=longest).contains(&wavelength) {
+            return Ok(self.clone());
+        }
+        let mut builder = self.builder.clone();
+        let window = &mut builder.file.map.wavelength;
+        window.min = Quantity::new(shortest.min(wavelength));
+        window.max = Quantity::new(longest.max(wavelength));
+        Ok(Self {
+            feedback: builder.build()?.feedback,
+            ..self.clone()
+        })
     }
 
     /// How the rail bends: as written, or with shear where supports are discrete.

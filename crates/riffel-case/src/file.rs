@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::quantity::{
     Area, Damping, DampingPerLength, Density, Force, Inertia, Length, Mass, MassPerLength, Modulus,
-    Quantity, Ratio, SecondMoment, Speed, Stiffness, WearCoefficient,
+    Quantity, Ratio, SecondMoment, Speed, Stiffness, VelocityDecay, WearCoefficient,
 };
 
 /// A Riffel case: one vehicle wheel on one track.
@@ -360,11 +360,48 @@ pub struct Contact {
     #[serde(default = "Contact::default_grid")]
     #[schemars(range(min = 16, max = 200))]
     pub grid: u64,
+    /// Falling friction and layers between the surfaces, for `polach`; left out, dry and constant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polach: Option<PolachParameters>,
 }
 
 impl Contact {
     fn default_grid() -> u64 {
         36
+    }
+}
+
+/// Parameters of Polach's creep law: μ(w) = μ ((1 − A) exp(−B w) + A) at the slip velocity w = V ξ, and the
+/// reduced slopes of the creep curve. Give `limit_friction_ratio`, `friction_decay` and `speed`
+/// together.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct PolachParameters {
+    /// A, the coefficient of friction at infinite slip velocity over `friction`, the one at rest; above
+    /// 0 and at most 1. Left out, friction is constant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_friction_ratio: Option<Quantity<Ratio>>,
+    /// B, exponential decay of friction over slip velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_decay: Option<Quantity<VelocityDecay>>,
+    /// Rolling speed V of the slip velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub speed: Option<Quantity<Speed>>,
+    /// k_A, reduction factor in the area of adhesion, above 0 and at most 1.
+    pub adhesion_reduction: Quantity<Ratio>,
+    /// k_S, reduction factor in the area of slip, above 0 and at most `adhesion_reduction`.
+    pub slip_reduction: Quantity<Ratio>,
+}
+
+impl Default for PolachParameters {
+    fn default() -> Self {
+        Self {
+            limit_friction_ratio: None,
+            friction_decay: None,
+            speed: None,
+            adhesion_reduction: Quantity::new(1.0),
+            slip_reduction: Quantity::new(1.0),
+        }
     }
 }
 
@@ -383,7 +420,7 @@ pub enum CreepLawName {
     /// Shen, Hedrick & Elkins (1983).
     #[serde(rename = "shen-hedrick-elkins")]
     ShenHedrickElkins,
-    /// Polach (2000), with a constant coefficient of friction.
+    /// Polach (2000), with the parameters of `polach`.
     #[serde(rename = "polach")]
     Polach,
     /// Kalker's simplified theory (1982).

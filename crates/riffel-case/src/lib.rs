@@ -16,6 +16,7 @@
 
 mod builder;
 mod case;
+mod creep_laws;
 mod error;
 pub mod file;
 mod fill_in;
@@ -29,6 +30,7 @@ mod unit;
 mod validity;
 
 pub use case::Case;
+pub use creep_laws::CreepLaws;
 pub use error::CaseError;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use track::{Direction, Track};

@@ -68,6 +68,8 @@ dimensions! {
     Density = "a density", "kg/m3", "7850 kg/m3";
     /// Mass worn per dissipated energy.
     WearCoefficient = "a wear coefficient", "kg/J", "2.5e-9 kg/J";
+    /// Decay over slip velocity.
+    VelocityDecay = "a decay over slip velocity", "s/m", "0.6 s/m";
 }
 
 /// A quantity of the dimension `D`, held in SI.

@@ -3,7 +3,7 @@
 use riffel::{Axis, FeedbackLoop, HertzContact};
 
 use crate::builder::Builder;
-use crate::file::{BeamModel, ContactDynamics, TrackModel};
+use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::measurement;
 use crate::track::{Direction, Track};
 
@@ -25,6 +25,10 @@ const CONTACT_FILTER_LENGTHS: f64 = 1.5;
 /// 48 % off somewhere below, where the resonance of the rail on its pads shifts, and 80 % on pads of
 /// 1 GN/m.
 const EVEN_SUPPORT_UP_TO: f64 = 0.5;
+
+/// Error of a semi-axis by the closed form of Hertz up to which nothing is said; that of the nominal
+/// contact is 1 %.
+const CLOSED_FORM_UP_TO: f64 = 0.05;
 
 /// Sentences on the validity of the models over the window of the map.
 pub(crate) fn remarks(
@@ -75,6 +79,31 @@ pub(crate) fn remarks(
             "the contact is quasi-static and does not average over its patch: below {:.0} mm growth \
              is overstated",
             1e3 * shortest
+        ));
+    }
+    if builder.hertz_theory() == HertzTheory::Paper
+        && let Ok(exact) = HertzContact::exact(
+            hertz.material(),
+            hertz.rolling_radius(),
+            file.contact.transverse_radius.si(),
+            hertz.normal_force(),
+        )
+    {
+        let error = hertz.semi_axis_lateral() / exact.semi_axis_lateral() - 1.0;
+        if error.abs() > CLOSED_FORM_UP_TO {
+            remarks.push(format!(
+                "the radii of wheel and rail differ much: the closed form of the contact ellipse is {:.0} % off \
+                 across the rail (choose contact.hertz = \"exact\")",
+                100.0 * error.abs()
+            ));
+        }
+    }
+    let polach = file.contact.polach.as_ref();
+    if builder.creep_law_name() == CreepLawName::Polach
+        && let Some(rolling) = polach.and_then(|polach| polach.speed)
+    {
+        remarks.push(format!(
+            "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the map"
         ));
     }
     // Outside the frequencies of a measurement there is nothing to look at.

@@ -98,6 +98,21 @@ impl CaseArguments {
     }
 }
 
+/// The case with a contact that answers at the wavelength \[m\] of `--wavelength`.
+pub(crate) fn covering(case: &Case, wavelength: f64) -> Result<Case, CliError> {
+    case.covering(wavelength).map_err(|error| {
+        let message = error.to_string();
+        // The window was not written by the user.
+        let sentence = ["min", "max"].iter().find_map(|end| {
+            let key = format!("`map.wavelength.{end}`: ");
+            message.split_once(&key).map(|(_, sentence)| sentence)
+        });
+        CliError::Wavelength {
+            message: sentence.unwrap_or(&message).to_owned(),
+        }
+    })
+}
+
 /// The value of an argument that must be above zero, in SI.
 pub(crate) fn positive<D: Dimension>(
     argument: &'static str,
@@ -329,11 +344,26 @@ pub(crate) struct Roughness {
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel figures -o figures")]
+#[command(after_help = "Example: riffel figures --model non-steady -o figures")]
 pub(crate) struct Figures {
     /// Folder for the figures, made if need be.
     #[arg(short, long, value_name = "DIR", default_value = "figures")]
     pub(crate) output: PathBuf,
+
+    /// How the contact answers to oscillations.
+    #[arg(long, value_enum, default_value_t = ModelArgument::QuasiStatic)]
+    pub(crate) model: ModelArgument,
+}
+
+/// How the contact answers to oscillations.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ModelArgument {
+    /// At once, by the paper's creep law: the figures as printed.
+    QuasiStatic,
+    /// By a spring and a dashpot in series, with the paper's creep law.
+    SpringDashpot,
+    /// By the exact theory of non-steady rolling.
+    NonSteady,
 }
 
 #[derive(Args)]

@@ -29,6 +29,9 @@ pub(crate) enum CliError {
     #[diagnostic(help("choose track.model = \"one-layer-periodic\" or \"two-layer-periodic\""))]
     NoBay { model: &'static str },
 
+    #[error("--wavelength: {message}")]
+    Wavelength { message: String },
+
     #[error("--position: {message}")]
     Position { message: String },
 

@@ -93,6 +93,27 @@ fn si(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
 }
 
+/// The parameters of Polach's law in words, where the case has any.
+pub(crate) fn polach(case: &Case) -> String {
+    let Some(polach) = &case.file.contact.polach else {
+        return String::new();
+    };
+    let reduction = format!(
+        "k_A = {}, k_S = {}",
+        polach.adhesion_reduction, polach.slip_reduction
+    );
+    match (
+        polach.limit_friction_ratio,
+        polach.friction_decay,
+        polach.speed,
+    ) {
+        (Some(ratio), Some(decay), Some(speed)) => {
+            format!(" (A = {ratio}, B = {decay}, V = {speed}, {reduction})")
+        }
+        _ => format!(" ({reduction})"),
+    }
+}
+
 /// The parameters of a case in one sentence.
 pub(crate) fn parameters(case: &Case) -> String {
     let file = &case.file;
@@ -113,6 +134,7 @@ pub(crate) fn parameters(case: &Case) -> String {
     };
     let law = match case.creep_law() {
         CreepLawName::Carter3d => String::new(),
+        CreepLawName::Polach => format!("creep law polach{}; ", polach(case)),
         law => format!("creep law {}; ", law.name()),
     };
     let dynamics = match file.contact.response {

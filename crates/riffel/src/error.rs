@@ -33,6 +33,20 @@ pub enum Error {
         saturation_creepage: f64,
     },
 
+    /// The mean state lies beyond the maximum of adhesion, where the force falls with creepage.
+    #[error(
+        "{quantity} is {value}, but must stay below the maximum of adhesion of the creep law at {maximum:.6}, \
+         beyond which the force falls"
+    )]
+    BeyondAdhesion {
+        /// Tractive ratio or creepage.
+        quantity: &'static str,
+        /// Its value \[-\].
+        value: f64,
+        /// The same quantity at the maximum \[-\].
+        maximum: f64,
+    },
+
     /// A measured receptance, profile or spectrum that is none.
     #[error("{rule} (value number {})", index + 1)]
     Measurement {
@@ -44,8 +58,7 @@ pub enum Error {
 
     /// An iteration that did not reach its tolerance.
     #[error(
-        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; try another grid \
-         (contact.grid) or a creepage further from full slip"
+        "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; {remedy}"
     )]
     NotConverged {
         /// What was to be solved.
@@ -54,6 +67,20 @@ pub enum Error {
         residual: f64,
         /// Residual that was asked for.
         tolerance: f64,
+        /// What to try, as the rest of the sentence.
+        remedy: &'static str,
+    },
+
+    /// A patch that the grid of the contact does not hold.
+    #[error(
+        "the patch reaches the rim of the grid of {length} m along and {width} m across the rail; make \
+         the grid larger"
+    )]
+    GridTooSmall {
+        /// Length of the grid along the rail \[m\].
+        length: f64,
+        /// Its width across the rail \[m\].
+        width: f64,
     },
 
     /// The load outruns the bending waves that its own oscillation excites.

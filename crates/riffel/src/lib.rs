@@ -6,7 +6,7 @@
 //! | joint | trait | equations of Afferrante & Ciavarella (2009) |
 //! |---|---|---|
 //! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`]; [`ContinuousTrack`], [`PeriodicTrack`], [`MovingLoadTrack`], [`MeasuredReceptance`] |
-//! | contact patch | [`HertzContact`], [`EllipticContact`], [`KalkerCoefficients`] | (22), (26) |
+//! | contact patch | [`HertzContact`], [`EllipticContact`], [`KalkerCoefficients`]; [`NormalContact`], [`ContactFilter`] | (22), (26) |
 //! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`]; [`CreepLaw`], [`HalfSpace`], [`NonSteady`] |
 //! | wheel rotation | [`WheelRotation`] | (15)–(18) [`RigidInertia`], [`ConstantTangentialForce`], [`ConstantCreepage`] |
 //! | place of wear | [`PlaceOfWear`] | below (22) |
@@ -83,9 +83,10 @@ pub use contact::{
 pub use contact::{
     Carter3d, ContactElement, ContactResponse, HalfSpace, HalfSpaceRolling, HertzContact,
     NonSteady, RailDissipation, RollingContact, SlowHalfSpace, SpringDashpot, SteadyRolling,
-    creep_coefficient,
+    TransientRolling, TransientStep, creep_coefficient,
 };
 pub use contact::{ContactBody, EllipticContact, EllipticIntegrals, KalkerCoefficients};
+pub use contact::{ContactFilter, ContactGrid, NormalContact, NormalState};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};

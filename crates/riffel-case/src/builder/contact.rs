@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use riffel::{
-    Carter2d, Carter3d, CreepEllipse, CreepLaw, ElasticMaterial, FallingFriction, Fastsim,
-    HalfSpace, HalfSpaceRolling, HertzContact, JohnsonVermeulen, KalkerCoefficients, NonSteady,
-    Polach, QuasiStatic, RollingContact, ShenHedrickElkins, SlopeReduction, SlowHalfSpace,
-    SpringDashpot, TractionBound,
+    Carter3d, ElasticMaterial, HalfSpace, HalfSpaceRolling, HertzContact, NonSteady, QuasiStatic,
+    RollingContact, SlowHalfSpace, SpringDashpot,
 };
 
 use super::Builder;
 use crate::CaseError;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
+
+/// Elements over a diameter; the half grid has half as many.
+const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
 
 /// The mean state, as the case gives it.
 #[derive(Clone, Copy)]
@@ -46,20 +47,26 @@ impl Builder {
         })
     }
 
+    /// The theory of the ellipse: as written, or the one that goes with the creep law.
+    pub(crate) fn hertz_theory(&self) -> HertzTheory {
+        let contact = &self.file.contact;
+        contact.hertz.unwrap_or(match self.creep_law_name() {
+            CreepLawName::Carter3d => HertzTheory::Paper,
+            _ => HertzTheory::Exact,
+        })
+    }
+
     pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
         let radius = self.positive("wheel.rolling_radius", self.file.wheel.rolling_radius)?;
         let across = self.positive("contact.transverse_radius", contact.transverse_radius)?;
         let load = self.positive("contact.normal_load", contact.normal_load)?;
-        let theory = contact.hertz.unwrap_or(match self.creep_law_name() {
-            CreepLawName::Carter3d => HertzTheory::Paper,
-            _ => HertzTheory::Exact,
-        });
-        let hertz = match theory {
+        let hertz = match self.hertz_theory() {
             HertzTheory::Paper => HertzContact::new(steel, radius, across, load),
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
         };
-        self.physics("contact", hertz)
+        // Both others are positive: what is left is a contact that is no ellipse.
+        self.physics("contact.transverse_radius", hertz)
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
@@ -76,6 +83,12 @@ impl Builder {
                 "choose contact.creep_law = \"half-space\", or leave it out",
             ));
         }
+        let grid = self.file.contact.grid;
+        if !GRIDS.contains(&grid) || !grid.is_multiple_of(2) {
+            return Err(self.out_of_range("contact.grid", grid, "an even number from 16 to 200"));
+        }
+        // Checked whatever the law is, so that a comparison changes one line.
+        self.polach(friction)?;
         if name == CreepLawName::Carter3d {
             let law = match mean {
                 MeanState::TractiveRatio(ratio) => {
@@ -89,18 +102,29 @@ impl Builder {
                 carter: Some(law),
             });
         }
-        let rolling = if name == CreepLawName::HalfSpace {
-            self.half_space(hertz, friction, mean)?
-        } else {
-            let law = self.simple_law(name, hertz, friction)?;
-            let load = hertz.normal_force();
-            let law = match mean {
-                MeanState::TractiveRatio(ratio) => {
-                    QuasiStatic::from_tractive_ratio(law, load, ratio)
-                }
-                MeanState::Creepage(creepage) => QuasiStatic::from_creepage(law, load, creepage),
-            };
-            self.answering(self.physics(mean.key(), law)?, hertz)
+        let laws = || self.creep_laws(hertz, friction);
+        let law = match name {
+            CreepLawName::Carter3d | CreepLawName::HalfSpace => None,
+            CreepLawName::Carter2d => Some(laws()?.carter_2d),
+            CreepLawName::JohnsonVermeulen => Some(laws()?.johnson_vermeulen),
+            CreepLawName::ShenHedrickElkins => Some(laws()?.shen_hedrick_elkins),
+            CreepLawName::Polach => Some(laws()?.polach),
+            CreepLawName::Fastsim => Some(laws()?.fastsim),
+        };
+        let rolling = match law {
+            None => self.half_space(hertz, friction, mean)?,
+            Some(law) => {
+                let load = hertz.normal_force();
+                let law = match mean {
+                    MeanState::TractiveRatio(ratio) => {
+                        QuasiStatic::from_tractive_ratio(law, load, ratio)
+                    }
+                    MeanState::Creepage(creepage) => {
+                        QuasiStatic::from_creepage(law, load, creepage)
+                    }
+                };
+                self.answering(self.physics(mean.key(), law)?, hertz)
+            }
         };
         Ok(BuiltContact {
             rolling,
@@ -120,45 +144,6 @@ impl Builder {
         }
     }
 
-    fn simple_law(
-        &self,
-        name: CreepLawName,
-        hertz: HertzContact,
-        friction: f64,
-    ) -> Result<Arc<dyn CreepLaw>, CaseError> {
-        let material = hertz.material();
-        let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio());
-        let kalker = self.physics("contact", kalker)?;
-        let ellipse = CreepEllipse::new(hertz, kalker);
-        fn shared<L: CreepLaw + 'static>(law: L) -> Arc<dyn CreepLaw> {
-            Arc::new(law)
-        }
-        let law = match name {
-            CreepLawName::Carter2d => {
-                Carter2d::of_ellipse(ellipse, material.poisson_ratio(), friction).map(shared)
-            }
-            CreepLawName::ShenHedrickElkins => {
-                ShenHedrickElkins::new(ellipse, friction).map(shared)
-            }
-            CreepLawName::Polach => {
-                // Dry and constant: with k_A = k_S = 1 the law does not depend on the speed.
-                let full = SlopeReduction {
-                    adhesion: 1.0,
-                    slip: 1.0,
-                };
-                Polach::new(ellipse, FallingFriction::constant(friction), full, 1.0).map(shared)
-            }
-            CreepLawName::Fastsim => {
-                let divisions = Fastsim::DEFAULT_DIVISIONS;
-                Fastsim::new(ellipse, friction, TractionBound::Parabolic, divisions).map(shared)
-            }
-            CreepLawName::JohnsonVermeulen | CreepLawName::Carter3d | CreepLawName::HalfSpace => {
-                JohnsonVermeulen::new(ellipse, friction).map(shared)
-            }
-        };
-        self.physics("contact.creep_law", law)
-    }
-
     fn half_space(
         &self,
         hertz: HertzContact,
@@ -175,11 +160,15 @@ impl Builder {
             MeanState::Creepage(creepage) => {
                 let state = self.physics(mean.key(), contact.roll(creepage))?;
                 let ratio = contact.steady(&state).tractive_ratio();
-                if ratio > HalfSpace::LARGEST_TRACTIVE_RATIO {
+                let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
+                if ratio > largest {
                     return Err(self.out_of_range(
                         mean.key(),
                         creepage,
-                        "so small that a region of stick is left: this one is full slip",
+                        &format!(
+                            "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
+                             slip there is no slope"
+                        ),
                     ));
                 }
                 state

@@ -47,14 +47,118 @@ fn non_steady_is_exact() {
     assert!((1e3 * paper.hertz.semi_axis_longitudinal() - 5.986).abs() < 1e-3);
 }
 
+const FALLING: [&str; 6] = [
+    "contact.creep_law=polach",
+    "contact.polach.limit_friction_ratio=0.4",
+    "contact.polach.friction_decay=0.6 s/m",
+    "contact.polach.speed=72 km/h",
+    "contact.polach.adhesion_reduction=0.7",
+    "contact.polach.slip_reduction=0.3",
+];
+
+/// The slope in the loop is that of Polach's formula (2005, equations 1–6), written out here and
+/// differenced over ±1e-4 of the creepage, whose error is 1e-8.
+#[test]
+fn falling_friction_reaches_the_loop() {
+    let case = case(&FALLING).unwrap();
+    let (hertz, load) = (case.hertz, 50e3);
+    let kalker = case.creep_laws().unwrap().kalker;
+    let stiffness = hertz.material().shear_modulus()
+        * hertz.semi_axis_longitudinal()
+        * hertz.semi_axis_lateral()
+        * kalker.c11;
+    let force = |creepage: f64| {
+        let friction = 0.4 * (0.6 * (-0.6 * 20.0 * creepage).exp() + 0.4);
+        let epsilon = std::f64::consts::PI * stiffness * creepage / (4.0 * friction * load);
+        let (adhesion, slip) = (0.7 * epsilon, 0.3 * epsilon);
+        let curve = adhesion / (1.0 + adhesion * adhesion) + slip.atan();
+        2.0 * friction * load / std::f64::consts::PI * curve
+    };
+    let creepage = case.steady.creepage;
+    // The tractive ratio of the nominal case is over the friction at rest.
+    assert!((force(creepage) / (0.1 * 0.4 * load) - 1.0).abs() < 1e-9);
+    let step = 1e-4 * creepage;
+    let slope = (force(creepage + step) - force(creepage - step)) / (2.0 * step);
+    let (speed, radius) = (25.0, 0.46);
+    let state = case.feedback.at(0.05, speed);
+    assert!((state.dq_domega.re / (-radius / speed * slope) - 1.0).abs() < 1e-6);
+    assert!(
+        case.remarks
+            .iter()
+            .any(|remark| remark.contains("falling friction is that of the slip at 20 m/s"))
+    );
+    let dry = self::case(&FALLING[..1]).unwrap().feedback.at(0.05, speed);
+    assert!(state.growth_rate != dry.growth_rate);
+}
+
+/// Factors of one, and friction that does not fall, are what no table means.
+#[test]
+fn a_clean_contact_needs_no_table() {
+    let growth = |overrides: &[&str]| {
+        let overrides = [&FALLING[..1], overrides].concat();
+        case(&overrides)
+            .unwrap()
+            .feedback
+            .at(0.05, 20.0)
+            .growth_rate
+    };
+    let none = growth(&[]);
+    assert_eq!(growth(&["contact.polach.slip_reduction=1"]), none);
+    let constant = [
+        "contact.polach.limit_friction_ratio=1",
+        "contact.polach.friction_decay=0.6",
+        "contact.polach.speed=20",
+    ];
+    assert_eq!(growth(&constant), none);
+}
+
+/// A non-steady contact is tabulated over the window of the map; a point outside it has an answer too,
+/// the same as in a wider window.
+#[test]
+fn a_point_outside_the_window_is_covered() {
+    let narrow = case(&["contact.response=non-steady"]).unwrap();
+    assert!(narrow.feedback.at(0.15, 30.0).growth_rate.is_nan());
+    let covering = narrow.covering(0.15).unwrap();
+    assert_eq!(covering.wavelength.max(), 0.08);
+    let wide = case(&["contact.response=non-steady", "map.wavelength.max=150 mm"]).unwrap();
+    let growth = |case: &Case| case.feedback.at(0.15, 30.0).growth_rate;
+    assert_eq!(growth(&covering), growth(&wide));
+    assert!(narrow.covering(1e-3).is_err());
+}
+
+#[test]
+fn unlike_radii_are_worth_a_remark() {
+    let remarks = |overrides: &[&str]| case(overrides).unwrap().remarks.join("\n");
+    let words = "the closed form of the contact ellipse is";
+    assert!(remarks(&["contact.transverse_radius=30 m"]).contains(words));
+    assert!(!remarks(&["contact.transverse_radius=30 m", "contact.hertz=exact"]).contains(words));
+    assert!(!remarks(&[]).contains(words));
+}
+
 #[rstest]
+#[case(&["contact.polach.slip_reduction=0.3", "contact.polach.adhesion_reduction=0.2"], "`contact.polach.slip_reduction` is 0.3, but must be at most contact.polach.adhesion_reduction, 0.2")]
+#[case(&["contact.polach.adhesion_reduction=0"], "`contact.polach.adhesion_reduction` is 0, but must be above 0 and at most 1")]
+#[case(&["contact.polach.friction_decay=0.6 s/m"], "`contact.polach.limit_friction_ratio` is missing")]
+#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=0.6"], "`contact.polach.speed` is missing")]
+#[case(&["contact.polach.limit_friction_ratio=1.4", "contact.polach.friction_decay=0.6", "contact.polach.speed=20"], "`contact.polach.limit_friction_ratio` is 1.4, but must be above 0 and at most 1")]
+#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=-1", "contact.polach.speed=20"], "`contact.polach.friction_decay` is -1 s/m, but must be zero or more")]
+#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=1", "contact.polach.speed=0"], "`contact.polach.speed` is 0 m/s, but must be greater than zero")]
+#[case(&["contact.polach.friction_decay=0.6 m/s"], "not a decay over slip velocity in s/m")]
+#[case(&["contact.polach.limit=0.4"], "`contact.polach.limit` is not a key Riffel knows")]
+#[case(&["contact.creep_law=polach", "contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=0.6", "contact.polach.speed=20", "contact.tractive_ratio=0.99"], "`contact.tractive_ratio`: tractive ratio is 0.99, but must stay below the maximum of adhesion of the creep law at 0.9")]
 #[case(&["contact.response=non-steady", "contact.creep_law=fastsim"], "exclude each other")]
-#[case(&["contact.creep_law=half-space", "contact.creepage=2 %"], "`contact.creepage` is 0.02, but must be so small")]
+#[case(&["contact.creep_law=half-space", "contact.creepage=2 %"], "`contact.creepage` is 0.02, but must be so small that the tractive ratio, here 0.99")]
 #[case(&["contact.creep_law=fastsim", "contact.creepage=2 %"], "full slip begins at")]
 #[case(&["contact.creep_law=half-space", "contact.tractive_ratio=0.995"], "nearer to full slip there is no slope")]
-#[case(&["contact.creep_law=half-space", "contact.grid=17"], "must be even")]
-#[case(&["contact.creep_law=half-space", "contact.grid=1000"], "must be between 8 and 200")]
+#[case(&["contact.creep_law=half-space", "contact.grid=17"], "`contact.grid` is 17, but must be an even number from 16 to 200")]
+#[case(&["contact.creep_law=half-space", "contact.grid=14"], "`contact.grid` is 14, but must be an even number from 16 to 200")]
 #[case(&["contact.response=non-steady", "map.wavelength.min=2 mm"], "`map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements")]
+#[case(&["contact.creep_law=half-space", "contact.creepage=0.64 %"], "here 0.99")]
+#[case(&["contact.transverse_radius=10 km"], "`contact.transverse_radius`: ratio of the combined curvatures is 21739.1304347826")]
+#[case(&["contact.hertz=exact", "contact.transverse_radius=10 km"], "beyond that the contact is a line contact")]
+#[case(&["contact.transverse_radius=10 um"], "beyond that the contact is a line contact")]
+#[case(&["contact.creep_law=fastsim", "steel.poisson_ratio=-0.2"], "`steel.poisson_ratio`: Poisson's ratio is -0.2, but must lie between 0 and 0.5")]
+#[case(&["contact.normal_load=-50 kN"], "`contact.normal_load` is -50000 N, but must be greater than zero")]
 #[case(&["contact.hertz=exact", "contact.normal_load=0"], "`contact.normal_load` is 0 N")]
 #[case(&["contact.creep_law=polache"], "did you mean polach?")]
 fn bad_contacts(#[case] overrides: &[&str], #[case] sentence: &str) {

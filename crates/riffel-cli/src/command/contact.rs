@@ -1,14 +1,12 @@
 //! `riffel contact`
 
 use std::io::{self, Write};
-use std::sync::Arc;
 
 use riffel::{
-    Carter2d, Carter3d, Complex64, ContactElement, ContactResponse, CreepEllipse, CreepLaw,
-    Creepages, FallingFriction, Fastsim, HalfSpace, HalfSpaceRolling, HertzContact,
-    JohnsonVermeulen, KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+    Carter3d, Complex64, ContactElement, ContactResponse, CreepLaw, Creepages, HalfSpace,
+    HalfSpaceRolling, HertzContact, KalkerCoefficients,
 };
-use riffel_case::Case;
+use riffel_case::{Case, CreepLaws};
 use riffel_plot::{
     Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale,
     Series, png,
@@ -17,6 +15,7 @@ use serde::Serialize;
 
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
+use crate::map_figure::polach;
 use crate::output::{Progress, print, print_json, print_remarks, table};
 use crate::staging::Staging;
 
@@ -112,28 +111,18 @@ fn refused(input: impl Into<String>) -> impl FnOnce(riffel::Error) -> CliError {
 struct Patch {
     hertz: HertzContact,
     friction: f64,
-    kalker: KalkerCoefficients,
     carter: Carter3d,
-    laws: SimpleLaws,
+    laws: CreepLaws,
     half_space: HalfSpace,
     state: HalfSpaceRolling,
 }
 
-/// The creep laws that are formulas of the ellipse.
-struct SimpleLaws {
-    carter_2d: Carter2d,
-    johnson_vermeulen: Arc<JohnsonVermeulen>,
-    shen_hedrick_elkins: ShenHedrickElkins,
-    polach: Polach,
-    fastsim: Fastsim,
-}
-
 impl Patch {
-    fn new(case: &Case) -> Result<Self, CliError> {
+    fn new(case: &Case) -> miette::Result<Self> {
         let (hertz, friction) = (case.hertz, case.steady.friction);
         let ratio = case.steady.tractive_ratio();
         if ratio > HalfSpace::LARGEST_TRACTIVE_RATIO {
-            return Err(CliError::Argument {
+            Err(CliError::Argument {
                 argument: "the tractive ratio of the case",
                 value: format!("{ratio:.4}"),
                 rule: format!(
@@ -141,14 +130,11 @@ impl Patch {
                      slope",
                     HalfSpace::LARGEST_TRACTIVE_RATIO
                 ),
-            });
+            })?;
         }
-        let material = hertz.material();
-        let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio())
-            .map_err(refused("contact"))?;
         let carter = Carter3d::from_tractive_ratio(hertz, friction, ratio)
             .map_err(refused("the mean state of the case"))?;
-        let laws = SimpleLaws::new(hertz, kalker, friction).map_err(refused("contact"))?;
+        let laws = case.creep_laws()?;
         let across = usize::try_from(case.file.contact.grid).unwrap_or(usize::MAX);
         let half_space =
             HalfSpace::new(hertz, friction, across).map_err(refused("contact.grid"))?;
@@ -158,7 +144,6 @@ impl Patch {
         Ok(Self {
             hertz,
             friction,
-            kalker,
             carter,
             laws,
             half_space,
@@ -200,30 +185,6 @@ impl Patch {
             ))?;
         }
         writer.flush()
-    }
-}
-
-impl SimpleLaws {
-    fn new(
-        hertz: HertzContact,
-        kalker: KalkerCoefficients,
-        friction: f64,
-    ) -> Result<Self, riffel::Error> {
-        let material = hertz.material();
-        let ellipse = CreepEllipse::new(hertz, kalker);
-        // Dry and constant: with k_A = k_S = 1 Polach's law does not depend on the speed.
-        let full = SlopeReduction {
-            adhesion: 1.0,
-            slip: 1.0,
-        };
-        let divisions = Fastsim::DEFAULT_DIVISIONS;
-        Ok(Self {
-            carter_2d: Carter2d::of_ellipse(ellipse, material.poisson_ratio(), friction)?,
-            johnson_vermeulen: Arc::new(JohnsonVermeulen::new(ellipse, friction)?),
-            shen_hedrick_elkins: ShenHedrickElkins::new(ellipse, friction)?,
-            polach: Polach::new(ellipse, FallingFriction::constant(friction), full, 1.0)?,
-            fastsim: Fastsim::new(ellipse, friction, TractionBound::Parabolic, divisions)?,
-        })
     }
 }
 
@@ -275,7 +236,7 @@ impl CreepCurves {
         let carter = over(&|creepage| patch.carter.tangential_force(load, creepage));
         let laws = vec![
             curve("carter-3d", "Carter 3D (paper)", Dashed, 1, carter),
-            curve("carter-2d", "Carter 2D", Dotted, 6, by(&laws.carter_2d)),
+            curve("carter-2d", "Carter 2D", Dotted, 6, by(&*laws.carter_2d)),
             curve(
                 "johnson-vermeulen",
                 "Johnson–Vermeulen",
@@ -288,10 +249,10 @@ impl CreepCurves {
                 "Shen–Hedrick–Elkins",
                 Dashed,
                 3,
-                by(&laws.shen_hedrick_elkins),
+                by(&*laws.shen_hedrick_elkins),
             ),
-            curve("polach", "Polach", Solid, 4, by(&laws.polach)),
-            curve("fastsim", "FASTSIM", Solid, 5, by(&laws.fastsim)),
+            curve("polach", "Polach", Solid, 4, by(&*laws.polach)),
+            curve("fastsim", "FASTSIM", Solid, 5, by(&*laws.fastsim)),
             curve("half-space", "half-space (exact)", Solid, 0, exact),
         ];
         Ok(Self { creepages, laws })
@@ -563,7 +524,7 @@ struct FrequencyResponseDocument {
 }
 
 fn document(patch: &Patch, curves: &CreepCurves, response: &FrequencyResponse) -> Document {
-    let KalkerCoefficients { c11, c22, c23, c33 } = patch.kalker;
+    let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;
     let laws = curves
         .laws
         .iter()
@@ -605,7 +566,7 @@ fn parameters(case: &Case, patch: &Patch) -> String {
     let material = patch.hertz.material();
     format!(
         "E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, P = {:.0} kN, μ = {}; ellipse {:.2} × {:.2} mm; \
-         mean state τ = {:.3}, ξ₀ = {:.4} %; {} elements over a diameter.",
+         mean state τ = {:.3}, ξ₀ = {:.4} %; {} elements over a diameter{}.",
         1e-9 * case.file.steel.youngs_modulus.si(),
         material.poisson_ratio(),
         patch.hertz.rolling_radius(),
@@ -617,6 +578,10 @@ fn parameters(case: &Case, patch: &Patch) -> String {
         patch.tractive_ratio(patch.state.tangential_force()),
         100.0 * patch.state.creepage(),
         case.file.contact.grid,
+        match polach(case).as_str() {
+            "" => String::new(),
+            words => format!("; Polach{words}"),
+        },
     )
 }
 
@@ -775,7 +740,7 @@ fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
 fn readable(case: &Case, patch: &Patch, curves: &CreepCurves) -> String {
     const ROWS: usize = 8;
     let hertz = patch.hertz;
-    let KalkerCoefficients { c11, c22, c23, c33 } = patch.kalker;
+    let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;
     let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Contact"));
     text.push_str(&format!(
         "ellipse {:.2} mm along and {:.2} mm across the rail, approach {:.1} µm\n\

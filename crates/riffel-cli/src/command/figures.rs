@@ -11,8 +11,9 @@ use crate::staging::Staging;
 pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let mut staging = Staging::new(&arguments.output)?;
     let progress = Progress::new("figures of the paper", paper::FIGURES.len());
+    let model = paper::Model::from(arguments.model);
     for (number, make) in paper::FIGURES {
-        let figure = make()?;
+        let figure = make(model)?;
         let picture = png(&figure.svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
         staging.write(&format!("figure-{number}.png"), picture)?;
         staging.write(&format!("figure-{number}.svg"), figure.svg)?;

@@ -7,7 +7,7 @@ use riffel_case::Case;
 use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, Observation, png};
 use serde::Serialize;
 
-use crate::arguments::{Map, positive};
+use crate::arguments::{Map, covering, positive};
 use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
 use crate::growth_table::{map_csv, map_netcdf, ridge_csv};
@@ -120,6 +120,10 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
             positive("--speed", speed)?,
         )),
         _ => None,
+    };
+    let case = match curve {
+        Some((wavelength, _)) => covering(&case, wavelength)?,
+        None => case,
     };
     let observations = match &arguments.observations {
         Some(path) => observations::read(path)?,

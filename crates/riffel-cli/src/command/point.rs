@@ -4,7 +4,7 @@ use riffel::{Complex64, LoopState};
 use riffel_case::Case;
 use serde::Serialize;
 
-use crate::arguments::{Point, positive};
+use crate::arguments::{Point, covering, positive};
 use crate::output::{print, print_json, print_remarks, table};
 
 /// One turn of the loop, units in the names.
@@ -102,6 +102,7 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let wavelength = positive("--wavelength", arguments.wavelength)?;
     let speed = positive("--speed", arguments.speed)?;
     case.check_frequencies(speed / wavelength, speed / wavelength)?;
+    let case = covering(&case, wavelength)?;
     let state = case.feedback.at(wavelength, speed);
     let document = Document::new(&case, &state);
     if arguments.json {

@@ -4,7 +4,7 @@ use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_plot::{MapFigure, MapPanel};
 
-use super::{PaperFigure, bhaskar_track, nominal};
+use super::{Model, PaperFigure};
 use crate::error::CliError;
 use crate::map_figure::{SIGN, Shown, panel, parameters};
 
@@ -18,21 +18,24 @@ const WINDOW: [&str; 3] = [
     "map.wavelength.points=121",
 ];
 
-pub(super) fn figure_4() -> miette::Result<PaperFigure> {
+pub(super) fn figure_4(model: Model) -> miette::Result<PaperFigure> {
     maps(
-        "Figure 4. Real part of the dissipation, free Euler beam",
-        nominal,
+        model.title("Figure 4. Real part of the dissipation, free Euler beam"),
+        |overrides| model.nominal(overrides),
     )
 }
 
-pub(super) fn figure_5() -> miette::Result<PaperFigure> {
+pub(super) fn figure_5(model: Model) -> miette::Result<PaperFigure> {
     maps(
-        "Figure 5. Real part of the dissipation, track of Bhaskar et al.",
-        bhaskar_track,
+        model.title("Figure 5. Real part of the dissipation, track of Bhaskar et al."),
+        |overrides| model.bhaskar_track(overrides),
     )
 }
 
-fn maps(title: &str, case: fn(&[String]) -> miette::Result<Case>) -> miette::Result<PaperFigure> {
+fn maps(
+    title: String,
+    case: impl Fn(&[String]) -> miette::Result<Case>,
+) -> miette::Result<PaperFigure> {
     let mut panels = Vec::new();
     let mut caption = String::new();
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -53,7 +56,7 @@ fn maps(title: &str, case: fn(&[String]) -> miette::Result<Case>) -> miette::Res
             .map_err(|error| CliError::Table(error.to_string()))?;
     }
     let figure = MapFigure {
-        title: title.to_owned(),
+        title,
         caption,
         panels,
     };

@@ -1,10 +1,14 @@
 //! Figures 6–8: the highest growth over speed, tractive ratio and inertia.
 
-use riffel::{Axis, Ridge, RidgePoint};
+use std::sync::Arc;
+
+use riffel::{
+    Axis, ConstantCreepage, ConstantTangentialForce, Ridge, RidgePoint, RigidInertia, WheelRotation,
+};
 use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
-use super::{PaperFigure, lines, nominal};
+use super::{Model, PaperFigure, lines};
 use crate::map_figure::parameters;
 
 /// Speed of Fig. 8 \[m/s\].
@@ -12,26 +16,44 @@ const SPEED: f64 = 30.0;
 
 const MINIMUM_LABEL: &str = "min Re Ŵ₁ [-]";
 
+/// How a wheel turns.
+#[derive(Clone, Copy)]
+enum Turning {
+    /// With an inertia \[kg m²\].
+    Inertia(f64),
+    /// The limit of none.
+    Freely,
+    /// The limit of an infinite one.
+    Evenly,
+}
+
 /// The two limits of the inertia and, between them, half, once and twice the nominal.
-const INERTIAS: [(&str, &str, LineStyle); 5] = [
-    (
-        "I_w → 0",
-        "wheel.rotation=constant-tangential-force",
-        LineStyle::Dashed,
-    ),
-    ("13.89 kg m²", "wheel.inertia=13.885", LineStyle::Solid),
-    ("27.77 kg m²", "wheel.inertia=27.77", LineStyle::Solid),
-    ("55.54 kg m²", "wheel.inertia=55.54", LineStyle::Solid),
-    (
-        "I_w → ∞",
-        "wheel.rotation=constant-creepage",
-        LineStyle::Dotted,
-    ),
+const INERTIAS: [(&str, Turning, LineStyle); 5] = [
+    ("I_w → 0", Turning::Freely, LineStyle::Dashed),
+    ("13.89 kg m²", Turning::Inertia(13.885), LineStyle::Solid),
+    ("27.77 kg m²", Turning::Inertia(27.77), LineStyle::Solid),
+    ("55.54 kg m²", Turning::Inertia(55.54), LineStyle::Solid),
+    ("I_w → ∞", Turning::Evenly, LineStyle::Dotted),
 ];
 
-/// The nominal case with one value changed.
-fn with(assignment: String) -> miette::Result<Case> {
-    nominal(&[assignment])
+/// The nominal case at a tractive ratio.
+fn at_tractive_ratio(model: Model, ratio: f64) -> miette::Result<Case> {
+    model.nominal(&[format!("contact.tractive_ratio={ratio}")])
+}
+
+/// The case with another rotation of the wheel; its contact stays as it is.
+fn turning(case: &Case, turning: Turning) -> miette::Result<Case> {
+    let rotation: Arc<dyn WheelRotation> = match turning {
+        Turning::Inertia(inertia) => {
+            let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
+            Arc::new(rigid.map_err(|error| miette::miette!("{error}"))?)
+        }
+        Turning::Freely => Arc::new(ConstantTangentialForce),
+        Turning::Evenly => Arc::new(ConstantCreepage),
+    };
+    let mut case = case.clone();
+    case.feedback.rotation = rotation;
+    Ok(case)
 }
 
 /// The ridge of the nominal window over speeds of 5–40 m/s.
@@ -75,25 +97,22 @@ fn over_speed(subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
 }
 
 /// A value for each inertia over speed.
-fn over_inertia(value: fn(&RidgePoint) -> f64) -> miette::Result<Vec<Series>> {
+fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> miette::Result<Vec<Series>> {
     INERTIAS
         .iter()
-        .map(|&(label, assignment, style)| {
-            Ok(curve(
-                label,
-                style,
-                &ridge(&with(assignment.to_owned())?)?,
-                value,
-            ))
+        .map(|&(label, inertia, style)| {
+            let points = ridge(&turning(nominal, inertia)?)?;
+            Ok(curve(label, style, &points, value))
         })
         .collect()
 }
 
-pub(super) fn figure_6() -> miette::Result<PaperFigure> {
+pub(super) fn figure_6(model: Model) -> miette::Result<PaperFigure> {
+    let nominal = model.nominal(&[])?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
         .map(|ratio| {
-            let points = ridge(&with(format!("contact.tractive_ratio={ratio}"))?)?;
+            let points = ridge(&at_tractive_ratio(model, *ratio)?)?;
             let label = format!("τ = {ratio}");
             Ok(curve(&label, LineStyle::Solid, &points, |point| {
                 point.normalized_dissipation
@@ -101,15 +120,15 @@ pub(super) fn figure_6() -> miette::Result<PaperFigure> {
         })
         .collect::<miette::Result<Vec<Series>>>()?;
     // A minimum at the edge of the window is no line of growth.
-    let wavelengths = over_inertia(|point| match point.at_edge {
+    let wavelengths = over_inertia(&nominal, |point| match point.at_edge {
         true => f64::NAN,
         false => 1e3 * point.wavelength,
     })?;
     lines(&LineFigure {
-        title: "Figure 6. Highest growth over speed".to_owned(),
+        title: model.title("Figure 6. Highest growth over speed"),
         caption: format!(
             "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window. {}",
-            parameters(&nominal(&[])?)
+            parameters(&nominal)
         ),
         panels: vec![
             over_speed("(a) tractive ratio", MINIMUM_LABEL, by_ratio),
@@ -119,38 +138,41 @@ pub(super) fn figure_6() -> miette::Result<PaperFigure> {
     })
 }
 
-pub(super) fn figure_7() -> miette::Result<PaperFigure> {
+pub(super) fn figure_7(model: Model) -> miette::Result<PaperFigure> {
+    let nominal = model.nominal(&[])?;
     lines(&LineFigure {
-        title: "Figure 7. Highest growth over speed for different inertia".to_owned(),
+        title: model.title("Figure 7. Highest growth over speed for different inertia"),
         caption: format!(
             "Minima over wavelengths of 20–80 mm. {}",
-            parameters(&nominal(&[])?)
+            parameters(&nominal)
         ),
         panels: vec![over_speed(
             "τ = 0.1",
             MINIMUM_LABEL,
-            over_inertia(|point| point.normalized_dissipation)?,
+            over_inertia(&nominal, |point| point.normalized_dissipation)?,
         )],
         arrangement: Arrangement::SideBySide,
     })
 }
 
-pub(super) fn figure_8() -> miette::Result<PaperFigure> {
-    let sweep = |key: &str, x: Vec<f64>| -> miette::Result<Series> {
-        let y = x
-            .iter()
-            .map(|value| minimum(&with(format!("{key}={value}"))?))
-            .collect::<miette::Result<_>>()?;
-        Ok(Series {
+pub(super) fn figure_8(model: Model) -> miette::Result<PaperFigure> {
+    let nominal = model.nominal(&[])?;
+    // A mean state that takes a table of its own is worth a coarser sweep.
+    let steps = if model.is_tabulated() { 20 } else { 100 };
+    let ratios: Vec<f64> = (1..steps)
+        .map(|step| f64::from(step) / f64::from(steps))
+        .collect();
+    let inertias: Vec<f64> = (0..=80)
+        .map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0))
+        .collect();
+    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> miette::Result<Case>| {
+        let y = x.iter().map(|&value| minimum(&case(value)?));
+        Ok::<_, miette::Report>(Series {
+            y: y.collect::<miette::Result<_>>()?,
             x,
-            y,
             ..Series::default()
         })
     };
-    let ratios = (1..100).map(|step| f64::from(step) / 100.0).collect();
-    let inertias = (0..=80)
-        .map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0))
-        .collect();
     let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
         subtitle: subtitle.to_owned(),
         x_label: x_label.to_owned(),
@@ -160,23 +182,30 @@ pub(super) fn figure_8() -> miette::Result<PaperFigure> {
         ..LinePanel::default()
     };
     lines(&LineFigure {
-        title: format!("Figure 8. Highest growth at {SPEED} m/s"),
+        title: model.title(&format!("Figure 8. Highest growth at {SPEED} m/s")),
         caption: format!(
-            "Minima over wavelengths of 20–80 mm. (a) falls up to τ ≈ 0.9 only. {}",
-            parameters(&nominal(&[])?)
+            "Minima over wavelengths of 20–80 mm. {}{}",
+            if model.is_the_papers() {
+                "(a) falls up to τ ≈ 0.9 only. "
+            } else {
+                ""
+            },
+            parameters(&nominal)
         ),
         panels: vec![
             panel(
                 "(a)",
                 "tractive ratio τ [-]",
                 Scale::Linear,
-                sweep("contact.tractive_ratio", ratios)?,
+                sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
             ),
             panel(
                 "(b) τ = 0.1",
                 "inertia I_w [kg m²]",
                 Scale::Log,
-                sweep("wheel.inertia", inertias)?,
+                sweep(inertias, &|inertia| {
+                    turning(&nominal, Turning::Inertia(inertia))
+                })?,
             ),
         ],
         arrangement: Arrangement::SideBySide,

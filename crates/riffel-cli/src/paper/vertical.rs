@@ -4,7 +4,7 @@ use riffel::{Complex64, LoopState};
 use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
-use super::{PaperFigure, bhaskar_track, lines, nominal};
+use super::{Model, PaperFigure, lines};
 use crate::map_figure::parameters;
 use crate::track_in_words::track;
 
@@ -43,9 +43,9 @@ fn panel(subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> 
     }
 }
 
-pub(super) fn figure_2() -> miette::Result<PaperFigure> {
-    let moving = nominal(&[MOVING_BEAM.to_owned()])?;
-    let bhaskar = bhaskar_track(&[])?;
+pub(super) fn figure_2(model: Model) -> miette::Result<PaperFigure> {
+    let moving = model.nominal(&[MOVING_BEAM.to_owned()])?;
+    let bhaskar = model.bhaskar_track(&[])?;
     let curves = |value: fn(Complex64) -> f64| {
         vec![
             series(
@@ -63,7 +63,7 @@ pub(super) fn figure_2() -> miette::Result<PaperFigure> {
         ]
     };
     lines(&LineFigure {
-        title: "Figure 2. Vertical direct receptance".to_owned(),
+        title: model.title("Figure 2. Vertical direct receptance"),
         caption: format!(
             "Load at {SPEED} m/s, exp(+iωt), displacement and force downward. Solid: {}. Dashed: {}.",
             track(&moving),
@@ -82,13 +82,13 @@ pub(super) fn figure_2() -> miette::Result<PaperFigure> {
     })
 }
 
-pub(super) fn figure_3() -> miette::Result<PaperFigure> {
-    let case = nominal(&[MOVING_BEAM.to_owned()])?;
+pub(super) fn figure_3(model: Model) -> miette::Result<PaperFigure> {
+    let case = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude / mean;
     let spring = per_mean * case.feedback.contact_stiffness;
     lines(&LineFigure {
-        title: "Figure 3. Normal force".to_owned(),
+        title: model.title("Figure 3. Normal force"),
         caption: format!("V = {SPEED} m/s, equation (24). {}", parameters(&case)),
         panels: vec![
             LinePanel {

@@ -183,6 +183,76 @@ fn contact_is_readable() {
     assert!(sandbox.path("nominal-contact/contact.png").exists());
 }
 
+/// What the exact theory cannot answer is refused in words by every command, and nothing is written.
+#[test]
+fn non_steady_contacts_refuse_bad_input() {
+    let sandbox = Sandbox::new();
+    let case = format!("cases/nominal.toml {COARSE} --set contact.response=non-steady");
+    for (command, arguments, words) in [
+        (
+            "map",
+            "--set contact.creepage=2% -o out",
+            "but must be so small that the tractive ratio",
+        ),
+        (
+            "map",
+            "--set contact.tractive_ratio=0.995 -o out",
+            "nearer to full slip there is no slope",
+        ),
+        (
+            "map",
+            "--set contact.normal_load=0 -o out",
+            "`contact.normal_load` is 0 N, but must be greater than zero",
+        ),
+        (
+            "contact",
+            "--set contact.normal_load=-1 -o out",
+            "`contact.normal_load` is -1 N, but must be greater than zero",
+        ),
+        (
+            "map",
+            "--set contact.transverse_radius=-0.3 -o out",
+            "`contact.transverse_radius` is -0.3 m, but must be greater than zero",
+        ),
+        (
+            "contact",
+            "--set contact.transverse_radius=10km -o out",
+            "beyond that the contact is a line contact",
+        ),
+        (
+            "map",
+            "--set map.wavelength.min=0.002 -o out",
+            "`map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements",
+        ),
+        (
+            "point",
+            "--wavelength 2mm --speed 20",
+            "--wavelength: wavelength is 0.002 m, but must be at least six elements",
+        ),
+        (
+            "map",
+            "--set contact.grid=17 -o out",
+            "`contact.grid` is 17, but must be an even number",
+        ),
+        (
+            "map",
+            "--set contact.grid=14 -o out",
+            "`contact.grid` is 14, but must be an even number",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&format!("{command} {case} {arguments}"));
+        // Lines are broken at the width of a terminal.
+        let text = outcome.text.replace("\n  │ ", " ");
+        assert_eq!(outcome.status, Some(2), "{arguments}\n{text}");
+        assert!(text.contains(words), "{arguments}\n{text}");
+        assert_eq!(sandbox.list("."), ["cases"], "{arguments}");
+    }
+    // A wavelength outside the window of the map has an answer.
+    let outcome = sandbox.riffel(&format!("point {case} --wavelength 0.2 --speed 20"));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(!outcome.text.contains("NaN"), "{}", outcome.text);
+}
+
 /// Bad input is refused in words, and nothing is written.
 #[test]
 fn contact_refuses_bad_input() {

@@ -238,4 +238,16 @@ fn figures_writes_picture_and_numbers_of_each() {
         .collect();
     expected.sort();
     assert_eq!(sandbox.list("figures"), expected);
+    let dissipation = |folder: &str| {
+        let table = fs::read_to_string(sandbox.path(&format!("{folder}/figure-7.csv"))).unwrap();
+        let last = table.lines().last().unwrap();
+        last.rsplit(',').next().unwrap().parse::<f64>().unwrap()
+    };
+    let outcome = sandbox.riffel("figures -o other --model spring-dashpot");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert_eq!(sandbox.list("other"), expected);
+    let title = fs::read_to_string(sandbox.path("other/figure-7.svg")).unwrap();
+    assert!(title.contains("dashpot"));
+    // The last curve is that of infinite inertia: no creepage, but the force by load is late as well.
+    assert!(dissipation("other") != dissipation("figures"));
 }

@@ -45,8 +45,7 @@ impl EllipticContact {
     pub fn new(bodies: [ContactBody; 2], normal_force: f64) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
         let [first, second] = bodies;
-        let contact_modulus =
-            1.0 / (plane_compliance(first.material) + plane_compliance(second.material));
+        let contact_modulus = contact_modulus([first.material, second.material]);
         Ok(Self {
             contact_modulus,
             ellipse: UnitEllipse::new(
@@ -122,6 +121,11 @@ impl EllipticContact {
     pub fn stiffness_derivative(&self) -> f64 {
         0.5 / self.approach()
     }
+}
+
+/// Contact modulus E\* \[Pa\] of two bodies: 1/E\* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
+pub(super) fn contact_modulus(materials: [ElasticMaterial; 2]) -> f64 {
+    materials.map(plane_compliance).iter().sum::<f64>().recip()
 }
 
 /// (1 − ν²)/E \[1/Pa\] of one body.

@@ -30,7 +30,8 @@ impl HertzContact {
     /// P₀ \[N\], in the paper's closed form.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless all three are positive.
+    /// [`Error::OutOfRange`] unless all three are positive and the ratio of the radii lies between
+    /// 1e-4 and 1e4.
     pub fn new(
         material: ElasticMaterial,
         rolling_radius: f64,
@@ -40,6 +41,8 @@ impl HertzContact {
         Error::unless_positive("rolling radius", rolling_radius, "m")?;
         Error::unless_positive("transverse radius", transverse_radius, "m")?;
         Error::unless_positive("normal force", normal_force, "N")?;
+        let ratio = rolling_radius / transverse_radius;
+        UnitEllipse::check_curvature_ratio(ratio.max(ratio.recip()))?;
         Ok(Self {
             material,
             rolling_radius,

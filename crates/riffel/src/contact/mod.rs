@@ -2,6 +2,7 @@
 //! force and dissipation to small oscillations of load and creepage.
 
 mod carter3d;
+mod contact_filter;
 mod creep_law;
 mod elliptic;
 mod elliptic_contact;
@@ -15,6 +16,7 @@ mod spring_dashpot;
 mod unit_ellipse;
 
 pub use carter3d::Carter3d;
+pub use contact_filter::ContactFilter;
 pub use creep_law::{
     Carter2d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages,
     FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach, QuasiStatic,
@@ -22,7 +24,10 @@ pub use creep_law::{
 };
 pub use elliptic::EllipticIntegrals;
 pub use elliptic_contact::{ContactBody, EllipticContact};
-pub use half_space::{ContactElement, HalfSpace, HalfSpaceRolling};
+pub use half_space::{
+    ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
+    TransientRolling, TransientStep,
+};
 pub use hertz::HertzContact;
 pub use kalker::creep_coefficient;
 pub use kalker_coefficients::KalkerCoefficients;

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
+use super::half_space::REMEDY;
 use super::{
     ContactResponse, HalfSpace, HalfSpaceRolling, RailDissipation, RollingContact, SteadyRolling,
 };
@@ -110,6 +111,7 @@ impl NonSteady {
                     problem: "table of the contact's response",
                     residual: error,
                     tolerance: TOLERANCE,
+                    remedy: REMEDY,
                 });
             }
             nodes *= 2;

@@ -29,6 +29,19 @@ impl UnitEllipse {
     /// Largest ratio of the combined curvatures, that of an axis ratio of 244.
     const LARGEST_CURVATURE_RATIO: f64 = 1e4;
 
+    /// `Ok` for a larger combined curvature over the smaller one that still makes an ellipse.
+    pub(super) fn check_curvature_ratio(curvature_ratio: f64) -> Result<(), Error> {
+        if curvature_ratio <= Self::LARGEST_CURVATURE_RATIO {
+            return Ok(());
+        }
+        Err(Error::OutOfRange {
+            quantity: "ratio of the combined curvatures",
+            value: curvature_ratio,
+            unit: "",
+            rule: "must be at most 10000; beyond that the contact is a line contact",
+        })
+    }
+
     /// The ellipse of the contact modulus E\* \[Pa\] and the combined curvatures \[1/m\].
     ///
     /// # Errors
@@ -48,14 +61,7 @@ impl UnitEllipse {
         )?;
         let least = longitudinal_curvature.min(lateral_curvature);
         let curvature_ratio = longitudinal_curvature.max(lateral_curvature) / least;
-        if curvature_ratio > Self::LARGEST_CURVATURE_RATIO {
-            return Err(Error::OutOfRange {
-                quantity: "ratio of the combined curvatures",
-                value: curvature_ratio,
-                unit: "",
-                rule: "must be at most 10000; beyond that the contact is a line contact",
-            });
-        }
+        Self::check_curvature_ratio(curvature_ratio)?;
         let axis_ratio = solve_axis_ratio(curvature_ratio);
         let integrals = EllipticIntegrals::evaluate(axis_ratio);
         let long = (3.0 * integrals.d() / (PI * contact_modulus * least)).cbrt();

@@ -1,4 +1,5 @@
 //! Identities and limits over random physical cases.
 
+mod contact;
 mod growth;
 mod track;

@@ -25,8 +25,8 @@ impl<L: CreepLaw> QuasiStatic<L> {
     /// The creepage is bracketed between zero and the limit of the law and bisected to rounding.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless P₀ > 0 and 0 < τ < 1, and if the law does not reach τ: above its
-    /// maximum of adhesion, or at any creepage up to one.
+    /// [`Error::OutOfRange`] unless P₀ > 0 and 0 < τ < 1, and if the law does not reach τ at any
+    /// creepage up to one; [`Error::BeyondAdhesion`] above its maximum of adhesion.
     pub fn from_tractive_ratio(
         law: L,
         normal_force: f64,
@@ -50,12 +50,14 @@ impl<L: CreepLaw> QuasiStatic<L> {
         let limit = law.limit(normal_force);
         let (mut low, mut high) = (0.0, limit.creepage());
         if force(high) <= target {
-            return Err(out_of_range(match limit {
-                ForceLimit::AdhesionMaximum(_) => {
-                    "must stay below the maximum of adhesion of the creep law"
-                }
-                _ => "is not reached by the creep law at any creepage",
-            }));
+            return Err(match limit {
+                ForceLimit::AdhesionMaximum(_) => Error::BeyondAdhesion {
+                    quantity: "tractive ratio",
+                    value: tractive_ratio,
+                    maximum: force(high) / (law.friction() * normal_force),
+                },
+                _ => out_of_range("is not reached by the creep law at any creepage"),
+            });
         }
         loop {
             let middle = 0.5 * (low + high);
@@ -78,8 +80,8 @@ impl<L: CreepLaw> QuasiStatic<L> {
     /// Mean state given by the normal force P₀ \[N\] and the creepage ξ₀ \[-\].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless P₀ > 0 and ξ₀ > 0, and from the law's maximum of adhesion on;
-    /// [`Error::FullSlip`] from its full slip on.
+    /// [`Error::OutOfRange`] unless P₀ > 0 and ξ₀ > 0; [`Error::BeyondAdhesion`] from the law's maximum
+    /// of adhesion on, [`Error::FullSlip`] from its full slip on.
     pub fn from_creepage(law: L, normal_force: f64, creepage: f64) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
         Error::unless_positive("creepage", creepage, "")?;
@@ -90,12 +92,10 @@ impl<L: CreepLaw> QuasiStatic<L> {
                     creepage,
                     saturation_creepage,
                 },
-                ForceLimit::AdhesionMaximum(_) => Error::OutOfRange {
+                ForceLimit::AdhesionMaximum(maximum) => Error::BeyondAdhesion {
                     quantity: "creepage",
                     value: creepage,
-                    unit: "",
-                    rule: "must stay below the maximum of adhesion of the creep law, beyond which \
-                           the force falls",
+                    maximum,
                 },
                 ForceLimit::None => Error::OutOfRange {
                     quantity: "creepage",

@@ -1,33 +1,52 @@
 //! Linear equations of which only the product with a vector is known.
 
-use num_complex::Complex64;
+use num_complex::{Complex64, ComplexFloat};
+
+/// Real or complex numbers.
+pub(super) trait Scalar: ComplexFloat<Real = f64> {
+    fn of(value: f64) -> Self;
+}
+
+impl Scalar for f64 {
+    fn of(value: f64) -> Self {
+        value
+    }
+}
+
+impl Scalar for Complex64 {
+    fn of(value: f64) -> Self {
+        Self::from(value)
+    }
+}
 
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
-/// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖. None if `most` products do not do.
-/// `inverse` is an approximate inverse of A, applied first.
-pub(super) fn gmres(
-    product: impl Fn(&[Complex64]) -> Vec<Complex64>,
-    inverse: impl Fn(&[Complex64]) -> Vec<Complex64>,
-    right: &[Complex64],
+/// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.
+/// `inverse` applies an approximate inverse of A in place, before the product.
+pub(super) fn gmres<T: Scalar>(
+    mut product: impl FnMut(&[T]) -> Vec<T>,
+    inverse: impl Fn(&mut [T]),
+    right: &[T],
     tolerance: f64,
     most: usize,
-) -> Option<Vec<Complex64>> {
+) -> Result<Vec<T>, f64> {
     let size = norm(right);
     if size == 0.0 {
-        return Some(vec![Complex64::ZERO; right.len()]);
+        return Ok(vec![T::zero(); right.len()]);
     }
-    let mut basis: Vec<Vec<Complex64>> = vec![right.iter().map(|value| value / size).collect()];
+    let mut basis: Vec<Vec<T>> = vec![scaled(right, size.recip())];
     // Columns of the triangular matrix, the rotations that made it, and the rotated right-hand side.
-    let mut columns: Vec<Vec<Complex64>> = Vec::new();
-    let mut rotations: Vec<(f64, Complex64)> = Vec::new();
-    let mut rotated = vec![Complex64::from(size)];
+    let mut columns: Vec<Vec<T>> = Vec::new();
+    let mut rotations: Vec<(T, T)> = Vec::new();
+    let mut rotated = vec![T::of(size)];
     for step in 0..most {
-        let mut next = product(&inverse(&basis[step]));
-        let mut column: Vec<Complex64> = Vec::with_capacity(step + 2);
+        let mut direction = basis[step].clone();
+        inverse(&mut direction);
+        let mut next = product(&direction);
+        let mut column: Vec<T> = Vec::with_capacity(step + 2);
         for direction in &basis {
             let share = dot(direction, &next);
-            for (value, other) in next.iter_mut().zip(direction) {
-                *value -= share * other;
+            for (value, &other) in next.iter_mut().zip(direction) {
+                *value = *value - share * other;
             }
             column.push(share);
         }
@@ -35,63 +54,65 @@ pub(super) fn gmres(
         for (index, &(cosine, sine)) in rotations.iter().enumerate() {
             let (upper, lower) = (column[index], column[index + 1]);
             column[index] = cosine * upper + sine * lower;
-            column[index + 1] = -sine.conj() * upper + cosine * lower;
+            column[index + 1] = cosine * lower - sine.conj() * upper;
         }
         let last = column[step];
-        let length = last.norm().hypot(rest);
+        let length = last.abs().hypot(rest);
         if length == 0.0 {
-            return None;
+            return Err(rotated[step].abs() / size);
         }
-        // The rotation that turns (last, rest) into (phase·length, 0).
-        let (cosine, sine) = if last.norm() == 0.0 {
-            (0.0, Complex64::ONE)
+        // The rotation that turns (last, rest) into (phase·length, 0); its cosine is real.
+        let (cosine, sine) = if last.abs() == 0.0 {
+            (T::zero(), T::one())
         } else {
-            (last.norm() / length, last / last.norm() * rest / length)
+            let phase = last / T::of(last.abs());
+            (T::of(last.abs() / length), phase * T::of(rest / length))
         };
-        column[step] = cosine * last + sine * rest;
+        column[step] = cosine * last + sine * T::of(rest);
         let value = rotated[step];
         rotated[step] = cosine * value;
         rotated.push(-sine.conj() * value);
         rotations.push((cosine, sine));
         columns.push(column);
-        if rotated[step + 1].norm() <= tolerance * size || rest == 0.0 {
-            let solution = inverse(&combine(&basis, &columns, &rotated));
-            return Some(solution);
+        if rotated[step + 1].abs() <= tolerance * size || rest == 0.0 {
+            let mut solution = combine(&basis, &columns, &rotated);
+            inverse(&mut solution);
+            return Ok(solution);
         }
-        basis.push(next.into_iter().map(|value| value / rest).collect());
+        basis.push(scaled(&next, rest.recip()));
     }
-    None
+    Err(rotated[most].abs() / size)
 }
 
 /// Back substitution, and the solution in the basis.
-fn combine(
-    basis: &[Vec<Complex64>],
-    columns: &[Vec<Complex64>],
-    rotated: &[Complex64],
-) -> Vec<Complex64> {
+fn combine<T: Scalar>(basis: &[Vec<T>], columns: &[Vec<T>], rotated: &[T]) -> Vec<T> {
     let mut shares = rotated[..columns.len()].to_vec();
     for index in (0..columns.len()).rev() {
-        shares[index] /= columns[index][index];
+        shares[index] = shares[index] / columns[index][index];
         for upper in 0..index {
-            let known = shares[index];
-            shares[upper] -= columns[index][upper] * known;
+            shares[upper] = shares[upper] - columns[index][upper] * shares[index];
         }
     }
-    let mut solution = vec![Complex64::ZERO; basis[0].len()];
-    for (direction, share) in basis.iter().zip(&shares) {
-        for (value, other) in solution.iter_mut().zip(direction) {
-            *value += share * other;
+    let mut solution = vec![T::zero(); basis[0].len()];
+    for (direction, &share) in basis.iter().zip(&shares) {
+        for (value, &other) in solution.iter_mut().zip(direction) {
+            *value = *value + share * other;
         }
     }
     solution
 }
 
-fn dot(a: &[Complex64], b: &[Complex64]) -> Complex64 {
-    a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
+fn scaled<T: Scalar>(values: &[T], factor: f64) -> Vec<T> {
+    values.iter().map(|&value| value * T::of(factor)).collect()
 }
 
-fn norm(a: &[Complex64]) -> f64 {
-    a.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt()
+fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
+    let terms = a.iter().zip(b).map(|(&a, &b)| a.conj() * b);
+    terms.fold(T::zero(), |sum, term| sum + term)
+}
+
+pub(super) fn norm<T: Scalar>(a: &[T]) -> f64 {
+    dot(a, a).re().sqrt()
 }
 
 #[cfg(test)]
@@ -118,13 +139,13 @@ mod tests {
                 .collect()
         };
         let right: Vec<Complex64> = (0..20).map(|row| Complex64::new(1.0, row as f64)).collect();
-        let solution = gmres(product, <[_]>::to_vec, &right, 1e-10, 20).unwrap();
+        let solution = gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 20).unwrap();
         let residual: Vec<Complex64> = product(&solution)
             .iter()
             .zip(&right)
             .map(|(a, b)| a - b)
             .collect();
         assert!(norm(&residual) < 1e-9 * norm(&right));
-        assert!(gmres(product, <[_]>::to_vec, &right, 1e-10, 1).is_none());
+        assert!(gmres(product, |_: &mut [Complex64]| (), &right, 1e-10, 1).is_err());
     }
 }

@@ -4,25 +4,37 @@
 //! that of Hertz. Coulomb friction bounds the traction everywhere. What remains is to find where the
 //! patch sticks and where it slips.
 
+mod friction;
 mod gmres;
 mod influence;
+mod normal;
 mod patch;
 mod response;
 mod steady;
 mod strips;
 #[cfg(test)]
 mod tests;
+mod transform;
+mod transient;
+
+pub use self::normal::{ContactGrid, NormalContact, NormalState};
+pub use self::transient::{TransientRolling, TransientStep};
 
 use num_complex::Complex64;
 
-use self::influence::Influence;
+use self::friction::Slip;
+use self::influence::{Field, Influence};
 use self::patch::Patch;
 use self::response::{Input, Response};
-use self::steady::SteadyTractions;
 use super::{
-    Carter3d, ContactResponse, HertzContact, RailDissipation, RollingContact, SteadyRolling,
+    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, RailDissipation,
+    RollingContact, SteadyRolling,
 };
 use crate::Error;
+
+/// What to try where rolling does not converge.
+pub(super) const REMEDY: &str =
+    "try another grid (contact.grid) or a creepage further from full slip";
 
 /// A Hertz contact as half-spaces with Coulomb friction.
 ///
@@ -70,60 +82,74 @@ impl Grid {
         })
     }
 
-    fn roll(
-        &self,
-        creepage: f64,
-        start: Option<&SteadyTractions>,
-    ) -> Result<SteadyTractions, Error> {
-        let rigid = vec![[creepage, 0.0]; self.patch.steps.len()];
-        let start = start.map(|start| &start.tractions);
-        steady::solve(&self.patch, &self.influence, &rigid, &self.bound, start).map_err(
+    fn roll(&self, creepages: Creepages, start: Option<&Field<f64>>) -> Result<Slip, Error> {
+        steady::solve(&self.patch, &self.influence, creepages, &self.bound, start).map_err(
             |residual| Error::NotConverged {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
+                remedy: REMEDY,
             },
         )
     }
 
-    /// Creep force along the rail \[N\].
-    fn force(&self, state: &SteadyTractions) -> f64 {
-        state.tractions[0].iter().sum::<f64>() * self.patch.area()
+    /// Tractions of a grid of half as many elements across, as the same shares of the bounds here.
+    fn refined(&self, coarse: &Self, tractions: &Field<f64>) -> Field<f64> {
+        let mut shares = vec![[0.0; 2]; coarse.patch.across.pow(2)];
+        for (index, &(column, row)) in coarse.patch.places.iter().enumerate() {
+            shares[row * coarse.patch.across + column] =
+                [0, 1].map(|part| tractions[part][index] / coarse.bound[index]);
+        }
+        [0, 1].map(|part| {
+            let share = |&(column, row): &(usize, usize)| {
+                shares[row / 2 * coarse.patch.across + column / 2][part]
+            };
+            let places = self.patch.places.iter().map(share).zip(&self.bound);
+            places.map(|(share, bound)| share * bound).collect()
+        })
     }
 
-    fn response(
-        &self,
-        state: &SteadyTractions,
-        input: Input,
-        wavenumber: f64,
-    ) -> Result<Response, Error> {
-        response::response(&self.patch, &self.influence, state, input, wavenumber).ok_or(
-            Error::NotConverged {
-                problem: "frequency response of rolling contact",
-                residual: f64::NAN,
-                tolerance: response::TOLERANCE,
-            },
-        )
+    /// Creep forces \[N\].
+    fn forces(&self, state: &Slip) -> CreepForces {
+        let sum = |part: usize| state.tractions[part].iter().sum::<f64>() * self.patch.area();
+        CreepForces {
+            longitudinal: sum(0),
+            lateral: sum(1),
+        }
+    }
+
+    fn response(&self, state: &Slip, input: Input, wavenumber: f64) -> Result<Response, Error> {
+        response::response(self, state, input, wavenumber).map_err(|residual| Error::NotConverged {
+            problem: "frequency response of rolling contact",
+            residual,
+            tolerance: response::TOLERANCE,
+            remedy: REMEDY,
+        })
     }
 }
 
 /// Steady rolling of a [`HalfSpace`].
 pub struct HalfSpaceRolling {
-    creepage: f64,
-    tangential_force: f64,
-    fine: SteadyTractions,
-    coarse: SteadyTractions,
+    creepages: Creepages,
+    forces: CreepForces,
+    fine: Slip,
+    coarse: Slip,
 }
 
 impl HalfSpaceRolling {
     /// Longitudinal creepage ξ \[-\].
     pub fn creepage(&self) -> f64 {
-        self.creepage
+        self.creepages.longitudinal
     }
 
-    /// Creep force Q \[N\].
+    /// Creep force along the rail, Q \[N\].
     pub fn tangential_force(&self) -> f64 {
-        self.tangential_force
+        self.forces.longitudinal
+    }
+
+    /// Creep forces along and across the rail \[N\].
+    pub fn forces(&self) -> CreepForces {
+        self.forces
     }
 }
 
@@ -173,23 +199,39 @@ impl HalfSpace {
     /// [`Error::OutOfRange`] if ξ is negative, [`Error::NotConverged`].
     pub fn roll(&self, creepage: f64) -> Result<HalfSpaceRolling, Error> {
         Error::unless_not_negative("creepage", creepage, "")?;
-        self.roll_from(creepage, None)
+        self.roll_from(Creepages::longitudinal(creepage), None)
+    }
+
+    /// Steady rolling with lateral creepage and spin as well, of either sign.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`].
+    pub fn roll_with(&self, creepages: Creepages) -> Result<HalfSpaceRolling, Error> {
+        self.roll_from(creepages, None)
     }
 
     fn roll_from(
         &self,
-        creepage: f64,
+        creepages: Creepages,
         start: Option<&HalfSpaceRolling>,
     ) -> Result<HalfSpaceRolling, Error> {
-        let fine = self.fine.roll(creepage, start.map(|start| &start.fine))?;
-        let coarse = self
-            .coarse
-            .roll(creepage, start.map(|start| &start.coarse))?;
-        let force = 2.0 * self.fine.force(&fine) - self.coarse.force(&coarse);
+        let coarse = start.map(|start| &start.coarse.tractions);
+        let coarse = self.coarse.roll(creepages, coarse)?;
+        let fine = match start {
+            Some(start) => self.fine.roll(creepages, Some(&start.fine.tractions))?,
+            None => {
+                let start = self.fine.refined(&self.coarse, &coarse.tractions);
+                self.fine.roll(creepages, Some(&start))?
+            }
+        };
+        let (by_fine, by_coarse) = (self.fine.forces(&fine), self.coarse.forces(&coarse));
+        let forces = by_fine.combine(2.0, by_coarse, -1.0);
+        // Extrapolation may pass full slip by its own error.
+        let limit = self.friction * self.hertz.normal_force();
+        let share = (limit / forces.magnitude()).min(1.0);
         Ok(HalfSpaceRolling {
-            creepage,
-            // Extrapolation may pass full slip by its own error.
-            tangential_force: force.min(self.friction * self.hertz.normal_force()),
+            creepages,
+            forces: forces.combine(share, CreepForces::default(), 0.0),
             fine,
             coarse,
         })
@@ -219,20 +261,21 @@ impl HalfSpace {
         let mut state = self.roll(law.steady().creepage)?;
         let mut error = f64::NAN;
         for _ in 0..MOST_STEPS {
-            error = state.tangential_force / limit - ratio;
+            error = state.tangential_force() / limit - ratio;
             if error.abs() <= TOLERANCE {
                 return Ok(state);
             }
             let slope = self.at(&state, Input::Creepage, 0.0)?.force.re / limit;
             // Stay on the rising side of the creep curve.
-            let next =
-                (state.creepage - error / slope).clamp(0.5 * state.creepage, 2.0 * state.creepage);
-            state = self.roll_from(next, Some(&state))?;
+            let creepage = state.creepage();
+            let next = (creepage - error / slope).clamp(0.5 * creepage, 2.0 * creepage);
+            state = self.roll_from(Creepages::longitudinal(next), Some(&state))?;
         }
         Err(Error::NotConverged {
             problem: "creepage for the tractive ratio",
             residual: error.abs(),
             tolerance: TOLERANCE,
+            remedy: REMEDY,
         })
     }
 
@@ -275,13 +318,22 @@ impl HalfSpace {
     /// quasi-static derivatives.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if the wavelength has fewer than six elements, [`Error::NotConverged`].
+    /// [`Error::OutOfRange`] if the wavelength has fewer than six elements or the contact spins,
+    /// [`Error::NotConverged`].
     pub fn response(
         &self,
         state: &HalfSpaceRolling,
         wavelength: f64,
     ) -> Result<ContactResponse, Error> {
         self.check_wavelength(wavelength)?;
+        if state.creepages.spin != 0.0 {
+            return Err(Error::OutOfRange {
+                quantity: "spin",
+                value: state.creepages.spin,
+                unit: "1/m",
+                rule: "must be zero: the frequency response is that of rolling without spin",
+            });
+        }
         let wavenumber = 2.0 * std::f64::consts::PI / wavelength;
         let by_creepage = self.at(state, Input::Creepage, wavenumber)?;
         let by_share = self.at(state, Input::Load, wavenumber)?;
@@ -303,8 +355,8 @@ impl HalfSpace {
         SteadyRolling {
             normal_force: self.hertz.normal_force(),
             friction: self.friction,
-            creepage: state.creepage,
-            tangential_force: state.tangential_force,
+            creepage: state.creepage(),
+            tangential_force: state.tangential_force(),
         }
     }
 
@@ -320,7 +372,7 @@ impl HalfSpace {
                 state.fine.tractions[0][index],
                 state.fine.tractions[1][index],
             ),
-            bound: state.fine.bound[index],
+            bound: self.fine.bound[index],
             slips: state.fine.slips[index],
         })
     }

@@ -74,53 +74,73 @@ impl Patch {
         };
         for row in 0..across {
             for column in 0..across {
-                let (x, y) = (centre(column, dx, a), centre(row, dy, b));
                 if inside(row).powi(2) + inside(column).powi(2) < 1.0 {
                     patch.places.push((column, row));
-                    patch.centres.push((x, y));
-                    patch
-                        .pressure
-                        .push(mean_pressure((x / a, y / b), (dx / a, dy / b)));
+                    let centre = (centre(column, dx, a), centre(row, dy, b));
+                    patch.centres.push(centre);
                 }
             }
         }
-        // What elements with their centre outside would carry, half a per cent, goes to the others.
-        let sum: f64 = patch.pressure.iter().sum::<f64>() * patch.area();
-        let share = 2.0 / 3.0 * std::f64::consts::PI * a * b / sum;
-        for pressure in &mut patch.pressure {
-            *pressure *= share;
-        }
+        patch.pressure = patch.pressure_of((a, b));
         patch.steps = patch.all_steps();
         Ok(patch)
     }
 
+    /// Share of the peak pressure that is the mean pressure of each element \[-\], of the ellipse of
+    /// other semi-axes that is not larger.
+    pub(super) fn pressure_of(&self, (a, b): (f64, f64)) -> Vec<f64> {
+        let size = (self.dx / a, self.dy / b);
+        let centres = self.centres.iter();
+        let mut pressure: Vec<f64> = centres
+            .map(|(x, y)| mean_pressure((x / a, y / b), size))
+            .collect();
+        // What elements with their centre outside would carry, half a per cent, goes to the others.
+        let sum: f64 = pressure.iter().sum::<f64>() * self.area();
+        let share = 2.0 / 3.0 * std::f64::consts::PI * a * b / sum;
+        pressure.iter_mut().for_each(|pressure| *pressure *= share);
+        pressure
+    }
+
     fn all_steps(&self) -> Vec<Step> {
-        let at = |place: (usize, usize)| self.places.iter().position(|&other| other == place);
-        let into = self
-            .places
-            .iter()
-            .enumerate()
-            .map(|(index, &(column, row))| Step {
-                end: (column as isize, row),
-                middle: (self.centres[index].0 + 0.5 * self.dx, self.centres[index].1),
-                from: at((column + 1, row)),
-                to: Some(index),
-            });
-        let is_last = |&(_, &(column, row)): &(usize, &(usize, usize))| {
-            column == 0 || at((column - 1, row)).is_none()
+        // Elements of a row follow each other.
+        let neighbour = |index: Option<usize>, of: usize| {
+            index.filter(|&index| {
+                self.places
+                    .get(index)
+                    .is_some_and(|place| place.1 == self.places[of].1)
+            })
         };
-        let out_of =
-            self.places
-                .iter()
-                .enumerate()
-                .filter(is_last)
-                .map(|(index, &(column, row))| Step {
-                    end: (column as isize - 1, row),
-                    middle: (self.centres[index].0 - 0.5 * self.dx, self.centres[index].1),
-                    from: Some(index),
-                    to: None,
-                });
-        into.chain(out_of).collect()
+        let step = |index: usize, back: bool| {
+            let (column, row) = self.places[index];
+            let side = if back { -0.5 } else { 0.5 };
+            Step {
+                end: (column as isize - isize::from(back), row),
+                middle: (
+                    self.centres[index].0 + side * self.dx,
+                    self.centres[index].1,
+                ),
+                from: if back {
+                    Some(index)
+                } else {
+                    neighbour(Some(index + 1), index)
+                },
+                to: (!back).then_some(index),
+            }
+        };
+        let is_last = |&index: &usize| neighbour(index.checked_sub(1), index).is_none();
+        let into = (0..self.len()).map(|index| step(index, false));
+        let out_of = (0..self.len()).filter(is_last);
+        into.chain(out_of.map(|index| step(index, true))).collect()
+    }
+
+    /// The elements of each row.
+    pub(super) fn rows(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        let mut begin = 0;
+        self.places.chunk_by(|a, b| a.1 == b.1).map(move |row| {
+            let range = begin..begin + row.len();
+            begin = range.end;
+            range
+        })
     }
 
     /// Number of elements inside.
@@ -135,23 +155,27 @@ impl Patch {
 }
 
 /// Mean of √(1 − x² − y²) over a rectangle, zero outside the unit circle: an element on the edge is
-/// covered in part. Midpoint rule in y, exact in x; 1e-3 relative on the edge, 1e-6 inside.
+/// covered in part. Exact in x; in y the midpoint rule across the edge, 1e-3 relative, and Gauss's inside,
+/// 1e-6.
 fn mean_pressure((x, y): (f64, f64), (width, height): (f64, f64)) -> f64 {
     const LINES: usize = 16;
-    (0..LINES)
-        .map(|line| {
-            let y = y + height * ((line as f64 + 0.5) / LINES as f64 - 0.5);
-            let chord = (1.0 - y * y).max(0.0).sqrt();
-            let [low, high] = [x - 0.5 * width, x + 0.5 * width].map(|x| x.clamp(-chord, chord));
-            // ∫√(c² − x²) dx
-            let integral = |x: f64| {
-                let root = (chord * chord - x * x).max(0.0).sqrt();
-                0.5 * (x * root + chord * chord * x.atan2(root))
-            };
-            (integral(high) - integral(low)) / width
-        })
-        .sum::<f64>()
-        / LINES as f64
+    let mean_along = |y: f64| {
+        let chord = (1.0 - y * y).max(0.0);
+        let end = chord.sqrt();
+        // ∫√(c² − x²) dx = \[x√(c² − x²) + c² arcsin(x/c)\]/2
+        let [low, high] = [x - 0.5 * width, x + 0.5 * width].map(|x| x.clamp(-end, end));
+        let [fall, rise] = [low, high].map(|x| (chord - x * x).max(0.0).sqrt());
+        let angle = (high * fall - low * rise).atan2(rise * fall + low * high);
+        0.5 * (high * rise - low * fall + chord * angle) / width
+    };
+    let corner = (x.abs() + 0.5 * width).hypot(y.abs() + 0.5 * height);
+    if corner < 1.0 {
+        let offset = 0.5 * height * 0.6f64.sqrt();
+        let sides = mean_along(y - offset) + mean_along(y + offset);
+        return (5.0 * sides + 8.0 * mean_along(y)) / 18.0;
+    }
+    let line = |line: usize| y + height * ((line as f64 + 0.5) / LINES as f64 - 0.5);
+    (0..LINES).map(line).map(mean_along).sum::<f64>() / LINES as f64
 }
 
 #[cfg(test)]

@@ -2,11 +2,11 @@
 
 use num_complex::Complex64;
 
+use super::Grid;
+use super::friction::{Slip, halves};
 use super::gmres::gmres;
-use super::influence::{Field, Influence};
-use super::patch::Patch;
-use super::steady::SteadyTractions;
-use super::strips::Strips;
+use super::influence::{Convolution, Field};
+use super::strips::{Diagonal, Strips};
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;
@@ -33,31 +33,25 @@ pub(super) struct Response {
     pub(super) rail_dissipation: Complex64,
 }
 
-/// The response at the wavenumber k = ω/V \[rad/m\].
+/// The response at the wavenumber k = ω/V \[rad/m\]; the residual reached if it does not converge.
 pub(super) fn response(
-    patch: &Patch,
-    influence: &Influence,
-    steady: &SteadyTractions,
+    grid: &Grid,
+    steady: &Slip,
     input: Input,
     wavenumber: f64,
-) -> Option<Response> {
+) -> Result<Response, f64> {
+    let (patch, influence) = (&grid.patch, &grid.influence);
+    let mut convolution = Convolution::new(influence, patch);
     let (count, steps) = (patch.len(), patch.steps.len());
     let weight = 1.0 / influence.own;
     // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
     // middle of the step.
     let half = Complex64::cis(0.5 * wavenumber * patch.dx);
     let difference = [half, -half.conj()];
-    let real = |field: &[Vec<f64>; 2]| -> Field {
-        [0, 1].map(|part| {
-            field[part]
-                .iter()
-                .map(|&value| Complex64::from(value))
-                .collect()
-        })
-    };
 
     // S₁ = forcing − (u₁ − u₁ ahead), bound₁.
-    let mut forcing: Field = [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
+    let mut forcing: Field<Complex64> =
+        [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
     let bound: Vec<f64> = match input {
         Input::Creepage => {
             forcing[0].fill(Complex64::from(patch.dx));
@@ -67,11 +61,15 @@ pub(super) fn response(
             // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
             // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
             // by ε, and is carried along by the stretching.
-            let tractions = real(&steady.tractions);
+            let [x, y] = [0, 1].map(|part| -> Vec<Complex64> {
+                let tractions = steady.tractions[part].iter();
+                tractions.map(|&traction| traction.into()).collect()
+            });
+            let tractions = [x.as_slice(), y.as_slice()];
             let third = 1.0 / 3.0;
-            let step = influence.apply(patch, &tractions, [-Complex64::ONE, Complex64::ONE]);
-            let stretched = influence.apply(patch, &tractions, difference);
-            let across = influence.slope_across(patch, &tractions);
+            let step = convolution.complex(tractions, [-Complex64::ONE, Complex64::ONE]);
+            let stretched = convolution.complex(tractions, difference);
+            let across = convolution.slope_across(tractions);
             for part in 0..2 {
                 for index in 0..steps {
                     let (x, y) = patch.steps[index].middle;
@@ -82,18 +80,18 @@ pub(super) fn response(
                         third * (carried - step[part][index] - stretched[part][index]);
                 }
             }
-            steady.bound.iter().map(|bound| third * bound).collect()
+            grid.bound.iter().map(|bound| third * bound).collect()
         }
     };
 
     // Slip elements: p₁ = g₁ŝ + (g/|S|)(1 − ŝŝᵀ) S₁; stick elements: S₁ = 0.
-    let slip = |index: usize| [steady.slip[0][index], steady.slip[1][index]];
+    let slip = |index: usize| [steady.distance[0][index], steady.distance[1][index]];
     let across_slip = |index: usize, value: [Complex64; 2]| -> [Complex64; 2] {
         let [x, y] = slip(index);
         let size = x.hypot(y);
         let unit = [x / size, y / size];
         let along = unit[0] * value[0] + unit[1] * value[1];
-        let stiffness = steady.bound[index] / (size * patch.dx);
+        let stiffness = grid.bound[index] / size;
         [0, 1].map(|part| stiffness * (value[part] - unit[part] * along))
     };
     let mut right = vec![Complex64::ZERO; 2 * count];
@@ -114,8 +112,8 @@ pub(super) fn response(
         right[count + index] = row[1];
     }
     let product = |tractions: &[Complex64]| {
-        let field: Field = [tractions[..count].to_vec(), tractions[count..].to_vec()];
-        let moved = influence.apply(patch, &field, difference);
+        let field = halves(tractions);
+        let moved = convolution.complex(field, difference);
         let mut image = vec![Complex64::ZERO; 2 * count];
         for index in 0..count {
             let moved = [moved[0][index], moved[1][index]];
@@ -130,29 +128,26 @@ pub(super) fn response(
         }
         image
     };
-    let strips = Strips::new(
-        patch,
-        influence,
-        difference,
-        Complex64::from,
-        |index, part| {
-            if !steady.slips[index] {
-                return (0.0, weight);
-            }
-            let mut unit = [Complex64::ZERO; 2];
-            unit[part] = Complex64::ONE;
-            (1.0, across_slip(index, unit)[part].re)
-        },
-    )?;
-    let solution = gmres(
-        product,
-        |right| strips.solve(right),
-        &right,
-        TOLERANCE,
-        MOST_PRODUCTS,
-    )?;
-    let field: Field = [solution[..count].to_vec(), solution[count..].to_vec()];
-    let moved = influence.apply(patch, &field, difference);
+    let diagonal = |index: usize, part: usize| {
+        if !steady.slips[index] {
+            return Diagonal {
+                identity: 0.0,
+                difference: weight,
+            };
+        }
+        let mut unit = [Complex64::ZERO; 2];
+        unit[part] = Complex64::ONE;
+        Diagonal {
+            identity: 1.0,
+            difference: across_slip(index, unit)[part].re,
+        }
+    };
+    let strips = Strips::new(patch, influence, difference);
+    let inverse = strips.inverse(diagonal);
+    let inverse = |values: &mut [Complex64]| inverse.solve(values);
+    let solution = gmres(product, inverse, &right, TOLERANCE, MOST_PRODUCTS)?;
+    let field = halves(&solution);
+    let moved = convolution.complex(field, difference);
 
     let mut result = Response {
         force: Complex64::ZERO,
@@ -178,7 +173,7 @@ pub(super) fn response(
         let mut density = Complex64::ZERO;
         let mut steady_density = 0.0;
         for part in 0..2 {
-            let slip = steady.slip[part][index];
+            let slip = steady.distance[part][index] / patch.dx;
             let slip_change = (forcing[part][index] - moved[part][index]) / patch.dx;
             steady_density += mean[part] * slip;
             density += mean[part] * slip_change + change[part] * slip;
@@ -190,5 +185,5 @@ pub(super) fn response(
         let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
         result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
     }
-    Some(result)
+    Ok(result)
 }

@@ -1,141 +1,228 @@
 //! Each row of elements by itself: an approximate inverse of the whole contact.
 
-use num_complex::ComplexFloat;
+use std::ops::Range;
 
+use super::gmres::Scalar;
 use super::influence::Influence;
 use super::patch::Patch;
 
-/// Factors of the equations of every row of elements along the rail, x and y part apart, with the other
-/// rows and the other part left out. What is left out is smooth, so that few products with the whole
-/// matrix make up for it.
-pub(super) struct Strips<T> {
-    strips: Vec<Strip<T>>,
-}
-
-struct Strip<T> {
-    first: usize,
-    /// LU factors, x and y part.
+/// The displacements along every row of elements, x and y part apart, by the tractions of that row and
+/// part alone. What is left out is smooth, so that few products with the whole matrix make up for it.
+///
+/// Method: elements are alike, so the displacement of one by another depends on their distance alone,
+/// and the triangular factors of the longest row, without pivots, contain those of every shorter one.
+/// All rows are solved at once. Cost: O(n³) for n elements across, once and for each solution.
+pub(super) struct Strips<'a, T> {
+    patch: &'a Patch,
+    /// x and y part.
     factors: [Factors<T>; 2],
 }
 
-struct Factors<T> {
-    size: usize,
-    values: Vec<T>,
-    pivots: Vec<usize>,
+/// The equation p·identity + (displacement)·difference of an element and part, of which an approximate
+/// inverse keeps the larger term.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Diagonal {
+    pub(super) identity: f64,
+    pub(super) difference: f64,
 }
 
-impl<T: ComplexFloat<Real = f64>> Strips<T> {
-    /// `row` gives, for an element and a part, the equation p → identity·p + difference·(u − u ahead):
-    /// the factors (identity, difference) of its diagonal block.
-    pub(super) fn new(
-        patch: &Patch,
-        influence: &Influence,
-        [here, ahead]: [T; 2],
-        of: impl Fn(f64) -> T,
-        row: impl Fn(usize, usize) -> (f64, f64),
-    ) -> Option<Self> {
-        let mut strips: Vec<Strip<T>> = Vec::new();
-        let mut begin = 0;
-        while begin < patch.len() {
-            let line = patch.places[begin].1;
-            let end = patch.places[begin..]
-                .iter()
-                .position(|place| place.1 != line)
-                .map_or(patch.len(), |length| begin + length);
-            let size = end - begin;
-            let factors = |part: usize| {
-                let mut values = Vec::with_capacity(size * size);
-                for i in 0..size {
-                    let (identity, difference) = row(begin + i, part);
-                    for j in 0..size {
-                        let distance = i as isize - j as isize;
-                        let moved = here * of(influence.along(part, distance))
-                            + ahead * of(influence.along(part, distance + 1));
-                        let unit = if i == j { identity } else { 0.0 };
-                        values.push(of(unit) + of(difference) * moved);
+/// [`Strips`] with the equations of all elements.
+pub(super) struct StripInverse<'a, T> {
+    strips: &'a Strips<'a, T>,
+    /// x and y part.
+    equations: [Equations; 2],
+}
+
+struct Equations {
+    /// Factor on the right-hand side of each element.
+    scale: Vec<f64>,
+    runs: Vec<Run>,
+}
+
+/// Elements of a row, one behind the other, whose displacement counts.
+struct Run {
+    elements: Range<usize>,
+    /// The row they are in.
+    row: Range<usize>,
+}
+
+impl<'a, T: Scalar> Strips<'a, T> {
+    /// For displacements here·u(x) + ahead·u(x + dx).
+    pub(super) fn new(patch: &'a Patch, influence: &Influence, [here, ahead]: [T; 2]) -> Self {
+        let factors = |part: usize| {
+            let entry = |distance: isize| {
+                let influence = |distance| T::of(influence.along(part, distance));
+                here * influence(distance) + ahead * influence(distance + 1)
+            };
+            Factors::new(patch.across, entry)
+        };
+        Self {
+            patch,
+            factors: [factors(0), factors(1)],
+        }
+    }
+
+    /// `diagonal` gives the equation of an element and part.
+    pub(super) fn inverse(
+        &'a self,
+        diagonal: impl Fn(usize, usize) -> Diagonal,
+    ) -> StripInverse<'a, T> {
+        let equations = [0, 1].map(|part| {
+            let own = self.factors[part].own;
+            let diagonal: Vec<Diagonal> = (0..self.patch.len())
+                .map(|index| diagonal(index, part))
+                .collect();
+            let counts = |diagonal: &Diagonal| diagonal.difference * own > diagonal.identity;
+            let mut runs = Vec::new();
+            for row in self.patch.rows() {
+                let mut begin = row.start;
+                for run in diagonal[row.clone()].chunk_by(|a, b| counts(a) == counts(b)) {
+                    let elements = begin..begin + run.len();
+                    begin = elements.end;
+                    if counts(&run[0]) {
+                        let row = row.clone();
+                        runs.push(Run { elements, row });
                     }
                 }
-                Factors::new(size, values)
-            };
-            strips.push(Strip {
-                factors: [factors(0)?, factors(1)?],
-                first: begin,
-            });
-            begin = end;
-        }
-        Some(Self { strips })
-    }
-
-    /// The approximate solution for a right-hand side, x part first.
-    pub(super) fn solve(&self, right: &[T]) -> Vec<T> {
-        let count = right.len() / 2;
-        let mut solution = right.to_vec();
-        for strip in &self.strips {
-            for part in 0..2 {
-                let first = part * count + strip.first;
-                let range = first..first + strip.factors[part].size;
-                strip.factors[part].solve(&mut solution[range]);
             }
+            Equations {
+                scale: diagonal
+                    .iter()
+                    .map(|diagonal| {
+                        let Diagonal {
+                            identity,
+                            difference,
+                        } = *diagonal;
+                        if counts(diagonal) {
+                            difference.recip()
+                        } else {
+                            (identity + difference * own).recip()
+                        }
+                    })
+                    .collect(),
+                runs,
+            }
+        });
+        StripInverse {
+            strips: self,
+            equations,
         }
-        solution
     }
 }
 
-impl<T: ComplexFloat<Real = f64>> Factors<T> {
-    /// Gaussian elimination with row pivots; none if the matrix is singular.
-    fn new(size: usize, mut values: Vec<T>) -> Option<Self> {
-        let mut pivots = Vec::with_capacity(size);
-        for column in 0..size {
-            let pivot = (column..size).max_by(|&a, &b| {
-                let size_of = |row: usize| values[row * size + column].abs();
-                size_of(a).total_cmp(&size_of(b))
-            })?;
-            pivots.push(pivot);
-            if values[pivot * size + column] == T::zero() {
-                return None;
+impl<T: Scalar> StripInverse<'_, T> {
+    /// The approximate solution for a right-hand side, x part first, in its place.
+    pub(super) fn solve(&self, values: &mut [T]) {
+        let count = self.strips.patch.len();
+        let parts = self.strips.factors.iter().zip(&self.equations);
+        for ((factors, equations), values) in parts.zip(values.chunks_exact_mut(count)) {
+            for (value, &scale) in values.iter_mut().zip(&equations.scale) {
+                *value = *value * T::of(scale);
             }
-            if pivot != column {
-                for other in 0..size {
-                    values.swap(pivot * size + other, column * size + other);
+            // Place in the run first, then run.
+            let lines = equations.runs.len();
+            let longest = equations.runs.iter().map(|run| run.elements.len()).max();
+            let mut block = vec![T::zero(); longest.unwrap_or(0) * lines];
+            for (line, run) in equations.runs.iter().enumerate() {
+                let places = block.iter_mut().skip(line).step_by(lines);
+                for (place, index) in places.zip(run.elements.clone()) {
+                    *place = values[index] - factors.caused(values, run, index);
                 }
             }
-            let inverse = values[column * size + column].recip();
-            for row in column + 1..size {
-                let factor = values[row * size + column] * inverse;
-                values[row * size + column] = factor;
-                let (above, below) = values.split_at_mut(row * size);
-                let upper = &above[column * size + column + 1..(column + 1) * size];
-                let lower = &mut below[column + 1..size];
-                for (value, upper) in lower.iter_mut().zip(upper) {
-                    *value = *value - factor * *upper;
+            factors.lower(&mut block, lines);
+            for (line, run) in equations.runs.iter().enumerate() {
+                let beyond = block.iter_mut().skip(line).step_by(lines);
+                for value in beyond.skip(run.elements.len()) {
+                    *value = T::zero();
+                }
+            }
+            factors.upper(&mut block, lines);
+            for (line, run) in equations.runs.iter().enumerate() {
+                let solution = block.iter().skip(line).step_by(lines);
+                for (&solution, value) in solution.zip(&mut values[run.elements.clone()]) {
+                    *value = solution;
                 }
             }
         }
-        Some(Self {
+    }
+}
+
+/// L and U of the displacements along a row, by columns.
+struct Factors<T> {
+    size: usize,
+    own: f64,
+    /// Displacement by the distance from its cause, from 1 − n on.
+    entries: Vec<T>,
+    values: Vec<T>,
+}
+
+impl<T: Scalar> Factors<T> {
+    fn new(size: usize, entry: impl Fn(isize) -> T) -> Self {
+        let end = size as isize;
+        let mut values = Vec::with_capacity(size * size);
+        for column in 0..end {
+            values.extend((0..end).map(|row| entry(row - column)));
+        }
+        for column in 0..size {
+            let (done, rest) = values.split_at_mut((column + 1) * size);
+            let lower = &mut done[column * size + column..];
+            let (pivot, lower) = (lower[0], &mut lower[1..]);
+            for value in lower.iter_mut() {
+                *value = *value / pivot;
+            }
+            for other in rest.chunks_exact_mut(size) {
+                let (above, below) = other.split_at_mut(column + 1);
+                subtract(below, lower, above[column]);
+            }
+        }
+        Self {
             size,
+            own: entry(0).abs(),
+            entries: (1 - end..end).map(entry).collect(),
             values,
-            pivots,
-        })
+        }
     }
 
-    fn solve(&self, solution: &mut [T]) {
-        let size = self.size;
-        for (row, &pivot) in self.pivots.iter().enumerate() {
-            solution.swap(row, pivot);
+    /// Displacement of an element of a run by the others of its row, whose tractions are known.
+    fn caused(&self, tractions: &[T], run: &Run, index: usize) -> T {
+        let entry = |cause: usize| self.entries[index + self.size - 1 - cause];
+        (run.row.start..run.elements.start)
+            .chain(run.elements.end..run.row.end)
+            .fold(T::zero(), |sum, cause| {
+                sum + entry(cause) * tractions[cause]
+            })
+    }
+
+    /// Solve with L for all lines of a block.
+    fn lower(&self, block: &mut [T], lines: usize) {
+        for column in 0..block.len().checked_div(lines).unwrap_or(0) {
+            let (known, rest) = block.split_at_mut((column + 1) * lines);
+            let known = &known[column * lines..];
+            let factors = &self.values[column * self.size + column + 1..];
+            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
+                subtract(values, known, factor);
+            }
         }
-        let product = |line: &[T], known: &[T]| {
-            line.iter()
-                .zip(known)
-                .fold(T::zero(), |sum, (&a, &b)| sum + a * b)
-        };
-        for row in 0..size {
-            let line = &self.values[row * size..row * size + row];
-            solution[row] = solution[row] - product(line, &solution[..row]);
+    }
+
+    /// Solve with U for all lines of a block.
+    fn upper(&self, block: &mut [T], lines: usize) {
+        for column in (0..block.len().checked_div(lines).unwrap_or(0)).rev() {
+            let factors = &self.values[column * self.size..];
+            let (rest, known) = block.split_at_mut(column * lines);
+            let known = &mut known[..lines];
+            for value in known.iter_mut() {
+                *value = *value / factors[column];
+            }
+            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
+                subtract(values, known, factor);
+            }
         }
-        for row in (0..size).rev() {
-            let line = &self.values[row * size + row + 1..(row + 1) * size];
-            let rest = solution[row] - product(line, &solution[row + 1..]);
-            solution[row] = rest / self.values[row * size + row];
-        }
+    }
+}
+
+fn subtract<T: Scalar>(values: &mut [T], others: &[T], factor: T) {
+    for (value, &other) in values.iter_mut().zip(others) {
+        *value = *value - factor * other;
     }
 }

@@ -1,0 +1,133 @@
+//! The creep laws that are formulas of the contact ellipse of a case.
+
+use std::sync::Arc;
+
+use riffel::{
+    Carter2d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, HertzContact, JohnsonVermeulen,
+    KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+};
+
+use crate::CaseError;
+use crate::builder::Builder;
+use crate::file::PolachParameters;
+
+/// Every creep law that is a formula of the ellipse, on that of a case and with its friction.
+#[derive(Clone)]
+pub struct CreepLaws {
+    /// Kalker's coefficients of the ellipse, with which the laws begin.
+    pub kalker: KalkerCoefficients,
+    /// Carter's line contact.
+    pub carter_2d: Arc<dyn CreepLaw>,
+    /// Vermeulen & Johnson's, with Kalker's slope.
+    pub johnson_vermeulen: Arc<dyn CreepLaw>,
+    /// Shen, Hedrick & Elkins'.
+    pub shen_hedrick_elkins: Arc<dyn CreepLaw>,
+    /// Polach's, with the parameters of the case.
+    pub polach: Arc<dyn CreepLaw>,
+    /// FASTSIM.
+    pub fastsim: Arc<dyn CreepLaw>,
+}
+
+/// What Polach's law takes besides the ellipse.
+#[derive(Clone, Copy)]
+pub(crate) struct PolachTerms {
+    friction: FallingFriction,
+    reduction: SlopeReduction,
+    /// V \[m/s\].
+    speed: f64,
+}
+
+impl Builder {
+    /// The laws on an ellipse, with the coefficient of friction μ \[-\].
+    pub(crate) fn creep_laws(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+    ) -> Result<CreepLaws, CaseError> {
+        fn shared<L: CreepLaw + 'static>(law: L) -> Arc<dyn CreepLaw> {
+            Arc::new(law)
+        }
+        let poisson_ratio = hertz.material().poisson_ratio();
+        let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
+        let key = if poisson_ratio < 0.0 {
+            "steel.poisson_ratio"
+        } else {
+            "contact.transverse_radius"
+        };
+        let kalker = self.physics(key, kalker)?;
+        let ellipse = CreepEllipse::new(hertz, kalker);
+        let polach = self.polach(friction)?;
+        let laws = || -> Result<CreepLaws, riffel::Error> {
+            let divisions = Fastsim::DEFAULT_DIVISIONS;
+            let bound = TractionBound::Parabolic;
+            Ok(CreepLaws {
+                kalker,
+                carter_2d: Carter2d::of_ellipse(ellipse, poisson_ratio, friction).map(shared)?,
+                johnson_vermeulen: JohnsonVermeulen::new(ellipse, friction).map(shared)?,
+                shen_hedrick_elkins: ShenHedrickElkins::new(ellipse, friction).map(shared)?,
+                polach: Polach::new(ellipse, polach.friction, polach.reduction, polach.speed)
+                    .map(shared)?,
+                fastsim: Fastsim::new(ellipse, friction, bound, divisions).map(shared)?,
+            })
+        };
+        self.physics("contact", laws())
+    }
+
+    /// The parameters of Polach's law: as written, or dry and constant.
+    pub(crate) fn polach(&self, friction: f64) -> Result<PolachTerms, CaseError> {
+        let written = self.file.contact.polach.clone().unwrap_or_default();
+        let reduction = SlopeReduction {
+            adhesion: self.fraction(
+                "contact.polach.adhesion_reduction",
+                written.adhesion_reduction,
+            )?,
+            slip: self.fraction("contact.polach.slip_reduction", written.slip_reduction)?,
+        };
+        if reduction.slip > reduction.adhesion {
+            return Err(self.out_of_range(
+                "contact.polach.slip_reduction",
+                reduction.slip,
+                &format!(
+                    "at most contact.polach.adhesion_reduction, {}",
+                    reduction.adhesion
+                ),
+            ));
+        }
+        let PolachParameters {
+            limit_friction_ratio,
+            friction_decay,
+            speed,
+            ..
+        } = written;
+        if limit_friction_ratio.is_none() && friction_decay.is_none() && speed.is_none() {
+            // With constant friction the law does not depend on the speed.
+            return Ok(PolachTerms {
+                friction: FallingFriction::constant(friction),
+                reduction,
+                speed: 1.0,
+            });
+        }
+        let missing = |key: &str| {
+            self.source.missing(
+                key,
+                "falling friction needs limit_friction_ratio, friction_decay and speed of \
+                 [contact.polach]: give all three or none",
+            )
+        };
+        let key = "contact.polach.limit_friction_ratio";
+        let limit_ratio = self.fraction(key, limit_friction_ratio.ok_or_else(|| missing(key))?)?;
+        let key = "contact.polach.friction_decay";
+        let decay = self.not_negative(key, friction_decay.ok_or_else(|| missing(key))?)?;
+        let key = "contact.polach.speed";
+        let speed = self.positive(key, speed.ok_or_else(|| missing(key))?)?;
+        Ok(PolachTerms {
+            friction: FallingFriction {
+                static_friction: friction,
+                limit_ratio,
+                decay,
+            },
+            reduction,
+            speed,
+        })
+    }
+}

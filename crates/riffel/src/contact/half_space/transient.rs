@@ -1,0 +1,305 @@
+//! Rolling and shifting followed in time.
+
+use super::REMEDY;
+use super::friction::{Friction, Slip};
+use super::influence::{Convolution, Field, Influence};
+use super::patch::{Patch, Step};
+use super::steady::rigid_slip;
+use crate::Error;
+use crate::contact::{CreepForces, Creepages, HertzContact};
+
+/// Residual of the friction law, see [`Friction`].
+const TOLERANCE: f64 = 1e-5;
+/// Error of a force that is asked for, as a share of full slip.
+const FORCE_TOLERANCE: f64 = 1e-5;
+
+/// A Hertz contact of two alike elastic half-spaces that is shifted and rolled step by step, under any
+/// course of load, creepages or force.
+///
+/// The patch is followed by a fixed grid of elements that is as large as the contact under the largest
+/// load; the material passes by one element in each step of rolling. Sticking material keeps the
+/// displacement it had a step before, at the place where it was then:
+/// S = c dx − (u(x, t) − u(x + dx, t − dt)).
+///
+/// Method: each step is a friction problem of the half-space, to 1e-5 of the tractions, by
+/// semismooth Newton. Errors are of first order in the length of an element; a change of load moves the
+/// edge over whole elements, which adds some 2 % to the response to load. The frequency response
+/// itself is had at a thousandth of the cost from [`HalfSpace::response`](super::HalfSpace::response);
+/// this is for courses that are not harmonic, and to prove that one right. Cost: 1 to 2 ms a step with
+/// 40 × 40 elements.
+///
+/// Source: Kalker (1990), *Three-dimensional elastic bodies in rolling contact*, chapter 1, for the
+/// equations. Range of validity: that of [`HalfSpace`](super::HalfSpace).
+pub struct TransientRolling {
+    hertz: HertzContact,
+    friction: f64,
+    patch: Patch,
+    influence: Influence,
+    /// Largest displacement by unit tractions everywhere \[m/Pa\].
+    compliance: f64,
+    tractions: Field<f64>,
+    /// Tractions of the next step, if they go on changing as in the last: where its solution begins.
+    guess: Field<f64>,
+    /// Displacement at both ends of every step of the material.
+    displacement: Displacement,
+}
+
+/// Displacement at the rear and at the front of every step of the material \[m\].
+struct Displacement {
+    rear: Field<f64>,
+    front: Field<f64>,
+}
+
+/// What a step of time has done.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TransientStep {
+    /// Creep forces at its end \[N\].
+    pub forces: CreepForces,
+    /// Creepages during a step of rolling; none in a shift.
+    pub creepages: Creepages,
+    /// Energy dissipated \[J\].
+    pub dissipation: f64,
+    /// Energy dissipated by each column of elements \[J\]; the first lies behind the rearmost column, see
+    /// [`place`](TransientRolling::place).
+    pub dissipation_along: Vec<f64>,
+}
+
+impl TransientRolling {
+    /// A contact without tangential tractions, with `across` elements (8 to 200) over a diameter of the
+    /// patch under the normal force of `hertz`, which no load may exceed.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the friction is not positive or the number of elements out of range.
+    pub fn new(hertz: HertzContact, friction: f64, across: usize) -> Result<Self, Error> {
+        Error::unless_positive("coefficient of friction", friction, "")?;
+        // One element more on each side: all that the edge covers in part carry their share, so that nothing
+        // jumps when the load moves it.
+        let wider = (across + 2) as f64 / across as f64;
+        let patch = Patch::new(
+            wider * hertz.semi_axis_longitudinal(),
+            wider * hertz.semi_axis_lateral(),
+            across + 2,
+        )?;
+        let influence = Influence::new(hertz.material(), &patch);
+        let ones = vec![1.0; patch.len()];
+        let moved = Convolution::new(&influence, &patch).real([&ones, &ones], [1.0, 0.0]);
+        let nothing = |count: usize| [vec![0.0; count], vec![0.0; count]];
+        Ok(Self {
+            hertz,
+            friction,
+            compliance: moved.iter().flatten().fold(0.0, |a: f64, b| a.max(b.abs())),
+            tractions: nothing(patch.len()),
+            guess: nothing(patch.len()),
+            displacement: Displacement {
+                rear: nothing(patch.steps.len()),
+                front: nothing(patch.steps.len()),
+            },
+            influence,
+            patch,
+        })
+    }
+
+    /// Distance that a step rolls, the length of an element \[m\].
+    pub fn step_length(&self) -> f64 {
+        self.patch.dx
+    }
+
+    /// Place of a column of [`TransientStep::dissipation_along`] relative to the centre of the patch at
+    /// the middle of the step \[m\].
+    pub fn place(&self, column: usize) -> f64 {
+        (column as f64 - 0.5 * self.patch.across as f64) * self.patch.dx
+    }
+
+    /// Press with the normal force \[N\] and shift the wheel along the rail \[m\] without rolling, at once.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the normal force is not positive or beyond the largest;
+    /// [`Error::NotConverged`].
+    pub fn shift(&mut self, normal_force: f64, shift: f64) -> Result<TransientStep, Error> {
+        let mut forcing = self.displacement.rear.clone();
+        forcing[0].iter_mut().for_each(|value| *value += shift);
+        let bound = self.bound(normal_force)?;
+        let slip = self.solve(&forcing, &bound, &self.tractions)?;
+        // The material stays where it is: its traction before is that of the same element.
+        let before = |step: &Step| step.to;
+        let step = self.accept(slip, before, Creepages::default());
+        // A shift does not go on by itself.
+        self.guess.clone_from(&self.tractions);
+        Ok(step)
+    }
+
+    /// Roll on by one element under the normal force \[N\] with these creepages.
+    ///
+    /// # Errors
+    /// As [`shift`](Self::shift).
+    pub fn roll(
+        &mut self,
+        normal_force: f64,
+        creepages: Creepages,
+    ) -> Result<TransientStep, Error> {
+        let bound = self.bound(normal_force)?;
+        let slip = self.rolled(creepages, &bound, &self.guess)?;
+        Ok(self.accept(slip, |step| step.from, creepages))
+    }
+
+    /// Roll on by one element under the normal force \[N\] with the longitudinal creepage that makes
+    /// the creep force along the rail Q \[N\] at the end of the step, to 1e-5 of full slip.
+    ///
+    /// Method: secants on the creepage, from the first guess `creepage`.
+    ///
+    /// # Errors
+    /// As [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
+    pub fn roll_at_force(
+        &mut self,
+        normal_force: f64,
+        force: f64,
+        creepage: f64,
+    ) -> Result<TransientStep, Error> {
+        const MOST_STEPS: usize = 30;
+        let bound = self.bound(normal_force)?;
+        let limit = self.friction * normal_force;
+        if force.is_nan() || force.abs() >= limit {
+            return Err(Error::OutOfRange {
+                quantity: "creep force",
+                value: force,
+                unit: "N",
+                rule: "must be less than the coefficient of friction times the normal force",
+            });
+        }
+        // Before there is a secant: a rigid slip c dx on all of a patch in stick.
+        let area = self.patch.area() * self.patch.len() as f64;
+        let mut slope = self.patch.dx * area / (self.compliance * limit);
+        let mut before: Option<(f64, f64)> = None;
+        let mut creepage = creepage;
+        let mut start = self.guess.clone();
+        let mut error = f64::NAN;
+        for _ in 0..MOST_STEPS {
+            let creepages = Creepages::longitudinal(creepage);
+            let slip = self.rolled(creepages, &bound, &start)?;
+            error = (self.forces(&slip.tractions).longitudinal - force) / limit;
+            if error.abs() <= FORCE_TOLERANCE {
+                return Ok(self.accept(slip, |step| step.from, creepages));
+            }
+            start = slip.tractions;
+            if let Some((other, other_error)) = before {
+                let secant = (error - other_error) / (creepage - other);
+                // Noise of the last digits has no slope.
+                slope = if secant > 0.0 { secant } else { slope };
+            }
+            before = Some((creepage, error));
+            creepage -= error / slope;
+        }
+        Err(Error::NotConverged {
+            problem: "creepage for the creep force",
+            residual: error.abs(),
+            tolerance: FORCE_TOLERANCE,
+            remedy: REMEDY,
+        })
+    }
+
+    /// Traction bound of each element under a normal force \[Pa\].
+    fn bound(&self, normal_force: f64) -> Result<Vec<f64>, Error> {
+        Error::unless_positive("normal force", normal_force, "N")?;
+        if normal_force > self.hertz.normal_force() {
+            return Err(Error::OutOfRange {
+                quantity: "normal force",
+                value: normal_force,
+                unit: "N",
+                rule: "must not exceed the largest one, for which the grid was made",
+            });
+        }
+        let hertz = self.hertz.under(normal_force);
+        let semi_axes = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
+        let peak = 1.5 * normal_force / (std::f64::consts::PI * semi_axes.0 * semi_axes.1);
+        let shares = self.patch.pressure_of(semi_axes).into_iter();
+        Ok(shares.map(|share| self.friction * peak * share).collect())
+    }
+
+    fn rolled(
+        &self,
+        creepages: Creepages,
+        bound: &[f64],
+        start: &Field<f64>,
+    ) -> Result<Slip, Error> {
+        let mut forcing = rigid_slip(&self.patch, creepages);
+        for (forcing, front) in forcing.iter_mut().zip(&self.displacement.front) {
+            for (value, front) in forcing.iter_mut().zip(front) {
+                *value += front;
+            }
+        }
+        self.solve(&forcing, bound, start)
+    }
+
+    fn solve(
+        &self,
+        forcing: &Field<f64>,
+        bound: &[f64],
+        start: &Field<f64>,
+    ) -> Result<Slip, Error> {
+        let friction = Friction {
+            patch: &self.patch,
+            influence: &self.influence,
+            operator: [1.0, 0.0],
+            forcing,
+            bound,
+            compliance: self.compliance,
+            tolerance: TOLERANCE,
+        };
+        friction
+            .solve(start)
+            .map_err(|residual| Error::NotConverged {
+                problem: "step of transient rolling",
+                residual,
+                tolerance: TOLERANCE,
+                remedy: REMEDY,
+            })
+    }
+
+    fn forces(&self, tractions: &Field<f64>) -> CreepForces {
+        let sum = |part: usize| tractions[part].iter().sum::<f64>() * self.patch.area();
+        CreepForces {
+            longitudinal: sum(0),
+            lateral: sum(1),
+        }
+    }
+
+    /// Take a solution as the new state. `before` tells in which element the material of a step was.
+    fn accept(
+        &mut self,
+        slip: Slip,
+        before: impl Fn(&Step) -> Option<usize>,
+        creepages: Creepages,
+    ) -> TransientStep {
+        let mut along = vec![0.0; self.patch.across + 1];
+        for (index, step) in self.patch.steps.iter().enumerate() {
+            for part in 0..2 {
+                let old = before(step).map_or(0.0, |element| self.tractions[part][element]);
+                let new = step.to.map_or(0.0, |element| slip.tractions[part][element]);
+                along[(step.end.0 + 1) as usize] +=
+                    self.patch.area() * 0.5 * (old + new) * slip.distance[part][index];
+            }
+        }
+        let forces = self.forces(&slip.tractions);
+        let mut convolution = Convolution::new(&self.influence, &self.patch);
+        let tractions = [slip.tractions[0].as_slice(), slip.tractions[1].as_slice()];
+        self.displacement = Displacement {
+            rear: convolution.real(tractions, [1.0, 0.0]),
+            front: convolution.real(tractions, [0.0, 1.0]),
+        };
+        self.guess = [0, 1].map(|part| {
+            let both = slip.tractions[part].iter().zip(&self.tractions[part]);
+            both.map(|(now, before)| 2.0 * now - before).collect()
+        });
+        self.tractions = slip.tractions;
+        TransientStep {
+            forces,
+            creepages,
+            dissipation: along.iter().sum(),
+            dissipation_along: along,
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "transient_tests.rs"]
+mod tests;
