@@ -21,6 +21,7 @@ mod error;
 pub mod file;
 mod fill_in;
 mod measurement;
+mod mechanisms;
 mod preset;
 pub mod quantity;
 pub mod roughness;

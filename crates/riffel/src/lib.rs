@@ -13,7 +13,7 @@
 //! | wear | [`EnergyWear`] | |
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
-//! What is on the rail already, measured, is in [`roughness`].
+//! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -62,6 +62,7 @@
 //! ```
 
 mod contact;
+pub mod diagnosis;
 mod elastic;
 mod error;
 mod feedback;

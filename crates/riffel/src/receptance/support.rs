@@ -166,6 +166,21 @@ impl Support {
         }
     }
 
+    /// Undamped angular frequency \[rad/s\] at which the sleeper between pad and ballast holds the rail still,
+    /// √((k_p + k_b)/m_s); None without a sleeper that has mass.
+    pub fn sleeper_antiresonance(&self) -> Option<f64> {
+        match *self {
+            Self::TwoLayer {
+                pad,
+                sleeper_mass,
+                ballast,
+            } if sleeper_mass > 0.0 => {
+                Some(((pad.stiffness + ballast.stiffness) / sleeper_mass).sqrt())
+            }
+            _ => None,
+        }
+    }
+
     /// Stiffness at rest.
     pub(super) fn static_stiffness(&self) -> f64 {
         match self {
@@ -194,6 +209,18 @@ mod tests {
             }
         }
         assert_eq!(two.cut_on_frequencies(60.0).len(), 2);
+    }
+
+    /// There the undamped support is infinitely stiff.
+    #[test]
+    fn the_sleeper_holds_the_rail_still() {
+        let (pad, ballast) = (Layer::new(3e8, 0.0).unwrap(), Layer::new(1e8, 0.0).unwrap());
+        let two = Support::two_layer(pad, 250.0, ballast).unwrap();
+        let w = two.sleeper_antiresonance().unwrap();
+        // √(4e8/250)/2π = 201.3 Hz.
+        assert_relative_eq!(w / std::f64::consts::TAU, 201.317, max_relative = 1e-5);
+        assert!(two.dynamic_stiffness(w * (1.0 + 1e-6)).norm() > 1e12);
+        assert_eq!(Support::one_layer(pad).sleeper_antiresonance(), None);
     }
 
     #[test]

@@ -1,0 +1,90 @@
+//! The mechanisms that a case knows, with their frequencies.
+
+use std::f64::consts::TAU;
+
+use riffel::ResonanceKind;
+use riffel::diagnosis::{Mechanism, MechanismKind};
+
+use crate::Case;
+use crate::track::Direction;
+use crate::validity::discrete_pinned_pinned;
+
+impl Case {
+    /// The mechanisms besides growth that fix a wavelength on this track, and sentences on those the case
+    /// says nothing of.
+    ///
+    /// Resonances are peaks of the receptance of the rail; where damping leaves no peak, they are the
+    /// undamped frequencies of the layers. The pinned-pinned frequency of an evenly supported track is that of the
+    /// same supports at their distance.
+    pub fn mechanisms(&self) -> (Vec<Mechanism>, Vec<String>) {
+        let mut mechanisms = Vec::new();
+        let mut unknown = Vec::new();
+        let mut add = |kind, frequency: f64| {
+            mechanisms.push(Mechanism::of_frequency(kind, frequency));
+        };
+        match self.p2() {
+            Some(p2) => add(MechanismKind::P2, p2.angular_frequency / TAU),
+            None => unknown.push(format!(
+                "P2 is not among the candidates: {}",
+                if self.track.support.is_none() {
+                    "the rail of this case has no support"
+                } else {
+                    "damping leaves no resonance"
+                }
+            )),
+        }
+        if let (Some(support), Some(rail_mass)) = (self.track.support, self.track.rail_mass) {
+            let found = self.track.resonances();
+            let kinds = [
+                (ResonanceKind::FullTrack, MechanismKind::FullTrack),
+                (ResonanceKind::RailOnPad, MechanismKind::RailOnPad),
+            ];
+            // One layer has the rail on its pads only.
+            let cut_on = support.cut_on_frequencies(rail_mass);
+            for ((resonance, kind), undamped) in kinds.iter().rev().zip(cut_on.iter().rev()) {
+                let peak = found.iter().find(|peak| peak.kind == *resonance);
+                add(
+                    *kind,
+                    peak.map_or(*undamped, |peak| peak.angular_frequency) / TAU,
+                );
+            }
+            if let Some(sleeper) = support.sleeper_antiresonance() {
+                add(MechanismKind::SleeperAntiresonance, sleeper / TAU);
+            }
+        } else {
+            unknown.push(
+                "modes of pads and sleepers are not among the candidates: the track of this case has none".to_owned(),
+            );
+        }
+        let periodic = |direction| {
+            let track = self.track_in(direction).ok()?;
+            Some(track.pinned_pinned? / TAU)
+        };
+        let directions = [
+            (Direction::Vertical, MechanismKind::PinnedPinned, "vertical"),
+            (
+                Direction::Lateral,
+                MechanismKind::LateralPinnedPinned,
+                "lateral",
+            ),
+        ];
+        for (direction, kind, word) in directions {
+            let frequency =
+                periodic(direction).or_else(|| discrete_pinned_pinned(&self.builder, direction));
+            match frequency {
+                Some(frequency) => add(kind, frequency),
+                None => unknown.push(format!(
+                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing and the \
+                     rail's section with shear (rail.section)"
+                )),
+            }
+        }
+        mechanisms.push(Mechanism::grinding_mark());
+        let spacing = self.file.track.support_spacing.map(|spacing| spacing.si());
+        if let Some(spacing) = spacing.filter(|_| self.track.support.is_some()) {
+            mechanisms.push(Mechanism::support_spacing(spacing));
+        }
+        mechanisms.push(Mechanism::wheel_circumference(self.feedback.rolling_radius));
+        (mechanisms, unknown)
+    }
+}

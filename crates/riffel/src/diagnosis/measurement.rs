@@ -1,0 +1,68 @@
+//! Which measurement would tell candidates apart.
+
+use super::candidate::frequencies;
+use super::{Candidate, Course, DominantWavelength, MechanismKind, SpeedDistribution, TimeUnit};
+
+/// Share of the belief below which a candidate is not worth a measurement.
+const WORTH: f64 = 0.05;
+
+/// Measurements that would decide between the likeliest candidates, the most telling first.
+pub fn tell_apart(
+    peak: &DominantWavelength,
+    candidates: &[Candidate],
+    course: Option<&Course>,
+    speeds: &SpeedDistribution,
+) -> Vec<String> {
+    let worth: Vec<&Candidate> = candidates
+        .iter()
+        .enumerate()
+        .filter(|(place, candidate)| *place < 2 || candidate.share >= WORTH)
+        .map(|(_, candidate)| candidate)
+        .collect();
+    let mut measurements = Vec::new();
+    let wavelength = 1e3 * peak.wavelength;
+    let fixed = worth.iter().any(|candidate| candidate.frequency.is_none());
+    let moves = worth.iter().any(|candidate| candidate.frequency.is_some());
+    if fixed && moves {
+        measurements.push(format!(
+            "Speed: measure where the same trains run a fifth slower. A constant frequency ({}) would stand at \
+             {:.1} mm there, a mark or an order of length at {wavelength:.1} mm as here.",
+            frequencies(peak.wavelength, speeds),
+            0.8 * wavelength
+        ));
+    }
+    let when = match course.map(|course| (course.unit, course.until_visible())) {
+        Some((TimeUnit::Year, Some(years))) => {
+            format!(
+                "in {:.0} weeks the present course moves the level by three times its scatter",
+                (52.0 * years).ceil()
+            )
+        }
+        Some((TimeUnit::Record, Some(records))) => format!(
+            "{:.1} of the intervals between these records move the level by three times its scatter",
+            records
+        ),
+        _ => "after three months, and again after six, at the same chainage".to_owned(),
+    };
+    let kinds = |kind: MechanismKind| worth.iter().any(|candidate| candidate.kind == kind);
+    if kinds(MechanismKind::GrindingMark) || course.is_none() {
+        measurements.push(format!(
+            "Time: repeat this record ({when}). Corrugation rises, a grinding mark falls."
+        ));
+    }
+    for candidate in &worth {
+        measurements.push(format!(
+            "{}: {}.",
+            capital(candidate.kind.name()),
+            candidate.kind.own_measurement()
+        ));
+    }
+    measurements
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}

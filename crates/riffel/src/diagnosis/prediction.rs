@@ -1,0 +1,206 @@
+//! What wavelength a mechanism predicts.
+
+use super::{GrowthDensity, MechanismKind, SpeedDistribution, normal};
+
+/// Wavelength or frequency that a mechanism fixes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Prediction {
+    /// A frequency f: λ = V/f at each speed.
+    Frequency {
+        /// f \[Hz\].
+        frequency: f64,
+        /// Standard deviation of ln f.
+        spread: f64,
+    },
+    /// Growth over wavelength.
+    Growth(GrowthDensity),
+    /// Any wavelength between two \[m\], the same at every speed.
+    Range {
+        /// Shortest \[m\].
+        from: f64,
+        /// Longest \[m\].
+        to: f64,
+    },
+    /// Some wavelengths \[m\], the same at every speed: a length and its parts.
+    Orders {
+        /// The length \[m\].
+        length: f64,
+        /// Highest order n of length/n; the orders weigh 1/n, as evenly as they lie over ln λ.
+        orders: u32,
+        /// Standard deviation of the logarithm of the length.
+        spread: f64,
+    },
+}
+
+/// A mechanism with what it predicts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mechanism {
+    /// What it is.
+    pub kind: MechanismKind,
+    /// What it predicts.
+    pub prediction: Prediction,
+}
+
+/// Grinding: trains at 3 to 15 km/h with stones of 60 to 50 turns a second.
+const GRINDING: (f64, f64) = (3.0 / 3.6 / 60.0, 15.0 / 3.6 / 50.0);
+
+impl Mechanism {
+    /// A mechanism of constant frequency f \[Hz\] whose uncertainty is that of its kind.
+    pub fn of_frequency(kind: MechanismKind, frequency: f64) -> Self {
+        use MechanismKind::{LateralPinnedPinned, PinnedPinned, WheelsetBending, WheelsetTorsion};
+        // Stiffnesses of pads and ballast are uncertain by ±30 % and more, distances are not.
+        let spread = match kind {
+            PinnedPinned | LateralPinnedPinned | WheelsetBending | WheelsetTorsion => 0.05,
+            _ => 0.15,
+        };
+        Self {
+            kind,
+            prediction: Prediction::Frequency { frequency, spread },
+        }
+    }
+
+    /// The growth of a case.
+    pub fn growth_ridge(density: GrowthDensity) -> Self {
+        Self {
+            kind: MechanismKind::GrowthRidge,
+            prediction: Prediction::Growth(density),
+        }
+    }
+
+    /// Marks of grinding stones.
+    pub fn grinding_mark() -> Self {
+        let (from, to) = GRINDING;
+        Self {
+            kind: MechanismKind::GrindingMark,
+            prediction: Prediction::Range { from, to },
+        }
+    }
+
+    /// Orders of a wheel of the rolling radius R \[m\].
+    pub fn wheel_circumference(rolling_radius: f64) -> Self {
+        Self {
+            kind: MechanismKind::WheelCircumference,
+            prediction: Prediction::Orders {
+                length: std::f64::consts::TAU * rolling_radius,
+                orders: 30,
+                spread: 0.03,
+            },
+        }
+    }
+
+    /// Supports at the distance d \[m\].
+    pub fn support_spacing(spacing: f64) -> Self {
+        Self {
+            kind: MechanismKind::SupportSpacing,
+            prediction: Prediction::Orders {
+                length: spacing,
+                orders: 2,
+                spread: 0.02,
+            },
+        }
+    }
+
+    /// Density of ln λ that the mechanism predicts at a wavelength \[m\] known to ±`uncertainty` of ln λ,
+    /// for the speeds of the traffic.
+    pub fn density(&self, wavelength: f64, uncertainty: f64, speeds: &SpeedDistribution) -> f64 {
+        let place = wavelength.ln();
+        match &self.prediction {
+            Prediction::Frequency { frequency, spread } => {
+                let spread = spread.hypot(uncertainty);
+                let at = |speed: f64| normal::density(place - (speed / frequency).ln(), spread);
+                let shares = speeds.shares().iter();
+                shares.map(|&(speed, share)| share * at(speed)).sum()
+            }
+            Prediction::Growth(density) => density.at(wavelength, uncertainty),
+            Prediction::Range { from, to } => {
+                let below = |edge: f64| normal::above((place - edge.ln()) / uncertainty);
+                (below(*to) - below(*from)) / (to / from).ln()
+            }
+            Prediction::Orders {
+                length,
+                orders,
+                spread,
+            } => {
+                let spread = spread.hypot(uncertainty);
+                let weight = |n: u32| f64::from(n).recip();
+                let sum: f64 = (1..=*orders).map(weight).sum();
+                let at = |n: u32| {
+                    let distance = place - (length / f64::from(n)).ln();
+                    weight(n) * normal::density(distance, spread)
+                };
+                (1..=*orders).map(at).sum::<f64>() / sum
+            }
+        }
+    }
+
+    /// Frequency \[Hz\] that it fixes, if it does.
+    pub fn frequency(&self) -> Option<f64> {
+        match &self.prediction {
+            Prediction::Frequency { frequency, .. } => Some(*frequency),
+            Prediction::Growth(density) => density.peak_frequency(),
+            _ => None,
+        }
+    }
+
+    /// Shortest and longest wavelength \[m\] that it predicts for the speeds of the traffic, its own
+    /// uncertainty aside.
+    pub fn wavelengths(&self, speeds: &SpeedDistribution) -> Option<(f64, f64)> {
+        match &self.prediction {
+            Prediction::Frequency { frequency, .. } => {
+                Some((speeds.slowest() / frequency, speeds.fastest() / frequency))
+            }
+            Prediction::Growth(density) => density.range(),
+            Prediction::Range { from, to } => Some((*from, *to)),
+            Prediction::Orders { length, orders, .. } => {
+                Some((length / f64::from(*orders), *length))
+            }
+        }
+    }
+
+    /// The order n of its length that lies nearest to a wavelength \[m\], and length/n \[m\].
+    pub fn nearest_order(&self, wavelength: f64) -> Option<(u32, f64)> {
+        let Prediction::Orders { length, orders, .. } = self.prediction else {
+            return None;
+        };
+        let order = ((length / wavelength).round() as u32).clamp(1, orders);
+        Some((order, length / f64::from(order)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Densities over ln λ add up to one.
+    #[test]
+    fn densities_are_densities() {
+        let speeds = SpeedDistribution::between(20.0, 40.0).unwrap();
+        for mechanism in [
+            Mechanism::of_frequency(MechanismKind::PinnedPinned, 1000.0),
+            Mechanism::of_frequency(MechanismKind::P2, 70.0),
+            Mechanism::grinding_mark(),
+            Mechanism::wheel_circumference(0.46),
+            Mechanism::support_spacing(0.6),
+        ] {
+            let step = 0.002;
+            let sum: f64 = (-4000..2000)
+                .map(|index| (step * f64::from(index)).exp())
+                .map(|wavelength| step * mechanism.density(wavelength, 0.03, &speeds))
+                .sum();
+            assert!((sum - 1.0).abs() < 1e-3, "{:?} {sum}", mechanism.kind);
+        }
+    }
+
+    #[test]
+    fn wavelengths_follow_the_speed_or_do_not() {
+        let speeds = SpeedDistribution::between(20.0, 40.0).unwrap();
+        let pinned = Mechanism::of_frequency(MechanismKind::PinnedPinned, 1000.0);
+        assert_eq!(pinned.wavelengths(&speeds), Some((0.02, 0.04)));
+        let wheel = Mechanism::wheel_circumference(0.5);
+        let (order, wavelength) = wheel.nearest_order(0.315).unwrap();
+        assert_eq!(order, 10);
+        assert!((wavelength - 0.314_159).abs() < 1e-6);
+        let (from, to) = Mechanism::grinding_mark().wavelengths(&speeds).unwrap();
+        assert!((from - 0.0139).abs() < 1e-4 && (to - 0.0833).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,94 @@
+//! The speeds at which trains pass.
+
+use crate::Error;
+
+/// Speeds with their shares of the passages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpeedDistribution {
+    /// Speed \[m/s\] and share, by speed; shares add up to one.
+    shares: Vec<(f64, f64)>,
+}
+
+impl SpeedDistribution {
+    /// Speeds \[m/s\] with their weights, in any order and of any sum.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless there is a speed, each is above zero and each weight, too.
+    pub fn new(speeds: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, Error> {
+        let mut shares: Vec<(f64, f64)> = speeds.into_iter().collect();
+        for &(speed, weight) in &shares {
+            Error::unless_positive("speed", speed, "m/s")?;
+            Error::unless_positive("weight of a speed", weight, "")?;
+        }
+        let sum: f64 = shares.iter().map(|share| share.1).sum();
+        Error::unless_positive("sum of the weights of the speeds", sum, "")?;
+        shares.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for share in &mut shares {
+            share.1 /= sum;
+        }
+        Ok(Self { shares })
+    }
+
+    /// Speeds from one to another \[m/s\], evenly; one speed where the two are the same.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn between(slowest: f64, fastest: f64) -> Result<Self, Error> {
+        /// Enough that their steps are below every spread of a frequency, up to a ratio of three.
+        const STEPS: u32 = 60;
+        if slowest == fastest {
+            return Self::new([(slowest, 1.0)]);
+        }
+        let step = (fastest - slowest) / f64::from(STEPS);
+        Self::new((0..=STEPS).map(|index| (slowest + step * f64::from(index), 1.0)))
+    }
+
+    /// Each speed \[m/s\] with its share.
+    pub fn shares(&self) -> &[(f64, f64)] {
+        &self.shares
+    }
+
+    /// The lowest \[m/s\].
+    pub fn slowest(&self) -> f64 {
+        self.shares.first().map_or(f64::NAN, |share| share.0)
+    }
+
+    /// The highest \[m/s\].
+    pub fn fastest(&self) -> f64 {
+        self.shares.last().map_or(f64::NAN, |share| share.0)
+    }
+
+    /// The mean \[m/s\].
+    pub fn mean(&self) -> f64 {
+        self.shares.iter().map(|(speed, share)| speed * share).sum()
+    }
+
+    /// The speeds in words: "136 km/h", "99–141 km/h".
+    pub fn words(&self) -> String {
+        let (low, high) = (3.6 * self.slowest(), 3.6 * self.fastest());
+        if high - low < 0.5 {
+            format!("{low:.0} km/h")
+        } else {
+            format!("{low:.0}–{high:.0} km/h")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_add_up() -> Result<(), Error> {
+        let speeds = SpeedDistribution::new([(30.0, 1.0), (10.0, 3.0)])?;
+        assert_eq!(speeds.shares(), [(10.0, 0.75), (30.0, 0.25)]);
+        assert_eq!(speeds.mean(), 15.0);
+        assert_eq!(speeds.words(), "36–108 km/h");
+        let even = SpeedDistribution::between(20.0, 40.0)?;
+        assert!((even.mean() - 30.0).abs() < 1e-12);
+        assert_eq!(even.fastest(), 40.0);
+        assert!(SpeedDistribution::new([]).is_err());
+        assert!(SpeedDistribution::between(-1.0, 2.0).is_err());
+        Ok(())
+    }
+}
