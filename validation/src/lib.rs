@@ -87,7 +87,7 @@ checks! {
     decay_rate: decay_rate_peak_and_dip, decay_rate_residual, decay_rate_within_the_curves;
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
-        grinding_mark_fades, grinding_mark_is_heard;
+        grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
 }
 
 /// All checks as a Markdown table.

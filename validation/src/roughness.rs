@@ -2,6 +2,11 @@
 
 use std::f64::consts::TAU;
 
+use riffel::ContactFilter;
+use riffel::diagnosis::{
+    Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism,
+    MechanismKind, SpeedDistribution, TimeUnit, dominant_levels, rank,
+};
 use riffel::roughness::{
     BandPass, ColouredNoise, Irregularity, PowerSpectrum, Profile, Recipe, Spectrum,
     SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, moving_peak_to_peak, moving_rms,
@@ -348,6 +353,82 @@ pub(crate) fn grinding_mark_fades() -> Row {
         ),
         tolerance: "half of the last digit",
         holds: same && arithmetic.windows(2).all(|pair| pair[1] < pair[0]),
+    }
+}
+
+/// The rail held against the case of discrete supports, as in the book.
+pub(crate) fn grinding_mark_is_diagnosed() -> Row {
+    let case = include_str!("../../cases/discrete-supports.toml");
+    let case = riffel_case::Case::parse("discrete-supports", case, &[]).expect("a case");
+    let means = campaigns();
+    let band = ThirdOctave::new(-17);
+    let peak = means
+        .iter()
+        .flat_map(|spectra| dominant_levels(spectra))
+        .max_by(|a, b| a.prominence.total_cmp(&b.prominence))
+        .expect("a band that stands out");
+    // Days from the first campaign.
+    let points = means
+        .iter()
+        .zip([0.0, 214.0, 365.0, 579.0])
+        .map(|(spectra, days)| {
+            let levels: Vec<f64> = spectra.iter().filter_map(|one| one.level(band)).collect();
+            let count = levels.len() as f64;
+            let mean = levels.iter().sum::<f64>() / count;
+            let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
+            CoursePoint {
+                label: String::new(),
+                time: days / 365.25,
+                level: mean,
+                scatter: Some((squares / (count - 1.0) / count).sqrt()),
+            }
+        });
+    let course = Course::new(points.collect(), TimeUnit::Year).expect("four campaigns");
+    let speeds = SpeedDistribution::new([(136.0 / 3.6, 1.0)]).expect("a speed");
+    let (mut mechanisms, _) = case.mechanisms();
+    let growth = GrowthDensity::new(
+        &case.feedback,
+        peak.wavelength.min(case.wavelength.min()),
+        case.wavelength.max(),
+        &speeds,
+    );
+    mechanisms.push(Mechanism::growth_ridge(growth));
+    let filter = ContactFilter::of(&case.hertz);
+    let candidates = rank(
+        &Evidence {
+            peak: &peak,
+            course: Some(&course),
+            speeds: &speeds,
+            filter: &filter,
+            instrument: Instrument::Trolley,
+        },
+        &mechanisms,
+    );
+    let first = &candidates[0];
+    let corrugation: f64 = candidates
+        .iter()
+        .filter(|candidate| candidate.kind.expectation() == Expectation::Grows)
+        .map(|candidate| candidate.share)
+        .sum();
+    let rises = course.probability_of_rise();
+    Row {
+        statement: "Niederwangen diagnosed: 20 mm stands out, a grinding mark leads, and all growing corrugation \
+                    together has less than a tenth of the share",
+        source: "32 spectra of Müller-BBM; `cases/discrete-supports.toml` at 136 km/h",
+        expected: "20 mm, grinding mark".to_owned(),
+        got: format!(
+            "{:.0} mm, {} with {:.2}; corrugation {corrugation:.3}; {:+.1} ± {:.1} dB a year",
+            1e3 * peak.wavelength,
+            first.kind.name(),
+            first.share,
+            course.slope,
+            course.slope_scatter
+        ),
+        tolerance: "a rise no likelier than 1 %, corrugation below 0.1",
+        holds: ThirdOctave::containing(peak.wavelength).is_ok_and(|found| found == band)
+            && first.kind == MechanismKind::GrindingMark
+            && corrugation < 0.1
+            && rises < 0.01,
     }
 }
 

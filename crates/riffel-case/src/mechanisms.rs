@@ -7,7 +7,6 @@ use riffel::diagnosis::{Mechanism, MechanismKind};
 
 use crate::Case;
 use crate::track::Direction;
-use crate::validity::discrete_pinned_pinned;
 
 impl Case {
     /// The mechanisms besides growth that fix a wavelength on this track, and sentences on those the case
@@ -56,10 +55,6 @@ impl Case {
                 "modes of pads and sleepers are not among the candidates: the track of this case has none".to_owned(),
             );
         }
-        let periodic = |direction| {
-            let track = self.track_in(direction).ok()?;
-            Some(track.pinned_pinned? / TAU)
-        };
         let directions = [
             (Direction::Vertical, MechanismKind::PinnedPinned, "vertical"),
             (
@@ -69,13 +64,13 @@ impl Case {
             ),
         ];
         for (direction, kind, word) in directions {
-            let frequency =
-                periodic(direction).or_else(|| discrete_pinned_pinned(&self.builder, direction));
-            match frequency {
+            let supported = self.track.support.is_some();
+            let frequency = self.builder.pinned_pinned(direction);
+            match frequency.filter(|_| supported) {
                 Some(frequency) => add(kind, frequency),
                 None => unknown.push(format!(
-                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing and the \
-                     rail's section with shear (rail.section)"
+                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing \
+                     and a rail.section whose {word} bending and shear are known"
                 )),
             }
         }

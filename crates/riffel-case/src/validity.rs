@@ -135,11 +135,6 @@ pub(crate) fn remarks(
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on
 /// the supports of the case.
 fn evenly_supported_pinned_pinned(builder: &Builder) -> Option<f64> {
-    discrete_pinned_pinned(builder, Direction::Vertical)
-}
-
-/// The same in any direction.
-pub(crate) fn discrete_pinned_pinned(builder: &Builder, direction: Direction) -> Option<f64> {
     let mut discrete = builder.clone();
     discrete.file.track.model = match builder.file.track.model {
         TrackModel::OneLayer => TrackModel::OneLayerPeriodic,
@@ -147,6 +142,6 @@ pub(crate) fn discrete_pinned_pinned(builder: &Builder, direction: Direction) ->
         _ => return None,
     };
     discrete.file.rail.beam = Some(BeamModel::Timoshenko);
-    let w = discrete.track(direction).ok()?.pinned_pinned?;
+    let w = discrete.track(Direction::Vertical).ok()?.pinned_pinned?;
     Some(w / std::f64::consts::TAU)
 }

@@ -35,6 +35,8 @@ pub(crate) enum Command {
     Contact(Contact),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
+    /// Dominant wavelengths of a measured rail, and what may have made them.
+    Diagnose(Diagnose),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
@@ -335,6 +337,82 @@ pub(crate) struct Roughness {
     pub(crate) synthesise: Option<Option<PathBuf>>,
 
     /// Folder for the results, made if need be [default: FILE-roughness]; with --synthesise the file.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// A measured rail held against a case: what `diagnose` and `report` have in common.
+#[derive(Args)]
+pub(crate) struct DiagnosisArguments {
+    /// Longitudinal profile, or table of one-third-octave levels.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) roughness: PathBuf,
+
+    /// Reader profile that says how profiles are laid out [default: found from their first lines].
+    #[arg(long, value_name = "TOML")]
+    pub(crate) format: Option<PathBuf>,
+
+    /// Step between samples of files without positions, in metres or with its unit.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) spacing: Option<Quantity<Length>>,
+
+    /// An earlier record of the same rail; may be repeated, the oldest first.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) earlier: Vec<PathBuf>,
+
+    /// Dates of all records, YYYY-MM-DD, separated by commas, the oldest first and that of --roughness last.
+    #[arg(
+        long,
+        value_name = "DATES",
+        value_delimiter = ',',
+        requires = "earlier"
+    )]
+    pub(crate) dates: Vec<String>,
+
+    /// Keep the spectra of a table whose column has this value; may be repeated.
+    #[arg(long = "where", value_name = "COLUMN=VALUE")]
+    pub(crate) choose: Vec<String>,
+
+    /// Column of a table that tells its records apart in time [default: date, if there is one].
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) by: Option<String>,
+
+    /// Speeds of the traffic, as \"80 km/h\" or a range \"60 km/h..90 km/h\"; may be repeated [default: those
+    /// of the map of the case].
+    #[arg(long, value_name = "SPEED")]
+    pub(crate) speed: Vec<String>,
+
+    /// Frequency of a torsional mode of the wheelset; may be repeated.
+    #[arg(long, value_name = "FREQUENCY")]
+    pub(crate) torsion: Vec<Quantity<Frequency>>,
+
+    /// Frequency of a bending mode of the wheelset; may be repeated.
+    #[arg(long, value_name = "FREQUENCY")]
+    pub(crate) bending: Vec<Quantity<Frequency>>,
+
+    /// The record was taken from a vehicle, whose wheels are in it, and not with a trolley.
+    #[arg(long)]
+    pub(crate) from_vehicle: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
+        Shares compare the candidates of one list, each taken to be equally likely beforehand; they are no \
+        probability that a finding is right."
+)]
+pub(crate) struct Diagnose {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    #[command(flatten)]
+    pub(crate) record: DiagnosisArguments,
+
+    /// Folder for figure and tables, made if need be [default: CASE-diagnosis].
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 

@@ -144,6 +144,16 @@ impl Builder {
         })
     }
 
+    /// Frequency \[Hz\] at which the rail of the case, with shear, bends with nodes at its supports, however the
+    /// model spreads them; None without a spacing or without the section of the rail.
+    pub(crate) fn pinned_pinned(&self, direction: Direction) -> Option<f64> {
+        let spacing = self.file.track.support_spacing?.si();
+        let mut sheared = self.clone();
+        sheared.file.rail.beam = Some(BeamModel::Timoshenko);
+        let beam = sheared.beam(self.steel().ok()?, direction).ok()?;
+        Some(beam.pinned_pinned_frequency(spacing, 1) / std::f64::consts::TAU)
+    }
+
     /// How the rail bends: as written, or with shear where supports are discrete.
     pub(crate) fn beam_model(&self) -> BeamModel {
         self.file.rail.beam.unwrap_or({

@@ -1,6 +1,7 @@
 //! One file for each command.
 
 pub(crate) mod contact;
+pub(crate) mod diagnose;
 pub(crate) mod figures;
 pub(crate) mod init;
 pub(crate) mod map;

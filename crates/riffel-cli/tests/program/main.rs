@@ -1,6 +1,7 @@
 //! The program as its users meet it.
 
 mod contact;
+mod diagnose;
 mod documentation;
 mod files;
 mod roughness;

@@ -190,10 +190,10 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
                 .nearest_order(peak.wavelength)
                 .unwrap_or((1, *length));
             format!(
-                "{} over {order} is {}, {:+.1} % from the measured {measured}, whatever the speed of the traffic.",
+                "{} over {order} is {}, {:.2} of the measured {measured}, whatever the speed of the traffic.",
                 millimetres(*length),
                 millimetres(nearest),
-                100.0 * (nearest / peak.wavelength - 1.0)
+                nearest / peak.wavelength
             )
         }
     };

@@ -1,5 +1,6 @@
 //! `riffel roughness`
 
+pub(crate) mod choice;
 mod document;
 mod figure;
 mod profile;
@@ -55,7 +56,7 @@ fn limits(arguments: &Roughness) -> miette::Result<Vec<LimitTable>> {
 }
 
 /// Work done by several threads that tell one bar how far they are.
-fn with_progress<T>(
+pub(crate) fn with_progress<T>(
     what: &'static str,
     length: usize,
     work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T,
@@ -80,7 +81,11 @@ fn folder(path: &Path, given: Option<&Path>) -> PathBuf {
 }
 
 /// Picture, drawing and page of a figure.
-fn write_figure(staging: &mut Staging, name: &str, figure: &LineFigure) -> Result<(), CliError> {
+pub(crate) fn write_figure(
+    staging: &mut Staging,
+    name: &str,
+    figure: &LineFigure,
+) -> Result<(), CliError> {
     let svg = figure.svg()?;
     let picture = png(&svg, DEFAULT_PNG_SCALE)?;
     staging.write(&format!("{name}.png"), picture)?;

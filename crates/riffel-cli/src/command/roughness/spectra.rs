@@ -4,9 +4,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_case::CaseError;
 use riffel_case::roughness::{LabelledSpectrum, LimitTable};
 
+use super::choice::{groups, refuse};
 use super::document::{Document, GroupDocument, Removed, levels};
 use super::verdict::Verdict;
 use super::{figure, folder, write_figure};
@@ -22,60 +22,22 @@ type Group = (String, Spectrum, Spectrum);
 
 pub(super) fn run(
     path: &Path,
-    mut spectra: Vec<LabelledSpectrum>,
+    spectra: Vec<LabelledSpectrum>,
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
-    let refuse = |message: String| CaseError::Data {
-        path: path.to_owned(),
-        line: None,
-        message,
-        help: None,
-    };
-    let columns: Vec<String> = spectra
-        .first()
-        .map(|spectrum| {
-            spectrum
-                .labels
-                .iter()
-                .map(|label| label.0.clone())
-                .collect()
+    let groups = groups(path, spectra, &arguments.choose, arguments.by.as_deref())?;
+    let all: Vec<Spectrum> = groups
+        .iter()
+        .flat_map(|group| group.1.iter().map(|labelled| labelled.spectrum.clone()))
+        .collect();
+    let groups: Vec<(String, Vec<Spectrum>)> = groups
+        .into_iter()
+        .map(|(name, spectra)| {
+            let spectra = spectra.into_iter().map(|labelled| labelled.spectrum);
+            (name, spectra.collect())
         })
-        .unwrap_or_default();
-    let known = |column: &str| -> Result<(), CaseError> {
-        if columns.iter().any(|known| known == column) {
-            return Ok(());
-        }
-        let message = format!(
-            "no column \"{column}\" to choose by; there are {}",
-            columns.join(", ")
-        );
-        Err(refuse(message))
-    };
-    for choice in &arguments.choose {
-        let (column, value) = choice
-            .split_once('=')
-            .ok_or_else(|| refuse(format!("--where is {choice}, but must be COLUMN=VALUE")))?;
-        known(column)?;
-        spectra.retain(|spectrum| spectrum.label(column) == Some(value));
-        if spectra.is_empty() {
-            Err(refuse(format!("no spectrum has {choice}")))?;
-        }
-    }
-    if let Some(column) = &arguments.by {
-        known(column)?;
-    }
-    let mut groups: Vec<(String, Vec<Spectrum>)> = Vec::new();
-    for labelled in &spectra {
-        let name = match &arguments.by {
-            Some(column) => labelled.label(column).unwrap_or_default().to_owned(),
-            None => "all".to_owned(),
-        };
-        match groups.iter_mut().find(|group| group.0 == name) {
-            Some(group) => group.1.push(labelled.spectrum.clone()),
-            None => groups.push((name, vec![labelled.spectrum.clone()])),
-        }
-    }
+        .collect();
     let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
     let means: Option<Vec<Group>> = groups
         .into_iter()
@@ -91,16 +53,12 @@ pub(super) fn run(
             ))
         })
         .collect();
-    let all: Vec<Spectrum> = spectra
-        .into_iter()
-        .map(|labelled| labelled.spectrum)
-        .collect();
     let (Some(means), Some(energy), Some(arithmetic)) = (
         means,
         Spectrum::energy_mean(&all),
         Spectrum::arithmetic_mean(&all),
     ) else {
-        return Err(refuse("there is no spectrum in the file".to_owned()).into());
+        return Err(refuse(path, "there is no spectrum in the file".to_owned()).into());
     };
     let findings = findings(&means);
     // Each group is judged by its own energy mean.

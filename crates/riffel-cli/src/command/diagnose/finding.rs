@@ -1,0 +1,351 @@
+//! A diagnosis: each dominant wavelength with its candidates.
+
+use std::io::{self, Write};
+
+use riffel::ContactFilter;
+use riffel::diagnosis::{
+    Candidate, Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, SpeedDistribution,
+    rank, tell_apart,
+};
+use riffel_case::Case;
+
+use super::record::{Curves, Measured, Records};
+use super::speeds;
+use crate::arguments::{DiagnosisArguments, covering, positive};
+use crate::output::table;
+
+/// Share from which a candidate's reasons are printed.
+const SHOWN: f64 = 0.02;
+
+/// A dominant wavelength with what may have made it.
+pub(crate) struct Finding {
+    pub(crate) measured: Measured,
+    pub(crate) candidates: Vec<Candidate>,
+    pub(crate) measurements: Vec<String>,
+}
+
+/// All findings of a record.
+pub(crate) struct Diagnosis {
+    pub(crate) findings: Vec<Finding>,
+    pub(crate) speeds: SpeedDistribution,
+    pub(crate) curves: Curves,
+    pub(crate) words: String,
+    pub(crate) warnings: Vec<String>,
+}
+
+impl Diagnosis {
+    pub(crate) fn of(case: &Case, arguments: &DiagnosisArguments) -> miette::Result<Self> {
+        let mut warnings = Vec::new();
+        let speeds = speeds(case, arguments, &mut warnings)?;
+        let (mut mechanisms, unknown) = case.mechanisms();
+        for (argument, kind, frequencies) in [
+            (
+                "--torsion",
+                MechanismKind::WheelsetTorsion,
+                &arguments.torsion,
+            ),
+            (
+                "--bending",
+                MechanismKind::WheelsetBending,
+                &arguments.bending,
+            ),
+        ] {
+            for &frequency in frequencies {
+                mechanisms.push(Mechanism::of_frequency(
+                    kind,
+                    positive(argument, frequency)?,
+                ));
+            }
+        }
+        let records = Records::read(arguments)?;
+        warnings.extend(records.warnings);
+        if !records.measured.is_empty() {
+            warnings.extend(unknown);
+            match growth(case, &records.measured, &speeds) {
+                Ok(density) => mechanisms.insert(0, Mechanism::growth_ridge(density)),
+                Err(message) => warnings.push(format!(
+                    "the growth ridge is not among the candidates: {message}"
+                )),
+            }
+        }
+        let filter = ContactFilter::of(&case.hertz);
+        let instrument = if arguments.from_vehicle {
+            Instrument::Vehicle
+        } else {
+            Instrument::Trolley
+        };
+        let findings = records.measured.into_iter().map(|measured| {
+            let evidence = Evidence {
+                peak: &measured.peak,
+                course: measured.course.as_ref(),
+                speeds: &speeds,
+                filter: &filter,
+                instrument,
+            };
+            let candidates = rank(&evidence, &mechanisms);
+            let course = measured.course.as_ref();
+            let measurements = tell_apart(&measured.peak, &candidates, course, &speeds);
+            Finding {
+                measured,
+                candidates,
+                measurements,
+            }
+        });
+        Ok(Self {
+            findings: findings.collect(),
+            curves: records.curves,
+            words: records.words,
+            speeds,
+            warnings,
+        })
+    }
+
+    /// The candidates of all findings as a table.
+    pub(crate) fn table(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record([
+            "wavelength_m",
+            "mechanism",
+            "share",
+            "frequency_hz",
+            "shortest_wavelength_m",
+            "longest_wavelength_m",
+        ])?;
+        for finding in &self.findings {
+            for candidate in &finding.candidates {
+                writer.serialize((
+                    finding.measured.peak.wavelength,
+                    candidate.kind.name(),
+                    candidate.share,
+                    candidate.frequency,
+                    candidate.wavelengths.map(|range| range.0),
+                    candidate.wavelengths.map(|range| range.1),
+                ))?;
+            }
+        }
+        writer.flush()
+    }
+
+    pub(crate) fn readable(&self, file: &str, case: &Case) -> String {
+        let title = case.file.title.as_deref().unwrap_or("the case");
+        let mut text = format!(
+            "{file}: {}\nheld against: {title}; traffic at {}\n",
+            self.words,
+            self.speeds.words()
+        );
+        if self.findings.is_empty() {
+            text += "no dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance\n";
+        }
+        for finding in &self.findings {
+            text += &format!("\n{}", finding.readable(&self.speeds));
+        }
+        text
+    }
+}
+
+impl Finding {
+    /// Wavelength, frequencies, level and how sure.
+    pub(crate) fn headline(&self, speeds: &SpeedDistribution) -> String {
+        let peak = &self.measured.peak;
+        format!(
+            "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}",
+            1e3 * peak.wavelength,
+            1e3 * peak.from,
+            1e3 * peak.to,
+            frequencies(peak.wavelength, speeds)
+        )
+    }
+
+    /// Level, prominence and how sure.
+    pub(crate) fn sureness(&self) -> String {
+        let peak = &self.measured.peak;
+        let scatter = peak.scatter.map_or_else(
+            || "scatter unknown, one spectrum only".to_owned(),
+            |scatter| format!("scatter {scatter:.1} dB"),
+        );
+        let chance = peak.false_peaks.map_or_else(String::new, |peaks| {
+            if peaks < 1e-6 {
+                "; by chance in less than one spectrum of a million".to_owned()
+            } else {
+                format!("; by chance in one spectrum of {:.0}", 1.0 / peaks)
+            }
+        });
+        let rails = &self.measured.rails;
+        let rails: Vec<String> = rails
+            .iter()
+            .map(|(name, level)| format!("{name} {level:.1}"))
+            .collect();
+        let rails = if rails.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", rails.join(", "))
+        };
+        let harmonic = peak
+            .harmonic_of
+            .map_or_else(String::new, |(number, longer)| {
+                format!("; harmonic {number} of {:.1} mm", 1e3 * longer)
+            });
+        format!(
+            "level {:.1} dB re 1 µm{rails}, {:.1} dB over the trend of its neighbours ({scatter}){chance}{harmonic}",
+            peak.level, peak.prominence
+        )
+    }
+
+    /// What the course says, with the means of energies beside those of levels.
+    pub(crate) fn course(&self) -> Option<String> {
+        let course = self.measured.course.as_ref()?;
+        let energy = self
+            .measured
+            .energy_levels
+            .as_ref()
+            .map_or_else(String::new, |levels| {
+                let levels: Vec<String> =
+                    levels.iter().map(|level| format!("{level:.1}")).collect();
+                format!("; means of energies {}", levels.join(", "))
+            });
+        Some(format!("{}{energy}", course.words()))
+    }
+
+    /// The candidates in one sentence: who leads, who is next, and what the course rules out.
+    pub(crate) fn summary(&self) -> String {
+        let [first, second, ..] = &self.candidates[..] else {
+            return String::new();
+        };
+        let mut text = format!(
+            "{} leads with a share of {:.2}, next is {} with {:.2}.",
+            first.kind.name(),
+            first.share,
+            second.kind.name(),
+            second.share
+        );
+        let rises = self
+            .measured
+            .course
+            .as_ref()
+            .map(|course| course.probability_of_rise());
+        match rises {
+            Some(rises) if rises < 0.05 => {
+                text += &format!(
+                    " The level falls with a probability of {}, as {} does and growing corrugation does not.",
+                    percent(1.0 - rises),
+                    match first.kind {
+                        MechanismKind::GrindingMark => "a fading grinding mark",
+                        _ => "a fading mark",
+                    }
+                );
+                if first.kind == MechanismKind::GrindingMark {
+                    text += " Best read as a fading grinding mark and not growing corrugation.";
+                }
+            }
+            Some(rises) if rises > 0.95 => {
+                text += &format!(
+                    " The level rises with a probability of {}, as corrugation under traffic does and a grinding mark \
+                     does not.",
+                    percent(rises)
+                );
+            }
+            Some(rises) => {
+                text += &format!(
+                    " Whether the level rises is open (probability {:.0} %).",
+                    100.0 * rises
+                );
+            }
+            None => text += " There is one record only: whether it grows is not known.",
+        }
+        text
+    }
+
+    fn readable(&self, speeds: &SpeedDistribution) -> String {
+        let mut text = format!("{}\n  {}\n", self.headline(speeds), self.sureness());
+        if let Some(course) = self.course() {
+            text += &format!("  course: {course}\n");
+        }
+        let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
+        for candidate in &self.candidates {
+            rows.add_row(row(candidate));
+        }
+        text += &format!("{rows}\n{}\n", capital(&self.summary()));
+        let shown = self.candidates.iter().enumerate();
+        let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
+        for (_, candidate) in shown {
+            text += &format!("{}\n", candidate.kind.name());
+            for reason in &candidate.reasons_for {
+                text += &format!("  for:     {reason}\n");
+            }
+            for reason in &candidate.reasons_against {
+                text += &format!("  against: {reason}\n");
+            }
+        }
+        text += "to tell them apart\n";
+        for measurement in &self.measurements {
+            text += &format!("  {measurement}\n");
+        }
+        text
+    }
+}
+
+/// Name, share, frequency and wavelengths of a candidate.
+pub(crate) fn row(candidate: &Candidate) -> [String; 4] {
+    let millimetres = |range: (f64, f64)| {
+        let words = |value: f64| match 1e3 * value {
+            value if value < 100.0 => format!("{value:.1}"),
+            value => format!("{value:.0}"),
+        };
+        let (from, to) = (words(range.0), words(range.1));
+        if from == to {
+            from
+        } else {
+            format!("{from}–{to}")
+        }
+    };
+    [
+        candidate.kind.name().to_owned(),
+        format!("{:.3}", candidate.share),
+        candidate
+            .frequency
+            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
+        candidate.wavelengths.map_or_else(String::new, millimetres),
+    ]
+}
+
+/// Frequencies of a wavelength at the speeds of the traffic: "1375–1958 Hz at 99–141 km/h".
+fn frequencies(wavelength: f64, speeds: &SpeedDistribution) -> String {
+    let (low, high) = (speeds.slowest() / wavelength, speeds.fastest() / wavelength);
+    let range = if high - low < 0.5 {
+        format!("{low:.0} Hz")
+    } else {
+        format!("{low:.0}–{high:.0} Hz")
+    };
+    format!("{range} at {}", speeds.words())
+}
+
+fn percent(probability: f64) -> String {
+    if probability > 0.9995 {
+        "more than 99.9 %".to_owned()
+    } else {
+        format!("{:.1} %", 100.0 * probability)
+    }
+}
+
+pub(crate) fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+/// Growth of the case over the wavelengths of its map and of the findings.
+fn growth(
+    case: &Case,
+    measured: &[Measured],
+    speeds: &SpeedDistribution,
+) -> Result<GrowthDensity, String> {
+    let peaks = || measured.iter().map(|measured| measured.peak.wavelength);
+    let from = peaks().fold(case.wavelength.min(), f64::min);
+    let to = peaks().fold(case.wavelength.max(), f64::max);
+    case.check_frequencies(speeds.slowest() / to, speeds.fastest() / from)
+        .map_err(|error| error.to_string())?;
+    let covered = covering(case, from).and_then(|case| covering(&case, to));
+    let covered = covered.map_err(|error| error.to_string())?;
+    Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
+}

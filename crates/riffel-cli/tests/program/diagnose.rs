@@ -1,0 +1,219 @@
+//! `riffel diagnose`: from records to ranked candidates.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::sandbox::Sandbox;
+
+fn json(sandbox: &Sandbox, arguments: &str) -> Value {
+    let output = sandbox
+        .command()
+        .args(shlex::split(arguments).unwrap())
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{arguments}: {errors}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
+}
+
+fn share(finding: &Value, mechanism: &str) -> f64 {
+    let candidates = finding["candidates"].as_array().unwrap();
+    let found = candidates
+        .iter()
+        .find(|candidate| candidate["mechanism"] == mechanism);
+    found.map_or(0.0, |candidate| number(&candidate["share"]))
+}
+
+/// Heights in µm that look random: sines of wavelengths without a common measure.
+fn noise(x: f64) -> f64 {
+    (0..400)
+        .map(|index| {
+            let wavelength = 0.006 * (1.0 + 0.017 * f64::from(index)).powf(2.3);
+            let phase = 1.7 * f64::from(index * index);
+            0.1 * (TAU * x / wavelength + phase).sin()
+        })
+        .sum()
+}
+
+fn record(sandbox: &Sandbox, name: &str, wavelength: f64, amplitude: f64) {
+    let text = (0..40_000).fold(String::new(), |mut text, row| {
+        let x = 1e-3 * f64::from(row);
+        let height = noise(x) + amplitude * (TAU * x / wavelength).sin();
+        writeln!(text, "{x:.3},{height:.4}").unwrap();
+        text
+    });
+    fs::write(sandbox.path(name), text).unwrap();
+}
+
+const SBB: &str = "validation/reference/sbb-track-noise/rail_roughness.csv";
+
+/// The rails of Niederwangen: a fading grinding mark and not growing corrugation.
+#[test]
+fn the_mark_of_niederwangen_is_a_fading_one() {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/reference/sbb-track-noise");
+    let document = json(
+        &sandbox,
+        &format!(
+            "diagnose cases/discrete-supports.toml --roughness {SBB} --where laboratory=MBBM \
+             --speed \"136 km/h\" --json"
+        ),
+    );
+    let findings = document["dominant_wavelengths"].as_array().unwrap();
+    assert_eq!(findings.len(), 1);
+    let finding = &findings[0];
+    // The exact centre of the band is 19.953 mm: 1889 Hz at the nominal 20 mm.
+    assert!((number(&finding["wavelength_m"]) - 0.019953).abs() < 1e-6);
+    assert!((number(&finding["frequency_min_hz"]) * 0.9976 - 1889.0).abs() < 1.0);
+    let levels: Vec<f64> = finding["course"]["levels_db"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(number)
+        .collect();
+    for (found, expected) in levels.iter().zip([-4.2, -8.4, -9.4, -10.7]) {
+        assert!((found - expected).abs() <= 0.05, "{levels:?}");
+    }
+    assert_eq!(levels.len(), 4);
+    assert_eq!(finding["course"]["per"], "year");
+    assert!(number(&finding["course"]["probability_of_rise"]) < 0.01);
+    assert_eq!(finding["candidates"][0]["mechanism"], "grinding mark");
+    let summary = finding["summary"].as_str().unwrap();
+    assert!(
+        summary.contains("a fading grinding mark and not growing corrugation"),
+        "{summary}"
+    );
+    // Never one verdict alone, and shares are shares.
+    let candidates = finding["candidates"].as_array().unwrap();
+    let sum: f64 = candidates.iter().map(|found| number(&found["share"])).sum();
+    assert!(candidates.len() > 5 && (sum - 1.0).abs() < 1e-9);
+    assert!(finding["measurements"].as_array().unwrap().len() >= 2);
+}
+
+/// Corrugation at the ridge of the nominal case, growing from record to record.
+#[test]
+fn corrugation_on_the_ridge_is_led_by_it() {
+    let sandbox = Sandbox::new();
+    // The ridge follows 537 Hz: 55.9 mm at 108 km/h.
+    record(&sandbox, "old.csv", 0.0559, 4.0);
+    record(&sandbox, "new.csv", 0.0559, 9.0);
+    let document = json(
+        &sandbox,
+        "diagnose cases/nominal.toml --roughness new.csv --earlier old.csv --dates 2024-03-01,2025-03-01 \
+         --speed \"108 km/h\" --json",
+    );
+    let finding = &document["dominant_wavelengths"][0];
+    assert!(
+        (number(&finding["wavelength_m"]) / 0.0559 - 1.0).abs() < 0.01,
+        "{finding}"
+    );
+    assert!((number(&finding["frequency_min_hz"]) / 537.0 - 1.0).abs() < 0.01);
+    assert_eq!(finding["candidates"][0]["mechanism"], "growth ridge");
+    // 20 lg(9/4) = 7.04 dB in a year; noise in the band takes some of it.
+    assert!(
+        (number(&finding["course"]["slope_db"]) - 7.04).abs() < 0.5,
+        "{finding}"
+    );
+    assert!(share(finding, "grinding mark") < 0.05);
+    // Read the other way round it fades, and the mark leads.
+    let document = json(
+        &sandbox,
+        "diagnose cases/nominal.toml --roughness old.csv --earlier new.csv --speed \"108 km/h\" --json",
+    );
+    let fading = &document["dominant_wavelengths"][0];
+    assert_eq!(fading["candidates"][0]["mechanism"], "grinding mark");
+    assert_eq!(fading["course"]["per"], "record");
+}
+
+/// A given mode of the wheelset is a candidate, and leads where its frequency is that of the wave.
+#[test]
+fn a_wheelset_mode_is_taken_as_given() {
+    let sandbox = Sandbox::new();
+    record(&sandbox, "curve.csv", 0.1, 20.0);
+    let document = json(
+        &sandbox,
+        "diagnose cases/discrete-supports.toml --roughness curve.csv --speed \"29 km/h\" --speed \"31 km/h\" \
+         --bending \"83 Hz\" --torsion \"45 Hz\" --json",
+    );
+    let finding = &document["dominant_wavelengths"][0];
+    // 83 Hz at 30 km/h is 100.4 mm.
+    assert!(share(finding, "wheelset bending") > 10.0 * share(finding, "wheelset torsion"));
+    assert!(share(finding, "wheelset bending") > 0.2, "{finding}");
+    assert!(share(finding, "pinned-pinned, lateral") < 0.02);
+}
+
+#[test]
+fn noise_has_no_dominant_wavelength() {
+    let sandbox = Sandbox::new();
+    record(&sandbox, "noise.csv", 0.05, 0.0);
+    let outcome = sandbox
+        .riffel("diagnose cases/nominal.toml --roughness noise.csv --speed \"100 km/h\" -o out");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(
+        outcome.text.contains("no dominant wavelength"),
+        "{}",
+        outcome.text
+    );
+    assert_eq!(
+        sandbox.list("out"),
+        [
+            "candidates.csv",
+            "diagnosis.html",
+            "diagnosis.json",
+            "diagnosis.png",
+            "diagnosis.svg"
+        ]
+    );
+}
+
+#[test]
+fn bad_input_is_refused_and_leaves_nothing() {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/reference/sbb-track-noise");
+    record(&sandbox, "good.csv", 0.05, 5.0);
+    for (arguments, part) in [
+        ("--roughness missing.csv", "missing.csv"),
+        ("--roughness good.csv --speed fast", "--speed"),
+        (
+            "--roughness good.csv --speed \"0 km/h\"",
+            "greater than zero",
+        ),
+        (
+            "--roughness good.csv --speed \"90 km/h..60 km/h\"",
+            "from the slower",
+        ),
+        ("--roughness good.csv --torsion=\"-5 Hz\"", "--torsion"),
+        ("--roughness good.csv --earlier missing.csv", "missing.csv"),
+        (
+            "--roughness good.csv --earlier good.csv --dates 2024-01-01",
+            "2 dates",
+        ),
+        (
+            "--roughness good.csv --earlier good.csv --dates 2024-01-01,yesterday",
+            "yesterday",
+        ),
+        (
+            &format!("--roughness good.csv --earlier {SBB}"),
+            "both must be the same",
+        ),
+        (
+            &format!("--roughness {SBB} --where laboratory=NOBODY"),
+            "no spectrum has",
+        ),
+        (&format!("--roughness {SBB} --by moon"), "no column"),
+    ] {
+        let outcome = sandbox.riffel(&format!("diagnose cases/nominal.toml {arguments} -o out"));
+        let words = outcome.text.split_whitespace().filter(|word| *word != "│");
+        let sentence = words.collect::<Vec<_>>().join(" ");
+        assert_eq!(outcome.status, Some(2), "{arguments}: {sentence}");
+        assert!(sentence.contains(part), "{arguments}: {sentence}");
+    }
+    assert_eq!(sandbox.list("."), ["cases", "good.csv", "validation"]);
+}
