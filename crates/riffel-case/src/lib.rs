@@ -25,6 +25,7 @@ mod mechanisms;
 mod preset;
 pub mod quantity;
 pub mod roughness;
+mod site;
 mod source;
 mod track;
 mod unit;
@@ -34,6 +35,7 @@ pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use error::CaseError;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
+pub use site::Site;
 pub use track::{Direction, Track};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file

@@ -37,6 +37,8 @@ pub(crate) enum Command {
     Roughness(Roughness),
     /// Dominant wavelengths of a measured rail, and what may have made them.
     Diagnose(Diagnose),
+    /// One printable page: site, roughness, limits, what to grind, growth map, diagnosis.
+    Report(Report),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
@@ -419,6 +421,40 @@ pub(crate) struct Diagnose {
     /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel report case.toml --roughness profile.csv --speed \"80 km/h\" --site site.toml -o report.html"
+)]
+pub(crate) struct Report {
+    /// Case file, for growth map and diagnosis [default: none, and the report goes without them].
+    #[arg(value_name = "CASE")]
+    pub(crate) case: Option<PathBuf>,
+
+    /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "case")]
+    pub(crate) overrides: Vec<String>,
+
+    #[command(flatten)]
+    pub(crate) record: DiagnosisArguments,
+
+    /// Limit table, by name or as a TOML file; may be repeated [default: iso-3095-2013, grassie-1999].
+    #[arg(long, value_name = "LIMIT")]
+    pub(crate) limit: Vec<String>,
+
+    /// Title [default: that of the site, or \"Rail roughness and corrugation\"].
+    #[arg(long, value_name = "WORDS")]
+    pub(crate) title: Option<String>,
+
+    /// TOML file with the table [site]: title, railway, line, track, place, measured_on, instrument, author,
+    /// date, remarks.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) site: Option<PathBuf>,
+
+    /// Page to write.
+    #[arg(short, long, value_name = "HTML", default_value = "report.html")]
+    pub(crate) output: PathBuf,
 }
 
 #[derive(Args)]

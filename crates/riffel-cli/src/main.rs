@@ -38,6 +38,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
+        Command::Report(arguments) => command::report::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,

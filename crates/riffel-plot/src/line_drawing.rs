@@ -30,10 +30,11 @@ const LEGEND_CLEARANCE: f64 = 4.0;
 pub(crate) fn svg(figure: &LineFigure) -> Result<String, PlotError> {
     figure.check()?;
     let columns = match figure.arrangement {
-        Arrangement::Stacked => 1,
+        Arrangement::Stacked | Arrangement::Strips => 1,
         Arrangement::SideBySide => figure.panels.len().min(2),
     };
     let frame_size = match (columns, figure.panels.len()) {
+        _ if figure.arrangement == Arrangement::Strips => (600.0, 110.0),
         (1, 1) => (450.0, 290.0),
         (1, _) => (450.0, 200.0),
         _ => (278.0, 240.0),

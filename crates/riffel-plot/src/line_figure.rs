@@ -27,6 +27,8 @@ pub enum Arrangement {
     SideBySide,
     /// One below the other.
     Stacked,
+    /// One below the other, wide and low: profiles along a rail.
+    Strips,
 }
 
 /// A curve.

@@ -15,7 +15,7 @@ pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
     Ok(html::page(
         &figure.title,
         &figure.caption,
-        figure.arrangement == Arrangement::Stacked,
+        figure.arrangement != Arrangement::SideBySide,
         &panels,
     ))
 }

@@ -8,6 +8,7 @@ pub(crate) mod map;
 pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod receptance;
+pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;
 pub(crate) mod validate;

@@ -16,8 +16,8 @@ use crate::error::CliError;
 use crate::output::{json, print, print_remarks};
 use crate::staging::Staging;
 
-pub(crate) use document::Document;
-pub(crate) use finding::Diagnosis;
+pub(crate) use document::{Document, SHARE};
+pub(crate) use finding::{Diagnosis, capital, row};
 
 pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let case = arguments.case.read()?;

@@ -50,9 +50,9 @@ pub(super) struct Band {
 }
 
 #[derive(Serialize)]
-pub(super) struct Removed {
-    pub(super) spikes: usize,
-    pub(super) pits: usize,
+pub(crate) struct Removed {
+    pub(crate) spikes: usize,
+    pub(crate) pits: usize,
 }
 
 #[derive(Serialize)]

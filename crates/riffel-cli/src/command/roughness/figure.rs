@@ -11,7 +11,7 @@ use super::profile::{Report, name};
 const BLACK: Rgb = Rgb(0, 0, 0);
 
 /// Levels with their limit, and the bands along the rail.
-pub(super) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) -> LineFigure {
+pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) -> LineFigure {
     let rails = report.rails.len();
     let mut curves: Vec<Series> = report
         .rails
@@ -91,7 +91,7 @@ pub(super) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) ->
 }
 
 /// Energy means of groups of spectra with their limits.
-pub(super) fn of_spectra(
+pub(crate) fn of_spectra(
     path: &Path,
     groups: &[(String, Spectrum, Spectrum)],
     limits: &[LimitTable],

@@ -2,11 +2,11 @@
 
 pub(crate) mod choice;
 mod document;
-mod figure;
-mod profile;
-mod spectra;
+pub(crate) mod figure;
+pub(crate) mod profile;
+pub(crate) mod spectra;
 mod synthesise;
-mod verdict;
+pub(crate) mod verdict;
 
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -33,7 +33,7 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     ] {
         value.map(|value| positive(argument, value)).transpose()?;
     }
-    let limits = limits(arguments)?;
+    let limits = limits(&arguments.limit)?;
     let format = arguments.format.as_deref();
     let format = format.map(ReaderFormat::read).transpose()?;
     let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
@@ -47,11 +47,11 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
 }
 
 /// The limit tables asked for, or all that come with Riffel.
-fn limits(arguments: &Roughness) -> miette::Result<Vec<LimitTable>> {
-    if arguments.limit.is_empty() {
+pub(crate) fn limits(names: &[String]) -> miette::Result<Vec<LimitTable>> {
+    if names.is_empty() {
         return Ok(LimitTable::all());
     }
-    let tables = arguments.limit.iter().map(|name| LimitTable::find(name));
+    let tables = names.iter().map(|name| LimitTable::find(name));
     Ok(tables.collect::<Result<_, _>>()?)
 }
 

@@ -24,16 +24,16 @@ const LONGEST: f64 = 2.0;
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
 
 /// A record with all that was computed of it.
-pub(super) struct Report {
-    pub(super) record: Record,
-    pub(super) rails: Vec<(String, RailAnalysis)>,
+pub(crate) struct Report {
+    pub(crate) record: Record,
+    pub(crate) rails: Vec<(String, RailAnalysis)>,
     /// Energy mean over the rails.
-    pub(super) spectrum: Spectrum,
-    pub(super) bands: Vec<BandSummary>,
-    pub(super) sections: Vec<GrindSection>,
-    verdicts: Vec<Verdict>,
-    warnings: Vec<String>,
-    length: f64,
+    pub(crate) spectrum: Spectrum,
+    pub(crate) bands: Vec<BandSummary>,
+    pub(crate) sections: Vec<GrindSection>,
+    pub(crate) verdicts: Vec<Verdict>,
+    pub(crate) warnings: Vec<String>,
+    pub(crate) length: f64,
 }
 
 pub(super) fn run(
@@ -92,7 +92,7 @@ fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, CliError> {
 }
 
 impl Report {
-    fn new(
+    pub(crate) fn new(
         path: &Path,
         mut record: Record,
         limits: &[LimitTable],
@@ -171,7 +171,7 @@ impl Report {
         })
     }
 
-    fn removed(&self) -> Removed {
+    pub(crate) fn removed(&self) -> Removed {
         Removed {
             spikes: self.rails.iter().map(|(_, rail)| rail.spikes).sum(),
             pits: self.rails.iter().map(|(_, rail)| rail.pits).sum(),
@@ -211,7 +211,7 @@ impl Report {
     }
 
     /// What was understood of the file.
-    fn understood(&self) -> String {
+    pub(crate) fn understood(&self) -> String {
         let format = &self.record.format;
         let header = match format.header_lines {
             0 => "no header".to_owned(),
@@ -368,12 +368,12 @@ impl Report {
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
+pub(crate) fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A band in millimetres.
-pub(super) fn name(band: &WavelengthBand) -> String {
+pub(crate) fn name(band: &WavelengthBand) -> String {
     format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
 }
 

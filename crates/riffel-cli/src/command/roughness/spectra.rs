@@ -18,7 +18,70 @@ use crate::staging::Staging;
 const PEAK: f64 = 3.0;
 
 /// Name, energy mean and arithmetic mean of a group.
-type Group = (String, Spectrum, Spectrum);
+pub(crate) type Group = (String, Spectrum, Spectrum);
+
+/// Groups of spectra with their means and what follows from them.
+pub(crate) struct Means {
+    pub(crate) groups: Vec<Group>,
+    pub(crate) counts: Vec<usize>,
+    /// Means over all spectra.
+    pub(crate) energy: Spectrum,
+    arithmetic: Spectrum,
+    pub(crate) verdicts: Vec<Verdict>,
+    pub(crate) findings: Vec<String>,
+}
+
+impl Means {
+    pub(crate) fn new(
+        path: &Path,
+        spectra: Vec<LabelledSpectrum>,
+        limits: &[LimitTable],
+        choose: &[String],
+        by: Option<&str>,
+    ) -> miette::Result<Self> {
+        let groups: Vec<(String, Vec<Spectrum>)> = groups(path, spectra, choose, by)?
+            .into_iter()
+            .map(|(name, spectra)| {
+                let name = match by {
+                    Some(column) => format!("{column} {name}"),
+                    None => name,
+                };
+                let spectra = spectra.into_iter().map(|labelled| labelled.spectrum);
+                (name, spectra.collect())
+            })
+            .collect();
+        let all: Vec<Spectrum> = groups.iter().flat_map(|group| group.1.clone()).collect();
+        let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
+        let means: Option<Vec<Group>> = groups
+            .into_iter()
+            .map(|(name, spectra)| {
+                let energy = Spectrum::energy_mean(&spectra)?;
+                Some((name, energy, Spectrum::arithmetic_mean(&spectra)?))
+            })
+            .collect();
+        let (Some(groups), Some(energy), Some(arithmetic)) = (
+            means,
+            Spectrum::energy_mean(&all),
+            Spectrum::arithmetic_mean(&all),
+        ) else {
+            return Err(refuse(path, "there is no spectrum in the file".to_owned()).into());
+        };
+        // Each group is judged by its own energy mean.
+        let verdicts = groups.iter().flat_map(|(name, energy, _)| {
+            Verdict::all(limits, energy, &[])
+                .into_iter()
+                .map(move |verdict| verdict.of(name))
+        });
+        Ok(Self {
+            verdicts: verdicts.collect(),
+            findings: findings(&groups),
+            groups,
+            counts,
+            energy,
+            arithmetic,
+        })
+    }
+}
 
 pub(super) fn run(
     path: &Path,
@@ -26,48 +89,15 @@ pub(super) fn run(
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
-    let groups = groups(path, spectra, &arguments.choose, arguments.by.as_deref())?;
-    let all: Vec<Spectrum> = groups
-        .iter()
-        .flat_map(|group| group.1.iter().map(|labelled| labelled.spectrum.clone()))
-        .collect();
-    let groups: Vec<(String, Vec<Spectrum>)> = groups
-        .into_iter()
-        .map(|(name, spectra)| {
-            let spectra = spectra.into_iter().map(|labelled| labelled.spectrum);
-            (name, spectra.collect())
-        })
-        .collect();
-    let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
-    let means: Option<Vec<Group>> = groups
-        .into_iter()
-        .map(|(name, spectra)| {
-            let name = match &arguments.by {
-                Some(column) => format!("{column} {name}"),
-                None => name,
-            };
-            Some((
-                name,
-                Spectrum::energy_mean(&spectra)?,
-                Spectrum::arithmetic_mean(&spectra)?,
-            ))
-        })
-        .collect();
-    let (Some(means), Some(energy), Some(arithmetic)) = (
-        means,
-        Spectrum::energy_mean(&all),
-        Spectrum::arithmetic_mean(&all),
-    ) else {
-        return Err(refuse(path, "there is no spectrum in the file".to_owned()).into());
-    };
-    let findings = findings(&means);
-    // Each group is judged by its own energy mean.
-    let verdicts = means.iter().flat_map(|(name, energy, _)| {
-        Verdict::all(limits, energy, &[])
-            .into_iter()
-            .map(move |verdict| verdict.of(name))
-    });
-    let verdicts: Vec<Verdict> = verdicts.collect();
+    let by = arguments.by.as_deref();
+    let Means {
+        groups: means,
+        counts,
+        energy,
+        arithmetic,
+        verdicts,
+        findings,
+    } = Means::new(path, spectra, limits, &arguments.choose, by)?;
     let document = Document {
         file: path.display().to_string(),
         sample_spacing_m: None,
@@ -112,7 +142,10 @@ pub(super) fn run(
     let files = staging.publish()?;
     if !arguments.json {
         let mut text = format!("{}\n", path.display());
-        text += &format!("read as: {} one-third-octave spectra\n", all.len());
+        text += &format!(
+            "read as: {} one-third-octave spectra\n",
+            counts.iter().sum::<usize>()
+        );
         text += &readable(&means, &counts);
         for line in verdicts
             .iter()

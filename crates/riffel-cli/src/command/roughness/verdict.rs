@@ -6,13 +6,13 @@ use serde::Serialize;
 
 /// What a limit table says of a record.
 #[derive(Clone, Serialize)]
-pub(super) struct Verdict {
+pub(crate) struct Verdict {
     /// Name of the table.
     limit: String,
-    edition: String,
-    source: String,
-    within: bool,
-    pub(super) sentence: String,
+    pub(crate) edition: String,
+    pub(crate) source: String,
+    pub(crate) within: bool,
+    pub(crate) sentence: String,
 }
 
 impl Verdict {
@@ -28,7 +28,7 @@ impl Verdict {
     }
 
     /// The verdict with the name of what it is on.
-    pub(super) fn of(mut self, name: &str) -> Self {
+    pub(crate) fn of(mut self, name: &str) -> Self {
         if name != "all" {
             self.sentence = format!("{name}: {}", self.sentence);
         }
@@ -36,7 +36,7 @@ impl Verdict {
     }
 
     /// The verdicts of all tables that have something to say of a spectrum and its bands.
-    pub(super) fn all(
+    pub(crate) fn all(
         tables: &[LimitTable],
         spectrum: &Spectrum,
         bands: &[BandSummary],

@@ -1,0 +1,164 @@
+//! Growth map and diagnosis in a report.
+
+use std::fmt::Write as _;
+
+use riffel::diagnosis::MechanismKind;
+use riffel::{GrowthMap, Ridge};
+use riffel_case::Case;
+use riffel_plot::{LineFigure, MapFigure, Observation};
+
+use super::page::{Section, escape, figure, list, table};
+use crate::command::diagnose::{Diagnosis, SHARE, capital, figure as figures, row};
+use crate::error::CliError;
+use crate::map_figure::{SIGN, Shown, panel, parameters};
+use crate::output::Progress;
+
+/// Share from which a candidate's reasons are printed, and how many are at least.
+const SHOWN: (f64, usize) = (0.02, 3);
+
+/// The growth map of the case with the measured wavelengths on it.
+pub(super) fn growth_map(case: &Case, diagnosis: &Diagnosis) -> miette::Result<Section> {
+    case.check_window()?;
+    let progress = Progress::new("growth map", case.speed.points());
+    let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
+        progress.advance(rows);
+    });
+    drop(progress);
+    let ridge = Ridge::of_map(&case.feedback, &map);
+    let mut panel = panel(case, &map, &ridge, Shown::Normalized);
+    let speeds = &diagnosis.speeds;
+    let window = case.wavelength.min()..=case.wavelength.max();
+    let (inside, outside): (Vec<f64>, Vec<f64>) = diagnosis
+        .findings
+        .iter()
+        .map(|finding| finding.measured.peak.wavelength)
+        .partition(|wavelength| window.contains(wavelength));
+    for wavelength in inside {
+        let mut at = vec![speeds.slowest(), speeds.mean(), speeds.fastest()];
+        at.dedup();
+        panel
+            .observations
+            .extend(at.into_iter().map(|speed| Observation {
+                wavelength_m: wavelength,
+                speed_m_per_s: speed,
+                label: format!("measured {:.1} mm", 1e3 * wavelength),
+            }));
+    }
+    let drawing = MapFigure {
+        panels: vec![panel],
+        ..MapFigure::default()
+    };
+    let outside = match &outside[..] {
+        [] => String::new(),
+        outside => {
+            let words: Vec<String> = outside
+                .iter()
+                .map(|wavelength| format!("{:.1} mm", 1e3 * wavelength))
+                .collect();
+            format!(" Outside the map: {}.", words.join(", "))
+        }
+    };
+    let caption = format!(
+        "{} Measured wavelengths at the slowest, mean and fastest of {}.{outside} {SIGN}",
+        parameters(case),
+        speeds.words()
+    );
+    let ridge = ridge.best_fit_frequency().map_or_else(
+        || "Nothing grows inside the window of the map.".to_owned(),
+        |frequency| {
+            format!("The ridge of highest growth follows {frequency:.0} Hz (best fit of the points inside the window).")
+        },
+    );
+    let svg = drawing.svg().map_err(CliError::from)?;
+    Ok(Section::There(
+        "Growth map",
+        format!("<p>{ridge}</p>\n{}", figure("half", &svg, &caption)),
+    ))
+}
+
+/// Dominant wavelengths with their candidates.
+pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, CliError> {
+    const HEADING: &str = "Diagnosis";
+    let drawing = figures::of(file, diagnosis);
+    let caption = drawing.caption.clone();
+    let drawing = LineFigure {
+        title: String::new(),
+        caption: String::new(),
+        ..drawing
+    };
+    let mut html = figure("half", &drawing.svg()?, &caption);
+    if diagnosis.findings.is_empty() {
+        html += "<p>No dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance.</p>\n";
+        return Ok(Section::There(HEADING, html));
+    }
+    let _ = writeln!(html, "<p class=\"small\">Share: {}.</p>", escape(SHARE));
+    let mut shown: Vec<MechanismKind> = Vec::new();
+    for finding in &diagnosis.findings {
+        let _ = write!(
+            html,
+            "<h3>{}</h3>\n<p>{}.</p>\n",
+            escape(&capital(&finding.headline(&diagnosis.speeds))),
+            escape(&capital(&finding.sureness()))
+        );
+        if let Some(course) = finding.course() {
+            let _ = writeln!(html, "<p>Course: {}.</p>", escape(&course));
+        }
+        let rows: Vec<Vec<String>> = finding
+            .candidates
+            .iter()
+            .map(|candidate| {
+                let [name, share, frequency, wavelengths] = row(candidate);
+                let bar = format!(
+                    "{share}<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>",
+                    100.0 * candidate.share
+                );
+                vec![name, bar, frequency, wavelengths]
+            })
+            .collect();
+        let header = ["candidate", "share", "frequency [Hz]", "predicts [mm]"];
+        html += &table("", &header, &rows);
+        let _ = writeln!(
+            html,
+            "<p><b>{}</b></p>",
+            escape(&capital(&finding.summary()))
+        );
+        let candidates = finding.candidates.iter().enumerate();
+        for (_, candidate) in
+            candidates.filter(|(place, candidate)| *place < SHOWN.1 || candidate.share >= SHOWN.0)
+        {
+            let kind = candidate.kind;
+            let _ = writeln!(
+                html,
+                "<h4>{}</h4>\n<ul class=\"reasons\">",
+                capital(kind.name())
+            );
+            for (class, reasons) in [
+                ("for", &candidate.reasons_for),
+                ("against", &candidate.reasons_against),
+            ] {
+                for reason in reasons {
+                    let _ = writeln!(html, "<li class=\"{class}\">{}</li>", escape(reason));
+                }
+            }
+            html += "</ul>\n";
+            if !shown.contains(&kind) {
+                shown.push(kind);
+            }
+        }
+        html += "<h4>To tell them apart</h4>\n";
+        html += &list(finding.measurements.clone());
+    }
+    let rows: Vec<Vec<String>> = shown
+        .iter()
+        .map(|kind| {
+            vec![
+                capital(kind.name()),
+                escape(kind.source()),
+                escape(kind.validity()),
+            ]
+        })
+        .collect();
+    html += "<h3>Sources and validity</h3>\n";
+    html += &table("words", &["mechanism", "source", "valid for"], &rows);
+    Ok(Section::There(HEADING, html))
+}

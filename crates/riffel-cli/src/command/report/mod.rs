@@ -1,0 +1,258 @@
+//! `riffel report`
+
+mod fingerprint;
+mod mechanism;
+mod page;
+mod roughness;
+
+use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile};
+use riffel_case::{Case, Site};
+
+use crate::arguments::{Report, Roughness};
+use crate::command::diagnose::Diagnosis;
+use crate::command::roughness::profile::Report as ProfileReport;
+use crate::command::roughness::spectra::Means;
+use crate::command::roughness::{choice, limits, with_progress};
+use crate::output::print;
+use crate::staging::write_file;
+use fingerprint::Inputs;
+use page::{Head, Section, escape};
+
+/// Title where none is given.
+const TITLE: &str = "Rail roughness and corrugation";
+
+/// What of the report comes from the roughness alone.
+struct Measured {
+    sections: Vec<Section>,
+    brief: Vec<String>,
+    warnings: Vec<String>,
+    /// What the file was understood as.
+    understood: String,
+}
+
+pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
+    let site = arguments.site.as_deref().map(Site::read).transpose()?;
+    let site = site.unwrap_or_default();
+    let case = arguments
+        .case
+        .as_deref()
+        .map(|path| Case::read(path, &arguments.overrides))
+        .transpose()?;
+    let limits = limits(&arguments.limit)?;
+    let Measured {
+        mut sections,
+        mut brief,
+        mut warnings,
+        understood,
+    } = measured(arguments, &limits)?;
+    let path = &arguments.record.roughness;
+    let mut inputs = Inputs::default();
+    inputs.add("roughness", path, &understood)?;
+    for earlier in &arguments.record.earlier {
+        inputs.add("earlier record", earlier, "of the same rail")?;
+    }
+
+    const NO_CASE: &str = "no case was given.";
+    match &case {
+        Some(case) => {
+            let file = path.display().to_string();
+            let diagnosis = Diagnosis::of(case, &arguments.record)?;
+            sections.push(mechanism::growth_map(case, &diagnosis)?);
+            sections.push(mechanism::diagnosis(&file, &diagnosis)?);
+            if diagnosis.findings.is_empty() {
+                brief.push("No dominant wavelength stands out of the roughness.".to_owned());
+            }
+            brief.extend(diagnosis.findings.iter().map(|finding| {
+                format!(
+                    "<b>{:.1} mm</b> stands out. {}",
+                    1e3 * finding.measured.peak.wavelength,
+                    escape(&crate::command::diagnose::capital(&finding.summary()))
+                )
+            }));
+            warnings.extend(diagnosis.warnings);
+            warnings.extend(case.remarks.iter().cloned());
+        }
+        None => {
+            sections.push(Section::LeftOut("Growth map", NO_CASE));
+            sections.push(Section::LeftOut("Diagnosis", NO_CASE));
+        }
+    }
+    if let (Some(path), Some(case)) = (&arguments.case, &case) {
+        let title = case.file.title.as_deref().unwrap_or("a case");
+        let overrides = match &arguments.overrides[..] {
+            [] => String::new(),
+            overrides => format!(", with {}", overrides.join(", ")),
+        };
+        inputs.add("case", path, &format!("{title}{overrides}"))?;
+        if let Some(measurement) = &case.file.track.measurement {
+            let folder = path.parent().unwrap_or_else(|| std::path::Path::new(""));
+            let file = folder.join(&measurement.file);
+            inputs.add("track receptance", &file, "measured")?;
+        }
+    }
+    if let Some(format) = &arguments.record.format {
+        inputs.add("reader profile", format, "how profiles are laid out")?;
+    }
+    for name in arguments
+        .limit
+        .iter()
+        .filter(|name| name.ends_with(".toml"))
+    {
+        inputs.add("limit table", name.as_ref(), "of your own")?;
+    }
+    if let Some(site) = &arguments.site {
+        inputs.add("site", site, "the words at the top")?;
+    }
+    sections.push(inputs_section(&inputs, &limits, case.as_ref()));
+    sections.push(warnings_section(&warnings));
+
+    let title = arguments.title.as_deref().or(site.title.as_deref());
+    let head = Head {
+        title: title.unwrap_or(TITLE),
+        facts: site.facts(),
+        remarks: site.remarks.as_deref(),
+        brief,
+    };
+    write_file(&arguments.output, &page::page(&head, &sections), true)?;
+    print(&format!(
+        "wrote {}; open it in a browser, print it to A4 from there\n",
+        arguments.output.display()
+    ));
+    Ok(())
+}
+
+/// Read the roughness and judge it as `riffel roughness` does.
+fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measured> {
+    let record = &arguments.record;
+    let path = &record.roughness;
+    let format = record.format.as_deref();
+    let format = format.map(ReaderFormat::read).transpose()?;
+    let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
+    let file = with_progress("reading", size, |advance| {
+        RoughnessFile::read(path, format.as_ref(), record.spacing, advance)
+    })?;
+    Ok(match file {
+        RoughnessFile::Profile(profile) => {
+            let strips = roughness::strips(&profile)?;
+            let report =
+                ProfileReport::new(path, profile, limits, &roughness_arguments(arguments)?)?;
+            let mut brief: Vec<String> = report.verdicts.iter().map(roughness::sentence).collect();
+            brief.push(escape(&roughness::total(&report)));
+            Measured {
+                sections: vec![
+                    strips,
+                    roughness::spectrum_of_profile(path, &report, limits)?,
+                    roughness::bands(&report, limits),
+                    roughness::grind(&report),
+                ],
+                brief,
+                warnings: report.warnings.clone(),
+                understood: report.understood().trim().to_owned(),
+            }
+        }
+        RoughnessFile::Spectra(spectra) => {
+            const TABLE: &str = "the record is a table of levels; it needs a profile.";
+            let dated = choice::columns(&spectra).iter().any(|name| name == "date");
+            let by = record.by.as_deref().or_else(|| dated.then_some("date"));
+            let means = Means::new(path, spectra, limits, &record.choose, by)?;
+            Measured {
+                sections: vec![
+                    Section::LeftOut("Profile", TABLE),
+                    roughness::spectrum_of_means(path, &means, limits)?,
+                    Section::LeftOut("Wavelength bands", TABLE),
+                    Section::LeftOut("What to grind", TABLE),
+                ],
+                brief: means.verdicts.iter().map(roughness::sentence).collect(),
+                warnings: Vec::new(),
+                understood: format!(
+                    "{} one-third-octave spectra{}",
+                    means.counts.iter().sum::<usize>(),
+                    match &record.choose[..] {
+                        [] => String::new(),
+                        choose => format!(", those with {}", choose.join(", ")),
+                    }
+                ),
+            }
+        }
+    })
+}
+
+/// The arguments of `riffel roughness` with its defaults.
+fn roughness_arguments(arguments: &Report) -> miette::Result<Roughness> {
+    let record = &arguments.record;
+    let length = |words: &str| {
+        let parsed = words.parse();
+        parsed.map_err(|error: riffel_case::quantity::QuantityError| miette::miette!("{error}"))
+    };
+    Ok(Roughness {
+        path: Some(record.roughness.clone()),
+        format: record.format.clone(),
+        save_format: None,
+        spacing: record.spacing,
+        longest: None,
+        window: None,
+        block: length("10 m")?,
+        merge: length("5 m")?,
+        limit: arguments.limit.clone(),
+        choose: record.choose.clone(),
+        by: record.by.clone(),
+        synthesise: None,
+        output: None,
+        json: false,
+    })
+}
+
+/// Files, limit tables and presets with their origin, and what made the report.
+fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -> Section {
+    let mut html = inputs.html();
+    let mut sources: Vec<Vec<String>> = limits
+        .iter()
+        .map(|table| {
+            vec![
+                escape(&format!("limit {}", table.name)),
+                escape(&table.edition),
+                escape(&table.source),
+            ]
+        })
+        .collect();
+    if let Some(case) = case {
+        let file = &case.file;
+        let names = [
+            file.vehicle.as_ref(),
+            file.rail.section.as_ref(),
+            file.track.preset.as_ref(),
+        ];
+        for preset in names
+            .into_iter()
+            .flatten()
+            .filter_map(|name| riffel_case::preset(name).ok())
+        {
+            let mut origin: Vec<&str> = preset
+                .values
+                .iter()
+                .map(|value| value.source.as_str())
+                .collect();
+            origin.dedup();
+            sources.push(vec![
+                escape(&format!("preset {}", preset.name)),
+                escape(&preset.title),
+                escape(origin.first().copied().unwrap_or_default()),
+            ]);
+        }
+    }
+    html += &page::table("words", &["built in", "what it is", "source"], &sources);
+    html += &format!(
+        "<p class=\"small\">Made by riffel {}. The same files and the same version give the same report.</p>\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    Section::There("Inputs and versions", html)
+}
+
+fn warnings_section(warnings: &[String]) -> Section {
+    let html = if warnings.is_empty() {
+        "<p>None.</p>\n".to_owned()
+    } else {
+        page::list(warnings.iter().cloned())
+    };
+    Section::There("Warnings and limits of the models", html)
+}

@@ -1,0 +1,260 @@
+//! Roughness in a report: profile, spectrum, bands, what to grind.
+
+use std::path::Path;
+
+use riffel::roughness::Profile;
+use riffel_case::roughness::{Limit, LimitTable, Record};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, OKABE_ITO, Series};
+
+use super::page::{Section, escape, figure, list, table};
+use crate::command::roughness::figure as figures;
+use crate::command::roughness::profile::{Report, counted, name};
+use crate::command::roughness::spectra::Means;
+use crate::command::roughness::verdict::Verdict;
+use crate::error::CliError;
+
+/// Columns of a profile strip: more than a printer resolves on A4.
+const COLUMNS: usize = 900;
+/// Sections to grind that are printed.
+const GRIND_ROWS: usize = 40;
+
+/// Profile of each rail, drawn as the lowest and highest of each of many short lengths.
+pub(super) fn strips(record: &Record) -> Result<Section, CliError> {
+    let panels = record.rails.iter().map(|rail| {
+        let series = rail.stretches.iter().map(|stretch| {
+            let (x, y) = extremes(stretch, record.to - record.from);
+            Series {
+                x,
+                y,
+                color: Some(OKABE_ITO[1]),
+                ..Series::default()
+            }
+        });
+        LinePanel {
+            subtitle: rail.name.clone(),
+            x_label: "position along the rail [m]".to_owned(),
+            y_label: "height [µm]".to_owned(),
+            x_range: Some((record.from, record.to)),
+            series: series.collect(),
+            ..LinePanel::default()
+        }
+    });
+    let drawing = LineFigure {
+        panels: panels.collect(),
+        arrangement: Arrangement::Strips,
+        ..LineFigure::default()
+    };
+    let caption = format!(
+        "Heights as read, positive upward, {:.1} m to {:.1} m. Lowest and highest of {COLUMNS} lengths each; gaps are gaps.",
+        record.from, record.to
+    );
+    Ok(Section::There(
+        "Profile",
+        figure("strip", &drawing.svg()?, &caption),
+    ))
+}
+
+/// Position \[m\] and height \[µm\]: of each length the lowest and the highest, in their order.
+fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
+    let heights = stretch.heights();
+    let columns = COLUMNS as f64 * stretch.length() / whole.max(stretch.length());
+    let step = (heights.len() as f64 / columns.max(1.0)).ceil() as usize;
+    let mut points = Vec::new();
+    for (column, part) in heights.chunks(step.max(1)).enumerate() {
+        let by = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1);
+        let indexed = || part.iter().enumerate();
+        if let (Some(low), Some(high)) = (indexed().min_by(by), indexed().max_by(by)) {
+            let mut pair = [low, high];
+            pair.sort_by_key(|place| place.0);
+            for (index, height) in pair {
+                points.push((stretch.position(column * step + index), 1e6 * height));
+            }
+        }
+    }
+    points.into_iter().unzip()
+}
+
+/// Levels of a profile with their limit.
+pub(super) fn spectrum_of_profile(
+    path: &Path,
+    report: &Report,
+    limits: &[LimitTable],
+) -> Result<Section, CliError> {
+    let mut drawing = figures::of_profile(path, report, limits);
+    drawing.panels.truncate(1);
+    let removed = report.removed();
+    let caption = format!(
+        "One-third-octave levels after EN 15610:2009, method A, without {} and {}; base-ten bands. {}",
+        counted(removed.spikes, "spike"),
+        counted(removed.pits, "pit"),
+        editions(limits)
+    );
+    spectrum(drawing, &caption, &report.verdicts)
+}
+
+/// Means of spectra with their limit.
+pub(super) fn spectrum_of_means(
+    path: &Path,
+    means: &Means,
+    limits: &[LimitTable],
+) -> Result<Section, CliError> {
+    let mut drawing = figures::of_spectra(path, &means.groups, limits);
+    drawing.panels.truncate(1);
+    drawing.panels[0].subtitle.clear();
+    let counts: Vec<String> = means
+        .groups
+        .iter()
+        .zip(&means.counts)
+        .map(|(group, count)| format!("{} ({count})", group.0))
+        .collect();
+    let caption = format!(
+        "Means of energies over the spectra of each group: {}. {}",
+        counts.join(", "),
+        editions(limits)
+    );
+    let Section::There(heading, html) = spectrum(drawing, &caption, &means.verdicts)? else {
+        return Ok(Section::LeftOut("Spectrum", "there is none."));
+    };
+    Ok(Section::There(
+        heading,
+        html + &list(means.findings.clone()),
+    ))
+}
+
+fn spectrum(drawing: LineFigure, caption: &str, verdicts: &[Verdict]) -> Result<Section, CliError> {
+    let drawing = LineFigure {
+        title: String::new(),
+        caption: String::new(),
+        ..drawing
+    };
+    let mut html = figure("half", &drawing.svg()?, caption);
+    html += "<ul>\n";
+    for verdict in verdicts {
+        html += &format!("<li>{}</li>\n", sentence(verdict));
+    }
+    html += "</ul>\n";
+    Ok(Section::There("Spectrum and limits", html))
+}
+
+/// A verdict, marked by what it says.
+pub(super) fn sentence(verdict: &Verdict) -> String {
+    let class = if verdict.within { "good" } else { "bad" };
+    let words = escape(&verdict.sentence);
+    let marked = if verdict.within {
+        "within the limit"
+    } else {
+        "over the limit"
+    };
+    words.replacen(
+        marked,
+        &format!("<span class=\"{class}\">{marked}</span>"),
+        1,
+    )
+}
+
+fn editions(limits: &[LimitTable]) -> String {
+    let levels = limits
+        .iter()
+        .filter(|table| matches!(table.limit, Limit::Levels(_)));
+    let names: Vec<String> = levels
+        .map(|table| format!("Dashed: {} ({}).", table.edition, table.source))
+        .collect();
+    names.join(" ")
+}
+
+/// Statistics of the bands.
+pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
+    let rows: Vec<Vec<String>> = report
+        .bands
+        .iter()
+        .map(|band| {
+            vec![
+                name(&band.band),
+                format!("{:.2}", 1e6 * band.rms),
+                format!("{:.2}", 1e6 * band.moving_rms_max),
+                format!("{:.1}", 1e6 * band.peak_to_peak_max),
+                format!("{:.1}", band.window),
+                band.limit
+                    .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
+                band.share_over_limit
+                    .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
+            ]
+        })
+        .collect();
+    let header = [
+        "band [mm]",
+        "RMS [µm]",
+        "highest moving RMS [µm]",
+        "highest peak-to-peak [µm]",
+        "window [m]",
+        "limit of the RMS [µm]",
+        "length over the limit",
+    ];
+    let rms = limits
+        .iter()
+        .filter(|table| matches!(table.limit, Limit::Rms(_)))
+        .map(|table| format!("Limit: {} ({}).", table.edition, table.source));
+    let rms: Vec<String> = rms.collect();
+    let note = format!(
+        "<p class=\"small\">{} Profile without spikes, zero-phase band-pass, all rails together.</p>\n",
+        escape(&rms.join(" "))
+    );
+    Section::There("Wavelength bands", table("", &header, &rows) + &note)
+}
+
+/// What to grind.
+pub(super) fn grind(report: &Report) -> Section {
+    const HEADING: &str = "What to grind";
+    if report.bands.iter().all(|band| band.limit.is_none()) {
+        return Section::LeftOut(HEADING, "it needs a table of RMS limits (--limit).");
+    }
+    if report.sections.is_empty() {
+        return Section::There(
+            HEADING,
+            "<p>Nothing: no band is over its limit anywhere.</p>\n".to_owned(),
+        );
+    }
+    let rows: Vec<Vec<String>> = report
+        .sections
+        .iter()
+        .take(GRIND_ROWS)
+        .enumerate()
+        .map(|(index, section)| {
+            vec![
+                format!("{}", index + 1),
+                format!("{:.2}", section.from),
+                format!("{:.2}", section.to),
+                format!("{:.2}", section.length()),
+                name(&section.band),
+                format!("{:.2}", section.ratio),
+            ]
+        })
+        .collect();
+    let header = [
+        "section",
+        "from [m]",
+        "to [m]",
+        "length [m]",
+        "worst band [mm]",
+        "RMS over limit [-]",
+    ];
+    let more = match report.sections.len().saturating_sub(GRIND_ROWS) {
+        0 => String::new(),
+        more => format!(" {more} further sections are in grind.csv of riffel roughness."),
+    };
+    let html = table("", &header, &rows) + &format!("<p>{}{more}</p>\n", total(report));
+    Section::There(HEADING, html)
+}
+
+/// The total to grind in a sentence.
+pub(super) fn total(report: &Report) -> String {
+    let length: f64 = report.sections.iter().map(|section| section.length()).sum();
+    if length == 0.0 {
+        return "No length is over the RMS limits: nothing to grind.".to_owned();
+    }
+    format!(
+        "{} to grind, {length:.1} m in all: {:.1} % of the length.",
+        counted(report.sections.len(), "section"),
+        100.0 * length / report.length
+    )
+}
