@@ -148,10 +148,12 @@ pub(crate) fn write_file(path: &Path, text: &str, replace: bool) -> Result<(), C
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut file = tempfile::Builder::new()
-        .prefix(".riffel-")
-        .tempfile_in(folder)
-        .map_err(cannot_write)?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".riffel-");
+    // A temporary file is for its owner alone; this one becomes a file like any other.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder).map_err(cannot_write)?;
     file.write_all(text.as_bytes()).map_err(cannot_write)?;
     let placed = if replace {
         file.persist(path)

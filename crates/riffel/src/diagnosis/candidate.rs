@@ -179,7 +179,10 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
             (Some(_), None) => {
                 format!("At {at} the case lets no wavelength grow, {measured} included.")
             }
-            (None, _) => format!("{measured} lies outside the wavelengths of the case."),
+            (None, _) => format!(
+                "{measured} lies outside the wavelengths at which the case can grow: those of its map, and not below 1.5 contact \
+                 lengths."
+            ),
         },
         Prediction::Range { from, to } => format!(
             "Its wavelengths are {}, whatever the speed of the traffic; measured {measured}.",

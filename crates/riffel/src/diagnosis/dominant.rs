@@ -23,7 +23,8 @@ const MOST: usize = 6;
 /// A wavelength that stands out of the roughness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DominantWavelength {
-    /// Wavelength λ \[m\]: the middle of the power between `from` and `to`, or of the one-third octave.
+    /// Wavelength λ \[m\]: the middle of the power between `from` and `to`, or the nominal one of the one-third
+    /// octave.
     pub wavelength: f64,
     /// Where the spectrum is down to half its peak on the short side \[m\]; the edge of a one-third octave.
     pub from: f64,

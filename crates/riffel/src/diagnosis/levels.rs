@@ -67,7 +67,7 @@ pub fn dominant_levels(spectra: &[Spectrum]) -> Vec<DominantWavelength> {
             }
             let (from, to) = own.band.wavelength_range();
             Some(DominantWavelength {
-                wavelength: own.band.wavelength(),
+                wavelength: 1e-3 * own.band.nominal_millimetres(),
                 from,
                 to,
                 level: own.level,
@@ -109,7 +109,7 @@ mod tests {
         let peaks = dominant_levels(&[spectrum(|index| if index == -14 { 6.0 } else { 0.0 })]);
         assert_eq!(peaks.len(), 1);
         assert!((peaks[0].prominence - 6.0).abs() < 1e-9);
-        assert_eq!(peaks[0].wavelength, ThirdOctave::new(-14).wavelength());
+        assert_eq!(peaks[0].wavelength, 0.040);
         assert_eq!(peaks[0].scatter, None);
         assert!(dominant_levels(&[spectrum(|_| 0.0)]).is_empty());
         assert!(dominant_levels(&[]).is_empty());

@@ -58,7 +58,7 @@ impl MechanismKind {
             Self::GrindingMark => "grinding mark",
             Self::SupportSpacing => "sleeper passing",
             Self::WheelCircumference => "wheel circumference",
-            Self::Unlisted => "not in this list",
+            Self::Unlisted => "a cause not listed",
         }
     }
 

@@ -61,12 +61,6 @@ impl Diagnosis {
         warnings.extend(records.warnings);
         if !records.measured.is_empty() {
             warnings.extend(unknown);
-            match growth(case, &records.measured, &speeds) {
-                Ok(density) => mechanisms.insert(0, Mechanism::growth_ridge(density)),
-                Err(message) => warnings.push(format!(
-                    "the growth ridge is not among the candidates: {message}"
-                )),
-            }
         }
         let filter = ContactFilter::of(&case.hertz);
         let instrument = if arguments.from_vehicle {
@@ -74,7 +68,15 @@ impl Diagnosis {
         } else {
             Instrument::Trolley
         };
-        let findings = records.measured.into_iter().map(|measured| {
+        let mut findings = Vec::new();
+        for measured in records.measured {
+            let mut mechanisms = mechanisms.clone();
+            match growth(case, measured.peak.wavelength, &speeds) {
+                Ok(density) => mechanisms.insert(0, Mechanism::growth_ridge(density)),
+                Err(message) => warnings.push(format!(
+                    "the growth ridge is not among the candidates: {message}"
+                )),
+            }
             let evidence = Evidence {
                 peak: &measured.peak,
                 course: measured.course.as_ref(),
@@ -85,14 +87,14 @@ impl Diagnosis {
             let candidates = rank(&evidence, &mechanisms);
             let course = measured.course.as_ref();
             let measurements = tell_apart(&measured.peak, &candidates, course, &speeds);
-            Finding {
+            findings.push(Finding {
                 measured,
                 candidates,
                 measurements,
-            }
-        });
+            });
+        }
         Ok(Self {
-            findings: findings.collect(),
+            findings,
             curves: records.curves,
             words: records.words,
             speeds,
@@ -334,15 +336,22 @@ pub(crate) fn capital(words: &str) -> String {
     })
 }
 
-/// Growth of the case over the wavelengths of its map and of the findings.
-fn growth(
-    case: &Case,
-    measured: &[Measured],
-    speeds: &SpeedDistribution,
-) -> Result<GrowthDensity, String> {
-    let peaks = || measured.iter().map(|measured| measured.peak.wavelength);
-    let from = peaks().fold(case.wavelength.min(), f64::min);
-    let to = peaks().fold(case.wavelength.max(), f64::max);
+/// Growth of the case over the wavelengths of its map and the one measured, but for those that the patch does not
+/// let through.
+fn growth(case: &Case, measured: f64, speeds: &SpeedDistribution) -> Result<GrowthDensity, String> {
+    /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
+    /// 2009).
+    const SHORTEST: f64 = 3.0;
+    let shortest = SHORTEST * case.hertz.semi_axis_longitudinal();
+    let from = measured.min(case.wavelength.min()).max(shortest);
+    let to = measured.max(case.wavelength.max());
+    if from >= to {
+        return Err(format!(
+            "the map of the case ends at {:.0} mm, and waves shorter than 1.5 contact lengths, {:.0} mm, pass unseen",
+            1e3 * to,
+            1e3 * shortest
+        ));
+    }
     case.check_frequencies(speeds.slowest() / to, speeds.fastest() / from)
         .map_err(|error| error.to_string())?;
     let covered = covering(case, from).and_then(|case| covering(&case, to));

@@ -5,7 +5,7 @@ use std::path::Path;
 use riffel::diagnosis::{
     Course, CoursePoint, DominantWavelength, FineSpectrum, TimeUnit, dominant_levels,
 };
-use riffel::roughness::{Profile, Spectrum, SpikeCriterion, ThirdOctave};
+use riffel::roughness::{PIT_DEPTH, Profile, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS};
 use riffel_case::CaseError;
 use riffel_case::roughness::{LabelledSpectrum, ReaderFormat, RoughnessFile};
 
@@ -101,11 +101,12 @@ impl Records {
     ) -> miette::Result<Self> {
         let mut warnings = record.warnings.clone();
         let names: Vec<String> = record.rails.iter().map(|rail| rail.name.clone()).collect();
-        let rails: Vec<Vec<Profile>> = record
-            .rails
-            .into_iter()
-            .map(|rail| cleaned(rail.stretches))
-            .collect();
+        let (mut unrolled, mut rails) = (Vec::new(), Vec::new());
+        for rail in record.rails {
+            let [plain, rolled] = cleaned(rail.stretches);
+            unrolled.extend(plain);
+            rails.push(rolled);
+        }
         let fine = |path: &Path, stretches: &[Profile]| {
             FineSpectrum::of_record(stretches).map_err(|error| refuse(path, error.to_string()))
         };
@@ -124,7 +125,12 @@ impl Records {
                     .map(|warning| format!("{}: {warning}", path.display())),
             );
             let rails = record.rails.into_iter();
-            let stretches: Vec<Profile> = rails.flat_map(|rail| cleaned(rail.stretches)).collect();
+            let stretches: Vec<Profile> = rails
+                .flat_map(|rail| {
+                    let [_, rolled] = cleaned(rail.stretches);
+                    rolled
+                })
+                .collect();
             past.push((path, fine(path, &stretches)?));
         }
         let labels: Vec<String> = if arguments.dates.is_empty() {
@@ -134,7 +140,8 @@ impl Records {
             arguments.dates.clone()
         };
         let (times, unit) = times(&labels, &arguments.dates)?;
-        let measured = spectrum.dominant().into_iter().map(|peak| {
+        let peaks = on_rail_and_wheel(&fine(path, &unrolled)?, &spectrum);
+        let measured = peaks.into_iter().map(|peak| {
             let records = past.iter().map(|past| &past.1).chain([&spectrum]);
             let points = records
                 .zip(&labels)
@@ -307,13 +314,29 @@ impl Records {
     }
 }
 
-/// The profile without spikes. The wheel does not roll over it: it would round the troughs of corrugation and
-/// so make harmonics that are not on the rail.
-fn cleaned(mut stretches: Vec<Profile>) -> Vec<Profile> {
+/// The profile without spikes, and the same with the wheel rolled over it, as EN 15610 asks.
+fn cleaned(mut stretches: Vec<Profile>) -> [Vec<Profile>; 2] {
     for stretch in &mut stretches {
         stretch.remove_spikes(SpikeCriterion::EN_15610);
     }
-    stretches
+    let mut rolled = stretches.clone();
+    for stretch in &mut rolled {
+        stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH);
+    }
+    [stretches, rolled]
+}
+
+/// Peaks of the rolled profile that are on the rail as well: edges of pits have waves of their own, which the
+/// wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its own.
+fn on_rail_and_wheel(rail: &FineSpectrum, wheel: &FineSpectrum) -> Vec<DominantWavelength> {
+    let on_rail = rail.dominant();
+    let mut peaks = wheel.dominant();
+    peaks.retain(|peak| {
+        on_rail
+            .iter()
+            .any(|other| other.from <= peak.to && peak.from <= other.to)
+    });
+    peaks
 }
 
 /// Times of the records: years by their dates, or their places in the order.

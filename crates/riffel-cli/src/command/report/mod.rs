@@ -104,6 +104,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         inputs.add("site", site, "the words at the top")?;
     }
     sections.push(inputs_section(&inputs, &limits, case.as_ref()));
+    // Both readings of the roughness warn of the same defects.
+    let mut known = std::collections::HashSet::new();
+    warnings.retain(|warning| known.insert(warning.clone()));
     sections.push(warnings_section(&warnings));
 
     let title = arguments.title.as_deref().or(site.title.as_deref());

@@ -85,7 +85,10 @@ pub(super) fn escape(words: &str) -> String {
 
 /// A table; its cells are HTML already.
 pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> String {
-    let mut html = format!("<div class=\"wide\"><table class=\"{class}\">\n<thead><tr>");
+    /// Rows up to which a table stays on one sheet.
+    const SHORT: usize = 14;
+    let keep = if rows.len() <= SHORT { " keep" } else { "" };
+    let mut html = format!("<div class=\"wide{keep}\"><table class=\"{class}\">\n<thead><tr>");
     for cell in header {
         let _ = write!(html, "<th>{cell}</th>");
     }
