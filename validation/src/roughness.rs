@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use riffel::ContactFilter;
 use riffel::diagnosis::{
     Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism,
-    MechanismKind, SpeedDistribution, TimeUnit, dominant_levels, rank,
+    MechanismKind, TimeUnit, TrafficSpeeds, dominant_levels, rank,
 };
 use riffel::roughness::{
     BandPass, ColouredNoise, Irregularity, PowerSpectrum, Profile, Recipe, Spectrum,
@@ -384,7 +384,7 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
             }
         });
     let course = Course::new(points.collect(), TimeUnit::Year).expect("four campaigns");
-    let speeds = SpeedDistribution::new([(136.0 / 3.6, 1.0)]).expect("a speed");
+    let speeds = TrafficSpeeds::new([(136.0 / 3.6, 1.0)]).expect("a speed");
     let (mut mechanisms, _) = case.mechanisms();
     let growth = GrowthDensity::new(
         &case.feedback,

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use riffel::ResonanceKind;
-use riffel::diagnosis::{Mechanism, MechanismKind};
+use riffel::diagnosis::{Mechanism, MechanismKind, TrafficSpeeds};
 
 use crate::Case;
 use crate::track::Direction;
+use crate::traffic::Traffic;
 
 impl Case {
     /// The mechanisms besides growth that fix a wavelength on this track, and sentences on those the case
@@ -81,5 +82,33 @@ impl Case {
         }
         mechanisms.push(Mechanism::wheel_circumference(self.feedback.rolling_radius));
         (mechanisms, unknown)
+    }
+}
+
+impl Traffic {
+    /// The speeds of all vehicles, each with its share of the passages; a normal distribution as 21 speeds up to
+    /// two and a half standard deviations from its mean.
+    ///
+    /// # Errors
+    /// [`riffel::Error::OutOfRange`] where no vehicle says its speed.
+    pub fn passing_speeds(&self) -> Result<TrafficSpeeds, riffel::Error> {
+        let mut shares = Vec::new();
+        for vehicle in &self.file.vehicle {
+            let share = vehicle.share.si();
+            if let Some(speed) = &vehicle.speed {
+                let deviation = speed.standard_deviation.map_or(0.0, |speed| speed.si());
+                let steps = (-10..=10).map(|step| 0.25 * f64::from(step));
+                let weights: Vec<(f64, f64)> = steps.map(|z| (z, (-0.5 * z * z).exp())).collect();
+                let sum: f64 = weights.iter().map(|weight| weight.1).sum();
+                shares.extend(
+                    weights
+                        .iter()
+                        .map(|(z, weight)| (speed.mean.si() + z * deviation, share * weight / sum)),
+                );
+            }
+            let speeds = vehicle.speeds.iter().flatten();
+            shares.extend(speeds.map(|speed| (speed.speed.si(), share * speed.share.si())));
+        }
+        TrafficSpeeds::new(shares)
     }
 }

@@ -1,5 +1,7 @@
 //! The command line.
 
+mod forecast;
+
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -7,6 +9,8 @@ use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed
 use riffel_case::{Case, CaseError};
 
 use crate::error::CliError;
+
+pub(crate) use forecast::{Compare, Forecast, Horizon, Spectra};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -23,7 +27,7 @@ pub(crate) struct Arguments {
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Write a commented case file to start from.
+    /// Write a commented case file to start from, or a traffic file.
     Init(Init),
     /// The whole loop at one wavelength and speed.
     Point(Point),
@@ -37,14 +41,18 @@ pub(crate) enum Command {
     Roughness(Roughness),
     /// Dominant wavelengths of a measured rail, and what may have made them.
     Diagnose(Diagnose),
-    /// One printable page: site, roughness, limits, what to grind, growth map, diagnosis.
+    /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
     Report(Report),
+    /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
+    Forecast(Forecast),
+    /// What would help: growth on a case and on variants of it, side by side.
+    Compare(Compare),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
-    /// Print the JSON schema of the case file.
-    Schema,
+    /// Print the JSON schema of the case file, or of the traffic file.
+    Schema(Schema),
     /// Hold the program against reference numbers and published statements.
     Validate,
 }
@@ -62,6 +70,14 @@ pub(crate) struct CaseArguments {
 }
 
 impl CaseArguments {
+    /// A case named elsewhere than on its own place of the command line.
+    pub(crate) fn of(path: &Path, overrides: &[String]) -> Self {
+        Self {
+            path: path.to_owned(),
+            overrides: overrides.to_vec(),
+        }
+    }
+
     pub(crate) fn read(&self) -> miette::Result<Case> {
         Ok(Case::read(&self.path, &self.overrides)?)
     }
@@ -135,9 +151,13 @@ pub(crate) fn positive<D: Dimension>(
 #[derive(Args)]
 #[command(after_help = "Example: riffel init metro.toml")]
 pub(crate) struct Init {
-    /// File to write.
-    #[arg(value_name = "FILE", default_value = "case.toml")]
-    pub(crate) path: PathBuf,
+    /// File to write [default: case.toml, or traffic.toml with --traffic].
+    #[arg(value_name = "FILE")]
+    pub(crate) path: Option<PathBuf>,
+
+    /// Write a traffic file for `riffel forecast`.
+    #[arg(long)]
+    pub(crate) traffic: bool,
 
     /// Replace the file if it is there.
     #[arg(long)]
@@ -373,7 +393,7 @@ pub(crate) struct DiagnosisArguments {
         value_delimiter = ',',
         requires = "earlier"
     )]
-    pub(crate) dates: Vec<String>,
+    pub(crate) dates: Vec<jiff::civil::Date>,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
     #[arg(long = "where", value_name = "COLUMN=VALUE")]
@@ -387,6 +407,10 @@ pub(crate) struct DiagnosisArguments {
     /// of the map of the case].
     #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Vec<String>,
+
+    /// Traffic file, for the speeds of its vehicles where no --speed is given, and for the forecast of a report.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) traffic: Option<PathBuf>,
 
     /// Frequency of a torsional mode of the wheelset; may be repeated.
     #[arg(long, value_name = "FREQUENCY")]
@@ -425,7 +449,7 @@ pub(crate) struct Diagnose {
 
 #[derive(Args)]
 #[command(
-    after_help = "Example: riffel report case.toml --roughness profile.csv --speed \"80 km/h\" --site site.toml -o report.html"
+    after_help = "Example: riffel report case.toml --roughness profile.csv --traffic traffic.toml --with soft-pads.toml --site site.toml -o report.html"
 )]
 pub(crate) struct Report {
     /// Case file, for growth map and diagnosis [default: none, and the report goes without them].
@@ -443,6 +467,14 @@ pub(crate) struct Report {
     #[arg(long, value_name = "LIMIT")]
     pub(crate) limit: Vec<String>,
 
+    /// File of changes to the case, as for riffel compare; may be repeated.
+    #[arg(long = "with", value_name = "TOML", requires = "case")]
+    pub(crate) variants: Vec<PathBuf>,
+
+    /// Months that the forecast looks ahead.
+    #[arg(long, value_name = "M", requires = "traffic")]
+    pub(crate) months: Option<f64>,
+
     /// Title [default: that of the site, or \"Rail roughness and corrugation\"].
     #[arg(long, value_name = "WORDS")]
     pub(crate) title: Option<String>,
@@ -455,6 +487,14 @@ pub(crate) struct Report {
     /// Page to write.
     #[arg(short, long, value_name = "HTML", default_value = "report.html")]
     pub(crate) output: PathBuf,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel schema --traffic > traffic.schema.json")]
+pub(crate) struct Schema {
+    /// That of the traffic file.
+    #[arg(long)]
+    pub(crate) traffic: bool,
 }
 
 #[derive(Args)]

@@ -1,8 +1,10 @@
 //! One file for each command.
 
+pub(crate) mod compare;
 pub(crate) mod contact;
 pub(crate) mod diagnose;
 pub(crate) mod figures;
+pub(crate) mod forecast;
 pub(crate) mod init;
 pub(crate) mod map;
 pub(crate) mod point;

@@ -1,8 +1,7 @@
 //! Candidates for a dominant wavelength, in the order of what speaks for them.
 
 use super::{
-    Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction,
-    SpeedDistribution,
+    Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds,
 };
 use crate::ContactFilter;
 
@@ -27,7 +26,7 @@ pub struct Evidence<'a> {
     /// What it does from record to record, if there are several.
     pub course: Option<&'a Course>,
     /// The speeds of the traffic.
-    pub speeds: &'a SpeedDistribution,
+    pub speeds: &'a TrafficSpeeds,
     /// What the patch of the case leaves of a wave.
     pub filter: &'a ContactFilter,
     /// What the record was taken from.
@@ -242,7 +241,7 @@ fn span(from: f64, to: f64, unit: &str) -> String {
 }
 
 /// Frequencies of a wavelength \[m\] at the speeds of the traffic: "1375–1958 Hz".
-pub(super) fn frequencies(wavelength: f64, speeds: &SpeedDistribution) -> String {
+pub(super) fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> String {
     span(
         speeds.slowest() / wavelength,
         speeds.fastest() / wavelength,
@@ -282,7 +281,7 @@ mod tests {
     }
 
     fn ranked(wavelength: f64, course: Option<&Course>) -> Vec<Candidate> {
-        let speeds = SpeedDistribution::new([(30.0, 1.0)]).unwrap();
+        let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();
         let filter = ContactFilter::new(5e-3, 5e-3).unwrap();
         let peak = peak(wavelength);
         let evidence = Evidence {

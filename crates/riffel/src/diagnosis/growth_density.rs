@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::{SpeedDistribution, normal};
+use super::{TrafficSpeeds, normal};
 use crate::{FeedbackLoop, RowEvaluator};
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
@@ -27,7 +27,7 @@ impl GrowthDensity {
     ///
     /// 200 wavelengths a decade. A receptance that does not exist at some speed and wavelength (a load that
     /// outruns its waves) counts as no growth.
-    pub fn new(feedback: &FeedbackLoop, from: f64, to: f64, speeds: &SpeedDistribution) -> Self {
+    pub fn new(feedback: &FeedbackLoop, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
         const A_DECADE: f64 = 200.0;
         let steps = (A_DECADE * (to / from).log10()).ceil().max(2.0);
         let wavelengths: Vec<f64> = (0..=steps as usize)

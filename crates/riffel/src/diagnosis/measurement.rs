@@ -1,7 +1,7 @@
 //! Which measurement would tell candidates apart.
 
 use super::candidate::frequencies;
-use super::{Candidate, Course, DominantWavelength, MechanismKind, SpeedDistribution, TimeUnit};
+use super::{Candidate, Course, DominantWavelength, MechanismKind, TimeUnit, TrafficSpeeds};
 
 /// Share of the belief below which a candidate is not worth a measurement.
 const WORTH: f64 = 0.05;
@@ -11,7 +11,7 @@ pub fn tell_apart(
     peak: &DominantWavelength,
     candidates: &[Candidate],
     course: Option<&Course>,
-    speeds: &SpeedDistribution,
+    speeds: &TrafficSpeeds,
 ) -> Vec<String> {
     let worth: Vec<&Candidate> = candidates
         .iter()

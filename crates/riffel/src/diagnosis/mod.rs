@@ -24,7 +24,7 @@ mod measurement;
 mod mechanism;
 mod normal;
 mod prediction;
-mod speeds;
+mod traffic_speeds;
 
 pub use candidate::{Candidate, Evidence, Instrument, rank};
 pub use course::{Course, CoursePoint, TimeUnit};
@@ -34,4 +34,4 @@ pub use levels::dominant_levels;
 pub use measurement::tell_apart;
 pub use mechanism::{Expectation, MechanismKind};
 pub use prediction::{Mechanism, Prediction};
-pub use speeds::SpeedDistribution;
+pub use traffic_speeds::TrafficSpeeds;

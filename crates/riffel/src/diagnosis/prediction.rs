@@ -1,6 +1,6 @@
 //! What wavelength a mechanism predicts.
 
-use super::{GrowthDensity, MechanismKind, SpeedDistribution, normal};
+use super::{GrowthDensity, MechanismKind, TrafficSpeeds, normal};
 
 /// Wavelength or frequency that a mechanism fixes.
 #[derive(Debug, Clone, PartialEq)]
@@ -102,7 +102,7 @@ impl Mechanism {
 
     /// Density of ln λ that the mechanism predicts at a wavelength \[m\] known to ±`uncertainty` of ln λ,
     /// for the speeds of the traffic.
-    pub fn density(&self, wavelength: f64, uncertainty: f64, speeds: &SpeedDistribution) -> f64 {
+    pub fn density(&self, wavelength: f64, uncertainty: f64, speeds: &TrafficSpeeds) -> f64 {
         let place = wavelength.ln();
         match &self.prediction {
             Prediction::Frequency { frequency, spread } => {
@@ -144,7 +144,7 @@ impl Mechanism {
 
     /// Shortest and longest wavelength \[m\] that it predicts for the speeds of the traffic, its own
     /// uncertainty aside.
-    pub fn wavelengths(&self, speeds: &SpeedDistribution) -> Option<(f64, f64)> {
+    pub fn wavelengths(&self, speeds: &TrafficSpeeds) -> Option<(f64, f64)> {
         match &self.prediction {
             Prediction::Frequency { frequency, .. } => {
                 Some((speeds.slowest() / frequency, speeds.fastest() / frequency))
@@ -174,7 +174,7 @@ mod tests {
     /// Densities over ln λ add up to one.
     #[test]
     fn densities_are_densities() {
-        let speeds = SpeedDistribution::between(20.0, 40.0).unwrap();
+        let speeds = TrafficSpeeds::between(20.0, 40.0).unwrap();
         for mechanism in [
             Mechanism::of_frequency(MechanismKind::PinnedPinned, 1000.0),
             Mechanism::of_frequency(MechanismKind::P2, 70.0),
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn wavelengths_follow_the_speed_or_do_not() {
-        let speeds = SpeedDistribution::between(20.0, 40.0).unwrap();
+        let speeds = TrafficSpeeds::between(20.0, 40.0).unwrap();
         let pinned = Mechanism::of_frequency(MechanismKind::PinnedPinned, 1000.0);
         assert_eq!(pinned.wavelengths(&speeds), Some((0.02, 0.04)));
         let wheel = Mechanism::wheel_circumference(0.5);

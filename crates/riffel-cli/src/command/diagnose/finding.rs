@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use riffel::ContactFilter;
 use riffel::diagnosis::{
-    Candidate, Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, SpeedDistribution,
-    rank, tell_apart,
+    Candidate, Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank,
+    tell_apart,
 };
 use riffel_case::Case;
 
@@ -27,7 +27,7 @@ pub(crate) struct Finding {
 /// All findings of a record.
 pub(crate) struct Diagnosis {
     pub(crate) findings: Vec<Finding>,
-    pub(crate) speeds: SpeedDistribution,
+    pub(crate) speeds: TrafficSpeeds,
     pub(crate) curves: Curves,
     pub(crate) words: String,
     pub(crate) warnings: Vec<String>,
@@ -147,7 +147,7 @@ impl Diagnosis {
 
 impl Finding {
     /// Wavelength, frequencies, level and how sure.
-    pub(crate) fn headline(&self, speeds: &SpeedDistribution) -> String {
+    pub(crate) fn headline(&self, speeds: &TrafficSpeeds) -> String {
         let peak = &self.measured.peak;
         format!(
             "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}",
@@ -257,7 +257,7 @@ impl Finding {
         text
     }
 
-    fn readable(&self, speeds: &SpeedDistribution) -> String {
+    fn readable(&self, speeds: &TrafficSpeeds) -> String {
         let mut text = format!("{}\n  {}\n", self.headline(speeds), self.sureness());
         if let Some(course) = self.course() {
             text += &format!("  course: {course}\n");
@@ -311,7 +311,7 @@ pub(crate) fn row(candidate: &Candidate) -> [String; 4] {
 }
 
 /// Frequencies of a wavelength at the speeds of the traffic: "1375–1958 Hz at 99–141 km/h".
-fn frequencies(wavelength: f64, speeds: &SpeedDistribution) -> String {
+fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> String {
     let (low, high) = (speeds.slowest() / wavelength, speeds.fastest() / wavelength);
     let range = if high - low < 0.5 {
         format!("{low:.0} Hz")
@@ -338,7 +338,7 @@ pub(crate) fn capital(words: &str) -> String {
 
 /// Growth of the case over the wavelengths of its map and the one measured, but for those that the patch does not
 /// let through.
-fn growth(case: &Case, measured: f64, speeds: &SpeedDistribution) -> Result<GrowthDensity, String> {
+fn growth(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, String> {
     /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
     /// 2009).
     const SHORTEST: f64 = 3.0;

@@ -1,14 +1,14 @@
 //! `riffel diagnose`
 
-mod date;
 mod document;
 pub(crate) mod figure;
 mod finding;
 mod record;
 
-use riffel::diagnosis::SpeedDistribution;
+use riffel::diagnosis::TrafficSpeeds;
 use riffel_case::Case;
 use riffel_case::quantity::{Quantity, Speed};
+use riffel_case::traffic::Traffic;
 
 use crate::arguments::{Diagnose, DiagnosisArguments, positive};
 use crate::command::roughness::write_figure;
@@ -52,21 +52,29 @@ pub(crate) fn speeds(
     case: &Case,
     arguments: &DiagnosisArguments,
     warnings: &mut Vec<String>,
-) -> miette::Result<SpeedDistribution> {
+) -> miette::Result<TrafficSpeeds> {
     let wrong = |value: &str, rule: &str| CliError::Argument {
         argument: "--speed",
         value: value.to_owned(),
         rule: rule.to_owned(),
     };
+    if let (Some(path), true) = (&arguments.traffic, arguments.speed.is_empty()) {
+        let speeds = Traffic::read(path)?.passing_speeds();
+        return Ok(speeds.map_err(|error| CliError::Argument {
+            argument: "--traffic",
+            value: path.display().to_string(),
+            rule: format!("a file with speeds: {error}"),
+        })?);
+    }
     if arguments.speed.is_empty() {
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
         warnings.push(format!(
-            "no --speed given: all speeds of the case's map, {:.0}–{:.0} km/h, are taken to be equally common, which tells \
+            "neither --speed nor --traffic given: all speeds of the case's map, {:.0}–{:.0} km/h, are taken to be equally common, which tells \
              constant frequencies apart badly",
             3.6 * slowest,
             3.6 * fastest
         ));
-        let between = SpeedDistribution::between(slowest, fastest);
+        let between = TrafficSpeeds::between(slowest, fastest);
         return Ok(between.map_err(|error| wrong("the map's", &error.to_string()))?);
     }
     let mut shares = Vec::new();
@@ -88,10 +96,10 @@ pub(crate) fn speeds(
         if slowest > fastest {
             Err(wrong(written, "from the slower to the faster"))?;
         }
-        let range = SpeedDistribution::between(slowest, fastest)
+        let range = TrafficSpeeds::between(slowest, fastest)
             .map_err(|error| wrong(written, &error.to_string()))?;
         shares.extend_from_slice(range.shares());
     }
-    let all = SpeedDistribution::new(shares);
+    let all = TrafficSpeeds::new(shares);
     Ok(all.map_err(|error| wrong(&arguments.speed.join(", "), &error.to_string()))?)
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use jiff::civil::Date;
 use riffel::diagnosis::{
     Course, CoursePoint, DominantWavelength, FineSpectrum, TimeUnit, dominant_levels,
 };
@@ -9,7 +10,6 @@ use riffel::roughness::{PIT_DEPTH, Profile, Spectrum, SpikeCriterion, ThirdOctav
 use riffel_case::CaseError;
 use riffel_case::roughness::{LabelledSpectrum, ReaderFormat, RoughnessFile};
 
-use super::date;
 use crate::arguments::{DiagnosisArguments, positive};
 use crate::command::roughness::choice::{columns, groups, refuse};
 use crate::command::roughness::with_progress;
@@ -51,7 +51,12 @@ impl Records {
         if !arguments.dates.is_empty() && arguments.dates.len() != arguments.earlier.len() + 1 {
             Err(CliError::Argument {
                 argument: "--dates",
-                value: arguments.dates.join(","),
+                value: arguments
+                    .dates
+                    .iter()
+                    .map(Date::to_string)
+                    .collect::<Vec<_>>()
+                    .join(","),
                 rule: format!(
                     "{} dates, one for each --earlier and one for --roughness",
                     arguments.earlier.len() + 1
@@ -137,9 +142,9 @@ impl Records {
             let files = past.iter().map(|past| past.0).chain([path]);
             files.map(|file| file.display().to_string()).collect()
         } else {
-            arguments.dates.clone()
+            arguments.dates.iter().map(Date::to_string).collect()
         };
-        let (times, unit) = times(&labels, &arguments.dates)?;
+        let (times, unit) = times(labels.len(), &arguments.dates);
         let peaks = on_rail_and_wheel(&fine(path, &unrolled)?, &spectrum);
         let measured = peaks.into_iter().map(|peak| {
             let records = past.iter().map(|past| &past.1).chain([&spectrum]);
@@ -218,7 +223,7 @@ impl Records {
             (name, spectra)
         }));
         // Dates of the spectra, where each has one.
-        let dated: Option<Vec<String>> = records
+        let dated: Option<Vec<Date>> = records
             .iter()
             .map(|(_, spectra)| {
                 let mut dates: Vec<&str> = spectra
@@ -227,8 +232,7 @@ impl Records {
                     .collect::<Option<_>>()?;
                 dates.sort_unstable();
                 dates.dedup();
-                date::days(dates[dates.len() / 2])?;
-                Some(dates[dates.len() / 2].to_owned())
+                dates[dates.len() / 2].parse().ok()
             })
             .collect();
         let dates = if arguments.dates.is_empty() {
@@ -236,8 +240,7 @@ impl Records {
         } else {
             arguments.dates.clone()
         };
-        let labels: Vec<String> = records.iter().map(|record| record.0.clone()).collect();
-        let (times, unit) = times(&labels, &dates)?;
+        let (times, unit) = times(records.len(), &dates);
         let groups: Vec<(String, Vec<Spectrum>)> = records
             .into_iter()
             .map(|(name, spectra)| {
@@ -340,21 +343,15 @@ fn on_rail_and_wheel(rail: &FineSpectrum, wheel: &FineSpectrum) -> Vec<DominantW
 }
 
 /// Times of the records: years by their dates, or their places in the order.
-fn times(labels: &[String], dates: &[String]) -> miette::Result<(Vec<f64>, TimeUnit)> {
-    if dates.is_empty() {
-        let places = (0..labels.len()).map(|place| place as f64);
-        return Ok((places.collect(), TimeUnit::Record));
-    }
-    let mut years = Vec::new();
-    for written in dates {
-        let days = date::days(written).ok_or_else(|| CliError::Argument {
-            argument: "--dates",
-            value: written.clone(),
-            rule: "a date as 2025-03-01".to_owned(),
-        })?;
-        years.push(days as f64 / 365.25);
-    }
-    Ok((years, TimeUnit::Year))
+fn times(records: usize, dates: &[Date]) -> (Vec<f64>, TimeUnit) {
+    const DAYS_A_YEAR: f64 = 365.2425;
+    let Some(first) = dates.first() else {
+        let places = (0..records).map(|place| place as f64);
+        return (places.collect(), TimeUnit::Record);
+    };
+    let days = |date: &Date| date.duration_since(*first).as_secs_f64() / 86_400.0;
+    let years = dates.iter().map(|date| days(date) / DAYS_A_YEAR);
+    (years.collect(), TimeUnit::Year)
 }
 
 /// Standard error of the mean of several levels; None for one.

@@ -2,13 +2,14 @@
 
 mod fingerprint;
 mod mechanism;
+mod outlook;
 mod page;
 mod roughness;
 
-use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile};
+use riffel_case::roughness::{Limit, LimitTable, ReaderFormat, RoughnessFile};
 use riffel_case::{Case, Site};
 
-use crate::arguments::{Report, Roughness};
+use crate::arguments::{CaseArguments, Report, Roughness};
 use crate::command::diagnose::Diagnosis;
 use crate::command::roughness::profile::Report as ProfileReport;
 use crate::command::roughness::spectra::Means;
@@ -16,6 +17,7 @@ use crate::command::roughness::{choice, limits, with_progress};
 use crate::output::print;
 use crate::staging::write_file;
 use fingerprint::Inputs;
+use outlook::{Now, Outlook};
 use page::{Head, Section, escape};
 
 /// Title where none is given.
@@ -28,6 +30,8 @@ struct Measured {
     warnings: Vec<String>,
     /// What the file was understood as.
     understood: String,
+    /// The latest date of a table of spectra.
+    date: Option<String>,
 }
 
 pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
@@ -44,6 +48,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         mut brief,
         mut warnings,
         understood,
+        date,
     } = measured(arguments, &limits)?;
     let path = &arguments.record.roughness;
     let mut inputs = Inputs::default();
@@ -71,10 +76,18 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             }));
             warnings.extend(diagnosis.warnings);
             warnings.extend(case.remarks.iter().cloned());
+            let speed = diagnosis.speeds.mean();
+            for outlook in outlooks(arguments, &limits, date.as_deref(), speed)? {
+                sections.push(outlook.section);
+                brief.extend(outlook.brief);
+                warnings.extend(outlook.warnings);
+            }
         }
         None => {
             sections.push(Section::LeftOut("Growth map", NO_CASE));
             sections.push(Section::LeftOut("Diagnosis", NO_CASE));
+            sections.push(Section::LeftOut("Forecast", NO_CASE));
+            sections.push(Section::LeftOut("What-if", NO_CASE));
         }
     }
     if let (Some(path), Some(case)) = (&arguments.case, &case) {
@@ -89,6 +102,12 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             let file = folder.join(&measurement.file);
             inputs.add("track receptance", &file, "measured")?;
         }
+    }
+    if let Some(traffic) = &arguments.record.traffic {
+        inputs.add("traffic", traffic, "vehicles, speeds, loads")?;
+    }
+    for variant in &arguments.variants {
+        inputs.add("variant", variant, "changes to the case")?;
     }
     if let Some(format) = &arguments.record.format {
         inputs.add("reader profile", format, "how profiles are laid out")?;
@@ -151,12 +170,15 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
                 brief,
                 warnings: report.warnings.clone(),
                 understood: report.understood().trim().to_owned(),
+                date: None,
             }
         }
         RoughnessFile::Spectra(spectra) => {
             const TABLE: &str = "the record is a table of levels; it needs a profile.";
             let dated = choice::columns(&spectra).iter().any(|name| name == "date");
             let by = record.by.as_deref().or_else(|| dated.then_some("date"));
+            let dates = spectra.iter().filter_map(|spectrum| spectrum.label("date"));
+            let date = dates.max().map(str::to_owned);
             let means = Means::new(path, spectra, limits, &record.choose, by)?;
             Measured {
                 sections: vec![
@@ -175,9 +197,57 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
                         choose => format!(", those with {}", choose.join(", ")),
                     }
                 ),
+                date,
             }
         }
     })
+}
+
+/// Forecast and what-if, as far as there is input for them.
+fn outlooks(
+    arguments: &Report,
+    limits: &[LimitTable],
+    date: Option<&str>,
+    speed: f64,
+) -> miette::Result<Vec<Outlook>> {
+    let left_out = |heading, why| Outlook {
+        section: Section::LeftOut(heading, why),
+        brief: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let levels = limits
+        .iter()
+        .find(|table| matches!(table.limit, Limit::Levels(_)));
+    let (Some(case), Some(limit)) = (&arguments.case, levels) else {
+        const WHY: &str = "it needs a limit of levels (--limit).";
+        return Ok(vec![left_out("Forecast", WHY), left_out("What-if", WHY)]);
+    };
+    let given = arguments.limit.iter().find(|name| {
+        LimitTable::find(name).is_ok_and(|table| matches!(table.limit, Limit::Levels(_)))
+    });
+    // A table of several dates is now at its latest.
+    let mut choose = arguments.record.choose.clone();
+    choose.extend(date.map(|date| format!("date={date}")));
+    let now = Now {
+        choose,
+        date: match date {
+            Some(date) => date.parse().ok(),
+            None => arguments.record.dates.last().copied(),
+        },
+        limit: given.unwrap_or(&limit.name).clone(),
+        speed,
+    };
+    let of_case = || CaseArguments::of(case, &arguments.overrides);
+    let forecast = match &arguments.record.traffic {
+        Some(traffic) => outlook::forecast(of_case(), traffic.clone(), &now, arguments)?,
+        None => left_out("Forecast", "no traffic was given (--traffic)."),
+    };
+    let what_if = if arguments.variants.is_empty() {
+        left_out("What-if", "no variant was given (--with).")
+    } else {
+        outlook::what_if(of_case(), &now, arguments)?
+    };
+    Ok(vec![forecast, what_if])
 }
 
 /// The arguments of `riffel roughness` with its defaults.

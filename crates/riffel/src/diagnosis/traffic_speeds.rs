@@ -4,12 +4,12 @@ use crate::Error;
 
 /// Speeds with their shares of the passages.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SpeedDistribution {
+pub struct TrafficSpeeds {
     /// Speed \[m/s\] and share, by speed; shares add up to one.
     shares: Vec<(f64, f64)>,
 }
 
-impl SpeedDistribution {
+impl TrafficSpeeds {
     /// Speeds \[m/s\] with their weights, in any order and of any sum.
     ///
     /// # Errors
@@ -80,15 +80,15 @@ mod tests {
 
     #[test]
     fn shares_add_up() -> Result<(), Error> {
-        let speeds = SpeedDistribution::new([(30.0, 1.0), (10.0, 3.0)])?;
+        let speeds = TrafficSpeeds::new([(30.0, 1.0), (10.0, 3.0)])?;
         assert_eq!(speeds.shares(), [(10.0, 0.75), (30.0, 0.25)]);
         assert_eq!(speeds.mean(), 15.0);
         assert_eq!(speeds.words(), "36–108 km/h");
-        let even = SpeedDistribution::between(20.0, 40.0)?;
+        let even = TrafficSpeeds::between(20.0, 40.0)?;
         assert!((even.mean() - 30.0).abs() < 1e-12);
         assert_eq!(even.fastest(), 40.0);
-        assert!(SpeedDistribution::new([]).is_err());
-        assert!(SpeedDistribution::between(-1.0, 2.0).is_err());
+        assert!(TrafficSpeeds::new([]).is_err());
+        assert!(TrafficSpeeds::between(-1.0, 2.0).is_err());
         Ok(())
     }
 }
