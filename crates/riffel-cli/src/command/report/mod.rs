@@ -123,9 +123,13 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         inputs.add("site", site, "the words at the top")?;
     }
     sections.push(inputs_section(&inputs, &limits, case.as_ref()));
-    // Both readings of the roughness warn of the same defects.
+    // Readings of the roughness warn of the same defects, and vehicles of the same limits at their own
+    // frequencies, which stand in brackets.
     let mut known = std::collections::HashSet::new();
-    warnings.retain(|warning| known.insert(warning.clone()));
+    warnings.retain(|warning| {
+        let what = warning.split(" (").next().unwrap_or_default();
+        known.insert(what.to_owned())
+    });
     sections.push(warnings_section(&warnings));
 
     let title = arguments.title.as_deref().or(site.title.as_deref());

@@ -189,12 +189,16 @@ pub(super) fn what_if(
         .iter()
         .skip(1)
         .min_by(|a, b| a.fastest.rate.total_cmp(&b.fastest.rate));
+    // A change below a hundredth helps nobody.
     let brief = best.filter(|_| base.fastest.rate > 0.0).map(|best| {
-        format!(
-            "Of the variants \u{201c}{}\u{201d} changes the fastest growth most, by {:+.0} %.",
-            escape(&best.title),
-            100.0 * (best.fastest.rate / base.fastest.rate - 1.0)
-        )
+        match best.fastest.rate / base.fastest.rate - 1.0 {
+            change if change < -0.01 => format!(
+                "Of the variants \u{201c}{}\u{201d} lowers the fastest growth most, by {:.0} %.",
+                escape(&best.title),
+                -100.0 * change
+            ),
+            _ => "None of the variants lowers the fastest growth.".to_owned(),
+        }
     });
     Ok(Outlook {
         section: Section::There("What-if", html),

@@ -1,0 +1,177 @@
+//! `riffel report`: one page with all sections that there is input for.
+
+use std::fs;
+
+use crate::sandbox::Sandbox;
+
+const SECTIONS: [&str; 10] = [
+    "Profile",
+    "Spectrum and limits",
+    "Wavelength bands",
+    "What to grind",
+    "Growth map",
+    "Diagnosis",
+    "Forecast",
+    "What-if",
+    "Inputs and versions",
+    "Warnings and limits of the models",
+];
+
+/// Headings of the numbered sections in their order.
+fn headings(page: &str) -> Vec<String> {
+    let parts = page.split("<h2>").skip(1);
+    parts
+        .filter_map(|part| part.split_once("</h2>"))
+        .map(|(heading, _)| heading.to_owned())
+        .collect()
+}
+
+/// Nothing on the page asks for anything outside it, and no script runs.
+fn stands_alone(page: &str) {
+    for outside in [
+        "http://", "https://", "<script", "<img", "<link", "@import", "url(",
+    ] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    assert!(page.contains("default-src 'none'") && page.contains("@page"));
+    assert_eq!(
+        page.matches("<section").count(),
+        page.matches("</section>").count()
+    );
+    assert_eq!(
+        page.matches("<figure").count(),
+        page.matches("</figure>").count()
+    );
+}
+
+fn made(sandbox: &Sandbox) {
+    let outcome = sandbox.riffel("roughness --synthesise -o profile.csv");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+}
+
+#[test]
+fn every_section_is_there() {
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    fs::write(
+        sandbox.path("site.toml"),
+        "[site]\ntitle = \"Noise at <B>\"\nline = \"U2 & U3\"\n",
+    )
+    .unwrap();
+    fs::write(
+        sandbox.path("soft.toml"),
+        "title = \"softer pads\"\n[track]\npad = { stiffness = \"40 MN/m\" }\n",
+    )
+    .unwrap();
+    let outcome = sandbox.riffel(
+        "report cases/bhaskar-track.toml --roughness profile.csv --traffic cases/traffic.toml \
+         --speed \"70 km/h\" --with soft.toml --site site.toml -o page.html",
+    );
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("page.html")).unwrap();
+    stands_alone(&page);
+    let expected: Vec<String> = std::iter::once("In brief".to_owned())
+        .chain(
+            SECTIONS
+                .iter()
+                .enumerate()
+                .map(|(index, name)| format!("{} {name}", index + 1)),
+        )
+        .collect();
+    assert_eq!(headings(&page), expected);
+    for part in [
+        "Noise at &lt;B&gt;",
+        "U2 &amp; U3",
+        "EN ISO 3095:2013",
+        "growth ridge",
+        "softer pads",
+        "grinding mark",
+        "riffel 0.",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    assert_eq!(page.matches("<code>").count(), 5);
+    for hash in page.split("<code>").skip(1) {
+        let hash = hash.split("</code>").next().unwrap();
+        assert!(
+            hash.len() == 64 && hash.bytes().all(|byte| byte.is_ascii_hexdigit()),
+            "{hash}"
+        );
+    }
+}
+
+/// What has no input is one sentence at the end, and no empty section.
+#[test]
+fn what_is_missing_is_said_once() {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/reference/sbb-track-noise");
+    let file = "validation/reference/sbb-track-noise/rail_roughness.csv";
+    let outcome = sandbox.riffel(&format!(
+        "report cases/discrete-supports.toml --roughness {file} --where laboratory=MBBM --speed \"136 km/h\""
+    ));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
+    stands_alone(&page);
+    assert_eq!(
+        headings(&page),
+        [
+            "In brief",
+            "1 Spectrum and limits",
+            "2 Growth map",
+            "3 Diagnosis",
+            "4 Inputs and versions",
+            "5 Warnings and limits of the models",
+            "Not in this report"
+        ]
+    );
+    for part in [
+        "a fading grinding mark and not growing corrugation",
+        "Profile: the record is a table of levels",
+        "Forecast: no traffic was given",
+        "What-if: no variant was given",
+        // sha256sum of the file.
+        "572a16865d394d5e02df5452bd6160750377d225b04d67ebbe61f4f960576737",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    let outcome = sandbox.riffel(&format!("report --roughness {file} -o without.html"));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("without.html")).unwrap();
+    assert!(page.contains("Diagnosis: no case was given."));
+    assert!(!page.contains("Growth map</h2>"));
+}
+
+#[test]
+fn bad_input_is_refused_and_leaves_nothing() {
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    fs::write(sandbox.path("site.toml"), "[site]\nlien = \"U2\"\n").unwrap();
+    for (arguments, part) in [
+        ("cases/nominal.toml --roughness missing.csv", "missing.csv"),
+        ("cases/missing.toml --roughness profile.csv", "missing.toml"),
+        (
+            "cases/nominal.toml --roughness profile.csv --site site.toml",
+            "lien",
+        ),
+        (
+            "cases/nominal.toml --roughness profile.csv --limit none",
+            "no limit table",
+        ),
+        (
+            "cases/nominal.toml --roughness profile.csv --traffic missing.toml",
+            "missing.toml",
+        ),
+        ("--roughness profile.csv --with soft.toml", "CASE"),
+        (
+            "cases/nominal.toml --roughness profile.csv -o no/such/folder.html",
+            "cannot write",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&format!("report {arguments}"));
+        let words = outcome.text.split_whitespace().filter(|word| *word != "│");
+        let sentence = words.collect::<Vec<_>>().join(" ");
+        assert_eq!(outcome.status, Some(2), "{arguments}: {sentence}");
+        assert!(sentence.contains(part), "{arguments}: {sentence}");
+    }
+    assert_eq!(sandbox.list("."), ["cases", "profile.csv", "site.toml"]);
+}
