@@ -6,13 +6,15 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 12] = [
     "init",
     "point",
     "map",
     "receptance",
     "contact",
     "roughness",
+    "forecast",
+    "compare",
     "figures",
     "presets",
     "schema",
@@ -21,12 +23,17 @@ const COMMANDS: [&str; 10] = [
 
 /// Write the generated files, or with `check` compare them.
 pub(crate) fn run(check: bool) -> Outcome {
-    let schema = serde_json::to_string_pretty(&riffel_case::json_schema())
-        .map_err(|error| format!("the schema cannot be written: {error}"))?;
+    let written = |schema: schemars::Schema| {
+        serde_json::to_string_pretty(&schema)
+            .map_err(|error| format!("a schema cannot be written: {error}"))
+    };
+    let schema = written(riffel_case::json_schema())?;
+    let traffic = written(riffel_case::traffic_schema())?;
     let files = [
         ("docs/src/validation.md", validation()),
         ("docs/src/command-line.md", command_line()?),
         ("docs/src/case.schema.json", schema + "\n"),
+        ("docs/src/traffic.schema.json", traffic + "\n"),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),

@@ -35,8 +35,8 @@ impl Survey {
                 for rail in record.rails {
                     let analysis =
                         RailAnalysis::new(rail.stretches, &AnalysisSettings::default(), &|| {});
-                    let analysis =
-                        analysis.map_err(|error| refuse(path, format!("{}: {error}", rail.name)))?;
+                    let analysis = analysis
+                        .map_err(|error| refuse(path, format!("{}: {error}", rail.name)))?;
                     rails.push(LabelledSpectrum {
                         labels: vec![("rail".to_owned(), rail.name)],
                         spectrum: analysis.spectrum,
@@ -143,7 +143,9 @@ impl Survey {
             .collect();
         let key = |record: &LabelledSpectrum| -> Vec<String> {
             let labels = columns.iter().map(|column| record.label(column));
-            labels.map(|label| label.unwrap_or_default().to_owned()).collect()
+            labels
+                .map(|label| label.unwrap_or_default().to_owned())
+                .collect()
         };
         let sorted = |survey: &Self| {
             let mut keyed: Vec<(Vec<String>, Spectrum)> = survey

@@ -78,7 +78,11 @@ impl Traffic {
         let file: TrafficFile = source.deserialize()?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
-            return Err(exclusive(&source, "line.mgt_per_year", "line.passages_per_day"));
+            return Err(exclusive(
+                &source,
+                "line.mgt_per_year",
+                "line.passages_per_day",
+            ));
         }
         for (key, value) in [
             ("line.passages_per_day", line.passages_per_day),
@@ -97,7 +101,10 @@ impl Traffic {
             if vehicle.name.trim().is_empty() {
                 return Err(source.invalid(&key("name"), "is empty, but tables need a name", ""));
             }
-            if file.vehicle[..index].iter().any(|other| other.name == vehicle.name) {
+            if file.vehicle[..index]
+                .iter()
+                .any(|other| other.name == vehicle.name)
+            {
                 let rule = format!("is \"{}\" a second time", vehicle.name);
                 return Err(source.invalid(&key("name"), &rule, ""));
             }
@@ -162,17 +169,14 @@ impl Traffic {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<TrafficOnCase, CaseError> {
         let mut vehicles = Vec::new();
-        let mut remarks: Vec<String> = Vec::new();
+        let mut remarks = Vec::new();
         for index in 0..self.file.vehicle.len() {
             let (growth, own) = self.vehicle_on(index, case, bands, variant)?;
             vehicles.push(growth);
-            for remark in own {
-                if !remarks.contains(&remark) {
-                    remarks.push(remark);
-                }
-            }
+            remarks.push(own);
             progress(1);
         }
+        let remarks = self.merged(remarks);
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
         let line = self.file.line;
@@ -183,6 +187,32 @@ impl Traffic {
             passages_per_day,
             remarks,
         })
+    }
+
+    /// The remarks on the vehicles, the one with most passages first. A remark that differs from an earlier
+    /// one by its numbers alone is left out.
+    fn merged(&self, remarks: Vec<Vec<String>>) -> Vec<String> {
+        let words =
+            |remark: &str| -> String { remark.chars().filter(|c| !c.is_ascii_digit()).collect() };
+        let mut of_vehicles: Vec<(&Vehicle, Vec<String>)> =
+            self.file.vehicle.iter().zip(remarks).collect();
+        of_vehicles.sort_by(|a, b| b.0.share.si().total_cmp(&a.0.share.si()));
+        let alone = of_vehicles.len() == 1;
+        let mut merged = Vec::new();
+        let mut known = Vec::new();
+        for (vehicle, remarks) in of_vehicles {
+            for remark in remarks {
+                let words = words(&remark);
+                if !known.contains(&words) {
+                    known.push(words);
+                    merged.push(match alone {
+                        true => remark,
+                        false => format!("{}: {remark}", vehicle.name),
+                    });
+                }
+            }
+        }
+        merged
     }
 
     fn vehicle_on(
@@ -219,7 +249,10 @@ impl Traffic {
                     self.source.refuse(&at(&format!(".{key}")), &message)
                 }
                 None => {
-                    let message = format!("speeds and bands of vehicle \"{}\": {message}", vehicle.name);
+                    let message = format!(
+                        "speeds and bands of vehicle \"{}\": {message}",
+                        vehicle.name
+                    );
                     self.source.refuse(&at(""), &message)
                 }
             },
@@ -236,7 +269,13 @@ impl Traffic {
             speeds,
         );
         let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
-        Ok((growth, wheel.remarks))
+        // That a preset of the case changes nothing for a vehicle with values of its own is no news.
+        let presets = wheel.builder.source.remarks;
+        let remarks = wheel.remarks.into_iter();
+        Ok((
+            growth,
+            remarks.filter(|remark| !presets.contains(remark)).collect(),
+        ))
     }
 }
 
@@ -250,9 +289,21 @@ fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
     };
     let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
     let si = |force: Quantity<crate::quantity::Force>| force.si();
-    add("axle_load", "contact.normal_load", vehicle.axle_load.map(|mass| wheel(mass.si())));
-    add("wheel_load", "contact.normal_load", vehicle.wheel_load.map(si));
-    add("wheel_mass", "wheel.mass", vehicle.wheel_mass.map(|mass| mass.si()));
+    add(
+        "axle_load",
+        "contact.normal_load",
+        vehicle.axle_load.map(|mass| wheel(mass.si())),
+    );
+    add(
+        "wheel_load",
+        "contact.normal_load",
+        vehicle.wheel_load.map(si),
+    );
+    add(
+        "wheel_mass",
+        "wheel.mass",
+        vehicle.wheel_mass.map(|mass| mass.si()),
+    );
     add(
         "rolling_radius",
         "wheel.rolling_radius",
@@ -263,7 +314,11 @@ fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
         "contact.tractive_ratio",
         vehicle.tractive_ratio.map(|ratio| ratio.si()),
     );
-    add("creepage", "contact.creepage", vehicle.creepage.map(|creepage| creepage.si()));
+    add(
+        "creepage",
+        "contact.creepage",
+        vehicle.creepage.map(|creepage| creepage.si()),
+    );
     for assignment in assignments(&vehicle.set) {
         let key = assignment.split('=').next().unwrap_or_default();
         found.push((format!("set.{key}"), assignment));
@@ -304,7 +359,9 @@ fn distribution(
         )),
         (Some(normal), None) => {
             above_zero(source, &key("speed.mean"), Some(normal.mean))?;
-            let deviation = normal.standard_deviation.map_or(0.0, |deviation| deviation.si());
+            let deviation = normal
+                .standard_deviation
+                .map_or(0.0, |deviation| deviation.si());
             SpeedDistribution::normal(normal.mean.si(), deviation).map_err(|error| {
                 source.invalid(&key("speed.standard_deviation"), &error.to_string(), "")
             })

@@ -15,7 +15,9 @@ pub(crate) fn run(arguments: &Init) -> miette::Result<()> {
     write_file(path, text, arguments.force)?;
     let path = path.display();
     print(&match arguments.traffic {
-        true => format!("wrote {path}; next: riffel forecast CASE --spectrum FILE --traffic {path}\n"),
+        true => {
+            format!("wrote {path}; next: riffel forecast CASE --spectrum FILE --traffic {path}\n")
+        }
         false => format!("wrote {path}; next: riffel map {path}\n"),
     });
     Ok(())

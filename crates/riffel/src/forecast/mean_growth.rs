@@ -43,7 +43,8 @@ impl MeanGrowth {
                     for (feedback, weight) in places {
                         let state = feedback.at(wavelength, speed);
                         mean[0] += weight * state.growth_rate;
-                        mean[1] += weight * state.normal_force.norm_sqr() / feedback.amplitude.powi(2);
+                        mean[1] +=
+                            weight * state.normal_force.norm_sqr() / feedback.amplitude.powi(2);
                     }
                     mean
                 })

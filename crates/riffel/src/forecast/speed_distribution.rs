@@ -135,7 +135,10 @@ impl SpeedDistribution {
         Error::unless_positive("factor of the speed", factor, "")?;
         match &self.kind {
             Kind::Shares(speeds) => {
-                let speeds: Vec<_> = speeds.iter().map(|&(v, share)| (factor * v, share)).collect();
+                let speeds: Vec<_> = speeds
+                    .iter()
+                    .map(|&(v, share)| (factor * v, share))
+                    .collect();
                 Self::shares(&speeds)
             }
             Kind::Normal { mean, deviation } => Self::normal(factor * mean, factor * deviation),
@@ -221,7 +224,12 @@ impl<const N: usize> WeightedSum<N> {
 
     fn add(&mut self, values: &[[f64; N]], weight: f64) {
         self.values.resize(values.len(), [0.0; N]);
-        for (sum, value) in self.values.as_flattened_mut().iter_mut().zip(values.as_flattened()) {
+        for (sum, value) in self
+            .values
+            .as_flattened_mut()
+            .iter_mut()
+            .zip(values.as_flattened())
+        {
             *sum += weight * value;
         }
         self.weight += weight;
@@ -229,7 +237,9 @@ impl<const N: usize> WeightedSum<N> {
 
     fn mean(&self) -> Vec<[f64; N]> {
         let values = self.values.iter();
-        values.map(|value| value.map(|sum| sum / self.weight)).collect()
+        values
+            .map(|value| value.map(|sum| sum / self.weight))
+            .collect()
     }
 }
 
@@ -246,7 +256,10 @@ mod tests {
             let found = speeds.means(|v| vec![[1.0 + (k * v).cos()]]);
             let expected = 1.0 + (k * mean).cos() * (-0.5 * (k * deviation).powi(2)).exp();
             let [value] = found.values[0];
-            assert!((value - expected).abs() < 1.3e-4, "k {k}: {value} {expected}");
+            assert!(
+                (value - expected).abs() < 1.3e-4,
+                "k {k}: {value} {expected}"
+            );
             assert!(found.error[0] <= 1e-3 * expected);
         }
         Ok(())

@@ -95,7 +95,11 @@ impl TrafficGrowth {
             .find(|vehicle| vehicle.growth.rates.len() != lines)
         {
             let count = other.growth.rates.len();
-            return Err(wrong("number of lines of a vehicle", count, "must be that of the bands"));
+            return Err(wrong(
+                "number of lines of a vehicle",
+                count,
+                "must be that of the bands",
+            ));
         }
         let sum: f64 = vehicles.iter().map(|vehicle| vehicle.share).sum();
         Error::unless_positive("sum of the shares of the axle passages", sum, "")?;

@@ -241,13 +241,15 @@ impl WearFit {
             Some((low, _)) if low <= 0.0 => WearVerdict::Indistinct,
             Some(_) => WearVerdict::Fitted,
         };
-        let bands = bands.iter().map(|(band, measured, model, grows)| FittedBand {
-            band: *band,
-            measured: change.change(measured, &earlier, &later),
-            predicted: model.change(1.0, passages).0,
-            fitted: model.change(factor, passages).0,
-            grows: *grows,
-        });
+        let bands = bands
+            .iter()
+            .map(|(band, measured, model, grows)| FittedBand {
+                band: *band,
+                measured: change.change(measured, &earlier, &later),
+                predicted: model.change(1.0, passages).0,
+                fitted: model.change(factor, passages).0,
+                grows: *grows,
+            });
         Ok(Self {
             factor,
             interval,
@@ -261,8 +263,7 @@ impl WearFit {
     pub fn residual_rms(&self) -> Option<f64> {
         let residuals = self.bands.iter().filter(|band| band.grows);
         let squares: Vec<f64> = residuals.map(|band| band.residual().powi(2)).collect();
-        (!squares.is_empty())
-            .then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
+        (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
     }
 }
 

@@ -97,7 +97,9 @@ fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
             })
             .collect(),
         passages_to_limit: outcome.passages_to_limit,
-        mgt_to_limit: outcome.passages_to_limit.map(|passages| outcome.growth.mgt(passages)),
+        mgt_to_limit: outcome
+            .passages_to_limit
+            .map(|passages| outcome.growth.mgt(passages)),
         months_to_limit: months_to_limit(outcome),
         change_of_time_to_limit: outcome
             .passages_to_limit
@@ -115,13 +117,23 @@ fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
 pub(super) fn band_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
     let bands = report.comparison.bands.iter();
     let wavelengths: Vec<f64> = bands.map(|band| band.wavelength()).collect();
-    rate_table(report, &wavelengths, |outcome, place| outcome.growth.band_rate(place), file)
+    rate_table(
+        report,
+        &wavelengths,
+        |outcome, place| outcome.growth.band_rate(place),
+        file,
+    )
 }
 
 /// One row for each line, a column for each outcome.
 pub(super) fn line_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
     let wavelengths = report.comparison.base().growth.wavelengths();
-    rate_table(report, &wavelengths, |outcome, place| outcome.growth.rates()[place], file)
+    rate_table(
+        report,
+        &wavelengths,
+        |outcome, place| outcome.growth.rates()[place],
+        file,
+    )
 }
 
 fn rate_table(
@@ -137,7 +149,13 @@ fn rate_table(
     writer.write_record(&header)?;
     for (place, wavelength) in wavelengths.iter().enumerate() {
         let mut row = vec![*wavelength];
-        row.extend(report.comparison.outcomes.iter().map(|outcome| rate(outcome, place)));
+        row.extend(
+            report
+                .comparison
+                .outcomes
+                .iter()
+                .map(|outcome| rate(outcome, place)),
+        );
         writer.serialize(row)?;
     }
     writer.flush()

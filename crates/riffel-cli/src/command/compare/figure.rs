@@ -1,5 +1,6 @@
 //! The figure of a comparison.
 
+use riffel_case::traffic::DAYS_PER_YEAR;
 use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::{Report, when};
@@ -13,7 +14,12 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         .map(|(index, outcome)| Series {
             label: outcome.title.clone(),
             x: wavelengths.clone(),
-            y: outcome.growth.rates().iter().map(|rate| per_million(*rate)).collect(),
+            y: outcome
+                .growth
+                .rates()
+                .iter()
+                .map(|rate| per_million(*rate))
+                .collect(),
             style: LineStyle::Solid,
             color: Some(color(index)),
         })
@@ -25,24 +31,34 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         report.speeds
     );
     if let Some(spectrum) = &report.spectrum {
-        // All at one date: when the case as it is reaches its limit, else when the first variant does.
+        // All at one date: when the case as it is reaches its limit, else when the first variant does, else
+        // after a year.
         let reached = report.comparison.outcomes.iter();
         let passages = reached
             .filter_map(|outcome| outcome.passages_to_limit)
             .find(|passages| *passages > 0.0)
+            .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
             .unwrap_or(1e6);
         let mut levels = vec![points("now", spectrum, LineStyle::Dotted, BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
             let bands = outcome.forecast.as_ref()?.bands().iter();
             Some(Series {
                 label: outcome.title.clone(),
-                x: bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
+                x: bands
+                    .clone()
+                    .map(|band| 1e3 * band.now.band.wavelength())
+                    .collect(),
                 y: bands.map(|band| band.level(passages)).collect(),
                 style: LineStyle::Solid,
                 color: Some(color(index)),
             })
         }));
-        levels.push(points(&report.table.edition, report.limit.spectrum(), LineStyle::Dashed, BLACK));
+        levels.push(points(
+            &report.table.edition,
+            report.limit.spectrum(),
+            LineStyle::Dashed,
+            BLACK,
+        ));
         panels.push(level_panel(levels));
         caption += &format!(
             " Levels after {} axle passages, {} MGT as it is.",
@@ -51,7 +67,12 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         );
     }
     LineFigure {
-        title: report.case.file.title.clone().unwrap_or_else(|| "Comparison".to_owned()),
+        title: report
+            .case
+            .file
+            .title
+            .clone()
+            .unwrap_or_else(|| "Comparison".to_owned()),
         caption,
         panels,
         arrangement: Arrangement::Stacked,

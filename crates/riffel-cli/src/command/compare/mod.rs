@@ -34,11 +34,16 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
         print(&document);
     }
     if !arguments.json || arguments.output.is_some() {
-        let folder = arguments.case.folder(arguments.output.as_deref(), "compare");
+        let folder = arguments
+            .case
+            .folder(arguments.output.as_deref(), "compare");
         let mut staging = Staging::new(&folder)?;
         let figure = figure::figure(&report);
         let svg = figure.svg().map_err(CliError::from)?;
-        staging.write("compare.png", png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?)?;
+        staging.write(
+            "compare.png",
+            png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?,
+        )?;
         staging.write("compare.svg", svg)?;
         staging.write("compare.html", figure.html().map_err(CliError::from)?)?;
         staging.write_with("bands.csv", |file| document::band_table(&report, file))?;
@@ -47,7 +52,11 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
         let files = staging.publish()?;
         if !arguments.json {
             let text = report.readable();
-            print(&format!("{text}{}: {}\n", folder.display(), files.join(" ")));
+            print(&format!(
+                "{text}{}: {}\n",
+                folder.display(),
+                files.join(" ")
+            ));
         }
     }
     print_remarks(&report.comparison.base().remarks);
@@ -57,15 +66,22 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
 impl Report {
     fn new(arguments: &Compare) -> miette::Result<Self> {
         let case = arguments.case.read()?;
-        let variants: Result<Vec<Variant>, _> =
-            arguments.variants.iter().map(|path| Variant::read(path)).collect();
+        let variants: Result<Vec<Variant>, _> = arguments
+            .variants
+            .iter()
+            .map(|path| Variant::read(path))
+            .collect();
         let variants = variants?;
         let traffic = match &arguments.traffic {
             Some(path) => Traffic::read(path)?,
             None => Traffic::of_case(speeds(&case, arguments)?),
         };
         let speeds = match &arguments.traffic {
-            Some(_) => traffic.file.title.clone().unwrap_or_else(|| "traffic".to_owned()),
+            Some(_) => traffic
+                .file
+                .title
+                .clone()
+                .unwrap_or_else(|| "traffic".to_owned()),
             None => speeds(&case, arguments).map(|speeds| in_words(&speeds))?,
         };
         let (table, limit) = level_limit(&arguments.limit)?;
@@ -128,7 +144,9 @@ impl Report {
                     true => format!("{change:+.0} %"),
                     false => String::new(),
                 },
-                outcome.ridge_frequency.map_or_else(String::new, |f| format!("{f:.0}")),
+                outcome
+                    .ridge_frequency
+                    .map_or_else(String::new, |f| format!("{f:.0}")),
                 match self.spectrum {
                     Some(_) => when(outcome.passages_to_limit),
                     None => String::new(),
@@ -147,13 +165,21 @@ impl Report {
     /// Growth by band.
     fn bands(&self) -> String {
         let mut header = vec!["wavelength mm"];
-        header.extend(self.comparison.outcomes.iter().map(|outcome| outcome.title.as_str()));
+        header.extend(
+            self.comparison
+                .outcomes
+                .iter()
+                .map(|outcome| outcome.title.as_str()),
+        );
         let mut rows = table(&header);
         for (place, band) in self.comparison.bands.iter().enumerate().rev() {
             let mut row = vec![format!("{}", band.nominal_millimetres())];
-            row.extend(self.comparison.outcomes.iter().map(|outcome| {
-                format!("{:+.3}", per_million(outcome.growth.band_rate(place)))
-            }));
+            row.extend(
+                self.comparison
+                    .outcomes
+                    .iter()
+                    .map(|outcome| format!("{:+.3}", per_million(outcome.growth.band_rate(place)))),
+            );
             rows.add_row(row);
         }
         format!("growth of the bands, dB per 10⁶ passages\n{rows}\n")
@@ -171,7 +197,9 @@ fn speeds(case: &Case, arguments: &Compare) -> Result<SpeedDistribution, CliErro
         Some(speed) => positive("--speed", speed)?,
         None => 0.5 * (case.speed.min() + case.speed.max()),
     };
-    let deviation = arguments.speed_deviation.map_or(0.0, |deviation| deviation.si());
+    let deviation = arguments
+        .speed_deviation
+        .map_or(0.0, |deviation| deviation.si());
     SpeedDistribution::normal(mean, deviation).map_err(|error| CliError::Physics {
         input: "--speed-deviation".to_owned(),
         error,

@@ -161,7 +161,9 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
             passages: report.passages,
             mgt: traffic.mgt(report.passages),
             months: report.months(report.passages),
-            date: report.date_after(report.passages).map(|date| date.to_string()),
+            date: report
+                .date_after(report.passages)
+                .map(|date| date.to_string()),
         },
         spectrum_now: spectrum(report, 0.0),
         spectrum_then: spectrum(report, report.passages),
@@ -190,7 +192,12 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
             .measured
             .levels()
             .iter()
-            .filter(|level| !forecast.bands().iter().any(|band| band.now.band == level.band))
+            .filter(|level| {
+                !forecast
+                    .bands()
+                    .iter()
+                    .any(|band| band.now.band == level.band)
+            })
             .map(|level| Level {
                 wavelength_m: level.band.wavelength(),
                 level_db: level.level,
@@ -236,7 +243,9 @@ fn bands(report: &Report) -> Vec<Band> {
                 mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),
                 force_ratio_now: linear.force_ratio,
                 passages_to_loss_of_contact: linear.passages,
-                beyond_linear_range: linear.passages.is_some_and(|passages| passages <= report.passages),
+                beyond_linear_range: linear
+                    .passages
+                    .is_some_and(|passages| passages <= report.passages),
             }
         })
         .collect()
@@ -255,7 +264,10 @@ pub(super) fn band_table(report: &Report, file: &mut impl Write) -> io::Result<(
 pub(super) fn line_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
     let traffic = report.forecast.traffic();
     let mut writer = csv::Writer::from_writer(file);
-    let mut header = vec!["wavelength_m".to_owned(), "growth_rate_per_passage".to_owned()];
+    let mut header = vec![
+        "wavelength_m".to_owned(),
+        "growth_rate_per_passage".to_owned(),
+    ];
     let names = traffic.vehicles().iter();
     header.extend(names.map(|vehicle| format!("{} growth_rate_per_passage", vehicle.name)));
     writer.write_record(&header)?;

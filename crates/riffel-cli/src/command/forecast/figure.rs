@@ -13,12 +13,20 @@ pub(super) fn figure(report: &Report) -> LineFigure {
     let bands = report.forecast.bands().iter();
     let then = Series {
         label: format!("after {} MGT", number(traffic.mgt(report.passages))),
-        x: bands.clone().map(|band| 1e3 * band.now.band.wavelength()).collect(),
+        x: bands
+            .clone()
+            .map(|band| 1e3 * band.now.band.wavelength())
+            .collect(),
         y: bands.map(|band| band.level(report.passages)).collect(),
         style: LineStyle::Solid,
         color: Some(OKABE_ITO[2]),
     };
-    let limit = points(&report.table.edition, report.limit.spectrum(), LineStyle::Dashed, BLACK);
+    let limit = points(
+        &report.table.edition,
+        report.limit.spectrum(),
+        LineStyle::Dashed,
+        BLACK,
+    );
     let wavelengths: Vec<f64> = traffic.wavelengths().iter().map(|w| 1e3 * w).collect();
     let rate = |label: String, rates: &[f64], color| Series {
         label,
@@ -33,8 +41,10 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         .enumerate()
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            let label = format!("{}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
-            rate(label, &vehicle.growth.rates, color)
+            let label = format!("by {}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
+            let own = vehicle.growth.rates.iter();
+            let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
+            rate(label, &parts, color)
         })
         .collect();
     rates.push(rate("mix".to_owned(), traffic.rates(), BLACK));
@@ -43,14 +53,11 @@ pub(super) fn figure(report: &Report) -> LineFigure {
     LineFigure {
         title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
         caption: format!(
-            "After {}. One-third-octave levels; growth of the level by wavelength under each vehicle and under \
-             the mix, positive where corrugation grows. Linear: levels hold while wheel and rail touch.",
+            "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
+             grows: what each kind of vehicle adds, and their sum. Levels hold while wheel and rail touch.",
             report.amount(report.passages)
         ),
-        panels: vec![
-            level_panel(vec![now, then, limit]),
-            rate_panel(rates),
-        ],
+        panels: vec![level_panel(vec![now, then, limit]), rate_panel(rates)],
         arrangement: Arrangement::Stacked,
     }
 }
@@ -81,7 +88,12 @@ pub(crate) fn rate_panel(series: Vec<Series>) -> LinePanel {
 pub(crate) fn zero(wavelengths: &[f64]) -> Series {
     Series {
         label: String::new(),
-        x: wavelengths.first().into_iter().chain(wavelengths.last()).copied().collect(),
+        x: wavelengths
+            .first()
+            .into_iter()
+            .chain(wavelengths.last())
+            .copied()
+            .collect(),
         y: vec![0.0; 2],
         style: LineStyle::Dotted,
         color: Some(BLACK),
@@ -93,7 +105,9 @@ pub(crate) fn points(label: &str, spectrum: &Spectrum, style: LineStyle, color: 
     let levels = || spectrum.levels().iter();
     Series {
         label: label.to_owned(),
-        x: levels().map(|level| 1e3 * level.band.wavelength()).collect(),
+        x: levels()
+            .map(|level| 1e3 * level.band.wavelength())
+            .collect(),
         y: levels().map(|level| level.level).collect(),
         style,
         color: Some(color),

@@ -42,7 +42,7 @@ pub(super) struct Report {
     pub(super) limit: LevelLimit,
     /// Date of the spectrum.
     pub(super) date: Option<Date>,
-    pub(super) wear: Option<WearReport>,
+    wear: Option<WearReport>,
 }
 
 /// A band that reaches its limit.
@@ -59,11 +59,17 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         print(&document);
     }
     if !arguments.json || arguments.output.is_some() {
-        let folder = arguments.case.folder(arguments.output.as_deref(), "forecast");
+        let folder = arguments
+            .case
+            .folder(arguments.output.as_deref(), "forecast");
         let files = report.write(&folder, &document)?;
         if !arguments.json {
             let text = report.readable();
-            print(&format!("{text}{}: {}\n", folder.display(), files.join(" ")));
+            print(&format!(
+                "{text}{}: {}\n",
+                folder.display(),
+                files.join(" ")
+            ));
         }
     }
     print_remarks(&report.survey.warnings);
@@ -170,16 +176,13 @@ impl Report {
     fn readable(&self) -> String {
         let title = self.case.file.title.as_deref().unwrap_or("Growth forecast");
         let traffic = self.traffic.file.title.as_deref().unwrap_or("traffic");
-        let mut text = format!(
-            "{title}, {traffic}\nafter {}\n",
-            self.amount(self.passages)
-        );
+        let mut text = format!("{title}, {traffic}\nafter {}\n", self.amount(self.passages));
         let mut rows = table(&[
             "wavelength mm",
             "now dB",
             "then dB",
             "limit dB",
-            "growth dB per 10⁶ passages",
+            "dB per 10⁶ passages",
             "passages to limit",
             "wheel leaves rail",
         ]);
@@ -243,6 +246,14 @@ impl Report {
                 linear.force_ratio
             ),
         });
+        let decays = |band: &&ForecastBand| self.forecast.growth_rate(band) < 0.0;
+        if self.forecast.bands().iter().any(|band| decays(&band)) {
+            findings.push(
+                "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
+                 floor and not for ever"
+                    .to_owned(),
+            );
+        }
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
             findings.push(format!(
@@ -257,7 +268,13 @@ impl Report {
     pub(super) fn left_out(&self) -> Vec<f64> {
         let bands = self.measured.levels().iter().map(|level| level.band);
         bands
-            .filter(|band| !self.forecast.bands().iter().any(|own| own.now.band == *band))
+            .filter(|band| {
+                !self
+                    .forecast
+                    .bands()
+                    .iter()
+                    .any(|own| own.now.band == *band)
+            })
             .map(|band| band.nominal_millimetres())
             .collect()
     }
@@ -273,7 +290,11 @@ pub(super) struct Dated {
 
 impl Dated {
     fn read(spectra: &Spectra) -> miette::Result<Self> {
-        let format = spectra.format.as_deref().map(ReaderFormat::read).transpose()?;
+        let format = spectra
+            .format
+            .as_deref()
+            .map(ReaderFormat::read)
+            .transpose()?;
         let read = |path: &PathBuf| Survey::read(path, format.as_ref());
         let now = read(&spectra.spectrum)?;
         let now_chosen = now.clone().choose(&spectra.choose)?;
@@ -337,9 +358,10 @@ pub(crate) fn level_limit(name: &str) -> miette::Result<(LimitTable, LevelLimit)
         Limit::Rms(_) => Err(CliError::Argument {
             argument: "--limit",
             value: name.to_owned(),
-            rule: "a table of one-third-octave levels: an RMS along the rail does not follow from a \
+            rule:
+                "a table of one-third-octave levels: an RMS along the rail does not follow from a \
                    spectrum"
-                .to_owned(),
+                    .to_owned(),
         })?,
     }
 }
@@ -369,10 +391,13 @@ pub(crate) fn passages(horizon: &Horizon, on: &TrafficOnCase) -> Result<f64, Cli
         .map(|per_day| per_day * DAYS_PER_MONTH * horizon.months.unwrap_or(12.0))
         .ok_or_else(|| CliError::Argument {
             argument: "--months",
-            value: horizon.months.map_or("left out".to_owned(), |months| months.to_string()),
-            rule: "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+            value: horizon
+                .months
+                .map_or("left out".to_owned(), |months| months.to_string()),
+            rule:
+                "replaced by --passages or --mgt, for the traffic file says under [line] neither \
                    passages_per_day nor mgt_per_year"
-                .to_owned(),
+                    .to_owned(),
         })
 }
 
