@@ -289,7 +289,7 @@ pub(crate) fn band_pass_error() -> Row {
 }
 
 /// Spectra of the laboratory MBBM by campaign.
-fn campaigns() -> Vec<Vec<Spectrum>> {
+pub(crate) fn campaigns() -> Vec<Vec<Spectrum>> {
     let mut spectra: Vec<(&str, usize, Vec<(ThirdOctave, f64)>)> = Vec::new();
     for line in SPECTRA.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
