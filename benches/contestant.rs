@@ -78,7 +78,8 @@ impl Contestant {
         self.once(task, points)
     }
 
-    fn once(&mut self, task: &str, points: usize) -> Result<(f64, f64), Failure> {
+    /// Seconds for one task, done once.
+    pub(crate) fn once(&mut self, task: &str, points: usize) -> Result<(f64, f64), Failure> {
         writeln!(self.input, "{task} {points}")?;
         let mut line = String::new();
         self.output.read_line(&mut line)?;
@@ -184,6 +185,11 @@ fn required_version(requirements: &Path, package: &str) -> Result<String, Failur
 /// Version of NumPy.
 pub(crate) fn numpy_version(folder: &Path) -> Result<String, Failure> {
     required_version(&folder.join(NUMPY_REQUIREMENTS), "numpy")
+}
+
+/// Version of SciPy.
+pub(crate) fn scipy_version(folder: &Path) -> Result<String, Failure> {
+    required_version(&folder.join(NUMPY_REQUIREMENTS), "scipy")
 }
 
 /// Version of rolland.

@@ -5,6 +5,7 @@
 
 mod contact;
 mod contestant;
+mod roughness;
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -78,6 +79,7 @@ fn contest() -> Result<(), Failure> {
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
+            _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
         };
         println!("{seconds} {sum}");
@@ -249,6 +251,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
     contact::report(&mut text, &mut one)?;
+    roughness::report(&mut text, folder, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(

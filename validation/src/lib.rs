@@ -14,6 +14,7 @@ pub mod place_of_wear;
 mod points;
 mod receptance;
 mod rolling;
+mod roughness;
 mod transient;
 
 /// The outcome of one check.
@@ -87,6 +88,9 @@ checks! {
         growth_with_tractive_ratio, not_monotonic_near_full_slip, growth_falls_with_inertia,
         reduced_inertia, lead_is_not_constant_frequency, growth_without_resonance;
     decay_rate: decay_rate_peak_and_dip, decay_rate_residual, decay_rate_within_the_curves;
+    roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
+        spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
+        grinding_mark_fades, grinding_mark_is_heard;
 }
 
 /// All checks as a Markdown table.

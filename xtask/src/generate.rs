@@ -6,12 +6,13 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 9] = [
+const COMMANDS: [&str; 10] = [
     "init",
     "point",
     "map",
     "receptance",
     "contact",
+    "roughness",
     "figures",
     "presets",
     "schema",
@@ -56,7 +57,19 @@ pub(crate) fn run(check: bool) -> Outcome {
 /// The pictures that commands make for README and book. They are not compared: the last digit of a
 /// mathematical function may move a line by a tenth of a pixel from one machine to another.
 fn pictures() -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 3] = [
+    const PICTURES: [(&[&str], &str, &str); 4] = [
+        (
+            &[
+                "roughness",
+                "validation/reference/sbb-track-noise/rail_roughness.csv",
+                "--where",
+                "laboratory=MBBM",
+                "--by",
+                "campaign",
+            ],
+            "roughness.png",
+            "niederwangen.png",
+        ),
         (&["map", "cases/nominal.toml"], "map.png", "nominal-map.png"),
         (
             &["map", "cases/discrete-supports.toml", "--bay"],

@@ -60,6 +60,24 @@ pub enum CaseError {
         message: String,
     },
 
+    /// A file of data that cannot be used.
+    #[error(
+        "{path}{place}: {message}",
+        path = path.display(),
+        place = line.map(|line| format!(", line {line}")).unwrap_or_default()
+    )]
+    Data {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1.
+        line: Option<usize>,
+        /// What is wrong.
+        message: String,
+        /// What would be right.
+        #[help]
+        help: Option<String>,
+    },
+
     /// No preset has this name.
     #[error("no preset is called \"{name}\"; the nearest is \"{nearest}\"")]
     #[diagnostic(help("riffel presets lists them all"))]

@@ -23,6 +23,7 @@ mod fill_in;
 mod measurement;
 mod preset;
 pub mod quantity;
+pub mod roughness;
 mod source;
 mod track;
 mod unit;

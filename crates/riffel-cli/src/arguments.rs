@@ -33,6 +33,8 @@ pub(crate) enum Command {
     Receptance(Receptance),
     /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
     Contact(Contact),
+    /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
+    Roughness(Roughness),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
@@ -273,6 +275,70 @@ pub(crate) struct Contact {
     pub(crate) ratio: Vec<Quantity<Ratio>>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results"
+)]
+pub(crate) struct Roughness {
+    /// Longitudinal profile, or table of one-third-octave levels: text in columns.
+    #[arg(value_name = "FILE", required_unless_present = "synthesise")]
+    pub(crate) path: Option<PathBuf>,
+
+    /// Reader profile that says how the file is laid out [default: found from its first lines].
+    #[arg(long, value_name = "TOML")]
+    pub(crate) format: Option<PathBuf>,
+
+    /// Save how the file was read as a reader profile.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) save_format: Option<PathBuf>,
+
+    /// Step between samples of a file without positions, in metres or with its unit.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) spacing: Option<Quantity<Length>>,
+
+    /// Longest wavelength of the spectrum [default: a quarter of the record, at most 2 m].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) longest: Option<Quantity<Length>>,
+
+    /// Window of the moving RMS and peak-to-peak value [default: ten of the longest wavelength of each
+    /// band, at least 1 m].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) window: Option<Quantity<Length>>,
+
+    /// Length of the blocks whose RMS is tabled.
+    #[arg(long, value_name = "LENGTH", default_value = "10 m")]
+    pub(crate) block: Quantity<Length>,
+
+    /// Good length below which two sections are ground as one.
+    #[arg(long, value_name = "LENGTH", default_value = "5 m")]
+    pub(crate) merge: Quantity<Length>,
+
+    /// Limit table, by name or as a TOML file; may be repeated [default: iso-3095-2013, grassie-1999].
+    #[arg(long, value_name = "LIMIT")]
+    pub(crate) limit: Vec<String>,
+
+    /// Keep the spectra of a table whose column has this value; may be repeated.
+    #[arg(long = "where", value_name = "COLUMN=VALUE")]
+    pub(crate) choose: Vec<String>,
+
+    /// Group the spectra of a table by a column and compare the groups.
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) by: Option<String>,
+
+    /// Make a profile to a recipe instead of reading one [default recipe: built in]; written to --output or
+    /// to standard output.
+    #[arg(long, value_name = "RECIPE", num_args = 0..=1, conflicts_with = "path")]
+    pub(crate) synthesise: Option<Option<PathBuf>>,
+
+    /// Folder for the results, made if need be [default: FILE-roughness]; with --synthesise the file.
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
 }

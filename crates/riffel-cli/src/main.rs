@@ -39,6 +39,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
+        Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Schema => command::schema::run()?,
         Command::Validate => return command::validate::run(),
     }

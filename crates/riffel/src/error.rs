@@ -47,7 +47,7 @@ pub enum Error {
         maximum: f64,
     },
 
-    /// A measured receptance that is none.
+    /// A measured receptance, profile or spectrum that is none.
     #[error("{rule} (value number {})", index + 1)]
     Measurement {
         /// Place of the value among the others, from zero.

@@ -13,6 +13,8 @@
 //! | wear | [`EnergyWear`] | |
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
+//! What is on the rail already, measured, is in [`roughness`].
+//!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
 //! growth rate is positive when corrugation grows.
@@ -67,6 +69,7 @@ mod golden_section;
 mod growth;
 mod place_of_wear;
 mod receptance;
+pub mod roughness;
 mod split_complex;
 mod square_root;
 mod wear;

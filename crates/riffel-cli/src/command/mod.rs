@@ -7,5 +7,6 @@ pub(crate) mod map;
 pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod receptance;
+pub(crate) mod roughness;
 pub(crate) mod schema;
 pub(crate) mod validate;

@@ -99,6 +99,7 @@ fn every_command_of_the_documentation_prints_what_is_shown() {
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
         let sandbox = Sandbox::new();
+        sandbox.copy("validation/reference/sbb-track-noise");
         let mut written = String::new();
         let mut rest = text.as_str();
         while let Some((before, after)) = rest.split_once("```console\n") {

@@ -3,5 +3,6 @@
 mod contact;
 mod documentation;
 mod files;
+mod roughness;
 mod sandbox;
 mod track;

@@ -26,13 +26,19 @@ pub(crate) struct Outcome {
 impl Sandbox {
     pub(crate) fn new() -> Self {
         let folder = TempDir::new().unwrap();
-        let cases = folder.path().join("cases");
-        fs::create_dir(&cases).unwrap();
-        for entry in fs::read_dir(root().join("cases")).unwrap() {
+        let sandbox = Self { folder };
+        sandbox.copy("cases");
+        sandbox
+    }
+
+    /// Copy the files of a folder of the repository to the same place here.
+    pub(crate) fn copy(&self, name: &str) {
+        let copy = self.path(name);
+        fs::create_dir_all(&copy).unwrap();
+        for entry in fs::read_dir(root().join(name)).unwrap() {
             let path = entry.unwrap().path();
-            fs::copy(&path, cases.join(path.file_name().unwrap())).unwrap();
+            fs::copy(&path, copy.join(path.file_name().unwrap())).unwrap();
         }
-        Self { folder }
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {

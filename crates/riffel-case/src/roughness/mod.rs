@@ -1,0 +1,422 @@
+//! Files of roughness: profiles and spectra, reader profiles, limit tables, recipes.
+
+mod chainage;
+mod format;
+mod limit;
+mod number;
+mod recipe;
+mod record;
+mod rows;
+mod sniff;
+mod spectra;
+
+use std::path::Path;
+
+use crate::CaseError;
+use crate::quantity::{Length, Quantity};
+
+pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
+pub use limit::{Limit, LimitTable};
+pub use recipe::{DEFAULT_RECIPE, RecipeFile};
+pub use record::{Rail, Record};
+pub use spectra::LabelledSpectrum;
+
+use record::Refusal;
+use rows::Cells;
+use sniff::Table;
+
+/// What a file of roughness holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RoughnessFile {
+    /// A longitudinal profile.
+    Profile(Record),
+    /// One-third-octave spectra.
+    Spectra(Vec<LabelledSpectrum>),
+}
+
+impl RoughnessFile {
+    /// Read a file: as the reader profile says, or as its first lines let it be understood. `spacing` is the
+    /// step of a file without positions. `progress` is told of bytes done, from several threads.
+    ///
+    /// Text in columns, with or without a header; blank lines and those that begin with `#` or `%` are
+    /// left out. A profile needs columns of heights and a position or a spacing; a table of spectra needs
+    /// a header with a wavelength and a level. Some hundred megabytes a second.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] with the line and the rule. Defects of less than one row in a hundred are put
+    /// right and counted in the warnings of the record.
+    pub fn read(
+        path: &Path,
+        format: Option<&ReaderFormat>,
+        spacing: Option<Quantity<Length>>,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, CaseError> {
+        let bytes = std::fs::read(path).map_err(|reason| {
+            Refusal::new(None, format!("cannot read the file: {reason}")).of(path)
+        })?;
+        Self::parse(&bytes, format, spacing, progress).map_err(|refusal| refusal.of(path))
+    }
+
+    fn parse(
+        bytes: &[u8],
+        format: Option<&ReaderFormat>,
+        spacing: Option<Quantity<Length>>,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, Refusal> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        refuse_what_is_no_text(bytes)?;
+        if let Some(spacing) = spacing.filter(|spacing| spacing.si() <= 0.0) {
+            let message = format!("--spacing is {spacing}, but must be greater than zero");
+            return Err(Refusal::new(None, message));
+        }
+        let (format, count, assumptions) = match format {
+            Some(format) => {
+                let format = with_spacing(format, spacing)?;
+                let count = count_of(bytes, &format)?;
+                (format, count, None)
+            }
+            None => {
+                let table = Table::find(bytes).ok_or_else(|| {
+                    let first = rows::lines(bytes).position(|line| !rows::is_comment(line));
+                    Refusal {
+                        line: first.map(|line| line + 1),
+                        message: "no table of numbers begins here or below".to_owned(),
+                        help: Some(HELP.to_owned()),
+                    }
+                })?;
+                if table.header.as_deref().is_some_and(spectra::is_header) {
+                    let comma = table.decimal == DecimalMark::Comma;
+                    let body = from_line(bytes, table.header_lines.saturating_sub(1));
+                    progress(bytes.len());
+                    return spectra::read(body, table.delimiter.byte(), comma).map(Self::Spectra);
+                }
+                let format = table.format(spacing).map_err(|message| Refusal {
+                    line: None,
+                    message,
+                    help: Some(HELP.to_owned()),
+                })?;
+                let assumptions = table.assumptions(&format);
+                (format, table.count, assumptions)
+            }
+        };
+        let start = bytes.len() - from_line(bytes, format.header_lines).len();
+        let rows = Cells::new(&format, count)
+            .parse(bytes, start, format.header_lines + 1, progress)
+            .map_err(|error| Refusal::new(Some(error.line), error.message))?;
+        let record = Record::new(format, rows, assumptions)?;
+        if let Some(spacing) = spacing
+            && (spacing.si() / record.spacing - 1.0).abs() > 0.02
+        {
+            return Err(Refusal::new(
+                None,
+                format!(
+                    "--spacing is {spacing}, but the positions are {} m apart",
+                    record.spacing
+                ),
+            ));
+        }
+        Ok(Self::Profile(record))
+    }
+}
+
+const HELP: &str = "a profile is a position and a height in columns, or heights alone with --spacing; \
+                    --format names the columns of any other file";
+
+/// Share of bytes that no text has, from which a file is none.
+const MOST_CONTROLS: f64 = 0.01;
+
+fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        let what = if bytes.is_empty() {
+            "is empty"
+        } else {
+            "holds only blanks"
+        };
+        return Err(Refusal::new(None, format!("the file {what}")));
+    }
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(Refusal::new(
+            Some(1),
+            "the file is text in UTF-16; save it as UTF-8 or plain ASCII",
+        ));
+    }
+    let control = |byte: &u8| *byte < 32 && !matches!(byte, b'\t' | b'\n' | b'\r' | 12);
+    if let Some(at) = memchr::memchr(0, bytes).or_else(|| {
+        let sample = &bytes[..bytes.len().min(1 << 16)];
+        let controls = sample.iter().filter(|byte| control(byte)).count();
+        let many = controls as f64 > MOST_CONTROLS * sample.len() as f64;
+        sample
+            .iter()
+            .position(|byte| control(byte))
+            .filter(|_| many)
+    }) {
+        let line = memchr::memchr_iter(b'\n', &bytes[..at]).count() + 1;
+        return Err(Refusal::new(
+            Some(line),
+            format!(
+                "the file is binary: byte {} is {:#04x}, which no text has",
+                at + 1,
+                bytes[at]
+            ),
+        ));
+    }
+    Ok(())
+}
+
+/// A reader profile with the spacing of the command line.
+fn with_spacing(
+    format: &ReaderFormat,
+    spacing: Option<Quantity<Length>>,
+) -> Result<ReaderFormat, Refusal> {
+    let mut format = format.clone();
+    if format.position.is_none() && spacing.is_some() {
+        format.spacing = spacing;
+    }
+    Ok(format)
+}
+
+/// Cells of the first row below the header, which must reach to the last column of the format.
+fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<usize, Refusal> {
+    let columns = format.position.iter().chain(&format.rails);
+    let needed = columns.map(|column| column.column).max().unwrap_or(0);
+    let body = from_line(bytes, format.header_lines);
+    let first = rows::lines(body)
+        .enumerate()
+        .find(|(_, line)| !rows::is_comment(line));
+    let Some((index, line)) = first else {
+        let message = format!(
+            "nothing follows the {} lines of the header",
+            format.header_lines
+        );
+        return Err(Refusal::new(None, message));
+    };
+    let count = rows::cells(line, format.delimiter).len();
+    if count >= needed {
+        return Ok(count);
+    }
+    Err(Refusal::new(
+        Some(format.header_lines + index + 1),
+        format!(
+            "the reader profile asks for column {needed}, but there are {count}, separated by {}",
+            format.delimiter.words()
+        ),
+    ))
+}
+
+/// The text from a line on, counted from zero.
+fn from_line(bytes: &[u8], line: usize) -> &[u8] {
+    match line.checked_sub(1) {
+        None => bytes,
+        Some(last) => memchr::memchr_iter(b'\n', bytes)
+            .nth(last)
+            .map_or(&[], |end| &bytes[end + 1..]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn parse(text: &[u8], spacing: Option<f64>) -> Result<RoughnessFile, String> {
+        RoughnessFile::parse(text, None, spacing.map(Quantity::new), &|_| ()).map_err(|refusal| {
+            match refusal.line {
+                Some(line) => format!("line {line}: {}", refusal.message),
+                None => refusal.message,
+            }
+        })
+    }
+
+    fn profile(text: &str) -> Record {
+        match parse(text.as_bytes(), None) {
+            Ok(RoughnessFile::Profile(record)) => record,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn height(row: usize) -> f64 {
+        (row * 7919 % 101) as f64 * 0.1 - 5.0
+    }
+
+    fn rows(count: usize) -> Vec<String> {
+        (0..count)
+            .map(|row| format!("{:.3},{:.1}", 10.0 + 1e-3 * row as f64, height(row)))
+            .collect()
+    }
+
+    #[test]
+    fn positions_and_heights_come_back() {
+        let text = rows(2000).join("\n");
+        let record = profile(&text);
+        assert_eq!((record.spacing, record.rails.len()), (1e-3, 1));
+        let stretch = &record.rails[0].stretches[0];
+        assert_eq!(stretch.start(), 10.0);
+        for (row, found) in stretch.heights().iter().enumerate() {
+            assert!((found - 1e-6 * height(row)).abs() < 1e-18);
+        }
+        // The other way round, the same rail.
+        let mut falling = rows(2000);
+        falling.reverse();
+        let again = profile(&(falling.join("\r\n") + "\r\n"));
+        assert!(again.falling);
+        let (again, stretch) = (&again.rails[0].stretches[0], stretch.heights());
+        assert!((again.start() - 10.0).abs() < 1e-9);
+        assert_eq!(again.heights(), stretch);
+    }
+
+    #[test]
+    fn heights_alone_need_a_spacing() {
+        let text: String = (0..1500)
+            .map(|row| format!("{:.1}\n", height(row)))
+            .collect();
+        assert!(
+            parse(text.as_bytes(), None)
+                .unwrap_err()
+                .contains("no position")
+        );
+        let Ok(RoughnessFile::Profile(record)) = parse(text.as_bytes(), Some(1e-3)) else {
+            panic!("no profile");
+        };
+        assert_eq!(record.rails[0].stretches[0].heights().len(), 1500);
+    }
+
+    #[test]
+    fn defects_are_named_with_their_line() {
+        let refusal = |change: &dyn Fn(&mut Vec<String>)| {
+            let mut rows = rows(2000);
+            change(&mut rows);
+            parse(rows.join("\n").as_bytes(), None).unwrap_err()
+        };
+        let wrong = refusal(&|rows| rows[1500] = "11.500,abc".to_owned());
+        assert!(
+            wrong.starts_with("line 1501: column 2 is \"abc\""),
+            "{wrong}"
+        );
+        let wrong = refusal(&|rows| rows[1500] = "11.500".to_owned());
+        assert!(wrong.starts_with("line 1501: has 1 column"), "{wrong}");
+        let wrong = refusal(&|rows| (700..800).for_each(|row| rows[row] = rows[700].clone()));
+        assert!(wrong.starts_with("line 702: 99 rows"), "{wrong}");
+        let wrong = refusal(&|rows| {
+            (0..2000).for_each(|row| rows[row] = format!("{},1.0", 1e-3 * row as f64))
+        });
+        assert!(wrong.contains("every height is 1"), "{wrong}");
+        let clip = |row: usize| {
+            format!(
+                "{:.3},{:.1}",
+                1e-3 * row as f64,
+                height(row).clamp(-5.0, 5.0) * 3.0
+            )
+        };
+        let wrong = refusal(&|rows| {
+            for row in 0..2000 {
+                rows[row] = if row % 20 < 9 {
+                    format!("{:.3},15.0", 1e-3 * row as f64)
+                } else {
+                    clip(row)
+                };
+            }
+        });
+        assert!(wrong.contains("clipped"), "{wrong}");
+        let wrong = refusal(&|rows| rows.truncate(900));
+        assert!(wrong.contains("no stretch of 1 m"), "{wrong}");
+        let mixed: String = (0..2000)
+            .map(|row| match row {
+                1700 => "1.700;2,5\n".to_owned(),
+                _ => format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row)),
+            })
+            .collect();
+        let wrong = parse(mixed.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"),
+            "{wrong}"
+        );
+        assert_eq!(parse(b"", None).unwrap_err(), "the file is empty");
+        assert!(
+            parse(b"\x7fELF\x02\x01\x00\x00", None)
+                .unwrap_err()
+                .starts_with("line 1: the file is binary")
+        );
+        assert!(
+            parse(b"only words\nand more\n", None)
+                .unwrap_err()
+                .starts_with("line 1: no table")
+        );
+    }
+
+    #[test]
+    fn what_can_be_put_right_is_counted() {
+        let mut some = rows(4000);
+        some[500] = format!("{:.3},NaN", 10.5);
+        some[1000] = format!("{:.3},", 11.0);
+        some[1500] = some[1499].clone();
+        some.insert(3, "# a remark".to_owned());
+        let record = profile(&some.join("\n"));
+        let warnings = record.warnings.join("\n");
+        assert!(
+            warnings.contains("2 heights missing") && warnings.contains("line 502"),
+            "{warnings}"
+        );
+        assert!(
+            warnings.contains("1 row with the position of the row before"),
+            "{warnings}"
+        );
+        assert!(warnings.contains("line 1502"), "{warnings}");
+        assert_eq!(record.rails[0].stretches.len(), 1);
+        assert_eq!(record.rails[0].stretches[0].heights().len(), 4000);
+    }
+
+    #[test]
+    fn spectra_are_told_by_their_header() {
+        let text = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-3.0\nB,19.95,-6\n";
+        let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+            panic!("no spectra");
+        };
+        assert_eq!(spectra.len(), 2);
+        assert_eq!(spectra[1].label("site"), Some("B"));
+        assert_eq!(spectra[0].spectrum.levels().len(), 2);
+        let twice = "wavelength_mm,level_db\n20,-4.0\n19.953,-3.0\n";
+        assert!(
+            parse(twice.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 3: 20 mm is there twice")
+        );
+        let none = "wavelength_mm,level_db\n20,-4.0\n22.4,-3.0\n25,1\n";
+        assert!(
+            parse(none.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 3: 22.4 mm is no")
+        );
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+        /// Whatever is in a file, it is read or refused with a sentence.
+        #[test]
+        fn no_file_panics(bytes in prop::collection::vec(any::<u8>(), 0..400), spaced in any::<bool>()) {
+            if let Err(message) = parse(&bytes, spaced.then_some(0.01)) {
+                prop_assert!(message.len() > 10);
+            }
+        }
+
+        #[test]
+        fn no_table_panics(text in "([0-9NnaAeE+.,;\t# -]{0,12}\n){0,60}", spaced in any::<bool>()) {
+            if let Err(message) = parse(text.as_bytes(), spaced.then_some(0.1)) {
+                prop_assert!(message.len() > 10);
+            }
+        }
+
+        /// A whole profile with lines changed at random is read or refused.
+        #[test]
+        fn no_broken_profile_panics(
+            changes in prop::collection::vec((0..2200usize, "[0-9.,;aN-]{0,10}"), 0..20),
+        ) {
+            let mut rows = rows(2200);
+            for (row, text) in changes {
+                rows[row] = text;
+            }
+            if let Ok(RoughnessFile::Profile(record)) = parse(rows.join("\n").as_bytes(), None) {
+                prop_assert!(record.rails.iter().all(|rail| !rail.stretches.is_empty()));
+            }
+        }
+    }
+}

@@ -1,0 +1,478 @@
+//! How a file of text is laid out, found from its first lines.
+
+use super::format::{Column, DecimalMark, Delimiter, ReaderFormat};
+use super::number;
+use super::rows::{cells, is_comment, lines};
+use crate::quantity::{Length, Quantity};
+
+/// Bytes that are looked at.
+const SAMPLE: usize = 1 << 16;
+
+/// Ways to write a table, the likelier first where two fit alike.
+const WAYS: [(Delimiter, DecimalMark); 7] = [
+    (Delimiter::Semicolon, DecimalMark::Comma),
+    (Delimiter::Tab, DecimalMark::Point),
+    (Delimiter::Semicolon, DecimalMark::Point),
+    (Delimiter::Comma, DecimalMark::Point),
+    (Delimiter::Tab, DecimalMark::Comma),
+    (Delimiter::Space, DecimalMark::Point),
+    (Delimiter::Space, DecimalMark::Comma),
+];
+
+/// A table as it presents itself.
+#[derive(Debug, PartialEq)]
+pub(super) struct Table {
+    pub(super) delimiter: Delimiter,
+    pub(super) decimal: DecimalMark,
+    /// Lines before the first row of numbers.
+    pub(super) header_lines: usize,
+    /// Names of the columns, if a line above the numbers has them.
+    pub(super) header: Option<Vec<String>>,
+    /// Cells of a row.
+    pub(super) count: usize,
+    /// Whether each column holds numbers.
+    numeric: Vec<bool>,
+    /// The first rows; not a number where a cell holds none.
+    sample: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// The table that most of the first lines fit into; None if there is none.
+    pub(super) fn find(bytes: &[u8]) -> Option<Self> {
+        let mut sample = &bytes[..bytes.len().min(SAMPLE)];
+        if sample.len() < bytes.len() {
+            // A line cut in two says nothing.
+            let end = sample.iter().rposition(|&byte| byte == b'\n')?;
+            sample = &sample[..end];
+        }
+        let all: Vec<&[u8]> = lines(sample).collect();
+        let (_, best) = WAYS
+            .into_iter()
+            .filter_map(|way| Self::read(&all, way))
+            .rev()
+            // The last of equals wins: the first of the ways.
+            .max_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(best)
+    }
+
+    /// The table read in one way, and how well it fits.
+    fn read(all: &[&[u8]], (delimiter, decimal): (Delimiter, DecimalMark)) -> Option<(f64, Self)> {
+        let rows: Vec<(usize, Vec<&[u8]>)> = all
+            .iter()
+            .enumerate()
+            .filter(|(_, line)| !is_comment(line))
+            .map(|(index, line)| (index, cells(line, delimiter)))
+            .collect();
+        // Titles stand above: the later half tells what a row is.
+        let later = &rows[rows.len() / 2..];
+        let count = most_frequent(later.iter().map(|(_, cells)| cells.len()))?;
+        let shaped: Vec<_> = later.iter().filter(|row| row.1.len() == count).collect();
+        let number = |cell: &[u8]| number::parse(cell, decimal.byte());
+        let numeric: Vec<bool> = (0..count)
+            .map(|column| {
+                let numbers = shaped.iter().filter(|row| number(row.1[column]).is_some());
+                let values = shaped
+                    .iter()
+                    .filter(|row| number(row.1[column]).is_some_and(f64::is_finite));
+                10 * numbers.count() >= 9 * shaped.len() && values.count() > 0
+            })
+            .collect();
+        let columns = numeric.iter().filter(|&&numeric| numeric).count();
+        if columns == 0 {
+            return None;
+        }
+        let is_data = |cells: &[&[u8]]| {
+            let with_numbers = || (0..count).filter(|&column| numeric[column]);
+            cells.len() == count
+                && with_numbers().all(|column| number(cells[column]).is_some())
+                && with_numbers().any(|column| number(cells[column]).is_some_and(f64::is_finite))
+        };
+        let first = rows.iter().position(|row| is_data(&row.1))?;
+        let data: Vec<_> = rows[first..].iter().filter(|row| is_data(&row.1)).collect();
+        let share = data.len() as f64 / (rows.len() - first) as f64;
+        let header_lines = rows[first].0;
+        let sample = data
+            .iter()
+            .map(|row| {
+                let value = |cell: &&[u8]| number(cell).unwrap_or(f64::NAN);
+                row.1.iter().map(value).collect()
+            })
+            .collect();
+        // A few odd lines are defects of the file and not of the way.
+        let fits = if share > 0.8 { 1.0 } else { share };
+        if fits < 0.5 {
+            return None;
+        }
+        let all_numbers = columns as f64 / count as f64;
+        let score = 1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64;
+        let table = Self {
+            delimiter,
+            decimal,
+            header_lines,
+            header: header(&all[..header_lines], delimiter, count),
+            count,
+            numeric,
+            sample,
+        };
+        // In "3,21" the comma is a decimal mark unless the first column counts.
+        if delimiter == Delimiter::Comma
+            && count == 2
+            && table.header.is_none()
+            && table.integers()
+            && !table.is_even(0)
+        {
+            return None;
+        }
+        Some((score, table))
+    }
+
+    fn integers(&self) -> bool {
+        self.sample
+            .iter()
+            .flatten()
+            .all(|value| value.fract() == 0.0)
+    }
+
+    /// Median of the steps of a column if nearly all have its sign and about its size.
+    fn even_step(&self, column: usize) -> Option<f64> {
+        let mut steps: Vec<f64> = self
+            .sample
+            .windows(2)
+            .map(|pair| pair[1][column] - pair[0][column])
+            .filter(|step| step.is_finite())
+            .collect();
+        steps.sort_by(f64::total_cmp);
+        let median = *steps.get(steps.len() / 2)?;
+        let near = steps
+            .iter()
+            .filter(|&&step| (step / median - 1.0).abs() < 0.5);
+        (median != 0.0 && 10 * near.count() >= 9 * steps.len()).then_some(median)
+    }
+
+    fn is_even(&self, column: usize) -> bool {
+        self.even_step(column).is_some()
+    }
+
+    /// The layout of a profile, or why there is none, as a sentence. `spacing` is what the user gave.
+    pub(super) fn format(&self, spacing: Option<Quantity<Length>>) -> Result<ReaderFormat, String> {
+        let mut columns: Vec<usize> = (0..self.count)
+            .filter(|&column| self.numeric[column] && !self.is(column, &IGNORED))
+            .collect();
+        let named = columns
+            .iter()
+            .position(|&column| self.is(column, &POSITION));
+        let first_counts = columns.len() > 1 && (spacing.is_none() || self.is_even(columns[0]));
+        let position = match named {
+            Some(place) => Some(columns.remove(place)),
+            None if first_counts => Some(columns.remove(0)),
+            None => None,
+        };
+        if columns.is_empty() {
+            return Err("there is no column of heights".to_owned());
+        }
+        if position.is_none() && spacing.is_none() {
+            return Err("there is one column of heights and no position".to_owned());
+        }
+        let rails = columns
+            .into_iter()
+            .map(|column| Column {
+                column: column + 1,
+                unit: self.unit(column).unwrap_or("um").to_owned(),
+                name: self.rail_name(column),
+            })
+            .collect();
+        Ok(ReaderFormat {
+            delimiter: self.delimiter,
+            decimal: self.decimal,
+            header_lines: self.header_lines,
+            spacing: spacing.filter(|_| position.is_none()),
+            position: position.map(|column| Column {
+                column: column + 1,
+                unit: self
+                    .unit(column)
+                    .unwrap_or_else(|| self.likely_unit(column))
+                    .to_owned(),
+                name: String::new(),
+            }),
+            rails,
+        })
+    }
+
+    /// Columns whose unit no header gives, as a sentence on what was taken for granted.
+    pub(super) fn assumptions(&self, format: &ReaderFormat) -> Option<String> {
+        let unnamed = |column: &Column| self.unit(column.column - 1).is_none();
+        let position = format.position.iter().filter(|column| unnamed(column));
+        let heights = format.rails.iter().find(|column| unnamed(column));
+        let parts: Vec<String> = position
+            .map(|column| format!("position in {}", column.unit))
+            .chain(heights.map(|column| format!("heights in {}", column.unit)))
+            .collect();
+        (!parts.is_empty()).then(|| format!("{} taken for granted", parts.join(" and ")))
+    }
+
+    fn name(&self, column: usize) -> Option<&str> {
+        self.header.as_ref()?.get(column).map(String::as_str)
+    }
+
+    fn is(&self, column: usize, words: &[&str]) -> bool {
+        let Some(name) = self.name(column) else {
+            return false;
+        };
+        tokens(name).iter().any(|token| {
+            words
+                .iter()
+                .any(|word| token == word || (word.len() > 4 && token.starts_with(word)))
+        })
+    }
+
+    /// Unit that the header gives.
+    fn unit(&self, column: usize) -> Option<&'static str> {
+        let tokens = tokens(self.name(column)?);
+        tokens.iter().rev().find_map(|token| {
+            UNITS
+                .into_iter()
+                .find(|(written, _)| written == token)
+                .map(|(_, unit)| unit)
+        })
+    }
+
+    /// Unit of a position that has none, from its step: no trolley samples in steps of less than 20 µm
+    /// or more than 100 mm.
+    fn likely_unit(&self, column: usize) -> &'static str {
+        match self.even_step(column).map(f64::abs) {
+            Some(step) if step < 2e-5 => "km",
+            Some(step) if step > 0.1 => "mm",
+            _ => "m",
+        }
+    }
+
+    /// What the header calls a rail, without its unit.
+    fn rail_name(&self, column: usize) -> String {
+        let Some(name) = self.name(column) else {
+            return format!("column {}", column + 1);
+        };
+        let kept: Vec<String> = tokens(name)
+            .into_iter()
+            .filter(|token| UNITS.iter().all(|(written, _)| written != token))
+            .collect();
+        if kept.is_empty() {
+            format!("column {}", column + 1)
+        } else {
+            kept.join(" ")
+        }
+    }
+}
+
+const POSITION: [&str; 19] = [
+    "position",
+    "pos",
+    "chainage",
+    "station",
+    "distance",
+    "dist",
+    "abscissa",
+    "location",
+    "kilometre",
+    "kilometer",
+    "mileage",
+    "weg",
+    "strecke",
+    "station",
+    "pk",
+    "x",
+    "s",
+    "km",
+    "way",
+];
+const IGNORED: [&str; 17] = [
+    "index",
+    "sample",
+    "samples",
+    "nr",
+    "no",
+    "number",
+    "id",
+    "time",
+    "zeit",
+    "speed",
+    "date",
+    "temperature",
+    "latitude",
+    "longitude",
+    "lat",
+    "lon",
+    "event",
+];
+const UNITS: [(&str, &str); 10] = [
+    ("km", "km"),
+    ("mm", "mm"),
+    ("cm", "cm"),
+    ("m", "m"),
+    ("um", "um"),
+    ("µm", "um"),
+    ("μm", "um"),
+    ("micron", "um"),
+    ("microns", "um"),
+    ("nm", "nm"),
+];
+
+/// Words of a name, in small letters.
+pub(super) fn tokens(name: &str) -> Vec<String> {
+    name.to_lowercase()
+        .split(|c: char| !c.is_alphanumeric())
+        .filter(|token| !token.is_empty())
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Names above the numbers: the last line that has as many cells and is not numbers; also in a remark.
+fn header(above: &[&[u8]], delimiter: Delimiter, count: usize) -> Option<Vec<String>> {
+    above.iter().rev().find_map(|line| {
+        let line = match line {
+            [b'#' | b'%', rest @ ..] => rest,
+            _ => line,
+        };
+        let cells = cells(line, delimiter);
+        let text = cells
+            .iter()
+            .any(|cell| cell.iter().any(u8::is_ascii_alphabetic));
+        (cells.len() == count && text).then(|| cells.iter().map(|cell| words(cell)).collect())
+    })
+}
+
+/// Text of a header in UTF-8 or, where it is none, in Latin 1.
+fn words(cell: &[u8]) -> String {
+    let text = match std::str::from_utf8(cell) {
+        Ok(text) => text.to_owned(),
+        Err(_) => cell.iter().map(|&byte| char::from(byte)).collect(),
+    };
+    text.trim_matches(['"', '\'']).trim().to_owned()
+}
+
+fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
+    let mut counts = std::collections::BTreeMap::new();
+    for value in values {
+        *counts.entry(value).or_insert(0usize) += 1;
+    }
+    counts
+        .into_iter()
+        .max_by_key(|&(_, count)| count)
+        .map(|(value, _)| value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    /// Rows of position and height written in a way.
+    fn text(delimiter: &str, decimal: &str, header: &str) -> String {
+        let rows = (0..50).map(|row| {
+            let cells = [
+                0.001 * f64::from(row),
+                f64::from(row * row % 13) - 6.25,
+                f64::from(row % 7) + 0.5,
+            ];
+            let cells = cells.map(|cell| format!("{cell:.3}").replace('.', decimal));
+            format!("{}\n", cells.join(delimiter))
+        });
+        header.to_owned() + &rows.collect::<String>()
+    }
+
+    #[rstest]
+    #[case(",", ".", "", Delimiter::Comma, DecimalMark::Point)]
+    #[case(
+        ";",
+        ",",
+        "Position [m];links [µm];rechts [µm]\n",
+        Delimiter::Semicolon,
+        DecimalMark::Comma
+    )]
+    #[case(
+        ";",
+        ".",
+        "a title\n\nx;l;r\n",
+        Delimiter::Semicolon,
+        DecimalMark::Point
+    )]
+    #[case("\t", ",", "", Delimiter::Tab, DecimalMark::Comma)]
+    #[case(
+        "\t",
+        ".",
+        "# pos_m\tleft_um\tright_um\n",
+        Delimiter::Tab,
+        DecimalMark::Point
+    )]
+    #[case("   ", ".", "", Delimiter::Space, DecimalMark::Point)]
+    #[case(" ", ",", "", Delimiter::Space, DecimalMark::Comma)]
+    fn finds_how_a_table_is_written(
+        #[case] between: &str,
+        #[case] mark: &str,
+        #[case] header: &str,
+        #[case] delimiter: Delimiter,
+        #[case] decimal: DecimalMark,
+    ) {
+        let table = Table::find(text(between, mark, header).as_bytes()).unwrap();
+        assert_eq!(
+            (table.delimiter, table.decimal, table.count),
+            (delimiter, decimal, 3)
+        );
+        assert_eq!(table.header_lines, header.lines().count());
+        let format = table.format(None).unwrap();
+        assert_eq!(format.position.unwrap().column, 1);
+        assert_eq!(format.rails.len(), 2);
+        assert_eq!(table.header.is_some(), !header.is_empty());
+    }
+
+    #[test]
+    fn units_come_from_the_header_or_the_step() {
+        let format = |header: &str, step: &str| {
+            let rows: String = (0..20)
+                .map(|row| format!("{}{step};{row}.5\n", row))
+                .collect();
+            Table::find((header.to_owned() + &rows).as_bytes())
+                .unwrap()
+                .format(None)
+                .unwrap()
+        };
+        let units = |format: &ReaderFormat| {
+            (
+                format.position.as_ref().unwrap().unit.clone(),
+                format.rails[0].unit.clone(),
+            )
+        };
+        assert_eq!(
+            units(&format("km;Hoehe (mm)\n", "e-6")),
+            ("km".into(), "mm".into())
+        );
+        assert_eq!(units(&format("", "e-6")), ("km".into(), "um".into()));
+        assert_eq!(units(&format("", "e-3")), ("m".into(), "um".into()));
+        assert_eq!(units(&format("", "")), ("mm".into(), "um".into()));
+    }
+
+    #[test]
+    fn a_lone_comma_is_a_decimal_mark_unless_the_first_number_counts() {
+        let decimals: String = [3, 1, 4, 1, 5, 9, 2, 6]
+            .map(|n| format!("{n},{}\n", 10 - n))
+            .concat();
+        let table = Table::find(decimals.as_bytes()).unwrap();
+        assert_eq!((table.decimal, table.count), (DecimalMark::Comma, 1));
+        assert!(table.format(None).is_err());
+        let counted: String = (0..8).map(|n| format!("{n},{}\n", 10 - n)).collect();
+        assert_eq!(Table::find(counted.as_bytes()).unwrap().count, 2);
+    }
+
+    #[test]
+    fn other_columns_are_left_out() {
+        let rows: String = (0..30)
+            .map(|n| format!("{n},2014-07-01,{},{}.5\n", 0.001 * f64::from(n), n))
+            .collect();
+        let table =
+            Table::find(format!("index,date,chainage_m,left rail um\n{rows}").as_bytes()).unwrap();
+        let format = table.format(None).unwrap();
+        assert_eq!(format.position.unwrap().column, 3);
+        assert_eq!(format.rails.len(), 1);
+        assert_eq!(format.rails[0].name, "left rail");
+        assert_eq!(Table::find(b"no numbers here\nnone at all\n"), None);
+    }
+}

@@ -1,0 +1,134 @@
+//! `roughness --json`.
+
+use riffel::roughness::{BandSummary, GrindSection, Spectrum};
+use riffel_case::roughness::ReaderFormat;
+use serde::Serialize;
+
+use super::verdict::Verdict;
+
+#[derive(Serialize)]
+pub(super) struct Document {
+    pub(super) file: String,
+    pub(super) sample_spacing_m: Option<f64>,
+    pub(super) length_m: Option<f64>,
+    pub(super) spectrum: Vec<Level>,
+    pub(super) bands: Vec<Band>,
+    pub(super) removed: Removed,
+    pub(super) verdicts: Vec<Verdict>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) grind: Option<Grind>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) rails: Vec<RailDocument>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) arithmetic_mean: Option<Vec<Level>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) groups: Vec<GroupDocument>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) findings: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) read_as: Option<ReaderFormat>,
+    pub(super) warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+pub(super) struct Level {
+    wavelength_m: f64,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Band {
+    from_m: f64,
+    to_m: f64,
+    rms_m: f64,
+    peak_to_peak_max_m: f64,
+    share_over_limit: Option<f64>,
+    limit_rms_m: Option<f64>,
+    moving_rms_max_m: f64,
+    window_m: f64,
+    length_m: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct Removed {
+    pub(super) spikes: usize,
+    pub(super) pits: usize,
+}
+
+#[derive(Serialize)]
+pub(super) struct Grind {
+    sections: Vec<Section>,
+    total_m: f64,
+    share_of_length: f64,
+}
+
+#[derive(Serialize)]
+struct Section {
+    from_m: f64,
+    to_m: f64,
+    band_from_m: f64,
+    band_to_m: f64,
+    rms_over_limit: f64,
+}
+
+#[derive(Serialize)]
+pub(super) struct RailDocument {
+    pub(super) name: String,
+    pub(super) length_m: f64,
+    pub(super) spectrum: Vec<Level>,
+    pub(super) bands: Vec<Band>,
+    pub(super) removed: Removed,
+}
+
+#[derive(Serialize)]
+pub(super) struct GroupDocument {
+    pub(super) group: String,
+    pub(super) spectra: usize,
+    pub(super) spectrum: Vec<Level>,
+    pub(super) arithmetic_mean: Vec<Level>,
+}
+
+pub(super) fn levels(spectrum: &Spectrum) -> Vec<Level> {
+    let levels = spectrum.levels().iter();
+    levels
+        .map(|level| Level {
+            wavelength_m: level.band.wavelength(),
+            level_db: level.level,
+        })
+        .collect()
+}
+
+pub(super) fn bands(bands: &[BandSummary]) -> Vec<Band> {
+    bands
+        .iter()
+        .map(|band| Band {
+            from_m: band.band.from(),
+            to_m: band.band.to(),
+            rms_m: band.rms,
+            peak_to_peak_max_m: band.peak_to_peak_max,
+            share_over_limit: band.share_over_limit,
+            limit_rms_m: band.limit,
+            moving_rms_max_m: band.moving_rms_max,
+            window_m: band.window,
+            length_m: band.length,
+        })
+        .collect()
+}
+
+pub(super) fn grind(sections: &[GrindSection], length: f64) -> Grind {
+    let total: f64 = sections.iter().map(GrindSection::length).sum();
+    Grind {
+        sections: sections
+            .iter()
+            .map(|section| Section {
+                from_m: section.from,
+                to_m: section.to,
+                band_from_m: section.band.from(),
+                band_to_m: section.band.to(),
+                rms_over_limit: section.ratio,
+            })
+            .collect(),
+        total_m: total,
+        share_of_length: total / length,
+    }
+}

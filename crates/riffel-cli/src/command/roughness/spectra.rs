@@ -1,0 +1,257 @@
+//! Spectra that were computed elsewhere: means, limits, change from group to group.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use riffel::roughness::{Spectrum, ThirdOctave};
+use riffel_case::CaseError;
+use riffel_case::roughness::{LabelledSpectrum, LimitTable};
+
+use super::document::{Document, GroupDocument, Removed, levels};
+use super::verdict::Verdict;
+use super::{figure, folder, write_figure};
+use crate::arguments::Roughness;
+use crate::output::{json, print, table};
+use crate::staging::Staging;
+
+/// Decibels by which a band stands over both its neighbours to be called a peak.
+const PEAK: f64 = 3.0;
+
+/// Name, energy mean and arithmetic mean of a group.
+type Group = (String, Spectrum, Spectrum);
+
+pub(super) fn run(
+    path: &Path,
+    mut spectra: Vec<LabelledSpectrum>,
+    limits: &[LimitTable],
+    arguments: &Roughness,
+) -> miette::Result<()> {
+    let refuse = |message: String| CaseError::Data {
+        path: path.to_owned(),
+        line: None,
+        message,
+        help: None,
+    };
+    let columns: Vec<String> = spectra
+        .first()
+        .map(|spectrum| {
+            spectrum
+                .labels
+                .iter()
+                .map(|label| label.0.clone())
+                .collect()
+        })
+        .unwrap_or_default();
+    let known = |column: &str| -> Result<(), CaseError> {
+        if columns.iter().any(|known| known == column) {
+            return Ok(());
+        }
+        let message = format!(
+            "no column \"{column}\" to choose by; there are {}",
+            columns.join(", ")
+        );
+        Err(refuse(message))
+    };
+    for choice in &arguments.choose {
+        let (column, value) = choice
+            .split_once('=')
+            .ok_or_else(|| refuse(format!("--where is {choice}, but must be COLUMN=VALUE")))?;
+        known(column)?;
+        spectra.retain(|spectrum| spectrum.label(column) == Some(value));
+        if spectra.is_empty() {
+            Err(refuse(format!("no spectrum has {choice}")))?;
+        }
+    }
+    if let Some(column) = &arguments.by {
+        known(column)?;
+    }
+    let mut groups: Vec<(String, Vec<Spectrum>)> = Vec::new();
+    for labelled in &spectra {
+        let name = match &arguments.by {
+            Some(column) => labelled.label(column).unwrap_or_default().to_owned(),
+            None => "all".to_owned(),
+        };
+        match groups.iter_mut().find(|group| group.0 == name) {
+            Some(group) => group.1.push(labelled.spectrum.clone()),
+            None => groups.push((name, vec![labelled.spectrum.clone()])),
+        }
+    }
+    let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
+    let means: Option<Vec<Group>> = groups
+        .into_iter()
+        .map(|(name, spectra)| {
+            let name = match &arguments.by {
+                Some(column) => format!("{column} {name}"),
+                None => name,
+            };
+            Some((
+                name,
+                Spectrum::energy_mean(&spectra)?,
+                Spectrum::arithmetic_mean(&spectra)?,
+            ))
+        })
+        .collect();
+    let all: Vec<Spectrum> = spectra
+        .into_iter()
+        .map(|labelled| labelled.spectrum)
+        .collect();
+    let (Some(means), Some(energy), Some(arithmetic)) = (
+        means,
+        Spectrum::energy_mean(&all),
+        Spectrum::arithmetic_mean(&all),
+    ) else {
+        return Err(refuse("there is no spectrum in the file".to_owned()).into());
+    };
+    let findings = findings(&means);
+    // Each group is judged by its own energy mean.
+    let verdicts = means.iter().flat_map(|(name, energy, _)| {
+        Verdict::all(limits, energy, &[])
+            .into_iter()
+            .map(move |verdict| verdict.of(name))
+    });
+    let verdicts: Vec<Verdict> = verdicts.collect();
+    let document = Document {
+        file: path.display().to_string(),
+        sample_spacing_m: None,
+        length_m: None,
+        spectrum: levels(&energy),
+        bands: Vec::new(),
+        removed: Removed { spikes: 0, pits: 0 },
+        verdicts: verdicts.clone(),
+        grind: None,
+        rails: Vec::new(),
+        arithmetic_mean: Some(levels(&arithmetic)),
+        groups: means
+            .iter()
+            .zip(&counts)
+            .map(|((name, energy, arithmetic), &count)| GroupDocument {
+                group: name.clone(),
+                spectra: count,
+                spectrum: levels(energy),
+                arithmetic_mean: levels(arithmetic),
+            })
+            .collect(),
+        findings: findings.clone(),
+        read_as: None,
+        warnings: Vec::new(),
+    };
+    let document = json(&document);
+    if arguments.json {
+        print(&document);
+        if arguments.output.is_none() {
+            return Ok(());
+        }
+    }
+    let folder = folder(path, arguments.output.as_deref());
+    let mut staging = Staging::new(&folder)?;
+    write_figure(
+        &mut staging,
+        "roughness",
+        &figure::of_spectra(path, &means, limits),
+    )?;
+    staging.write_with("spectrum.csv", |file| mean_table(&means, file))?;
+    staging.write("summary.json", document)?;
+    let files = staging.publish()?;
+    if !arguments.json {
+        let mut text = format!("{}\n", path.display());
+        text += &format!("read as: {} one-third-octave spectra\n", all.len());
+        text += &readable(&means, &counts);
+        for line in verdicts
+            .iter()
+            .map(|verdict| &verdict.sentence)
+            .chain(&findings)
+        {
+            text += &format!("{line}\n");
+        }
+        print(&format!(
+            "{text}{}: {}\n",
+            folder.display(),
+            files.join(" ")
+        ));
+    }
+    Ok(())
+}
+
+/// Bands of all groups, the longest wavelength first.
+fn bands(groups: &[Group]) -> Vec<ThirdOctave> {
+    let levels = groups.iter().flat_map(|group| group.1.levels());
+    let mut bands: Vec<ThirdOctave> = levels.map(|level| level.band).collect();
+    bands.sort();
+    bands.dedup();
+    bands.reverse();
+    bands
+}
+
+/// Energy mean and, behind the stroke, mean of levels of each group.
+fn readable(groups: &[Group], counts: &[usize]) -> String {
+    let mut header = vec!["wavelength mm".to_owned()];
+    let names = groups.iter().zip(counts);
+    header.extend(names.map(|(group, count)| format!("{} ({count})", group.0)));
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let mut rows = table(&header);
+    for band in bands(groups) {
+        let mut row = vec![format!("{}", band.nominal_millimetres())];
+        row.extend(groups.iter().map(|(_, energy, arithmetic)| {
+            match energy.level(band).zip(arithmetic.level(band)) {
+                Some((energy, arithmetic)) => format!("{energy:.1} | {arithmetic:.1}"),
+                None => String::new(),
+            }
+        }));
+        rows.add_row(row);
+    }
+    format!(
+        "levels in dB re 1 µm: mean of energies | mean of levels, over so many spectra\n{rows}\n"
+    )
+}
+
+/// What peaks of the first group do from group to group.
+fn findings(groups: &[Group]) -> Vec<String> {
+    let [first, _, ..] = groups else {
+        return Vec::new();
+    };
+    let peak = |band: &ThirdOctave| {
+        let level = |by: i32| first.2.level(ThirdOctave::new(band.index() + by));
+        let higher = |other: f64| level(0).is_some_and(|own| own > other + PEAK);
+        level(-1).is_some_and(higher) && level(1).is_some_and(higher)
+    };
+    bands(groups)
+        .iter()
+        .filter(|band| peak(band))
+        .filter_map(|band| {
+            let levels: Vec<f64> = groups.iter().filter_map(|group| group.2.level(*band)).collect();
+            let list: Vec<String> = levels.iter().map(|level| format!("{level:.1}")).collect();
+            let all = |holds: fn(&[f64]) -> bool| levels.windows(2).all(holds);
+            let what = if all(|pair| pair[1] < pair[0]) {
+                "falls every time: a fixed wavelength that fades, as a grinding mark does, and not growing \
+                 corrugation"
+            } else if all(|pair| pair[1] > pair[0]) {
+                "rises every time: it grows under traffic"
+            } else {
+                "neither rises nor falls every time"
+            };
+            let wavelength = band.nominal_millimetres();
+            (levels.len() == groups.len()).then(|| {
+                format!("the peak at {wavelength} mm, {} dB re 1 µm, {what}", list.join(", "))
+            })
+        })
+        .collect()
+}
+
+fn mean_table(groups: &[Group], file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header = vec!["wavelength_m".to_owned()];
+    header.extend(groups.iter().flat_map(|group| {
+        ["energy_mean_db", "arithmetic_mean_db"].map(|mean| format!("{} {mean}", group.0))
+    }));
+    writer.write_record(&header)?;
+    for band in bands(groups) {
+        let mut row = vec![Some(band.wavelength())];
+        row.extend(
+            groups
+                .iter()
+                .flat_map(|group| [group.1.level(band), group.2.level(band)]),
+        );
+        writer.serialize(row)?;
+    }
+    writer.flush()
+}

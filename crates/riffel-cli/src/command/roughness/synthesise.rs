@@ -1,0 +1,64 @@
+//! `riffel roughness --synthesise`
+
+use std::io::Write;
+use std::path::Path;
+
+use riffel_case::CaseError;
+use riffel_case::roughness::{DEFAULT_RECIPE, RecipeFile};
+
+use crate::arguments::Roughness;
+use crate::output::print;
+use crate::staging::write_file;
+
+pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Result<()> {
+    let file = match recipe {
+        Some(path) => RecipeFile::read(path)?,
+        None => RecipeFile::parse("the built-in recipe", DEFAULT_RECIPE)?,
+    };
+    let mut columns = Vec::new();
+    for (_, recipe) in &file.rails {
+        let heights = recipe.heights().map_err(|error| CaseError::Data {
+            path: recipe_name(arguments),
+            line: None,
+            message: error.to_string(),
+            help: None,
+        })?;
+        columns.push(heights);
+    }
+    let spacing = file.rails.first().map_or(0.0, |rail| rail.1.spacing);
+    let mut text = Vec::with_capacity(columns.iter().map(|column| 10 * column.len() + 12).sum());
+    let names: Vec<String> = file
+        .rails
+        .iter()
+        .map(|rail| format!("{}_um", rail.0))
+        .collect();
+    // Writing to memory does not fail.
+    let _ = writeln!(text, "position_m,{}", names.join(","));
+    for row in 0..columns.first().map_or(0, Vec::len) {
+        let _ = write!(text, "{}", (row as f64 * spacing * 1e6).round() / 1e6);
+        for column in &columns {
+            let _ = match column[row] {
+                height if height.is_nan() => write!(text, ","),
+                height => write!(text, ",{:.3}", 1e6 * height),
+            };
+        }
+        text.push(b'\n');
+    }
+    let text = String::from_utf8(text).unwrap_or_default();
+    match &arguments.output {
+        Some(path) => {
+            write_file(path, &text, true)?;
+            print(&format!(
+                "wrote {p}; next: riffel roughness {p}\n",
+                p = path.display()
+            ));
+        }
+        None => print(&text),
+    }
+    Ok(())
+}
+
+fn recipe_name(arguments: &Roughness) -> std::path::PathBuf {
+    let given = arguments.synthesise.clone().flatten();
+    given.unwrap_or_else(|| "the built-in recipe".into())
+}

@@ -1,0 +1,308 @@
+//! Everything about the roughness of one rail, in one call.
+
+use super::{
+    BandPass, BandStatistics, GrindSection, PIT_DEPTH, PowerSpectrum, Profile, RmsLimit, Spectrum,
+    SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+};
+use crate::Error;
+
+/// What to compute.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AnalysisSettings {
+    /// Longest wavelength of the spectrum \[m\].
+    pub longest_wavelength: f64,
+    /// Bands of the statistics.
+    pub bands: Vec<WavelengthBand>,
+    /// Length of the moving window \[m\]; None takes that of each band.
+    pub window: Option<f64>,
+    /// Length of the blocks \[m\].
+    pub block: f64,
+    /// Limit of the moving RMS.
+    pub limit: Option<RmsLimit>,
+}
+
+impl Default for AnalysisSettings {
+    /// Wavelengths up to 2 m, the bands of grinding, blocks of 10 m, no limit.
+    fn default() -> Self {
+        Self {
+            longest_wavelength: 2.0,
+            bands: WavelengthBand::GRINDING.to_vec(),
+            window: None,
+            block: 10.0,
+            limit: None,
+        }
+    }
+}
+
+/// The roughness of one rail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailAnalysis {
+    /// Number of spikes removed.
+    pub spikes: usize,
+    /// Number of pits that the wheel bridges.
+    pub pits: usize,
+    /// Energy-averaged one-third-octave levels after EN 15610.
+    pub spectrum: Spectrum,
+    /// Length of a segment of the transform \[m\].
+    pub segment_length: f64,
+    /// Number of segments.
+    pub segments: usize,
+    /// Statistics of each band that some stretch is long enough for.
+    pub bands: Vec<BandSummary>,
+    /// RMS of consecutive blocks.
+    pub blocks: Vec<BlockRms>,
+    /// Where a band is over its limit, each on its own.
+    pub over_limit: Vec<GrindSection>,
+}
+
+/// A band over the whole rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BandSummary {
+    /// The band.
+    pub band: WavelengthBand,
+    /// Length of the moving window \[m\].
+    pub window: f64,
+    /// Length of rail that counts \[m\]: stretches of at least four of the longest wavelength.
+    pub length: f64,
+    /// RMS over this length \[m\].
+    pub rms: f64,
+    /// Largest moving RMS \[m\].
+    pub moving_rms_max: f64,
+    /// Largest moving peak-to-peak value \[m\].
+    pub peak_to_peak_max: f64,
+    /// Limit of the moving RMS \[m\].
+    pub limit: Option<f64>,
+    /// Share of the length over the limit \[-\], if there is one.
+    pub share_over_limit: Option<f64>,
+}
+
+/// RMS of one block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockRms {
+    /// Where it begins \[m\].
+    pub from: f64,
+    /// Where it ends \[m\].
+    pub to: f64,
+    /// RMS \[m\] by band, in the order of the settings; None where the stretch is too short for the band.
+    pub rms: Vec<Option<f64>>,
+}
+
+impl RailAnalysis {
+    /// Spikes, pits and levels of EN 15610, and the statistics of grinding, for the stretches of one rail.
+    ///
+    /// Levels are those of the profile without spikes that the wheel has rolled over; band statistics
+    /// those of the profile without spikes, pits included, for they are on the rail. `progress` is told
+    /// of each of [`steps`](Self::steps).
+    ///
+    /// # Errors
+    /// As [`PowerSpectrum::of_record`].
+    pub fn new(
+        mut stretches: Vec<Profile>,
+        settings: &AnalysisSettings,
+        progress: &(dyn Fn() + Sync),
+    ) -> Result<Self, Error> {
+        let (mut spikes, mut pits) = (0, 0);
+        let mut statistics = vec![Vec::new(); settings.bands.len()];
+        let mut blocks = Vec::new();
+        let mut over_limit = Vec::new();
+        for stretch in &mut stretches {
+            spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
+            progress();
+            let found = band_statistics(stretch, settings)?;
+            progress();
+            blocks.extend(block_rows(stretch, settings, &found));
+            for (index, (band, found)) in settings.bands.iter().zip(found).enumerate() {
+                let Some(found) = found else { continue };
+                over_limit.extend(sections(stretch, *band, &found, settings));
+                statistics[index].push(found);
+            }
+            pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
+            progress();
+        }
+        let spacing = stretches.first().map_or(0.0, Profile::spacing);
+        let power = PowerSpectrum::of_record(&stretches, settings.longest_wavelength)?;
+        progress();
+        let summaries = settings.bands.iter().zip(&statistics);
+        Ok(Self {
+            spikes,
+            pits,
+            spectrum: power.third_octaves(settings.longest_wavelength)?,
+            segment_length: power.segment_length(),
+            segments: power.segments(),
+            bands: summaries
+                .filter_map(|(band, statistics)| summary(*band, statistics, spacing, settings))
+                .collect(),
+            blocks,
+            over_limit,
+        })
+    }
+
+    /// How often [`new`](Self::new) calls its progress.
+    pub fn steps(stretches: &[Profile]) -> usize {
+        3 * stretches.len() + 1
+    }
+}
+
+/// Statistics of each band; None where the stretch is too short or its samples too far apart.
+fn band_statistics(
+    stretch: &Profile,
+    settings: &AnalysisSettings,
+) -> Result<Vec<Option<BandStatistics>>, Error> {
+    let spacing = stretch.spacing();
+    let length = stretch.length();
+    let fits = |band: &WavelengthBand| band.fits_into(length) && BandPass::resolves(*band, spacing);
+    let samples = |length: f64| (length / spacing).round().max(1.0) as usize;
+    let fitting: Vec<WavelengthBand> = settings.bands.iter().copied().filter(fits).collect();
+    let bank = BandPass::new(spacing, stretch.heights().len(), &fitting)?;
+    let mut filtered = bank.filter(stretch).into_iter();
+    Ok(settings
+        .bands
+        .iter()
+        .map(|band| {
+            let heights = if fits(band) {
+                filtered.next()?
+            } else {
+                return None;
+            };
+            let window = settings.window.unwrap_or_else(|| band.default_window());
+            Some(BandStatistics::new(
+                *band,
+                &heights,
+                samples(window),
+                settings.limit.as_ref().and_then(|limit| limit.of(*band)),
+                samples(settings.block),
+            ))
+        })
+        .collect())
+}
+
+fn block_rows<'a>(
+    stretch: &'a Profile,
+    settings: &'a AnalysisSettings,
+    statistics: &'a [Option<BandStatistics>],
+) -> impl Iterator<Item = BlockRms> + 'a {
+    let block = (settings.block / stretch.spacing()).round().max(1.0) as usize;
+    let samples = stretch.heights().len();
+    (0..samples.div_ceil(block)).map(move |index| BlockRms {
+        from: stretch.position(index * block),
+        to: stretch.position(((index + 1) * block).min(samples)),
+        rms: statistics
+            .iter()
+            .map(|band| band.as_ref().map(|band| band.block_rms[index]))
+            .collect(),
+    })
+}
+
+fn sections(
+    stretch: &Profile,
+    band: WavelengthBand,
+    statistics: &BandStatistics,
+    settings: &AnalysisSettings,
+) -> Vec<GrindSection> {
+    let Some(limit) = settings.limit.as_ref().and_then(|limit| limit.of(band)) else {
+        return Vec::new();
+    };
+    statistics
+        .exceedances
+        .iter()
+        .map(|over| GrindSection {
+            from: stretch.position(over.samples.start),
+            to: stretch.position(over.samples.end),
+            band,
+            ratio: over.rms_max / limit,
+        })
+        .collect()
+}
+
+fn summary(
+    band: WavelengthBand,
+    statistics: &[BandStatistics],
+    spacing: f64,
+    settings: &AnalysisSettings,
+) -> Option<BandSummary> {
+    let samples: usize = statistics.iter().map(|stretch| stretch.samples).sum();
+    let window = statistics.iter().map(|stretch| stretch.window).max()?;
+    let sum: f64 = statistics
+        .iter()
+        .map(|stretch| stretch.samples as f64 * stretch.mean_square)
+        .sum();
+    let over: usize = statistics
+        .iter()
+        .map(BandStatistics::samples_over_limit)
+        .sum();
+    let largest =
+        |value: fn(&BandStatistics) -> f64| statistics.iter().map(value).fold(0.0, f64::max);
+    let limit = settings.limit.as_ref().and_then(|limit| limit.of(band));
+    Some(BandSummary {
+        band,
+        window: window as f64 * spacing,
+        length: samples as f64 * spacing,
+        rms: (sum / samples as f64).sqrt(),
+        moving_rms_max: largest(|stretch| stretch.moving_rms_max),
+        peak_to_peak_max: largest(|stretch| stretch.peak_to_peak_max),
+        limit,
+        share_over_limit: limit.map(|_| over as f64 / samples as f64),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn wave(samples: usize, amplitude: impl Fn(usize) -> f64) -> Profile {
+        let phase = |i: usize| std::f64::consts::TAU * i as f64 * 1e-3 / 0.055;
+        let heights = (0..samples)
+            .map(|i| amplitude(i) * phase(i).sin())
+            .collect();
+        Profile::new(100.0, 1e-3, heights).unwrap()
+    }
+
+    /// 12 µm from 130.03 m to 150.05 m, whole waves, of a rail of 1 µm: over the limit of 7 µm as long as 68 % of the window
+    /// of 1 m is corrugated, where the moving RMS is 0.707 × 12 µm × √share; to a wavelength.
+    #[test]
+    fn corrugation_is_found_where_it_is() -> Result<(), Error> {
+        let profile = wave(100_000, |i| {
+            if (30_030..50_050).contains(&i) {
+                12e-6
+            } else {
+                1e-6
+            }
+        });
+        let limit = RmsLimit::new(vec![(WavelengthBand::GRINDING[1], 7e-6)], 0.05)?;
+        let settings = AnalysisSettings {
+            limit: Some(limit),
+            ..AnalysisSettings::default()
+        };
+        let analysis = RailAnalysis::new(vec![profile], &settings, &|| ())?;
+        assert_eq!(analysis.bands.len(), 4);
+        let band = &analysis.bands[1];
+        assert!((band.moving_rms_max / (12e-6 / 2f64.sqrt()) - 1.0).abs() < 0.02);
+        // Its sudden ends ring.
+        assert!(
+            (band.peak_to_peak_max / 24e-6 - 1.0).abs() < 0.12,
+            "{band:?}"
+        );
+        let [over] = &analysis.over_limit[..] else {
+            panic!("{:?}", analysis.over_limit);
+        };
+        assert!(
+            (over.from - 130.21).abs() < 0.06 && (over.to - 149.87).abs() < 0.06,
+            "{over:?}"
+        );
+        assert!((band.share_over_limit.unwrap() - over.length() / 100.0).abs() < 1e-9);
+        assert_eq!(analysis.blocks.len(), 10);
+        assert!((analysis.blocks[3].rms[1].unwrap() / (12e-6 / 2f64.sqrt()) - 1.0).abs() < 0.02);
+        assert_eq!((analysis.spikes, analysis.pits), (0, 0));
+        Ok(())
+    }
+
+    #[test]
+    fn short_stretches_have_fewer_bands() -> Result<(), Error> {
+        let settings = AnalysisSettings::default();
+        let analysis = RailAnalysis::new(vec![wave(2500, |_| 3e-6)], &settings, &|| ())?;
+        assert_eq!(analysis.bands.len(), 3);
+        assert_eq!(analysis.blocks[0].rms[3], None);
+        assert_eq!(analysis.bands[0].share_over_limit, None);
+        Ok(())
+    }
+}

@@ -1,0 +1,52 @@
+//! Acoustic roughness of a rail: from a measured profile to levels, statistics and limits.
+//!
+//! A [`Profile`] is cleaned of [spikes](Profile::remove_spikes) and rolled over by the
+//! [wheel](Profile::roll_over) as EN 15610 asks, and becomes a [`Spectrum`] of one-third-octave levels
+//! or a [`BandStatistics`] of what grinding is judged by; [`RailAnalysis`] does it all. Heights are positive upward, out of the rail;
+//! levels are in dB re 1 µm, L = 10 lg(mean square / 1 µm²).
+//!
+//! ```
+//! use riffel::roughness::{PowerSpectrum, Profile, ThirdOctave};
+//!
+//! # fn main() -> Result<(), riffel::Error> {
+//! // Ten metres of a sinusoid of 3 µm and 100 mm.
+//! let wave = |i: i32| 3e-6 * (0.01 * std::f64::consts::TAU * f64::from(i)).sin();
+//! let profile = Profile::new(0.0, 1e-3, (0..10_000).map(wave).collect())?;
+//! let spectrum = PowerSpectrum::of_record(&[profile], 1.0)?.third_octaves(1.0)?;
+//! let level = spectrum.level(ThirdOctave::containing(0.1)?);
+//! assert!((level.unwrap() - 6.53).abs() < 0.01);
+//! # Ok(())
+//! # }
+//! ```
+
+mod analysis;
+mod band_pass;
+mod band_statistics;
+mod curvature;
+mod grinding;
+mod level;
+mod limit;
+mod method_a;
+mod moving;
+mod profile;
+mod spectrum;
+mod spike;
+mod synthesis;
+mod third_octave;
+mod wavelength_band;
+
+pub use analysis::{AnalysisSettings, BandSummary, BlockRms, RailAnalysis};
+pub use band_pass::BandPass;
+pub use band_statistics::{BandStatistics, Exceedance};
+pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
+pub use grinding::{GrindSection, grind_sections};
+pub use level::{REFERENCE_ROUGHNESS, level, mean_square};
+pub use limit::{LevelExcess, LevelLimit, RmsLimit};
+pub use method_a::PowerSpectrum;
+pub use moving::{moving_peak_to_peak, moving_rms};
+pub use profile::Profile;
+pub use spectrum::{BandLevel, Spectrum};
+pub use spike::SpikeCriterion;
+pub use synthesis::{ColouredNoise, Dropout, Irregularity, Recipe, Sinusoid};
+pub use third_octave::ThirdOctave;
+pub use wavelength_band::WavelengthBand;
