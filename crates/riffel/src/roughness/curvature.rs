@@ -9,8 +9,9 @@ use super::Profile;
 /// Radius of the wheel that rolls over a profile \[m\], EN 15610:2009.
 pub const WHEEL_RADIUS: f64 = 0.375;
 
-/// Least height at which the wheel passes over a pit that is counted \[m\]: the reference roughness.
-pub const PIT_DEPTH: f64 = 1e-6;
+/// Least height at which the wheel passes over a pit that is counted \[m\]: three
+/// times the accuracy of 1 µm that Grassie, Saxon & Smith (1999) give for a good instrument.
+pub const PIT_DEPTH: f64 = 3e-6;
 
 /// Samples of a block: small enough for the nearest cache, and for the slope of the profile to matter
 /// little.
