@@ -145,10 +145,7 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
         let sample = &bytes[..bytes.len().min(1 << 16)];
         let controls = sample.iter().filter(|byte| control(byte)).count();
         let many = controls as f64 > MOST_CONTROLS * sample.len() as f64;
-        sample
-            .iter()
-            .position(|byte| control(byte))
-            .filter(|_| many)
+        sample.iter().position(control).filter(|_| many)
     }) {
         let line = memchr::memchr_iter(b'\n', &bytes[..at]).count() + 1;
         return Err(Refusal::new(
