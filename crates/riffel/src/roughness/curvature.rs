@@ -213,7 +213,8 @@ mod tests {
         heights[2001..2010].fill(-100e-6);
         let mut profile = Profile::new(0.0, 1e-3, heights)?;
         let pits = profile.roll_over(WHEEL_RADIUS, PIT_DEPTH);
-        assert_eq!(pits, [2001..2010]);
+        assert_eq!(pits.len(), 1);
+        assert_eq!(pits[0], 2001..2010);
         let sag = 0.010f64.powi(2) / (8.0 * WHEEL_RADIUS);
         let deepest = profile.heights().iter().copied().fold(0.0, f64::min);
         // The wheel rests on both edges, 5 mm from the middle.
