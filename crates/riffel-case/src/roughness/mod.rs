@@ -305,11 +305,10 @@ mod tests {
             )
         };
         let wrong = refusal(&|rows| {
-            for row in 0..2000 {
-                rows[row] = if row % 20 < 9 {
-                    format!("{:.3},15.0", 1e-3 * row as f64)
-                } else {
-                    clip(row)
+            for (row, line) in rows.iter_mut().enumerate() {
+                *line = match row % 20 {
+                    0..9 => format!("{:.3},15.0", 1e-3 * row as f64),
+                    _ => clip(row),
                 };
             }
         });
