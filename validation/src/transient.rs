@@ -139,8 +139,8 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
             100.0 * overshoot,
             100.0 * settled
         ),
-        tolerance: "1 %: 56 elements across against 28 of CONTACT, both of first order, with different edges",
-        holds: worst <= 0.01
+        tolerance: "1.5 %: 56 elements across against 28 of CONTACT, both of first order, with different edges",
+        holds: worst <= 0.015
             && compared == 12
             && (0.9..1.1).contains(&peak_place)
             && (0.08..0.12).contains(&overshoot)
