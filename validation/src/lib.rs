@@ -16,6 +16,7 @@ mod points;
 mod receptance;
 mod rolling;
 mod roughness;
+mod transient;
 
 /// The outcome of one check.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,6 +73,8 @@ checks! {
         creepage_of_four_per_mille;
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail;
+    transient: carter_in_two_dimensions, slopes_of_the_half_space, shift_of_cattaneo,
+        stiffness_of_mindlin, from_cattaneo_to_carter, frequency_response_by_time;
     contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,
         contact_filter_rises_with_the_load, contact_filter_of_long_waves,
         contact_filter_between_bounds, contact_filter_of_remington, contact_filter_approximation;
