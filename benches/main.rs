@@ -3,6 +3,7 @@
 //! `cargo xtask bench` prints the report and writes it to `benches/README.md`. Every contestant is a
 //! process of its own that keeps what it needs between tasks, as a program in use does.
 
+mod contact;
 mod contestant;
 mod roughness;
 
@@ -77,6 +78,7 @@ fn contest() -> Result<(), Failure> {
         };
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
+            "contact" => contact::task(track, points.parse()?)?,
             _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
         };
@@ -248,6 +250,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
 
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
+    contact::report(&mut text, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;

@@ -61,6 +61,7 @@ pub(crate) fn contest(task: &str, file: &str, samples: usize) -> Result<(f64, f6
             window,
             Some(7e-6),
             10_000,
+            1000,
         ));
     }
     profile.roll_over(WHEEL_RADIUS, PIT_DEPTH);

@@ -7,6 +7,7 @@ mod contact;
 mod contact_filter;
 pub mod decay_rate;
 mod fastsim;
+mod forecast;
 mod ground;
 mod growth;
 mod linear_theory;
@@ -15,6 +16,7 @@ mod points;
 mod receptance;
 mod rolling;
 mod roughness;
+mod transient;
 
 /// The outcome of one check.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,6 +73,8 @@ checks! {
         creepage_of_four_per_mille;
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail;
+    transient: carter_in_two_dimensions, slopes_of_the_half_space, shift_of_cattaneo,
+        stiffness_of_mindlin, from_cattaneo_to_carter, frequency_response_by_time;
     contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,
         contact_filter_rises_with_the_load, contact_filter_of_long_waves,
         contact_filter_between_bounds, contact_filter_of_remington, contact_filter_approximation;
@@ -88,6 +92,7 @@ checks! {
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
         grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
+    forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 
 /// All checks as a Markdown table.

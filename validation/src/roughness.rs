@@ -293,9 +293,12 @@ pub(crate) fn band_pass_error() -> Row {
     }
 }
 
+/// Bands with their levels.
+type Levels = Vec<(ThirdOctave, f64)>;
+
 /// Spectra of the laboratory MBBM by campaign.
-fn campaigns() -> Vec<Vec<Spectrum>> {
-    let mut spectra: Vec<(&str, usize, Vec<(ThirdOctave, f64)>)> = Vec::new();
+pub(crate) fn campaigns() -> Vec<Vec<Spectrum>> {
+    let mut spectra: Vec<(&str, usize, Levels)> = Vec::new();
     for line in SPECTRA.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
         if cells[4] != "MBBM" {

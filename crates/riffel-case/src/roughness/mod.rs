@@ -147,10 +147,7 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
         let sample = &bytes[..bytes.len().min(1 << 16)];
         let controls = sample.iter().filter(|byte| control(byte)).count();
         let many = controls as f64 > MOST_CONTROLS * sample.len() as f64;
-        sample
-            .iter()
-            .position(|byte| control(byte))
-            .filter(|_| many)
+        sample.iter().position(control).filter(|_| many)
     }) {
         let line = memchr::memchr_iter(b'\n', &bytes[..at]).count() + 1;
         return Err(Refusal::new(
@@ -310,11 +307,10 @@ mod tests {
             )
         };
         let wrong = refusal(&|rows| {
-            for row in 0..2000 {
-                rows[row] = if row % 20 < 9 {
-                    format!("{:.3},15.0", 1e-3 * row as f64)
-                } else {
-                    clip(row)
+            for (row, line) in rows.iter_mut().enumerate() {
+                *line = match row % 20 {
+                    0..9 => format!("{:.3},15.0", 1e-3 * row as f64),
+                    _ => clip(row),
                 };
             }
         });

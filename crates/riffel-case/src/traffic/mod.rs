@@ -169,17 +169,14 @@ impl Traffic {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<TrafficOnCase, CaseError> {
         let mut vehicles = Vec::new();
-        let mut remarks: Vec<String> = Vec::new();
+        let mut remarks = Vec::new();
         for index in 0..self.file.vehicle.len() {
             let (growth, own) = self.vehicle_on(index, case, bands, variant)?;
             vehicles.push(growth);
-            for remark in own {
-                if !remarks.contains(&remark) {
-                    remarks.push(remark);
-                }
-            }
+            remarks.push(own);
             progress(1);
         }
+        let remarks = self.merged(remarks);
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
         let line = self.file.line;
@@ -190,6 +187,32 @@ impl Traffic {
             passages_per_day,
             remarks,
         })
+    }
+
+    /// The remarks on the vehicles, the one with most passages first. A remark that differs from an earlier
+    /// one by its numbers alone is left out.
+    fn merged(&self, remarks: Vec<Vec<String>>) -> Vec<String> {
+        let words =
+            |remark: &str| -> String { remark.chars().filter(|c| !c.is_ascii_digit()).collect() };
+        let mut of_vehicles: Vec<(&Vehicle, Vec<String>)> =
+            self.file.vehicle.iter().zip(remarks).collect();
+        of_vehicles.sort_by(|a, b| b.0.share.si().total_cmp(&a.0.share.si()));
+        let alone = of_vehicles.len() == 1;
+        let mut merged = Vec::new();
+        let mut known = Vec::new();
+        for (vehicle, remarks) in of_vehicles {
+            for remark in remarks {
+                let words = words(&remark);
+                if !known.contains(&words) {
+                    known.push(words);
+                    merged.push(match alone {
+                        true => remark,
+                        false => format!("{}: {remark}", vehicle.name),
+                    });
+                }
+            }
+        }
+        merged
     }
 
     fn vehicle_on(
@@ -246,7 +269,13 @@ impl Traffic {
             speeds,
         );
         let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
-        Ok((growth, wheel.remarks))
+        // That a preset of the case changes nothing for a vehicle with values of its own is no news.
+        let presets = wheel.builder.source.remarks;
+        let remarks = wheel.remarks.into_iter();
+        Ok((
+            growth,
+            remarks.filter(|remark| !presets.contains(remark)).collect(),
+        ))
     }
 }
 

@@ -49,15 +49,15 @@ pub(crate) struct Forecast {
 #[group(multiple = false)]
 pub(crate) struct Horizon {
     /// Look so many axle passages ahead.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) passages: Option<f64>,
 
     /// Look so many million gross tonnes ahead.
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
     pub(crate) mgt: Option<f64>,
 
     /// Look so many months ahead [default: 12].
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
     pub(crate) months: Option<f64>,
 }
 
@@ -90,7 +90,7 @@ pub(crate) struct Spectra {
     pub(crate) earlier_choose: Vec<String>,
 
     /// Axle passages between the two measurements [default: from the dates and the traffic file].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub(crate) passages_between: Option<f64>,
 }
 

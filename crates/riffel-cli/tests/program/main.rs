@@ -4,6 +4,7 @@ mod contact;
 mod diagnose;
 mod documentation;
 mod files;
+mod forecast;
 mod report;
 mod roughness;
 mod sandbox;

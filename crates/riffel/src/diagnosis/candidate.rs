@@ -192,7 +192,7 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
                 .nearest_order(peak.wavelength)
                 .unwrap_or((1, *length));
             format!(
-                "{} over {order} is {}, {:.2} of the measured {measured}, whatever the speed of the traffic.",
+                "{} over {order} is {}, {:.2} times the measured {measured}, whatever the speed of the traffic.",
                 millimetres(*length),
                 millimetres(nearest),
                 nearest / peak.wavelength

@@ -22,7 +22,10 @@ pub fn tell_apart(
     let mut measurements = Vec::new();
     let wavelength = 1e3 * peak.wavelength;
     let fixed = worth.iter().any(|candidate| candidate.frequency.is_none());
-    let moves = worth.iter().any(|candidate| candidate.frequency.is_some());
+    // What is not listed may be either.
+    let moves = worth.iter().any(|candidate| {
+        candidate.frequency.is_some() || candidate.kind == MechanismKind::Unlisted
+    });
     if fixed && moves {
         measurements.push(format!(
             "Speed: measure where the same trains run a fifth slower. A constant frequency ({}) would stand at \
@@ -65,4 +68,45 @@ fn capital(words: &str) -> String {
     letters.next().map_or_else(String::new, |first| {
         first.to_uppercase().chain(letters).collect()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speed_tells_a_frequency_from_a_length() {
+        let peak = DominantWavelength {
+            wavelength: 0.05,
+            from: 0.048,
+            to: 0.052,
+            level: 0.0,
+            prominence: 6.0,
+            scatter: None,
+            false_peaks: None,
+            harmonic_of: None,
+        };
+        let candidate = |kind, frequency| Candidate {
+            kind,
+            share: 0.5,
+            frequency,
+            wavelengths: None,
+            reasons_for: Vec::new(),
+            reasons_against: Vec::new(),
+        };
+        let speeds = TrafficSpeeds::new([(25.0, 1.0)]).unwrap();
+        let told = |first, second| tell_apart(&peak, &[first, second], None, &speeds).join("\n");
+        let pads = || candidate(MechanismKind::RailOnPad, Some(500.0));
+        let mark = told(candidate(MechanismKind::GrindingMark, None), pads());
+        // 25/0.05 Hz; four fifths of 50 mm.
+        assert!(mark.contains("(500 Hz) would stand at 40.0 mm"), "{mark}");
+        assert!(
+            mark.contains("at 50.0 mm as here") && mark.contains("Rail on pad: track decay rate")
+        );
+        let modes = told(candidate(MechanismKind::P2, Some(60.0)), pads());
+        assert!(
+            !modes.contains("Speed:") && modes.contains("P2 resonance: vertical axle-box"),
+            "{modes}"
+        );
+    }
 }

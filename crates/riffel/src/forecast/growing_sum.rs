@@ -2,6 +2,9 @@
 
 use std::f64::consts::LN_10;
 
+/// Rounding of a sum of logarithms; 4e-12 dB.
+const ROUNDING: f64 = 1e-12;
+
 /// Steps of Newton's method; it needs some ten.
 const MOST_STEPS: usize = 200;
 
@@ -83,7 +86,7 @@ impl GrowingSum {
             return None;
         }
         let goal = mean_square.ln();
-        if self.ln_at(0.0) >= goal {
+        if self.ln_at(0.0) >= goal - ROUNDING {
             return Some(0.0);
         }
         let mut passages = self

@@ -101,6 +101,9 @@ impl Forecast {
     }
 
     /// The spectrum after some axle passages; a level beyond all numbers is the largest there is.
+    ///
+    /// # Errors
+    /// [`Error::Measurement`] for passages that are not a number.
     pub fn spectrum(&self, passages: f64) -> Result<Spectrum, Error> {
         let levels = self.bands.iter();
         Spectrum::new(levels.map(|band| (band.now.band, band.level(passages).min(f64::MAX))))

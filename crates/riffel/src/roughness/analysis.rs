@@ -68,7 +68,7 @@ pub struct BandSummary {
     pub rms: f64,
     /// Largest moving RMS \[m\].
     pub moving_rms_max: f64,
-    /// Largest moving peak-to-peak value \[m\].
+    /// Largest moving peak-to-peak value \[m\], one of the longest wavelength away from the ends.
     pub peak_to_peak_max: f64,
     /// Limit of the moving RMS \[m\].
     pub limit: Option<f64>,
@@ -171,6 +171,7 @@ fn band_statistics(
                 samples(window),
                 settings.limit.as_ref().and_then(|limit| limit.of(*band)),
                 samples(settings.block),
+                samples(band.to()),
             ))
         })
         .collect())

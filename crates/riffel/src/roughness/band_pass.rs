@@ -24,8 +24,8 @@ const FLAT: f64 = 0.6;
 /// H = cos(π/4 (1 ± sin(π t/2))), one inside, nought outside, −3 dB at the edge. Squares of gains of
 /// neighbouring bands add up to one, so mean squares of the bands add up to that of the profile. The
 /// response is symmetric, tapered to nothing between 3.6 and six of the longest wavelengths (change of
-/// gain below 1 %), and applied by overlapping transforms. At the ends the profile is continued
-/// point-symmetrically. EN 13231 and trolleys use other filters, often Butterworth's run forward and
+/// gain below 1 %), and applied by overlapping transforms. At the ends the profile is continued by its
+/// mirror image about the straight line it ends with. EN 13231 and trolleys use other filters, often Butterworth's run forward and
 /// back, whose edges are less steep.
 ///
 /// Cost: one transform and one inverse for each band, some ten nanoseconds a sample and band; parallel.
@@ -123,6 +123,7 @@ impl BandPass {
     /// The profile's heights in each band \[m\], as many as the profile has.
     pub fn filter(&self, profile: &Profile) -> Vec<Vec<f64>> {
         let heights = profile.heights();
+        let continued = Continued::new(heights, self.reach / 3);
         let step = self.forward.len() - 2 * self.reach;
         let mut filtered: Vec<Vec<f64>> = vec![vec![0.0; heights.len()]; self.gains.len()];
         // For each block, its part of each band.
@@ -138,7 +139,7 @@ impl BandPass {
         blocks.into_par_iter().enumerate().for_each_init(
             || Scratch::new(self),
             |scratch, (index, parts)| {
-                scratch.filter(self, heights, index * step, parts);
+                scratch.filter(self, &continued, index * step, parts);
             },
         );
         filtered
@@ -177,12 +178,18 @@ impl Scratch {
     }
 
     /// One block from the sample `start` on.
-    fn filter(&mut self, bank: &BandPass, heights: &[f64], start: usize, parts: Vec<&mut [f64]>) {
+    fn filter(
+        &mut self,
+        bank: &BandPass,
+        heights: &Continued<'_>,
+        start: usize,
+        parts: Vec<&mut [f64]>,
+    ) {
         let reach = bank.reach;
         let needed = parts.first().map_or(0, |part| part.len()) + 2 * reach;
         for (index, height) in self.heights.iter_mut().enumerate() {
             *height = if index < needed {
-                continued(heights, (start + index) as isize - reach as isize)
+                heights.at((start + index) as isize - reach as isize)
             } else {
                 0.0
             };
@@ -208,17 +215,46 @@ impl Scratch {
     }
 }
 
-/// Height at a place up to one record before or behind: point-symmetric about the end.
-fn continued(heights: &[f64], place: isize) -> f64 {
-    let last = heights.len() as isize - 1;
-    let at = |place: isize| heights[place.clamp(0, last) as usize];
-    if place < 0 {
-        2.0 * at(0) - at(-place)
-    } else if place > last {
-        2.0 * at(last) - at(2 * last - place)
-    } else {
-        at(place)
+/// A profile continued beyond its ends by its mirror image about the straight line it ends with: a trend
+/// goes on, and a wave keeps its size.
+struct Continued<'a> {
+    heights: &'a [f64],
+    /// Slopes at the beginning and at the end, a sample.
+    slopes: [f64; 2],
+}
+
+impl<'a> Continued<'a> {
+    /// With slopes of least squares over `length` samples.
+    fn new(heights: &'a [f64], length: usize) -> Self {
+        let length = length.clamp(2, heights.len());
+        let slopes = [&heights[..length], &heights[heights.len() - length..]].map(slope);
+        Self { heights, slopes }
     }
+
+    /// Height at a place up to one record before or behind.
+    fn at(&self, place: isize) -> f64 {
+        let last = self.heights.len() as isize - 1;
+        let at = |place: isize| self.heights[place.clamp(0, last) as usize];
+        if place < 0 {
+            at(-place) + 2.0 * self.slopes[0] * place as f64
+        } else if place > last {
+            at(2 * last - place) + 2.0 * self.slopes[1] * (place - last) as f64
+        } else {
+            at(place)
+        }
+    }
+}
+
+/// Slope of the straight line of least squares, a sample.
+fn slope(heights: &[f64]) -> f64 {
+    let count = heights.len() as f64;
+    let middle = 0.5 * (count - 1.0);
+    let moment: f64 = heights
+        .iter()
+        .enumerate()
+        .map(|(index, height)| (index as f64 - middle) * (height - heights[0]))
+        .sum();
+    moment / (count * (count * count - 1.0) / 12.0)
 }
 
 #[cfg(test)]
@@ -304,7 +340,7 @@ mod tests {
         let band = [WavelengthBand::GRINDING[0]];
         // Blocks of 2048 samples with a reach of 180.
         let wave = |x: f64| 1e-6 * (std::f64::consts::TAU * x / 0.02).sin();
-        for samples in [200, 5000] {
+        for samples in [400, 5000] {
             let profile = profile(samples, wave);
             let bank = BandPass::new(1e-3, samples, &band)?;
             let filtered = &bank.filter(&profile)[0];

@@ -45,13 +45,15 @@ impl BandStatistics {
     ///
     /// The moving RMS belongs to the middle of its window of `window` samples, at most all; the first
     /// and last value hold to the ends. `limit` is that of the moving RMS \[m\], `block` the number of
-    /// samples of a block. Cost: some ten nanoseconds a sample; parallel.
+    /// samples of a block, `margin` the number at either end that peak-to-peak values leave out: there the
+    /// band-pass knows only one side. Cost: some ten nanoseconds a sample; parallel.
     pub fn new(
         band: WavelengthBand,
         heights: &[f64],
         window: usize,
         limit: Option<f64>,
         block: usize,
+        margin: usize,
     ) -> Self {
         let window = window.clamp(1, heights.len().max(1));
         let windows = (heights.len() + 1).saturating_sub(window);
@@ -74,10 +76,7 @@ impl BandStatistics {
             .map(|(block, rms)| block.len() as f64 * rms * rms)
             .sum();
         let largest = |value: fn(&Part) -> f64| parts.iter().map(value).fold(0.0, f64::max);
-        let (moving_rms_max, peak_to_peak_max) = (
-            largest(|part| part.rms_max),
-            largest(|part| part.peak_to_peak_max),
-        );
+        let moving_rms_max = largest(|part| part.rms_max);
         let over = parts.into_iter().flat_map(|part| part.over);
         Self {
             band,
@@ -85,7 +84,7 @@ impl BandStatistics {
             window,
             mean_square: sum / heights.len().max(1) as f64,
             moving_rms_max,
-            peak_to_peak_max,
+            peak_to_peak_max: peak_to_peak_max(heights, window, margin),
             exceedances: placed(over, windows, window, heights.len()),
             block_rms,
         }
@@ -100,14 +99,12 @@ impl BandStatistics {
 /// Windows that begin in one chunk.
 struct Part {
     rms_max: f64,
-    peak_to_peak_max: f64,
     /// By the first sample of the window.
     over: Vec<Exceedance>,
 }
 
 impl Part {
     fn new(heights: &[f64], window: usize, limit: Option<f64>, start: usize) -> Self {
-        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
         let rms = moving_rms(heights, window);
         let mut over: Vec<Exceedance> = Vec::new();
         if let Some(limit) = limit {
@@ -126,11 +123,27 @@ impl Part {
             }
         }
         Self {
-            rms_max: largest(&rms),
-            peak_to_peak_max: largest(&moving_peak_to_peak(heights, window)),
+            rms_max: rms.iter().copied().fold(0.0, f64::max),
             over,
         }
     }
+}
+
+/// Largest moving peak-to-peak value away from the ends, in windows of at most what is left.
+fn peak_to_peak_max(heights: &[f64], window: usize, margin: usize) -> f64 {
+    let margin = margin.min(heights.len().saturating_sub(1) / 2);
+    let inner = &heights[margin..heights.len() - margin];
+    let window = window.min(inner.len());
+    let windows = (inner.len() + 1).saturating_sub(window);
+    let starts: Vec<usize> = (0..windows).step_by(CHUNK).collect();
+    starts
+        .into_par_iter()
+        .map(|start| {
+            let end = (start + CHUNK).min(windows);
+            let moving = moving_peak_to_peak(&inner[start..end + window - 1], window);
+            moving.into_iter().fold(0.0, f64::max)
+        })
+        .reduce(|| 0.0, f64::max)
 }
 
 /// Exceedances by the middle of their windows, joined over the chunks and held to the ends.
@@ -193,13 +206,13 @@ mod tests {
     #[test]
     fn statistics_of_one_amplitude() {
         let heights = alternating(200_000, |_| 2e-6);
-        let statistics = BandStatistics::new(BAND, &heights, 1000, Some(3e-6), 10_000);
+        let statistics = BandStatistics::new(BAND, &heights, 1000, Some(3e-6), 10_000, 100);
         assert!((statistics.mean_square.sqrt() - 2e-6).abs() < 1e-15);
         assert!((statistics.moving_rms_max - 2e-6).abs() < 1e-15);
         assert_eq!(statistics.peak_to_peak_max, 4e-6);
         assert_eq!(statistics.block_rms.len(), 20);
         assert_eq!(statistics.samples_over_limit(), 0);
-        let all = BandStatistics::new(BAND, &heights, 1000, Some(1e-6), 10_000);
+        let all = BandStatistics::new(BAND, &heights, 1000, Some(1e-6), 10_000, 100);
         assert_eq!(all.samples_over_limit(), 200_000);
         assert_eq!(all.exceedances.len(), 1);
     }
@@ -215,7 +228,7 @@ mod tests {
                 0.0
             }
         });
-        let statistics = BandStatistics::new(BAND, &heights, 1001, Some(4e-6), 10_000);
+        let statistics = BandStatistics::new(BAND, &heights, 1001, Some(4e-6), 10_000, 100);
         let [over] = &statistics.exceedances[..] else {
             panic!("{:?}", statistics.exceedances);
         };
@@ -226,7 +239,8 @@ mod tests {
 
     #[test]
     fn a_window_longer_than_the_stretch_is_the_stretch() {
-        let statistics = BandStatistics::new(BAND, &alternating(50, |_| 1e-6), 1000, Some(0.0), 7);
+        let statistics =
+            BandStatistics::new(BAND, &alternating(50, |_| 1e-6), 1000, Some(0.0), 7, 60);
         assert_eq!(statistics.window, 50);
         assert_eq!(statistics.samples_over_limit(), 50);
         assert_eq!(statistics.block_rms.len(), 8);

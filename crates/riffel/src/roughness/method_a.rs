@@ -194,7 +194,7 @@ fn segments(heights: &[f64], samples: usize) -> impl Iterator<Item = &[f64]> {
     let steps = room.map_or(0, |room| room.div_ceil((samples / 2).max(1)));
     (0..=steps).filter_map(move |step| {
         let room = room?;
-        let start = if steps == 0 { 0 } else { room * step / steps };
+        let start = (room * step).checked_div(steps).unwrap_or(0);
         Some(&heights[start..start + samples])
     })
 }

@@ -1,5 +1,6 @@
 //! The figure of a comparison.
 
+use riffel_case::traffic::DAYS_PER_YEAR;
 use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::{Report, when};
@@ -30,11 +31,13 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         report.speeds
     );
     if let Some(spectrum) = &report.spectrum {
-        // All at one date: when the case as it is reaches its limit, else when the first variant does.
+        // All at one date: when the case as it is reaches its limit, else when the first variant does, else
+        // after a year.
         let reached = report.comparison.outcomes.iter();
         let passages = reached
             .filter_map(|outcome| outcome.passages_to_limit)
             .find(|passages| *passages > 0.0)
+            .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
             .unwrap_or(1e6);
         let mut levels = vec![points("now", spectrum, LineStyle::Dotted, BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {

@@ -41,8 +41,10 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         .enumerate()
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            let label = format!("{}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
-            rate(label, &vehicle.growth.rates, color)
+            let label = format!("by {}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
+            let own = vehicle.growth.rates.iter();
+            let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
+            rate(label, &parts, color)
         })
         .collect();
     rates.push(rate("mix".to_owned(), traffic.rates(), BLACK));
@@ -51,8 +53,8 @@ pub(super) fn figure(report: &Report) -> LineFigure {
     LineFigure {
         title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
         caption: format!(
-            "After {}. One-third-octave levels; growth of the level by wavelength under each vehicle and under \
-             the mix, positive where corrugation grows. Linear: levels hold while wheel and rail touch.",
+            "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
+             grows: what each kind of vehicle adds, and their sum. Levels hold while wheel and rail touch.",
             report.amount(report.passages)
         ),
         panels: vec![level_panel(vec![now, then, limit]), rate_panel(rates)],

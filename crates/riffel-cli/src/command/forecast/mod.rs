@@ -187,7 +187,7 @@ impl Report {
             "now dB",
             "then dB",
             "limit dB",
-            "growth dB per 10⁶ passages",
+            "dB per 10⁶ passages",
             "passages to limit",
             "wheel leaves rail",
         ]);
@@ -251,6 +251,14 @@ impl Report {
                 linear.force_ratio
             ),
         });
+        let decays = |band: &&ForecastBand| self.forecast.growth_rate(band) < 0.0;
+        if self.forecast.bands().iter().any(|band| decays(&band)) {
+            findings.push(
+                "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
+                 floor and not for ever"
+                    .to_owned(),
+            );
+        }
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
             findings.push(format!(

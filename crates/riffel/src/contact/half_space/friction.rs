@@ -103,8 +103,10 @@ impl Friction<'_> {
             let inverse = |values: &mut [f64]| inverse.solve(values);
             let change =
                 gmres(product, inverse, &gaps, FORCING, MOST_PRODUCTS).map_err(|_| reached)?;
-            for (traction, change) in tractions.iter_mut().zip(change) {
-                *traction += change;
+            for (index, &bound) in self.bound.iter().enumerate() {
+                let next = [index, count + index].map(|place| tractions[place] + change[place]);
+                // Back onto the disc: from beyond it the next step goes astray.
+                [tractions[index], tractions[count + index]] = State::new(next, bound).projected;
             }
         }
         Err(reached)

@@ -23,8 +23,8 @@ const FORCE_TOLERANCE: f64 = 1e-5;
 ///
 /// Method: each step is a friction problem of the half-space, to 1e-5 of the tractions, by
 /// semismooth Newton. Errors are of first order in the length of an element; a change of load moves the
-/// edge over whole elements, which adds some 2 % to the response to load. The frequency response
-/// itself is had at a thousandth of the cost from [`HalfSpace::response`](super::HalfSpace::response);
+/// edge over whole elements, which adds some 1 % to the response to load. The frequency response
+/// itself is had at a fiftieth of the cost from [`HalfSpace::response`](super::HalfSpace::response);
 /// this is for courses that are not harmonic, and to prove that one right. Cost: 1 to 2 ms a step with
 /// 40 × 40 elements.
 ///
@@ -48,6 +48,15 @@ pub struct TransientRolling {
 struct Displacement {
     rear: Field<f64>,
     front: Field<f64>,
+}
+
+/// What the wheel does in a step.
+#[derive(Debug, Clone, Copy)]
+enum Motion {
+    /// Shifted along the rail \[m\].
+    Shift(f64),
+    /// Rolled by one element.
+    Roll(Creepages),
 }
 
 /// What a step of time has done.
@@ -116,16 +125,19 @@ impl TransientRolling {
     /// [`Error::OutOfRange`] if the normal force is not positive or beyond the largest;
     /// [`Error::NotConverged`].
     pub fn shift(&mut self, normal_force: f64, shift: f64) -> Result<TransientStep, Error> {
-        let mut forcing = self.displacement.rear.clone();
-        forcing[0].iter_mut().for_each(|value| *value += shift);
-        let bound = self.bound(normal_force)?;
-        let slip = self.solve(&forcing, &bound, &self.tractions)?;
-        // The material stays where it is: its traction before is that of the same element.
-        let before = |step: &Step| step.to;
-        let step = self.accept(slip, before, Creepages::default());
-        // A shift does not go on by itself.
-        self.guess.clone_from(&self.tractions);
-        Ok(step)
+        self.step(normal_force, Motion::Shift(shift))
+    }
+
+    /// Press and shift until the tangential force along the rail is Q \[N\], to 1e-5 of full slip, at once.
+    ///
+    /// # Errors
+    /// As [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
+    pub fn shift_to_force(
+        &mut self,
+        normal_force: f64,
+        force: f64,
+    ) -> Result<TransientStep, Error> {
+        self.step_to_force(normal_force, force, 0.0, Motion::Shift)
     }
 
     /// Roll on by one element under the normal force \[N\] with these creepages.
@@ -137,23 +149,40 @@ impl TransientRolling {
         normal_force: f64,
         creepages: Creepages,
     ) -> Result<TransientStep, Error> {
-        let bound = self.bound(normal_force)?;
-        let slip = self.rolled(creepages, &bound, &self.guess)?;
-        Ok(self.accept(slip, |step| step.from, creepages))
+        self.step(normal_force, Motion::Roll(creepages))
     }
 
     /// Roll on by one element under the normal force \[N\] with the longitudinal creepage that makes
-    /// the creep force along the rail Q \[N\] at the end of the step, to 1e-5 of full slip.
-    ///
-    /// Method: secants on the creepage, from the first guess `creepage`.
+    /// the creep force along the rail Q \[N\] at the end of the step, to 1e-5 of full slip; `creepage` is a
+    /// first guess of it.
     ///
     /// # Errors
-    /// As [`shift`](Self::shift), and [`Error::OutOfRange`] unless |Q| < μP.
+    /// As [`shift_to_force`](Self::shift_to_force).
     pub fn roll_at_force(
         &mut self,
         normal_force: f64,
         force: f64,
         creepage: f64,
+    ) -> Result<TransientStep, Error> {
+        let dx = self.patch.dx;
+        self.step_to_force(normal_force, force, creepage * dx, |distance| {
+            Motion::Roll(Creepages::longitudinal(distance / dx))
+        })
+    }
+
+    fn step(&mut self, normal_force: f64, motion: Motion) -> Result<TransientStep, Error> {
+        let bound = self.bound(normal_force)?;
+        let slip = self.solve(motion, &bound, &self.guess)?;
+        Ok(self.accept(slip, motion))
+    }
+
+    /// A step of the rigid distance \[m\] that ends with a force, by secants from a first guess.
+    fn step_to_force(
+        &mut self,
+        normal_force: f64,
+        force: f64,
+        mut distance: f64,
+        motion: impl Fn(f64) -> Motion,
     ) -> Result<TransientStep, Error> {
         const MOST_STEPS: usize = 30;
         let bound = self.bound(normal_force)?;
@@ -166,31 +195,29 @@ impl TransientRolling {
                 rule: "must be less than the coefficient of friction times the normal force",
             });
         }
-        // Before there is a secant: a rigid slip c dx on all of a patch in stick.
+        // Before there is a secant: about the stiffness of a patch in stick.
         let area = self.patch.area() * self.patch.len() as f64;
-        let mut slope = self.patch.dx * area / (self.compliance * limit);
+        let mut slope = area / (self.compliance * limit);
         let mut before: Option<(f64, f64)> = None;
-        let mut creepage = creepage;
         let mut start = self.guess.clone();
         let mut error = f64::NAN;
         for _ in 0..MOST_STEPS {
-            let creepages = Creepages::longitudinal(creepage);
-            let slip = self.rolled(creepages, &bound, &start)?;
+            let slip = self.solve(motion(distance), &bound, &start)?;
             error = (self.forces(&slip.tractions).longitudinal - force) / limit;
             if error.abs() <= FORCE_TOLERANCE {
-                return Ok(self.accept(slip, |step| step.from, creepages));
+                return Ok(self.accept(slip, motion(distance)));
             }
             start = slip.tractions;
             if let Some((other, other_error)) = before {
-                let secant = (error - other_error) / (creepage - other);
+                let secant = (error - other_error) / (distance - other);
                 // Noise of the last digits has no slope.
                 slope = if secant > 0.0 { secant } else { slope };
             }
-            before = Some((creepage, error));
-            creepage -= error / slope;
+            before = Some((distance, error));
+            distance -= error / slope;
         }
         Err(Error::NotConverged {
-            problem: "creepage for the creep force",
+            problem: "motion for the creep force",
             residual: error.abs(),
             tolerance: FORCE_TOLERANCE,
             remedy: REMEDY,
@@ -215,32 +242,29 @@ impl TransientRolling {
         Ok(shares.map(|share| self.friction * peak * share).collect())
     }
 
-    fn rolled(
-        &self,
-        creepages: Creepages,
-        bound: &[f64],
-        start: &Field<f64>,
-    ) -> Result<Slip, Error> {
-        let mut forcing = rigid_slip(&self.patch, creepages);
-        for (forcing, front) in forcing.iter_mut().zip(&self.displacement.front) {
-            for (value, front) in forcing.iter_mut().zip(front) {
-                *value += front;
+    fn solve(&self, motion: Motion, bound: &[f64], start: &Field<f64>) -> Result<Slip, Error> {
+        let (mut forcing, before) = match motion {
+            Motion::Shift(shift) => {
+                let steps = self.patch.steps.len();
+                (
+                    [vec![shift; steps], vec![0.0; steps]],
+                    &self.displacement.rear,
+                )
+            }
+            Motion::Roll(creepages) => {
+                (rigid_slip(&self.patch, creepages), &self.displacement.front)
+            }
+        };
+        for (forcing, before) in forcing.iter_mut().zip(before) {
+            for (value, before) in forcing.iter_mut().zip(before) {
+                *value += before;
             }
         }
-        self.solve(&forcing, bound, start)
-    }
-
-    fn solve(
-        &self,
-        forcing: &Field<f64>,
-        bound: &[f64],
-        start: &Field<f64>,
-    ) -> Result<Slip, Error> {
         let friction = Friction {
             patch: &self.patch,
             influence: &self.influence,
             operator: [1.0, 0.0],
-            forcing,
+            forcing: &forcing,
             bound,
             compliance: self.compliance,
             tolerance: TOLERANCE,
@@ -263,13 +287,13 @@ impl TransientRolling {
         }
     }
 
-    /// Take a solution as the new state. `before` tells in which element the material of a step was.
-    fn accept(
-        &mut self,
-        slip: Slip,
-        before: impl Fn(&Step) -> Option<usize>,
-        creepages: Creepages,
-    ) -> TransientStep {
+    /// Take a solution as the new state.
+    fn accept(&mut self, slip: Slip, motion: Motion) -> TransientStep {
+        // Where the material was before: rolling takes it on by an element.
+        let (before, creepages): (fn(&Step) -> Option<usize>, _) = match motion {
+            Motion::Shift(_) => (|step| step.to, Creepages::default()),
+            Motion::Roll(creepages) => (|step| step.from, creepages),
+        };
         let mut along = vec![0.0; self.patch.across + 1];
         for (index, step) in self.patch.steps.iter().enumerate() {
             for part in 0..2 {
@@ -286,9 +310,16 @@ impl TransientRolling {
             rear: convolution.real(tractions, [1.0, 0.0]),
             front: convolution.real(tractions, [0.0, 1.0]),
         };
+        // Rolling goes on, a shift does not.
+        let onward = if matches!(motion, Motion::Roll(_)) {
+            1.0
+        } else {
+            0.0
+        };
         self.guess = [0, 1].map(|part| {
             let both = slip.tractions[part].iter().zip(&self.tractions[part]);
-            both.map(|(now, before)| 2.0 * now - before).collect()
+            both.map(|(now, before)| now + onward * (now - before))
+                .collect()
         });
         self.tractions = slip.tractions;
         TransientStep {

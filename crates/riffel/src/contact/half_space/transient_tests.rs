@@ -137,7 +137,8 @@ fn rolls_into_the_steady_state_with_spin() {
 #[test]
 fn holds_a_force() {
     let mut contact = transient(16);
-    contact.shift(LOAD, cattaneo_shift(0.5)).unwrap();
+    let step = contact.shift_to_force(LOAD, 0.5 * LIMIT).unwrap();
+    assert!((step.forces.longitudinal / LIMIT - 0.5).abs() < 2e-5);
     let mut creepage = 1e-3;
     for _ in 0..10 {
         let step = contact.roll_at_force(LOAD, 0.5 * LIMIT, creepage).unwrap();

@@ -1,0 +1,212 @@
+//! Rolling contact: the half-space theory in the steady state, in time and at the frequency itself.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::time::Instant;
+
+use riffel::{
+    CreepEllipse, CreepLaw, Creepages, ElasticMaterial, Fastsim, HalfSpace, HertzContact,
+    KalkerCoefficients, TractionBound, TransientRolling,
+};
+
+use crate::contestant::{Contestant, Failure};
+use crate::median;
+
+const ROUNDS: usize = 11;
+/// Elements over a diameter, as in the times of CONTACT.
+const ACROSS: usize = 40;
+/// Elements of a frequency response, the default of the case file.
+const RESPONSE_ACROSS: usize = 36;
+const CELLS: usize = 50;
+const WAVELENGTHS: usize = 30;
+/// Mean milliseconds a case of CONTACT on 40 × 40 elements, tolerance 1e-5, measured on another machine of
+/// two processors: `validation/reference/contact/timing.csv`.
+const CONTACT_STEADY: [f64; 2] = [45.41, 89.36];
+const CONTACT_STEP: f64 = 6.21;
+
+const FRICTION: f64 = 0.4;
+const LOAD: f64 = 50e3;
+
+fn hertz(load: f64) -> Result<HertzContact, Failure> {
+    let steel = ElasticMaterial::new(207e9, 0.3)?;
+    Ok(HertzContact::exact(steel, 0.46, 0.23, load)?)
+}
+
+/// Seconds of a task with so many elements across, and a sum of its result.
+pub(crate) fn task(name: &str, across: usize) -> Result<(f64, f64), Failure> {
+    match name {
+        "steady" => steady(across),
+        "step" => steps(across),
+        "response" => response(across),
+        "one-wavelength" => one_wavelength(across),
+        "followed" => followed(across),
+        "fastsim" => fastsim(across),
+        _ => Err("no such task of the contact".into()),
+    }
+}
+
+/// Mean of steady states from free rolling to full slip, each from nothing.
+fn steady(across: usize) -> Result<(f64, f64), Failure> {
+    let contact = HalfSpace::new(hertz(LOAD)?, FRICTION, across)?;
+    let creepages: Vec<f64> = (1..=20).map(|index| 2e-4 * f64::from(index)).collect();
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for &creepage in &creepages {
+        sum += contact.roll(creepage)?.tangential_force();
+    }
+    Ok((begun.elapsed().as_secs_f64() / creepages.len() as f64, sum))
+}
+
+/// Mean of steps while the creepage oscillates by a fifth over a wavelength of three diameters.
+fn steps(across: usize) -> Result<(f64, f64), Failure> {
+    let mut contact = TransientRolling::new(hertz(LOAD)?, FRICTION, across)?;
+    contact.shift(LOAD, 0.0)?;
+    let creepage = |step: usize| {
+        let wave = (TAU * step as f64 / (3 * across) as f64).cos();
+        Creepages::longitudinal(1e-3 * (1.0 + 0.2 * wave))
+    };
+    let settled = 2 * across;
+    for step in 0..settled {
+        contact.roll(LOAD, creepage(step))?;
+    }
+    let count = 59;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for step in settled..settled + count {
+        sum += contact.roll(LOAD, creepage(step))?.forces.longitudinal;
+    }
+    Ok((begun.elapsed().as_secs_f64() / count as f64, sum))
+}
+
+/// Thirty wavelengths, both inputs, and the steady state before.
+fn response(across: usize) -> Result<(f64, f64), Failure> {
+    let hertz = hertz(LOAD)?;
+    let a = hertz.semi_axis_longitudinal();
+    let begun = Instant::now();
+    let contact = HalfSpace::new(hertz, FRICTION, across)?;
+    let state = contact.roll_at_tractive_ratio(0.3)?;
+    let mut sum = 0.0;
+    for index in 0..WAVELENGTHS {
+        let share = index as f64 / (WAVELENGTHS - 1) as f64;
+        let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
+        sum += response.dq_dxi.norm() + response.dq_dp.norm();
+    }
+    Ok((begun.elapsed().as_secs_f64(), sum))
+}
+
+/// The response to creepage and load at a wavelength of eight semi-axes.
+fn one_wavelength(across: usize) -> Result<(f64, f64), Failure> {
+    let hertz = hertz(LOAD)?;
+    let contact = HalfSpace::new(hertz, FRICTION, across)?;
+    let state = contact.roll(1e-3)?;
+    let begun = Instant::now();
+    let response = contact.response(&state, 8.0 * hertz.semi_axis_longitudinal())?;
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok((seconds, response.dq_dxi.norm()))
+}
+
+/// The same by oscillations of creepage and of load, followed in time on one grid: two diameters until the
+/// start is forgotten, and one wave.
+fn followed(across: usize) -> Result<(f64, f64), Failure> {
+    const SHARE: f64 = 0.05;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for by_load in [false, true] {
+        let mut contact = TransientRolling::new(hertz(1.1 * LOAD)?, FRICTION, across)?;
+        contact.shift(LOAD, 0.0)?;
+        for step in 0..6 * across {
+            let wave = 1.0 + SHARE * (TAU * step as f64 / (4 * across) as f64).cos();
+            let (load, creepage) = if by_load { (wave, 1.0) } else { (1.0, wave) };
+            let creepage = Creepages::longitudinal(1e-3 * creepage);
+            sum += contact.roll(LOAD * load, creepage)?.forces.longitudinal;
+        }
+    }
+    Ok((begun.elapsed().as_secs_f64(), sum))
+}
+
+fn fastsim(across: usize) -> Result<(f64, f64), Failure> {
+    const REPEATS: usize = 200;
+    let hertz = hertz(LOAD)?;
+    let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
+    let ellipse = CreepEllipse::new(hertz, KalkerCoefficients::new(0.3, a / b)?);
+    let law = Fastsim::new(ellipse, FRICTION, TractionBound::Parabolic, across)?;
+    let creepages = Creepages {
+        longitudinal: 8e-4,
+        lateral: 3e-4,
+        spin: 0.2,
+    };
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for _ in 0..REPEATS {
+        sum += black_box(&law)
+            .forces(LOAD, black_box(creepages))
+            .magnitude();
+    }
+    Ok((begun.elapsed().as_secs_f64() / REPEATS as f64, sum))
+}
+
+/// The section of the report.
+pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
+    let tasks = [
+        ("steady", ACROSS),
+        ("step", ACROSS),
+        ("response", RESPONSE_ACROSS),
+        ("one-wavelength", RESPONSE_ACROSS),
+        ("followed", RESPONSE_ACROSS),
+        ("fastsim", CELLS),
+    ];
+    let mut times = tasks.map(|_| Vec::new());
+    for _ in 0..ROUNDS {
+        for ((name, across), times) in tasks.iter().zip(&mut times) {
+            times.push(riffel.time(&format!("contact {name}"), *across)?.0);
+        }
+    }
+    let [steady, step, response, one, followed, fastsim] = times.map(|times| 1e3 * median(times));
+    writeln!(
+        text,
+        "\n## Rolling contact, half-space theory, one thread\n"
+    )?;
+    writeln!(
+        text,
+        "| task | Riffel | beside it | Riffel is |\n|---|---|---|---|"
+    )?;
+    writeln!(
+        text,
+        "| steady rolling, {ACROSS} × {ACROSS} elements, and {0} × {0} to extrapolate, from free rolling to full slip | \
+         {steady:.1} ms | CONTACT, {ACROSS} × {ACROSS} alone: {1:.0} ms and {2:.0} ms by its two solvers | {3:.0} × and \
+         {4:.0} × faster |",
+        ACROSS / 2,
+        CONTACT_STEADY[0],
+        CONTACT_STEADY[1],
+        CONTACT_STEADY[0] / steady,
+        CONTACT_STEADY[1] / steady,
+    )?;
+    writeln!(
+        text,
+        "| step of transient rolling, {ACROSS} × {ACROSS} | {step:.2} ms | CONTACT: {CONTACT_STEP:.1} ms | {:.1} × faster |",
+        CONTACT_STEP / step
+    )?;
+    writeln!(
+        text,
+        "| frequency response, {WAVELENGTHS} wavelengths, load and creepage, {RESPONSE_ACROSS} × {RESPONSE_ACROSS} and a \
+         quarter of it | {response:.0} ms | | |"
+    )?;
+    writeln!(
+        text,
+        "| the same at one wavelength, 8 a | {one:.1} ms | Riffel followed in time: {followed:.0} ms | {:.0} × faster |",
+        followed / one
+    )?;
+    writeln!(
+        text,
+        "| FASTSIM, {CELLS} × {CELLS} cells, with lateral creepage and spin | {:.1} µs | | |",
+        1e3 * fastsim
+    )?;
+    writeln!(
+        text,
+        "\nMedians of {ROUNDS} rounds. CONTACT's times are not of this run: they were taken with its tolerance of 1e-5 on another \
+         machine of two processors (`validation/reference/contact/timing.csv`). Riffel's tolerance is 1e-6 in the \
+         steady state and 1e-5 in time."
+    )?;
+    Ok(())
+}
