@@ -84,7 +84,7 @@ fn pictures() -> Outcome {
         (
             &[
                 "compare",
-                "cases/bhaskar-track.toml",
+                "cases/discrete-supports.toml",
                 "--with",
                 "cases/soft-pads.toml",
                 "--with",

@@ -46,6 +46,8 @@ pub struct FastestLine {
     pub wavelength: f64,
     /// Its growth rate per axle passage \[-\]; below zero where nothing grows.
     pub rate: f64,
+    /// It is the first or the last line: a shorter or longer wavelength may grow faster.
+    pub at_edge: bool,
 }
 
 impl Comparison {
@@ -107,13 +109,15 @@ impl Comparison {
 
 impl FastestLine {
     fn of(growth: &TrafficGrowth) -> Self {
-        let lines = growth.wavelengths().into_iter().zip(growth.rates());
-        let fastest = lines.max_by(|a, b| a.1.total_cmp(b.1));
+        let (wavelengths, rates) = (growth.wavelengths(), growth.rates());
         // Every traffic has a line.
-        let (wavelength, rate) = fastest.unwrap_or((f64::NAN, &f64::NAN));
+        let place = (0..rates.len())
+            .max_by(|&a, &b| rates[a].total_cmp(&rates[b]))
+            .unwrap_or(0);
         Self {
-            wavelength,
-            rate: *rate,
+            wavelength: wavelengths[place],
+            rate: rates[place],
+            at_edge: place == 0 || place + 1 == rates.len(),
         }
     }
 }

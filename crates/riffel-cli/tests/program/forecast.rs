@@ -218,6 +218,7 @@ fn variants_are_compared() {
     assert!((30.0 / wavelength(0) - 537.0).abs() < 15.0);
     assert!((wavelength(2) / wavelength(0) - 0.7).abs() < 0.02);
     assert!(number(&outcomes[1]["change_of_fastest_growth"]) > 0.5);
+    assert_eq!(outcomes[0]["fastest_at_edge"], false);
     assert!(alone["spectrum_now"].is_null() && outcomes[0]["passages_to_limit"].is_null());
     let measured = "--where campaign=4 --traffic cases/traffic.toml -o out";
     let outcome = sandbox.riffel(&format!("{command} {MEASURED} {measured}"));

@@ -24,6 +24,8 @@ struct OutcomeDocument<'a> {
     title: &'a str,
     fastest_wavelength_m: f64,
     fastest_growth_rate_per_passage: f64,
+    /// It sits at the end of the bands: another wavelength may grow faster.
+    fastest_at_edge: bool,
     /// Relative to the case as it is; null where that does not grow.
     change_of_fastest_growth: Option<f64>,
     ridge_frequency_hz: Option<f64>,
@@ -78,6 +80,7 @@ fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
         title: &outcome.title,
         fastest_wavelength_m: outcome.fastest.wavelength,
         fastest_growth_rate_per_passage: outcome.fastest.rate,
+        fastest_at_edge: outcome.fastest.at_edge,
         change_of_fastest_growth: (base.fastest.rate > 0.0).then_some(change),
         ridge_frequency_hz: outcome.ridge_frequency,
         ridge_highest: outcome.ridge_highest.map(|point| RidgeDocument {

@@ -7,7 +7,7 @@ use riffel::forecast::SpeedDistribution;
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::roughness::{LimitTable, Survey};
 use riffel_case::traffic::Traffic;
-use riffel_case::what_if::{Comparison, Outcome};
+use riffel_case::what_if::{Comparison, FastestLine, Outcome};
 use riffel_case::{Case, Variant};
 use riffel_plot::{DEFAULT_PNG_SCALE, png};
 
@@ -128,39 +128,46 @@ impl Report {
     fn readable(&self) -> String {
         let title = self.case.file.title.as_deref().unwrap_or("Comparison");
         let mut text = format!("{title}, {}\n", self.speeds);
-        let mut rows = table(&[
+        let mut header = vec![
             "",
             "fastest mm",
-            "growth dB per 10⁶ passages",
+            "dB per 10⁶ passages",
             "change",
             "ridge Hz",
-            "passages to limit",
-            "MGT to limit",
-        ]);
+        ];
+        if self.spectrum.is_some() {
+            header.extend(["passages to limit", "MGT to limit"]);
+        }
+        let mut rows = table(&header);
         let base = self.comparison.base();
         for outcome in &self.comparison.outcomes {
-            let change = 100.0 * (outcome.fastest.rate / base.fastest.rate - 1.0);
-            let grows = base.fastest.rate > 0.0;
-            rows.add_row([
+            let FastestLine {
+                wavelength,
+                rate,
+                at_edge,
+            } = outcome.fastest;
+            let change = 100.0 * (rate / base.fastest.rate - 1.0);
+            let compared = base.fastest.rate > 0.0 && !std::ptr::eq(outcome, base);
+            let edge = if at_edge { " (edge)" } else { "" };
+            let mut row = vec![
                 outcome.title.clone(),
-                format!("{:.1}", 1e3 * outcome.fastest.wavelength),
-                format!("{:+.3}", per_million(outcome.fastest.rate)),
-                match grows && !std::ptr::eq(outcome, base) {
-                    true => format!("{change:+.0} %"),
-                    false => String::new(),
-                },
+                format!("{:.1}{edge}", 1e3 * wavelength),
+                format!("{:+.3}", per_million(rate)),
+                compared
+                    .then(|| format!("{change:+.0} %"))
+                    .unwrap_or_default(),
                 outcome
                     .ridge_frequency
                     .map_or_else(String::new, |f| format!("{f:.0}")),
-                match self.spectrum {
-                    Some(_) => when(outcome.passages_to_limit),
-                    None => String::new(),
-                },
-                match (&self.spectrum, outcome.passages_to_limit) {
-                    (Some(_), Some(passages)) => number(outcome.growth.mgt(passages)),
-                    _ => String::new(),
-                },
-            ]);
+            ];
+            if self.spectrum.is_some() {
+                let mgt = outcome
+                    .passages_to_limit
+                    .map(|passages| outcome.growth.mgt(passages));
+                row.push(when(outcome.passages_to_limit));
+                row.push(mgt.map_or_else(String::new, number));
+            }
+            rows.add_row(row);
         }
         text += &format!("{rows}\n");
         text += &self.bands();

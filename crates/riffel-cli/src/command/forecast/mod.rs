@@ -262,7 +262,7 @@ impl Report {
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
             findings.push(format!(
-                "not forecast: {} bands between {first} and {last} mm, outside map.wavelength of the case",
+                "not forecast: {} bands from {first} to {last} mm that lie outside map.wavelength of the case",
                 left_out.len()
             ));
         }
