@@ -13,6 +13,8 @@ const COMMANDS: [&str; 12] = [
     "receptance",
     "contact",
     "roughness",
+    "diagnose",
+    "report",
     "forecast",
     "compare",
     "figures",
