@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 14] = [
     "init",
     "point",
     "map",
