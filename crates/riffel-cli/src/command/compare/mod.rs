@@ -148,9 +148,10 @@ impl Report {
                 outcome.title.clone(),
                 format!("{:.1}{edge}", 1e3 * wavelength),
                 format!("{:+.3}", per_million(rate)),
-                compared
-                    .then(|| format!("{change:+.0} %"))
-                    .unwrap_or_default(),
+                match compared {
+                    true => format!("{change:+.0} %"),
+                    false => String::new(),
+                },
                 outcome
                     .ridge_frequency
                     .map_or_else(String::new, |f| format!("{f:.0}")),
