@@ -7,6 +7,7 @@ mod contact;
 mod contact_filter;
 pub mod decay_rate;
 mod fastsim;
+mod forecast;
 mod ground;
 mod growth;
 mod linear_theory;
@@ -91,6 +92,7 @@ checks! {
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
         grinding_mark_fades, grinding_mark_is_heard;
+    forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 
 /// All checks as a Markdown table.

@@ -292,7 +292,7 @@ pub(crate) fn band_pass_error() -> Row {
 type Levels = Vec<(ThirdOctave, f64)>;
 
 /// Spectra of the laboratory MBBM by campaign.
-fn campaigns() -> Vec<Vec<Spectrum>> {
+pub(crate) fn campaigns() -> Vec<Vec<Spectrum>> {
     let mut spectra: Vec<(&str, usize, Levels)> = Vec::new();
     for line in SPECTRA.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();

@@ -6,13 +6,15 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 10] = [
+const COMMANDS: [&str; 12] = [
     "init",
     "point",
     "map",
     "receptance",
     "contact",
     "roughness",
+    "forecast",
+    "compare",
     "figures",
     "presets",
     "schema",
@@ -21,12 +23,17 @@ const COMMANDS: [&str; 10] = [
 
 /// Write the generated files, or with `check` compare them.
 pub(crate) fn run(check: bool) -> Outcome {
-    let schema = serde_json::to_string_pretty(&riffel_case::json_schema())
-        .map_err(|error| format!("the schema cannot be written: {error}"))?;
+    let written = |text: serde_json::Result<String>| {
+        text.map(|text| text + "\n")
+            .map_err(|error| format!("a schema cannot be written: {error}"))
+    };
+    let case = written(serde_json::to_string_pretty(&riffel_case::json_schema()))?;
+    let traffic = written(serde_json::to_string_pretty(&riffel_case::traffic_schema()))?;
     let files = [
         ("docs/src/validation.md", validation()),
         ("docs/src/command-line.md", command_line()?),
-        ("docs/src/case.schema.json", schema + "\n"),
+        ("docs/src/case.schema.json", case),
+        ("docs/src/traffic.schema.json", traffic),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),
@@ -57,7 +64,39 @@ pub(crate) fn run(check: bool) -> Outcome {
 /// The pictures that commands make for README and book. They are not compared: the last digit of a
 /// mathematical function may move a line by a tenth of a pixel from one machine to another.
 fn pictures() -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 4] = [
+    const PICTURES: [(&[&str], &str, &str); 6] = [
+        (
+            &[
+                "forecast",
+                "cases/nominal.toml",
+                "--traffic",
+                "cases/traffic.toml",
+                "--spectrum",
+                "validation/reference/sbb-track-noise/rail_roughness.csv",
+                "--where",
+                "laboratory=MBBM",
+                "--date-column",
+                "date",
+            ],
+            "forecast.png",
+            "forecast.png",
+        ),
+        (
+            &[
+                "compare",
+                "cases/discrete-supports.toml",
+                "--with",
+                "cases/soft-pads.toml",
+                "--with",
+                "cases/speed-spread.toml",
+                "--with",
+                "cases/friction-management.toml",
+                "--speed",
+                "110 km/h",
+            ],
+            "compare.png",
+            "compare.png",
+        ),
         (
             &[
                 "roughness",

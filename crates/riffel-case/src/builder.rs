@@ -4,7 +4,7 @@ mod contact;
 mod track;
 
 use std::fmt::Display;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use riffel::{
@@ -47,7 +47,12 @@ impl Builder {
         }
     }
 
-    pub(crate) fn build(self) -> Result<Case, CaseError> {
+    pub(crate) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// The case; `written` are its keys before presets.
+    pub(crate) fn build(self, written: Source) -> Result<Case, CaseError> {
         let file = &self.file;
         let steel = self.steel()?;
 
@@ -91,6 +96,7 @@ impl Builder {
         Ok(Case {
             file: self.file.clone(),
             builder: self,
+            written,
             feedback,
             track,
             hertz,

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRolling};
+use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRolling};
 
 use crate::CaseError;
 use crate::builder::Builder;
@@ -17,6 +17,8 @@ use crate::track::{Direction, Track};
 #[derive(Clone)]
 pub struct Case {
     pub(crate) builder: Builder,
+    /// The keys as they were written and overridden, before presets.
+    pub(crate) written: Source,
     /// Every key with its value, presets and defaults filled in.
     pub file: CaseFile,
     /// The loop of the case.
@@ -67,15 +69,37 @@ impl Case {
         overrides: &[String],
     ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
-        for assignment in overrides {
-            source.set(assignment)?;
-        }
-        // An override of one of two exclusive keys replaces the other.
-        source.replace("contact", "tractive_ratio", "creepage");
-        source.replace("contact", "creepage", "tractive_ratio");
+        source.apply(overrides)?;
+        Self::of_source(source, folder)
+    }
+
+    fn of_source(written: Source, folder: &Path) -> Result<Self, CaseError> {
+        let mut source = written.clone();
         source.fill_in()?;
         let file = source.deserialize()?;
-        Builder::new(source, folder.to_owned(), file).build()
+        Builder::new(source, folder.to_owned(), file).build(written)
+    }
+
+    /// The case with further sets of overrides `key=value`, one set after the other and all after those it
+    /// was read with. Presets are looked up anew.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn with(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
+        let mut source = self.written.clone();
+        for overrides in sets {
+            source.apply(overrides)?;
+        }
+        Self::of_source(source, self.builder.folder())
+    }
+
+    /// The loop of the case at every place of the wheel that counts for a long profile, with weights that
+    /// sum to one: over a bay where supports are discrete, else one.
+    pub fn places(&self) -> Vec<(FeedbackLoop, f64)> {
+        let structure = self.track.structure.clone();
+        structure
+            .and_then(|track| Bay::new(&self.feedback, track))
+            .map_or_else(|| vec![(self.feedback.clone(), 1.0)], |bay| bay.places())
     }
 
     /// The creep law: as written, or the one that goes with the response.
@@ -107,7 +131,7 @@ impl Case {
         window.min = Quantity::new(shortest.min(wavelength));
         window.max = Quantity::new(longest.max(wavelength));
         Ok(Self {
-            feedback: builder.build()?.feedback,
+            feedback: builder.build(self.written.clone())?.feedback,
             ..self.clone()
         })
     }

@@ -26,14 +26,18 @@ pub mod quantity;
 pub mod roughness;
 mod source;
 mod track;
+pub mod traffic;
 mod unit;
 mod validity;
+mod variant;
+pub mod what_if;
 
 pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use error::CaseError;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use track::{Direction, Track};
+pub use variant::{SpeedChange, Variant};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.
@@ -42,7 +46,16 @@ pub const NOMINAL_CASE: &str = include_str!("../../../cases/nominal.toml");
 /// `cases/bhaskar-track.toml`: the nominal wheel on the track of Bhaskar et al., values inferred.
 pub const BHASKAR_TRACK_CASE: &str = include_str!("../../../cases/bhaskar-track.toml");
 
+/// `cases/traffic.toml`, commented: a mix of three kinds of vehicle, and the file that
+/// `riffel init --traffic` writes.
+pub const TRAFFIC: &str = include_str!("../../../cases/traffic.toml");
+
 /// JSON schema of the case file.
 pub fn json_schema() -> schemars::Schema {
     schemars::schema_for!(file::CaseFile)
+}
+
+/// JSON schema of the traffic file.
+pub fn traffic_schema() -> schemars::Schema {
+    schemars::schema_for!(traffic::TrafficFile)
 }

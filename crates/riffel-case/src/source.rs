@@ -38,16 +38,25 @@ impl Source {
         };
         let spans = DeTable::parse(text).map_err(syntax)?;
         let mut source = Self {
-            name: name.to_owned(),
             text: text.to_owned(),
             table: text.parse().map_err(syntax)?,
+            ..Self::empty(name)
+        };
+        source.index("", spans.get_ref());
+        Ok(source)
+    }
+
+    /// Nothing, under a name.
+    pub(crate) fn empty(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            text: String::new(),
+            table: Table::new(),
             values: HashMap::new(),
             keys: HashMap::new(),
             overrides: HashMap::new(),
             remarks: Vec::new(),
-        };
-        source.index("", spans.get_ref());
-        Ok(source)
+        }
     }
 
     fn index(&mut self, parent: &str, table: &DeTable<'_>) {
@@ -55,14 +64,44 @@ impl Source {
             let path = join(parent, key.get_ref());
             self.keys.insert(path.clone(), key.span());
             self.values.insert(path.clone(), value.span());
-            if let DeValue::Table(table) = value.get_ref() {
-                self.index(&path, table);
+            match value.get_ref() {
+                DeValue::Table(table) => self.index(&path, table),
+                DeValue::Array(items) => {
+                    for (index, item) in items.iter().enumerate() {
+                        let path = format!("{path}[{index}]");
+                        self.keys.insert(path.clone(), item.span());
+                        if let DeValue::Table(table) = item.get_ref() {
+                            self.index(&path, table);
+                        }
+                    }
+                }
+                _ => {}
             }
         }
     }
 
+    /// Apply overrides `key=value` in their order. One of two keys that exclude each other replaces the
+    /// other, unless the overrides give both.
+    pub(crate) fn apply(&mut self, assignments: &[String]) -> Result<(), CaseError> {
+        let earlier = std::mem::take(&mut self.overrides);
+        for assignment in assignments {
+            self.set(assignment)?;
+        }
+        self.replace("contact", "tractive_ratio", "creepage");
+        self.replace("contact", "creepage", "tractive_ratio");
+        for (key, assignment) in earlier {
+            self.overrides.entry(key).or_insert(assignment);
+        }
+        Ok(())
+    }
+
+    /// The top level as a table.
+    pub(crate) fn table(&self) -> &Table {
+        &self.table
+    }
+
     /// Apply one `key=value` override; the value is TOML, or a string if it does not read as such.
-    pub(crate) fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
+    fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
         let malformed = || CaseError::Override {
             assignment: assignment.to_owned(),
             message: "write --set key=value, as in --set contact.friction=0.3".to_owned(),
@@ -106,7 +145,7 @@ impl Source {
     }
 
     /// Remove a key that another one set by an override replaces.
-    pub(crate) fn replace(&mut self, table: &str, set: &str, replaced: &str) {
+    fn replace(&mut self, table: &str, set: &str, replaced: &str) {
         let (set, gone) = (join(table, set), join(table, replaced));
         if self.overrides.contains_key(&set)
             && !self.overrides.contains_key(&gone)
@@ -194,6 +233,17 @@ impl Source {
     /// A key that must be there and is not.
     pub(crate) fn missing(&self, key: &str, help: &str) -> CaseError {
         self.error(key, "is missing", help)
+    }
+
+    /// A sentence about a key, which need not begin with it.
+    pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
+        CaseError::Invalid {
+            key: key.to_owned(),
+            message: message.to_owned(),
+            help: None,
+            source_code: Arc::new(NamedSource::new(&self.name, self.text.clone())),
+            span: self.span(key),
+        }
     }
 
     /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.

@@ -1,5 +1,7 @@
 //! The command line.
 
+mod forecast;
+
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -7,6 +9,8 @@ use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed
 use riffel_case::{Case, CaseError};
 
 use crate::error::CliError;
+
+pub(crate) use forecast::{Compare, Forecast, Horizon, Spectra};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -23,7 +27,7 @@ pub(crate) struct Arguments {
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Write a commented case file to start from.
+    /// Write a commented case file to start from, or a traffic file.
     Init(Init),
     /// The whole loop at one wavelength and speed.
     Point(Point),
@@ -35,12 +39,16 @@ pub(crate) enum Command {
     Contact(Contact),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
+    /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
+    Forecast(Forecast),
+    /// What would help: growth on a case and on variants of it, side by side.
+    Compare(Compare),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
-    /// Print the JSON schema of the case file.
-    Schema,
+    /// Print the JSON schema of the case file, or of the traffic file.
+    Schema(Schema),
     /// Hold the program against reference numbers and published statements.
     Validate,
 }
@@ -131,9 +139,13 @@ pub(crate) fn positive<D: Dimension>(
 #[derive(Args)]
 #[command(after_help = "Example: riffel init metro.toml")]
 pub(crate) struct Init {
-    /// File to write.
-    #[arg(value_name = "FILE", default_value = "case.toml")]
-    pub(crate) path: PathBuf,
+    /// File to write [default: case.toml, or traffic.toml with --traffic].
+    #[arg(value_name = "FILE")]
+    pub(crate) path: Option<PathBuf>,
+
+    /// Write a traffic file for `riffel forecast`.
+    #[arg(long)]
+    pub(crate) traffic: bool,
 
     /// Replace the file if it is there.
     #[arg(long)]
@@ -341,6 +353,14 @@ pub(crate) struct Roughness {
     /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel schema --traffic > traffic.schema.json")]
+pub(crate) struct Schema {
+    /// That of the traffic file.
+    #[arg(long)]
+    pub(crate) traffic: bool,
 }
 
 #[derive(Args)]

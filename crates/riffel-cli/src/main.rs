@@ -40,7 +40,9 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Figures(arguments) => command::figures::run(&arguments)?,
         Command::Presets(arguments) => command::presets::run(&arguments)?,
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
-        Command::Schema => command::schema::run()?,
+        Command::Forecast(arguments) => command::forecast::run(&arguments)?,
+        Command::Compare(arguments) => command::compare::run(&arguments)?,
+        Command::Schema(arguments) => command::schema::run(&arguments),
         Command::Validate => return command::validate::run(),
     }
     Ok(ExitCode::SUCCESS)

@@ -13,7 +13,8 @@
 //! | wear | [`EnergyWear`] | |
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
-//! What is on the rail already, measured, is in [`roughness`].
+//! What is on the rail already, measured, is in [`roughness`]; what becomes of it under traffic in
+//! [`forecast`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -65,6 +66,7 @@ mod contact;
 mod elastic;
 mod error;
 mod feedback;
+pub mod forecast;
 mod golden_section;
 mod growth;
 mod place_of_wear;

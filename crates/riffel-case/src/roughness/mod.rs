@@ -9,6 +9,7 @@ mod record;
 mod rows;
 mod sniff;
 mod spectra;
+mod survey;
 
 use std::path::Path;
 
@@ -20,6 +21,7 @@ pub use limit::{Limit, LimitTable};
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};
 pub use record::{Rail, Record};
 pub use spectra::LabelledSpectrum;
+pub use survey::Survey;
 
 use record::Refusal;
 use rows::Cells;

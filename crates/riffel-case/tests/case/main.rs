@@ -4,3 +4,4 @@ mod case_file;
 mod contact;
 mod measurement;
 mod track;
+mod traffic;

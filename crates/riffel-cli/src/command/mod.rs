@@ -1,7 +1,9 @@
 //! One file for each command.
 
+pub(crate) mod compare;
 pub(crate) mod contact;
 pub(crate) mod figures;
+pub(crate) mod forecast;
 pub(crate) mod init;
 pub(crate) mod map;
 pub(crate) mod point;

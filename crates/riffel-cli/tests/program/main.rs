@@ -3,6 +3,7 @@
 mod contact;
 mod documentation;
 mod files;
+mod forecast;
 mod roughness;
 mod sandbox;
 mod track;

@@ -62,6 +62,13 @@ impl Bay {
             .collect()
     }
 
+    /// The loop at each place of the mean over the bay, with its weight; the weights sum to one.
+    pub fn places(&self) -> Vec<(FeedbackLoop, f64)> {
+        self.nodes()
+            .map(|(position, weight)| (self.at(position), weight))
+            .collect()
+    }
+
     /// Mean of Ŵ₁ over the bay.
     pub fn mean_normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         self.nodes()

@@ -1,0 +1,196 @@
+//! Measurements of one rail or several, as one-third-octave spectra with what is known of each.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use jiff::civil::Date;
+use riffel::forecast::MeasuredChange;
+use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum};
+
+use super::{LabelledSpectrum, ReaderFormat, RoughnessFile};
+use crate::CaseError;
+
+/// Spectra of a file: those of a table, or one for each rail of a profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    path: PathBuf,
+    /// The spectra.
+    pub records: Vec<LabelledSpectrum>,
+    /// What was put right in a profile.
+    pub warnings: Vec<String>,
+}
+
+impl Survey {
+    /// Read a file as [`RoughnessFile::read`]; profiles are processed as `riffel roughness` does, see
+    /// [`RailAnalysis`].
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] with the line and the rule.
+    pub fn read(path: &Path, format: Option<&ReaderFormat>) -> Result<Self, CaseError> {
+        let file = RoughnessFile::read(path, format, None, &|_| {})?;
+        let (records, warnings) = match file {
+            RoughnessFile::Spectra(records) => (records, Vec::new()),
+            RoughnessFile::Profile(record) => {
+                let mut rails = Vec::new();
+                for rail in record.rails {
+                    let analysis =
+                        RailAnalysis::new(rail.stretches, &AnalysisSettings::default(), &|| {});
+                    let analysis = analysis
+                        .map_err(|error| refuse(path, format!("{}: {error}", rail.name)))?;
+                    rails.push(LabelledSpectrum {
+                        labels: vec![("rail".to_owned(), rail.name)],
+                        spectrum: analysis.spectrum,
+                    });
+                }
+                (rails, record.warnings)
+            }
+        };
+        let survey = Self {
+            path: path.to_owned(),
+            records,
+            warnings,
+        };
+        if survey.records.is_empty() {
+            return Err(survey.refuse("there is no spectrum in the file".to_owned()));
+        }
+        Ok(survey)
+    }
+
+    /// The records whose columns have the values of all choices `COLUMN=VALUE`.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a choice without `=`, a column that is not there, or where nothing is left.
+    pub fn choose(mut self, choices: &[String]) -> Result<Self, CaseError> {
+        for choice in choices {
+            let Some((column, value)) = choice.split_once('=') else {
+                let message = format!("the choice is {choice}, but must be COLUMN=VALUE");
+                return Err(self.refuse(message));
+            };
+            self.check_column(column)?;
+            self.records
+                .retain(|record| record.label(column) == Some(value));
+            if self.records.is_empty() {
+                return Err(self.refuse(format!("no spectrum has {choice}")));
+            }
+        }
+        Ok(self)
+    }
+
+    /// The records by the dates in a column, the earliest first.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a column that is not there or holds something else than dates.
+    pub fn by_date(&self, column: &str) -> Result<Vec<(Date, Self)>, CaseError> {
+        self.check_column(column)?;
+        let mut dates: Vec<(Date, Self)> = Vec::new();
+        for record in &self.records {
+            let written = record.label(column).unwrap_or_default();
+            let date: Date = written.parse().map_err(|_| {
+                self.refuse(format!(
+                    "column `{column}` is \"{written}\", but must be a date as in 2026-01-31"
+                ))
+            })?;
+            match dates.iter_mut().find(|(other, _)| *other == date) {
+                Some((_, survey)) => survey.records.push(record.clone()),
+                None => dates.push((
+                    date,
+                    Self {
+                        path: self.path.clone(),
+                        records: vec![record.clone()],
+                        warnings: Vec::new(),
+                    },
+                )),
+            }
+        }
+        dates.sort_by_key(|(date, _)| *date);
+        Ok(dates)
+    }
+
+    /// Energy mean of the records.
+    pub fn mean(&self) -> Spectrum {
+        let spectra = self.spectra();
+        // There is a record in every survey, and a band in every record.
+        Spectrum::energy_mean(&spectra).unwrap_or_else(|| spectra[0].clone())
+    }
+
+    /// The spectra.
+    pub fn spectra(&self) -> Vec<Spectrum> {
+        let records = self.records.iter();
+        records.map(|record| record.spectrum.clone()).collect()
+    }
+
+    /// The change from an earlier survey to this one, with the axle passages between.
+    ///
+    /// Records are paired by the columns that hold the same values in both surveys, if these tell the
+    /// records of each apart; a number of the spectrum or a date does not count, for its values differ.
+    ///
+    /// # Errors
+    /// [`riffel::Error::OutOfRange`] for passages not above zero.
+    pub fn change_since(
+        &self,
+        earlier: &Self,
+        passages: f64,
+    ) -> Result<MeasuredChange, riffel::Error> {
+        let values = |survey: &Self, column: &str| -> BTreeSet<String> {
+            let labels = survey.records.iter().filter_map(|r| r.label(column));
+            labels.map(str::to_owned).collect()
+        };
+        let columns: Vec<&str> = self.records[0]
+            .labels
+            .iter()
+            .map(|(column, _)| column.as_str())
+            .filter(|column| values(self, column) == values(earlier, column))
+            .collect();
+        let key = |record: &LabelledSpectrum| -> Vec<String> {
+            let labels = columns.iter().map(|column| record.label(column));
+            labels
+                .map(|label| label.unwrap_or_default().to_owned())
+                .collect()
+        };
+        let sorted = |survey: &Self| {
+            let mut keyed: Vec<(Vec<String>, Spectrum)> = survey
+                .records
+                .iter()
+                .map(|record| (key(record), record.spectrum.clone()))
+                .collect();
+            keyed.sort_by(|a, b| a.0.cmp(&b.0));
+            keyed.into_iter().unzip::<_, _, Vec<_>, Vec<_>>()
+        };
+        let (later_keys, later) = sorted(self);
+        let (earlier_keys, earlier) = sorted(earlier);
+        let unique = later_keys.windows(2).all(|pair| pair[0] != pair[1]);
+        if unique && later_keys == earlier_keys && !columns.is_empty() {
+            MeasuredChange::paired(earlier, later, passages)
+        } else {
+            MeasuredChange::groups(earlier, later, passages)
+        }
+    }
+
+    fn check_column(&self, column: &str) -> Result<(), CaseError> {
+        let columns: Vec<&str> = self.records[0]
+            .labels
+            .iter()
+            .map(|(column, _)| column.as_str())
+            .collect();
+        if columns.contains(&column) {
+            return Ok(());
+        }
+        let there = columns.join(", ");
+        Err(self.refuse(format!(
+            "no column \"{column}\" to choose by; there are {there}"
+        )))
+    }
+
+    fn refuse(&self, message: String) -> CaseError {
+        refuse(&self.path, message)
+    }
+}
+
+fn refuse(path: &Path, message: String) -> CaseError {
+    CaseError::Data {
+        path: path.to_owned(),
+        line: None,
+        message,
+        help: None,
+    }
+}

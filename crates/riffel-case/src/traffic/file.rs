@@ -1,0 +1,99 @@
+//! The keys of a traffic file, as written.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
+
+use crate::quantity::{Force, Length, Mass, Quantity, Ratio, Speed};
+
+/// Riffel traffic: the vehicles that run on a line, in shares of the axle passages.
+///
+/// Every quantity is a bare number in SI or a string with its unit. What a vehicle does not say is that of
+/// the case.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Riffel traffic file")]
+pub struct TrafficFile {
+    /// What the traffic is, for titles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// How much of it there is.
+    #[serde(default)]
+    pub line: Line,
+    /// The vehicles.
+    pub vehicle: Vec<Vehicle>,
+}
+
+/// How much traffic there is; needed for months and dates.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Line {
+    /// Axles a day, each a passage of one wheel over each rail.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passages_per_day: Option<f64>,
+    /// Million gross tonnes a year.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mgt_per_year: Option<f64>,
+}
+
+/// One kind of vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Vehicle {
+    /// Its name.
+    pub name: String,
+    /// Its share of the axle passages; the shares sum to one.
+    pub share: Quantity<Ratio>,
+    /// Mass on an axle, two wheels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axle_load: Option<Quantity<Mass>>,
+    /// Normal load of a wheel P₀, in place of the axle load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheel_load: Option<Quantity<Force>>,
+    /// Unsprung mass per wheel; its rotational inertia follows unless `set` gives it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheel_mass: Option<Quantity<Mass>>,
+    /// Rolling radius of the wheel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rolling_radius: Option<Quantity<Length>>,
+    /// Its speed as a normal distribution, cut off at four standard deviations.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<NormalSpeed>,
+    /// Its speeds one by one, in place of the distribution.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speeds: Option<Vec<SpeedShare>>,
+    /// Tractive ratio τ = Q₀/μP₀ in the mean.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tractive_ratio: Option<Quantity<Ratio>>,
+    /// Creepage ξ₀, in place of the tractive ratio.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creepage: Option<Quantity<Ratio>>,
+    /// Any other keys of the case that are different for this vehicle, as tables of the case file.
+    #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
+    #[schemars(schema_with = "any_table")]
+    pub set: toml::Table,
+}
+
+/// A normal distribution of the speed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NormalSpeed {
+    /// Mean.
+    pub mean: Quantity<Speed>,
+    /// Standard deviation, less than a quarter of the mean; left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub standard_deviation: Option<Quantity<Speed>>,
+}
+
+/// One speed of several.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpeedShare {
+    /// The speed.
+    pub speed: Quantity<Speed>,
+    /// Its share of the passages of the vehicle.
+    pub share: Quantity<Ratio>,
+}
+
+fn any_table(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "object" })
+}

@@ -1,0 +1,182 @@
+//! A file of what is different: keys of a case in place of its own, and other speeds.
+
+use std::path::Path;
+
+use riffel::forecast::SpeedDistribution;
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use crate::CaseError;
+use crate::quantity::{Quantity, Ratio, Speed};
+use crate::source::Source;
+
+/// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
+///
+/// The file has the tables of a case file with the keys that change, a `title`, and a table `[speed]` with
+/// `mean` or `factor` and `standard_deviation`.
+#[derive(Clone)]
+pub struct Variant {
+    /// What it is, for tables and legends.
+    pub title: String,
+    /// What becomes of the speeds.
+    pub speed: SpeedChange,
+    /// Overrides of the case, `key=value`.
+    pub overrides: Vec<String>,
+    /// The file, where it was read from one.
+    source: Option<Source>,
+}
+
+/// What becomes of every distribution of speed.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SpeedChange {
+    /// Mean in place of its own.
+    pub mean: Option<Quantity<Speed>>,
+    /// Factor of every speed.
+    pub factor: Option<Quantity<Ratio>>,
+    /// Standard deviation in place of its own: a normal distribution about the mean.
+    pub standard_deviation: Option<Quantity<Speed>>,
+}
+
+/// The keys that are not of the case.
+#[derive(Deserialize)]
+struct Own {
+    title: Option<String>,
+    #[serde(default)]
+    speed: SpeedChange,
+}
+
+impl Variant {
+    /// The case as it is.
+    pub fn none(title: &str) -> Self {
+        Self {
+            title: title.to_owned(),
+            speed: SpeedChange::default(),
+            overrides: Vec::new(),
+            source: None,
+        }
+    }
+
+    /// Read a file; its name is the title where it has none.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule. Keys of the case are checked with the case.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
+            path: path.to_owned(),
+            line: None,
+            message: format!("cannot read the file of changes: {reason}"),
+            help: None,
+        })?;
+        let mut variant = Self::parse(&path.display().to_string(), &text)?;
+        if variant.title.is_empty() {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            variant.title = stem.into_owned();
+        }
+        Ok(variant)
+    }
+
+    /// Read changes from TOML; `name` is shown in errors.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+        let source = Source::parse(name, text)?;
+        let own: Own = source.deserialize()?;
+        let change = own.speed;
+        if change.mean.is_some() && change.factor.is_some() {
+            return Err(source.invalid(
+                "speed.factor",
+                "and `speed.mean` exclude each other",
+                "give one of the two",
+            ));
+        }
+        let positive = [
+            ("speed.mean", change.mean.map(|mean| mean.si())),
+            ("speed.factor", change.factor.map(|factor| factor.si())),
+        ];
+        for (key, value) in positive {
+            if let Some(value) = value.filter(|value| *value <= 0.0) {
+                let rule = format!("is {value}, but must be greater than zero");
+                return Err(source.invalid(key, &rule, ""));
+            }
+        }
+        if let Some(deviation) = change.standard_deviation.filter(|sd| sd.si() < 0.0) {
+            let rule = format!("is {deviation}, but must be zero or more");
+            return Err(source.invalid("speed.standard_deviation", &rule, ""));
+        }
+        let mut keys = source.table().clone();
+        keys.remove("title");
+        keys.remove("speed");
+        let overrides = assignments(&keys);
+        if overrides.is_empty() && change == SpeedChange::default() {
+            return Err(source.invalid(
+                "",
+                "the file of changes changes nothing",
+                "write keys of the case, as in [contact] friction = 0.3, or [speed] mean, factor or \
+                 standard_deviation",
+            ));
+        }
+        Ok(Self {
+            title: own.title.unwrap_or_default(),
+            speed: change,
+            overrides,
+            source: Some(source),
+        })
+    }
+
+    /// An error of the case that one of the changes causes, as one of the file of changes.
+    pub(crate) fn explain(&self, error: CaseError) -> CaseError {
+        match (&self.source, error) {
+            (
+                Some(source),
+                CaseError::Override {
+                    assignment,
+                    message,
+                },
+            ) if self.overrides.contains(&assignment) => {
+                let key = assignment.split('=').next().unwrap_or_default();
+                source.refuse(key, &message)
+            }
+            (_, error) => error,
+        }
+    }
+}
+
+impl SpeedChange {
+    /// The speeds after the change.
+    ///
+    /// # Errors
+    /// [`riffel::Error::OutOfRange`] where the spread does not leave every wheel moving.
+    pub fn apply(&self, speeds: &SpeedDistribution) -> Result<SpeedDistribution, riffel::Error> {
+        let scaled = match (self.factor, self.mean) {
+            (Some(factor), _) => speeds.scaled(factor.si())?,
+            (None, Some(mean)) => speeds.scaled(mean.si() / speeds.mean())?,
+            (None, None) => speeds.clone(),
+        };
+        match self.standard_deviation {
+            Some(deviation) => SpeedDistribution::normal(scaled.mean(), deviation.si()),
+            None => Ok(scaled),
+        }
+    }
+}
+
+/// Tables of keys as overrides `key=value`, the values in TOML.
+pub(crate) fn assignments(table: &Table) -> Vec<String> {
+    fn walk(parent: &str, table: &Table, assignments: &mut Vec<String>) {
+        for (key, value) in table {
+            let path = if parent.is_empty() {
+                key.clone()
+            } else {
+                format!("{parent}.{key}")
+            };
+            match value {
+                Value::Table(inner) => walk(&path, inner, assignments),
+                value => assignments.push(format!("{path}={value}")),
+            }
+        }
+    }
+    let mut found = Vec::new();
+    walk("", table, &mut found);
+    found
+}

@@ -1,0 +1,313 @@
+//! Traffic files, files of changes and surveys as users write them.
+
+use riffel::forecast::SpeedDistribution;
+use riffel_case::roughness::Survey;
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::what_if::Comparison;
+use riffel_case::{Case, CaseError, NOMINAL_CASE, TRAFFIC, Variant};
+use rstest::rstest;
+
+fn nominal() -> Case {
+    Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap()
+}
+
+const VEHICLE: &str = "[[vehicle]]\nname = \"unit\"\nshare = 1\n";
+const SPEED: &str = "speed = { mean = 30 }\n";
+
+#[test]
+fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
+    let traffic = Traffic::parse("traffic.toml", TRAFFIC)?;
+    let case = nominal();
+    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+    assert_eq!(on.passages_per_day, Some(6000.0));
+    // 0.55 · 13 t + 0.05 · 21 t + 0.4 · 16 t.
+    assert!((on.growth.axle_mass() - 14_600.0).abs() < 1e-6);
+    assert_eq!(on.growth.vehicles()[1].wheel_load, 0.5 * 21e3 * 9.80665);
+    assert_eq!(on.growth.bands().len(), 7);
+    assert!(
+        on.remarks[0].starts_with("multiple unit: "),
+        "{:?}",
+        on.remarks
+    );
+    Ok(())
+}
+
+/// A vehicle without values of its own is the wheel of the case.
+#[test]
+fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
+    let case = nominal();
+    let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}"))?;
+    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+    let wavelength = on.growth.wavelengths()[50];
+    let expected = case.feedback.at(wavelength, 30.0).growth_rate;
+    assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
+    assert_eq!(on.growth.vehicles()[0].wheel_load, 50e3);
+    Ok(())
+}
+
+#[test]
+fn tonnes_a_year_are_axles_a_day() -> Result<(), CaseError> {
+    let text = format!("[line]\nmgt_per_year = 20\n{VEHICLE}axle_load = \"20 t\"\n{SPEED}");
+    let case = nominal();
+    let on = Traffic::parse("t.toml", &text)?.on(
+        &case,
+        &bands_of(&case),
+        &Variant::none(""),
+        &|_| {},
+    )?;
+    let a_day = on.passages_per_day.unwrap();
+    assert!((a_day / (1e6 / 365.2425) - 1.0).abs() < 1e-12, "{a_day}");
+    Ok(())
+}
+
+#[test]
+fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
+    let set =
+        "[vehicle.set]\ncontact.friction = 0.3\nwheel = { rotation = \"constant-creepage\" }\n";
+    let text = format!("{VEHICLE}{SPEED}creepage = \"0.03 %\"\n{set}");
+    let case = nominal();
+    let on = Traffic::parse("t.toml", &text)?.on(
+        &case,
+        &bands_of(&case),
+        &Variant::none(""),
+        &|_| {},
+    )?;
+    let changed = [
+        "contact.friction=0.3",
+        "contact.creepage=3e-4",
+        "wheel.rotation=constant-creepage",
+    ];
+    let changed = changed.map(str::to_owned);
+    let expected = Case::parse("case.toml", NOMINAL_CASE, &changed)?;
+    let wavelength = on.growth.wavelengths()[50];
+    let expected = expected.feedback.at(wavelength, 30.0).growth_rate;
+    assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
+    Ok(())
+}
+
+#[rstest]
+#[case("[[vehicle]]\nname = \"unit\"\n", "`vehicle[0].share` is missing")]
+#[case("vehicle = []\n", "`vehicle` is missing")]
+#[case("title = \"none\"\n", "`vehicle` is missing")]
+#[case(
+    "[[vehicle]]\nname = \" \"\nshare = 1\nspeed = { mean = 30 }\n",
+    "`vehicle[0].name` is empty"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 0.7\nspeed = { mean = 30 }\n",
+    "sum to 0.7000, but must sum to 1"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = -1\nspeed = { mean = 30 }\n",
+    "`vehicle[0].share` is -1, but must be greater"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\n",
+    "`vehicle[0].speed` is missing"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = \"30 kN\" }\n",
+    "not a speed in m/s"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30, standard_deviation = 8 }\n",
+    "less than a quarter of the mean"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 30, share = 0.5 }]\n",
+    "`vehicle[0].speeds` sum to 0.5"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\nspeeds = [{ speed = 30, share = 1 }]\n",
+    "exclude each other"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"10 t\"\nwheel_load = \"50 kN\"\n",
+    "exclude each other"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntraction = 0.2\n",
+    "`vehicle[0].traction` is not a key"
+)]
+#[case(
+    "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n",
+    "`line.passages_per_day` is 0"
+)]
+fn wrong_traffic_is_refused(#[case] text: &str, #[case] part: &str) {
+    let error = Traffic::parse("t.toml", text).err().expect("a mistake");
+    assert!(error.to_string().contains(part), "{error}");
+}
+
+/// What is wrong only with the case is found with it, and said of the vehicle, with its line.
+#[rstest]
+#[case(
+    "tractive_ratio = 1.2\n",
+    "vehicle[0].tractive_ratio",
+    "between 0 and 1"
+)]
+#[case(
+    "[vehicle.set]\ncontact.friction = -0.2\n",
+    "vehicle[0].set.contact.friction",
+    "greater than zero"
+)]
+#[case(
+    "[vehicle.set]\ncontact.frction = 0.2\n",
+    "vehicle[0].set.contact.frction",
+    "did you mean friction"
+)]
+fn a_vehicle_that_the_case_refuses_is_named(
+    #[case] rest: &str,
+    #[case] key: &str,
+    #[case] rule: &str,
+) {
+    let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
+    let case = nominal();
+    let error = traffic
+        .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
+        .unwrap_err();
+    assert!(
+        error.to_string().contains(key) && error.to_string().contains(rule),
+        "{error}"
+    );
+    let CaseError::Invalid { span, .. } = error else {
+        panic!("{error:?}");
+    };
+    assert!(span.is_some());
+}
+
+#[rstest]
+#[case("", "changes nothing")]
+#[case("title = \"empty\"\n", "changes nothing")]
+#[case("[speed]\nmean = 30\nfactor = 0.8\n", "exclude each other")]
+#[case("[speed]\nfactor = 0\n", "`speed.factor` is 0")]
+#[case("[speed]\nfast = 30\n", "`speed.fast` is not a key")]
+#[case("[contact]\nfriction = -1\n", "`contact.friction` is -1")]
+#[case("[contact]\nfrction = 0.3\n", "did you mean friction")]
+#[case("[speed]\nstandard_deviation = 12\n", "less than a quarter")]
+fn wrong_changes_are_refused(#[case] text: &str, #[case] part: &str) {
+    let case = nominal();
+    let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
+    let error = Variant::parse("a.toml", text)
+        .and_then(|variant| Comparison::compute(&case, &[variant], &traffic, None, None, &|_| {}))
+        .unwrap_err();
+    assert!(error.to_string().contains(part), "{error}");
+    assert!(!error.to_string().contains("--set"), "{error}");
+}
+
+/// A change of the case is what the changed case gives; half the wear takes twice as long.
+#[test]
+fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
+    let case = nominal();
+    let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
+    let friction = Variant::parse("a.toml", "[contact]\nfriction = 0.3\n")?;
+    let wear = Variant::parse(
+        "b.toml",
+        "title = \"half\"\n[wear]\ncoefficient = 1.25e-9\n",
+    )?;
+    let slower = Variant::parse("c.toml", "[speed]\nfactor = 0.5\n")?;
+    let spectrum =
+        riffel::roughness::Spectrum::new(bands_of(&case).into_iter().map(|band| (band, -8.0)))
+            .unwrap();
+    let limit = riffel::roughness::LevelLimit::new(spectrum.map(|band| band.level + 6.0).unwrap());
+    let compared = Comparison::compute(
+        &case,
+        &[friction, wear, slower],
+        &traffic,
+        Some(&spectrum),
+        Some(&limit),
+        &|_| {},
+    )?;
+    let [base, friction, wear, slower] = &compared.outcomes[..] else {
+        panic!("{} outcomes", compared.outcomes.len());
+    };
+    let line = 60;
+    let wavelength = base.growth.wavelengths()[line];
+    let rate = |case: &Case, speed: f64| case.feedback.at(wavelength, speed).growth_rate;
+    let changed = case.with(&[&["contact.friction=0.3".to_owned()]])?;
+    for (outcome, expected) in [
+        (base, rate(&case, 30.0)),
+        (friction, rate(&changed, 30.0)),
+        (slower, rate(&case, 15.0)),
+    ] {
+        assert!((outcome.growth.rates()[line] / expected - 1.0).abs() < 1e-12);
+    }
+    assert_eq!(wear.title, "half");
+    let ratio = wear.passages_to_limit.unwrap() / base.passages_to_limit.unwrap();
+    assert!((ratio - 2.0).abs() < 1e-9, "{ratio}");
+    let ridge = base.ridge_frequency.unwrap();
+    assert!((530.0..545.0).contains(&ridge), "{ridge}");
+    Ok(())
+}
+
+/// A later set of overrides replaces what an earlier one excludes.
+#[test]
+fn sets_of_overrides_follow_each_other() -> Result<(), CaseError> {
+    let text = |text: &str| vec![text.to_owned()];
+    let base = Case::parse("case.toml", NOMINAL_CASE, &text("contact.creepage=1e-3"))?;
+    let ratio = base.with(&[
+        &text("contact.tractive_ratio=0.3"),
+        &text("rail.section=60E1"),
+    ])?;
+    assert!((ratio.steady.tractive_ratio() - 0.3).abs() < 1e-12);
+    assert_eq!(ratio.file.rail.mass_per_length.unwrap().si(), 60.21);
+    assert!((base.steady.creepage - 1e-3).abs() < 1e-15);
+    Ok(())
+}
+
+const TABLE: &str = "id,section,date,wavelength_mm,level_db\n\
+    1,A,2024-03-01,20,-4\n1,A,2024-03-01,25,-8\n\
+    2,B,2024-03-01,20,-2\n2,B,2024-03-01,25,-9\n\
+    3,B,2025-03-01,20,-6\n3,B,2025-03-01,25,-9\n\
+    4,A,2025-03-01,20,-8\n4,A,2025-03-01,25,-7\n";
+
+fn survey(text: &str) -> Survey {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("table.csv");
+    std::fs::write(&path, text).unwrap();
+    Survey::read(&path, None).unwrap()
+}
+
+/// Sections pair whatever the order of the rows; the number of the spectrum and the date do not count.
+#[test]
+fn records_are_paired_by_place() -> Result<(), CaseError> {
+    let dates = survey(TABLE).by_date("date")?;
+    let [(first, earlier), (last, later)] = &dates[..] else {
+        panic!("{dates:?}");
+    };
+    assert_eq!(
+        (first.to_string(), last.to_string()),
+        ("2024-03-01".into(), "2025-03-01".into())
+    );
+    let change = later.change_since(earlier, 1e6).unwrap();
+    let spectra = |survey: &Survey| survey.spectra();
+    // By section: A of both, then B of both.
+    let (a, b) = (spectra(later)[1].clone(), spectra(later)[0].clone());
+    let expected =
+        riffel::forecast::MeasuredChange::paired(spectra(earlier), vec![a, b], 1e6).unwrap();
+    assert_eq!(change, expected);
+    Ok(())
+}
+
+#[test]
+fn wrong_choices_are_refused() {
+    for (message, part) in [
+        (
+            survey(TABLE).choose(&["section=C".to_owned()]).unwrap_err(),
+            "no spectrum has section=C",
+        ),
+        (
+            survey(TABLE).choose(&["rail=L".to_owned()]).unwrap_err(),
+            "no column \"rail\"",
+        ),
+        (
+            survey(TABLE).choose(&["section".to_owned()]).unwrap_err(),
+            "COLUMN=VALUE",
+        ),
+        (
+            survey(TABLE).by_date("section").unwrap_err(),
+            "must be a date",
+        ),
+    ] {
+        assert!(message.to_string().contains(part), "{message}");
+    }
+}

@@ -1,0 +1,143 @@
+//! Arguments of `forecast` and `compare`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use jiff::civil::Date;
+use riffel_case::quantity::{Quantity, Speed};
+
+use super::CaseArguments;
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24"
+)]
+pub(crate) struct Forecast {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    #[command(flatten)]
+    pub(crate) spectra: Spectra,
+
+    /// Traffic file: vehicles with their shares, loads, speeds and traction; `riffel init --traffic` writes
+    /// one.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) traffic: PathBuf,
+
+    /// Limit of the levels, by name or as a TOML file.
+    #[arg(long, value_name = "LIMIT", default_value = "iso-3095-2013")]
+    pub(crate) limit: String,
+
+    #[command(flatten)]
+    pub(crate) horizon: Horizon,
+
+    /// Date of the spectrum, from which dates are counted [default: that of --date-column].
+    #[arg(long, value_name = "DATE")]
+    pub(crate) date: Option<Date>,
+
+    /// Folder for the results, made if need be [default: CASE-forecast].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// How far to look ahead.
+#[derive(Args)]
+#[group(multiple = false)]
+pub(crate) struct Horizon {
+    /// Look so many axle passages ahead.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) passages: Option<f64>,
+
+    /// Look so many million gross tonnes ahead.
+    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    pub(crate) mgt: Option<f64>,
+
+    /// Look so many months ahead [default: 12].
+    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    pub(crate) months: Option<f64>,
+}
+
+/// What was measured, now and before.
+#[derive(Args)]
+pub(crate) struct Spectra {
+    /// Measured rail: a table of one-third-octave levels or a longitudinal profile; the energy mean of its
+    /// records is taken.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) spectrum: PathBuf,
+
+    /// Reader profile of the files, as for riffel roughness.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) format: Option<PathBuf>,
+
+    /// Keep the spectra of a table whose column has this value; may be repeated.
+    #[arg(long = "where", value_name = "COLUMN=VALUE")]
+    pub(crate) choose: Vec<String>,
+
+    /// Column of dates, as in 2026-01-31: the latest is now, the earliest before.
+    #[arg(long, value_name = "COLUMN")]
+    pub(crate) date_column: Option<String>,
+
+    /// An earlier measurement of the same rail, to fit the wear coefficient to.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) earlier: Option<PathBuf>,
+
+    /// Keep the earlier spectra whose column has this value [default file: that of --spectrum].
+    #[arg(long = "earlier-where", value_name = "COLUMN=VALUE")]
+    pub(crate) earlier_choose: Vec<String>,
+
+    /// Axle passages between the two measurements [default: from the dates and the traffic file].
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    pub(crate) passages_between: Option<f64>,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel compare case.toml --with soft-pads.toml --with slower.toml --speed \"100 km/h\"\n\n\
+        A file of changes has a title and the keys of the case that change, in their tables:\n\n  \
+        title = \"soft pads, slower\"\n  [track]\n  pad = { stiffness = \"120 MN/m\" }\n  [speed]\n  factor = 0.8\n\n\
+        [speed] takes mean or factor, and standard_deviation."
+)]
+pub(crate) struct Compare {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// File of changes to the case and its speeds; may be repeated.
+    #[arg(long = "with", value_name = "TOML", required = true)]
+    pub(crate) variants: Vec<PathBuf>,
+
+    /// Speed of the wheel of the case, in m/s or with its unit [default: the middle of map.speed].
+    #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
+    pub(crate) speed: Option<Quantity<Speed>>,
+
+    /// Standard deviation of the speed.
+    #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
+    pub(crate) speed_deviation: Option<Quantity<Speed>>,
+
+    /// Traffic file, in place of the wheel of the case at one speed.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) traffic: Option<PathBuf>,
+
+    /// Measured rail, to say when each variant reaches the limit.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) spectrum: Option<PathBuf>,
+
+    /// Keep the spectra of a table whose column has this value; may be repeated.
+    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
+    pub(crate) choose: Vec<String>,
+
+    /// Limit of the levels, by name or as a TOML file.
+    #[arg(long, value_name = "LIMIT", default_value = "iso-3095-2013")]
+    pub(crate) limit: String,
+
+    /// Folder for the results, made if need be [default: CASE-compare].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}

@@ -1,0 +1,88 @@
+//! The figure of a comparison.
+
+use riffel_case::traffic::DAYS_PER_YEAR;
+use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
+
+use super::{Report, when};
+use crate::command::forecast::{BLACK, level_panel, number, per_million, points, rate_panel, zero};
+
+pub(super) fn figure(report: &Report) -> LineFigure {
+    let base = report.comparison.base();
+    let wavelengths: Vec<f64> = base.growth.wavelengths().iter().map(|w| 1e3 * w).collect();
+    let outcomes = || report.comparison.outcomes.iter().enumerate();
+    let mut rates: Vec<Series> = outcomes()
+        .map(|(index, outcome)| Series {
+            label: outcome.title.clone(),
+            x: wavelengths.clone(),
+            y: outcome
+                .growth
+                .rates()
+                .iter()
+                .map(|rate| per_million(*rate))
+                .collect(),
+            style: LineStyle::Solid,
+            color: Some(color(index)),
+        })
+        .collect();
+    rates.push(zero(&wavelengths));
+    let mut panels = vec![rate_panel(rates)];
+    let mut caption = format!(
+        "{}. Growth of the level by wavelength, positive where corrugation grows.",
+        report.speeds
+    );
+    if let Some(spectrum) = &report.spectrum {
+        // All at one date: when the case as it is reaches its limit, else when the first variant does, else
+        // after a year.
+        let reached = report.comparison.outcomes.iter();
+        let passages = reached
+            .filter_map(|outcome| outcome.passages_to_limit)
+            .find(|passages| *passages > 0.0)
+            .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
+            .unwrap_or(1e6);
+        let mut levels = vec![points("now", spectrum, LineStyle::Dotted, BLACK)];
+        levels.extend(outcomes().filter_map(|(index, outcome)| {
+            let bands = outcome.forecast.as_ref()?.bands().iter();
+            Some(Series {
+                label: outcome.title.clone(),
+                x: bands
+                    .clone()
+                    .map(|band| 1e3 * band.now.band.wavelength())
+                    .collect(),
+                y: bands.map(|band| band.level(passages)).collect(),
+                style: LineStyle::Solid,
+                color: Some(color(index)),
+            })
+        }));
+        levels.push(points(
+            &report.table.edition,
+            report.limit.spectrum(),
+            LineStyle::Dashed,
+            BLACK,
+        ));
+        panels.push(level_panel(levels));
+        caption += &format!(
+            " Levels after {} axle passages, {} MGT as it is.",
+            when(Some(passages)),
+            number(base.growth.mgt(passages))
+        );
+    }
+    LineFigure {
+        title: report
+            .case
+            .file
+            .title
+            .clone()
+            .unwrap_or_else(|| "Comparison".to_owned()),
+        caption,
+        panels,
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// Black for the case as it is.
+fn color(index: usize) -> Rgb {
+    match index {
+        0 => BLACK,
+        _ => OKABE_ITO[1 + (index - 1) % (OKABE_ITO.len() - 1)],
+    }
+}

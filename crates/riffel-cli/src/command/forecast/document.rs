@@ -1,0 +1,281 @@
+//! `forecast --json` and the tables.
+
+use std::io::{self, Write};
+
+use riffel::forecast::VehicleGrowth;
+use riffel::roughness::Spectrum;
+use serde::Serialize;
+
+use super::Report;
+use super::wear::WearDocument;
+use crate::arguments::Forecast as Arguments;
+
+#[derive(Serialize)]
+pub(super) struct Document<'a> {
+    riffel_version: &'static str,
+    inputs: Inputs<'a>,
+    horizon: Amount,
+    spectrum_now: Vec<Level>,
+    spectrum_then: Vec<Level>,
+    growth_rate_per_passage: Vec<Rate>,
+    /// Change of the rates on halving the step in speed.
+    growth_rate_error: f64,
+    limit: LimitDocument<'a>,
+    /// Of the first band that reaches the limit: the grinding interval; null where none ever does.
+    passages_to_limit: Option<f64>,
+    mgt_to_limit: Option<f64>,
+    months_to_limit: Option<f64>,
+    date_of_limit: Option<String>,
+    wavelength_of_limit_m: Option<f64>,
+    linear_range: LinearDocument<'a>,
+    bands: Vec<Band>,
+    /// Bands that were measured, outside the wavelengths of the case.
+    bands_left_out: Vec<Level>,
+    traffic: TrafficDocument<'a>,
+    wear_fit: Option<WearDocument>,
+    findings: Vec<String>,
+    remarks: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Inputs<'a> {
+    case: &'a riffel_case::file::CaseFile,
+    traffic: &'a riffel_case::traffic::TrafficFile,
+    spectrum: String,
+    records: usize,
+    date: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Amount {
+    passages: f64,
+    mgt: f64,
+    months: Option<f64>,
+    date: Option<String>,
+}
+
+#[derive(Serialize)]
+pub(crate) struct Level {
+    wavelength_m: f64,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+struct Rate {
+    wavelength_m: f64,
+    growth_rate_per_passage: f64,
+}
+
+#[derive(Serialize)]
+struct LimitDocument<'a> {
+    name: &'a str,
+    edition: &'a str,
+    source: &'a str,
+}
+
+#[derive(Serialize)]
+struct LinearDocument<'a> {
+    force_ratio_now: f64,
+    passages: Option<f64>,
+    mgt: Option<f64>,
+    vehicle: &'a str,
+}
+
+#[derive(Serialize)]
+struct Band {
+    wavelength_m: f64,
+    level_now_db: f64,
+    level_then_db: f64,
+    limit_db: Option<f64>,
+    growth_rate_per_passage: f64,
+    passages_to_limit: Option<f64>,
+    mgt_to_limit: Option<f64>,
+    force_ratio_now: f64,
+    passages_to_loss_of_contact: Option<f64>,
+    /// Whether wheel and rail part before the end of the forecast by this band alone.
+    beyond_linear_range: bool,
+}
+
+#[derive(Serialize)]
+struct TrafficDocument<'a> {
+    passages_per_day: Option<f64>,
+    axle_mass_kg: f64,
+    vehicles: Vec<VehicleDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct VehicleDocument<'a> {
+    name: &'a str,
+    share: f64,
+    wheel_load_n: f64,
+    mean_speed_m_per_s: f64,
+    speed_deviation_m_per_s: f64,
+    growth_rate_per_passage: Vec<Rate>,
+}
+
+pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
+    let levels = spectrum.levels().iter();
+    levels
+        .map(|level| Level {
+            wavelength_m: level.band.wavelength(),
+            level_db: level.level,
+        })
+        .collect()
+}
+
+pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Document<'a> {
+    let forecast = &report.forecast;
+    let traffic = forecast.traffic();
+    let crossings = report.crossings();
+    let first = crossings.first();
+    let linear = forecast.linear_range(forecast.bands());
+    let rates = |rate: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| {
+        let bands = forecast.bands().iter();
+        bands
+            .map(|band| Rate {
+                wavelength_m: band.now.band.wavelength(),
+                growth_rate_per_passage: rate(band),
+            })
+            .collect()
+    };
+    let vehicle = |(index, vehicle): (usize, &'a VehicleGrowth)| VehicleDocument {
+        name: &vehicle.name,
+        share: vehicle.share,
+        wheel_load_n: vehicle.wheel_load,
+        mean_speed_m_per_s: vehicle.speeds.mean(),
+        speed_deviation_m_per_s: vehicle.speeds.deviation(),
+        growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
+    };
+    let mut remarks = report.survey.warnings.clone();
+    remarks.extend(report.on.remarks.iter().cloned());
+    Document {
+        riffel_version: env!("CARGO_PKG_VERSION"),
+        inputs: Inputs {
+            case: &report.case.file,
+            traffic: &report.traffic.file,
+            spectrum: arguments.spectra.spectrum.display().to_string(),
+            records: report.survey.records.len(),
+            date: report.date.map(|date| date.to_string()),
+        },
+        horizon: Amount {
+            passages: report.passages,
+            mgt: traffic.mgt(report.passages),
+            months: report.months(report.passages),
+            date: report
+                .date_after(report.passages)
+                .map(|date| date.to_string()),
+        },
+        spectrum_now: spectrum(report, 0.0),
+        spectrum_then: spectrum(report, report.passages),
+        growth_rate_per_passage: rates(&|band| forecast.growth_rate(band)),
+        growth_rate_error: traffic.rate_error(),
+        limit: LimitDocument {
+            name: &report.table.name,
+            edition: &report.table.edition,
+            source: &report.table.source,
+        },
+        passages_to_limit: first.map(|first| first.passages),
+        mgt_to_limit: first.map(|first| traffic.mgt(first.passages)),
+        months_to_limit: first.and_then(|first| report.months(first.passages)),
+        date_of_limit: first
+            .and_then(|first| report.date_after(first.passages))
+            .map(|date| date.to_string()),
+        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+        linear_range: LinearDocument {
+            force_ratio_now: linear.force_ratio,
+            passages: linear.passages,
+            mgt: linear.passages.map(|passages| traffic.mgt(passages)),
+            vehicle: &traffic.vehicles()[linear.vehicle].name,
+        },
+        bands: bands(report),
+        bands_left_out: report
+            .measured
+            .levels()
+            .iter()
+            .filter(|level| {
+                !forecast
+                    .bands()
+                    .iter()
+                    .any(|band| band.now.band == level.band)
+            })
+            .map(|level| Level {
+                wavelength_m: level.band.wavelength(),
+                level_db: level.level,
+            })
+            .collect(),
+        traffic: TrafficDocument {
+            passages_per_day: report.on.passages_per_day,
+            axle_mass_kg: traffic.axle_mass(),
+            vehicles: traffic.vehicles().iter().enumerate().map(vehicle).collect(),
+        },
+        wear_fit: report.wear.as_ref().map(super::WearReport::document),
+        findings: report.findings(),
+        remarks,
+    }
+}
+
+fn spectrum(report: &Report, passages: f64) -> Vec<Level> {
+    let bands = report.forecast.bands().iter();
+    bands
+        .map(|band| Level {
+            wavelength_m: band.now.band.wavelength(),
+            level_db: band.level(passages),
+        })
+        .collect()
+}
+
+fn bands(report: &Report) -> Vec<Band> {
+    let forecast = &report.forecast;
+    let limits = forecast.passages_to(&report.limit);
+    let bands = forecast.bands().iter();
+    bands
+        .map(|band| {
+            let limit = limits.iter().find(|limit| limit.0 == band);
+            let passages_to_limit = limit.and_then(|limit| limit.2);
+            let linear = forecast.linear_range([band]);
+            Band {
+                wavelength_m: band.now.band.wavelength(),
+                level_now_db: band.now.level,
+                level_then_db: band.level(report.passages),
+                limit_db: limit.map(|limit| limit.1),
+                growth_rate_per_passage: forecast.growth_rate(band),
+                passages_to_limit,
+                mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),
+                force_ratio_now: linear.force_ratio,
+                passages_to_loss_of_contact: linear.passages,
+                beyond_linear_range: linear
+                    .passages
+                    .is_some_and(|passages| passages <= report.passages),
+            }
+        })
+        .collect()
+}
+
+/// One row for each band.
+pub(super) fn band_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    for band in bands(report) {
+        writer.serialize(band)?;
+    }
+    writer.flush()
+}
+
+/// Growth rate of every line under the mix and under each vehicle.
+pub(super) fn line_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
+    let traffic = report.forecast.traffic();
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header = vec![
+        "wavelength_m".to_owned(),
+        "growth_rate_per_passage".to_owned(),
+    ];
+    let names = traffic.vehicles().iter();
+    header.extend(names.map(|vehicle| format!("{} growth_rate_per_passage", vehicle.name)));
+    writer.write_record(&header)?;
+    for (line, wavelength) in traffic.wavelengths().iter().enumerate() {
+        let mut row = vec![*wavelength, traffic.rates()[line]];
+        let vehicles = traffic.vehicles().iter();
+        row.extend(vehicles.map(|vehicle| vehicle.growth.rates[line]));
+        writer.serialize(row)?;
+    }
+    writer.flush()
+}

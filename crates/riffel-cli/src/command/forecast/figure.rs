@@ -1,0 +1,115 @@
+//! The figure of a forecast.
+
+use riffel::roughness::Spectrum;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
+
+use super::{Report, number};
+
+pub(crate) const BLACK: Rgb = Rgb(0, 0, 0);
+
+pub(super) fn figure(report: &Report) -> LineFigure {
+    let traffic = report.forecast.traffic();
+    let now = points("now", &report.measured, LineStyle::Solid, OKABE_ITO[1]);
+    let bands = report.forecast.bands().iter();
+    let then = Series {
+        label: format!("after {} MGT", number(traffic.mgt(report.passages))),
+        x: bands
+            .clone()
+            .map(|band| 1e3 * band.now.band.wavelength())
+            .collect(),
+        y: bands.map(|band| band.level(report.passages)).collect(),
+        style: LineStyle::Solid,
+        color: Some(OKABE_ITO[2]),
+    };
+    let limit = points(
+        &report.table.edition,
+        report.limit.spectrum(),
+        LineStyle::Dashed,
+        BLACK,
+    );
+    let wavelengths: Vec<f64> = traffic.wavelengths().iter().map(|w| 1e3 * w).collect();
+    let rate = |label: String, rates: &[f64], color| Series {
+        label,
+        x: wavelengths.clone(),
+        y: rates.iter().map(|rate| super::per_million(*rate)).collect(),
+        style: LineStyle::Solid,
+        color: Some(color),
+    };
+    let mut rates: Vec<Series> = traffic
+        .vehicles()
+        .iter()
+        .enumerate()
+        .map(|(index, vehicle)| {
+            let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
+            let label = format!("by {}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
+            let own = vehicle.growth.rates.iter();
+            let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
+            rate(label, &parts, color)
+        })
+        .collect();
+    rates.push(rate("mix".to_owned(), traffic.rates(), BLACK));
+    rates.push(zero(&wavelengths));
+    let title = report.case.file.title.clone();
+    LineFigure {
+        title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
+        caption: format!(
+            "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
+             grows: what each kind of vehicle adds, and their sum. Levels hold while wheel and rail touch.",
+            report.amount(report.passages)
+        ),
+        panels: vec![level_panel(vec![now, then, limit]), rate_panel(rates)],
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// Levels over wavelength.
+pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
+    LinePanel {
+        x_label: "wavelength λ [mm]".to_owned(),
+        y_label: "level [dB re 1 µm]".to_owned(),
+        x_scale: Scale::Log,
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// Growth over wavelength.
+pub(crate) fn rate_panel(series: Vec<Series>) -> LinePanel {
+    LinePanel {
+        x_label: "wavelength λ [mm]".to_owned(),
+        y_label: "growth [dB per 10⁶ passages]".to_owned(),
+        x_scale: Scale::Log,
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// Neither growth nor decay.
+pub(crate) fn zero(wavelengths: &[f64]) -> Series {
+    Series {
+        label: String::new(),
+        x: wavelengths
+            .first()
+            .into_iter()
+            .chain(wavelengths.last())
+            .copied()
+            .collect(),
+        y: vec![0.0; 2],
+        style: LineStyle::Dotted,
+        color: Some(BLACK),
+    }
+}
+
+/// A spectrum as a curve.
+pub(crate) fn points(label: &str, spectrum: &Spectrum, style: LineStyle, color: Rgb) -> Series {
+    let levels = || spectrum.levels().iter();
+    Series {
+        label: label.to_owned(),
+        x: levels()
+            .map(|level| 1e3 * level.band.wavelength())
+            .collect(),
+        y: levels().map(|level| level.level).collect(),
+        style,
+        color: Some(color),
+    }
+}

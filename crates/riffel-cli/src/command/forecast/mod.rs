@@ -1,0 +1,439 @@
+//! `riffel forecast`
+
+mod document;
+mod figure;
+mod wear;
+
+use std::path::PathBuf;
+
+use jiff::ToSpan;
+use jiff::civil::Date;
+use riffel::forecast::{Forecast, ForecastBand};
+use riffel::roughness::{LevelLimit, Spectrum};
+use riffel_case::roughness::{Limit, LimitTable, ReaderFormat, Survey};
+use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, TrafficOnCase, bands_of};
+use riffel_case::{Case, Variant};
+use riffel_plot::{DEFAULT_PNG_SCALE, png};
+
+use crate::arguments::{Forecast as Arguments, Horizon, Spectra};
+use crate::error::CliError;
+use crate::output::{Progress, json, print, print_remarks, table};
+use crate::staging::Staging;
+use wear::WearReport;
+
+pub(crate) use document::{Level, levels};
+pub(crate) use figure::{BLACK, level_panel, points, rate_panel, zero};
+
+/// Days of a month in the mean of the calendar.
+pub(crate) const DAYS_PER_MONTH: f64 = DAYS_PER_YEAR / 12.0;
+
+/// Everything that is reported.
+pub(super) struct Report {
+    pub(super) case: Case,
+    pub(super) traffic: Traffic,
+    pub(super) on: TrafficOnCase,
+    pub(super) survey: Survey,
+    /// The whole spectrum now, bands that are not forecast included.
+    pub(super) measured: Spectrum,
+    pub(super) forecast: Forecast,
+    /// Axle passages of the forecast.
+    pub(super) passages: f64,
+    pub(super) table: LimitTable,
+    pub(super) limit: LevelLimit,
+    /// Date of the spectrum.
+    pub(super) date: Option<Date>,
+    wear: Option<WearReport>,
+}
+
+/// A band that reaches its limit.
+pub(super) struct Crossing<'a> {
+    pub(super) band: &'a ForecastBand,
+    pub(super) limit: f64,
+    pub(super) passages: f64,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
+    let report = Report::new(arguments)?;
+    let document = json(&document::document(&report, arguments));
+    if arguments.json {
+        print(&document);
+    }
+    if !arguments.json || arguments.output.is_some() {
+        let folder = arguments
+            .case
+            .folder(arguments.output.as_deref(), "forecast");
+        let files = report.write(&folder, &document)?;
+        if !arguments.json {
+            let text = report.readable();
+            print(&format!(
+                "{text}{}: {}\n",
+                folder.display(),
+                files.join(" ")
+            ));
+        }
+    }
+    print_remarks(&report.survey.warnings);
+    print_remarks(&report.on.remarks);
+    Ok(())
+}
+
+impl Report {
+    fn new(arguments: &Arguments) -> miette::Result<Self> {
+        let case = arguments.case.read()?;
+        let traffic = Traffic::read(&arguments.traffic)?;
+        let (table, limit) = level_limit(&arguments.limit)?;
+        let dated = Dated::read(&arguments.spectra)?;
+        let progress = Progress::new("growth under traffic", traffic.file.vehicle.len());
+        let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|by| {
+            progress.advance(by);
+        })?;
+        drop(progress);
+        let measured = dated.now.mean();
+        let forecast = Forecast::new(&measured, on.growth.clone())
+            .map_err(|error| outside(&arguments.spectra.spectrum, &case, error))?;
+        let passages = passages(&arguments.horizon, &on)?;
+        let date = arguments.date.or(dated.date);
+        let wear = WearReport::new(&arguments.spectra, &dated, &on, &case)?;
+        Ok(Self {
+            survey: dated.now,
+            case,
+            traffic,
+            on,
+            measured,
+            forecast,
+            passages,
+            table,
+            limit,
+            date,
+            wear,
+        })
+    }
+
+    /// Months that some passages take, if the traffic says how much of it there is.
+    pub(super) fn months(&self, passages: f64) -> Option<f64> {
+        Some(passages / self.on.passages_per_day? / DAYS_PER_MONTH)
+    }
+
+    /// The date after some passages, if it is before the year 10000.
+    pub(super) fn date_after(&self, passages: f64) -> Option<Date> {
+        let days = (passages / self.on.passages_per_day?).round();
+        // Any date of the calendar is within four million days of any other.
+        (days < 4e6)
+            .then(|| self.date?.checked_add((days as i64).days()).ok())
+            .flatten()
+    }
+
+    /// Crossings of the limit, the earliest first.
+    pub(super) fn crossings(&self) -> Vec<Crossing<'_>> {
+        let mut crossings: Vec<Crossing<'_>> = self
+            .forecast
+            .passages_to(&self.limit)
+            .into_iter()
+            .filter_map(|(band, limit, passages)| {
+                Some(Crossing {
+                    band,
+                    limit,
+                    passages: passages?,
+                })
+            })
+            .collect();
+        crossings.sort_by(|a, b| {
+            let excess = |crossing: &Crossing<'_>| crossing.band.now.level - crossing.limit;
+            a.passages
+                .total_cmp(&b.passages)
+                .then(excess(b).total_cmp(&excess(a)))
+        });
+        crossings
+    }
+
+    /// Passages in every unit that is known.
+    pub(super) fn amount(&self, passages: f64) -> String {
+        let mgt = self.forecast.traffic().mgt(passages);
+        let mut text = format!("{passages:.3e} axle passages = {} MGT", number(mgt));
+        if let Some(months) = self.months(passages) {
+            text += &format!(" = {} months", number(months));
+        }
+        if let Some(date) = self.date_after(passages) {
+            text += &format!(" ({date})");
+        }
+        text
+    }
+
+    fn write(&self, folder: &std::path::Path, document: &str) -> miette::Result<Vec<String>> {
+        let mut staging = Staging::new(folder)?;
+        let figure = figure::figure(self);
+        let svg = figure.svg().map_err(CliError::from)?;
+        let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
+        staging.write("forecast.png", picture)?;
+        staging.write("forecast.svg", svg)?;
+        staging.write("forecast.html", figure.html().map_err(CliError::from)?)?;
+        staging.write_with("bands.csv", |file| document::band_table(self, file))?;
+        staging.write_with("growth.csv", |file| document::line_table(self, file))?;
+        staging.write("summary.json", document)?;
+        Ok(staging.publish()?)
+    }
+
+    fn readable(&self) -> String {
+        let title = self.case.file.title.as_deref().unwrap_or("Growth forecast");
+        let traffic = self.traffic.file.title.as_deref().unwrap_or("traffic");
+        let mut text = format!("{title}, {traffic}\nafter {}\n", self.amount(self.passages));
+        let mut rows = table(&[
+            "wavelength mm",
+            "now dB",
+            "then dB",
+            "limit dB",
+            "dB per 10⁶ passages",
+            "passages to limit",
+            "wheel leaves rail",
+        ]);
+        let limits = self.forecast.passages_to(&self.limit);
+        for band in self.forecast.bands().iter().rev() {
+            let limit = limits.iter().find(|limit| limit.0 == band);
+            let linear = self.forecast.linear_range([band]);
+            rows.add_row([
+                format!("{}", band.now.band.nominal_millimetres()),
+                format!("{:.1}", band.now.level),
+                format!("{:.1}", band.level(self.passages)),
+                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
+                format!("{:+.3}", per_million(self.forecast.growth_rate(band))),
+                limit.map_or_else(String::new, |limit| when(limit.2)),
+                when(linear.passages),
+            ]);
+        }
+        text += &format!("{rows}\n");
+        for sentence in self.findings() {
+            text += &format!("{sentence}\n");
+        }
+        if let Some(wear) = &self.wear {
+            text += &wear.readable();
+        }
+        text
+    }
+
+    /// What follows, in sentences.
+    pub(super) fn findings(&self) -> Vec<String> {
+        let mut findings = Vec::new();
+        let edition = &self.table.edition;
+        findings.push(match self.crossings().first() {
+            Some(first) if first.passages == 0.0 => format!(
+                "over the limit now: {edition} at {} mm by {:.1} dB",
+                first.band.now.band.nominal_millimetres(),
+                first.band.now.level - first.limit
+            ),
+            Some(first) => format!(
+                "grinding interval: {edition} is reached at {} mm after {}",
+                first.band.now.band.nominal_millimetres(),
+                self.amount(first.passages)
+            ),
+            None => format!("no band forecast ever reaches {edition}"),
+        });
+        let linear = self.forecast.linear_range(self.forecast.bands());
+        let vehicle = &self.forecast.traffic().vehicles()[linear.vehicle].name;
+        findings.push(match linear.passages {
+            Some(0.0) => format!(
+                "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
+                 corrugation then grows otherwise than forecast",
+                linear.force_ratio
+            ),
+            Some(passages) => format!(
+                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; from there on the \
+                 wheel leaves the rail and levels are not to be relied on",
+                linear.force_ratio,
+                self.amount(passages)
+            ),
+            None => format!(
+                "linear range: |P₁| is {:.2} P₀ now under \"{vehicle}\" and never reaches P₀",
+                linear.force_ratio
+            ),
+        });
+        let decays = |band: &&ForecastBand| self.forecast.growth_rate(band) < 0.0;
+        if self.forecast.bands().iter().any(|band| decays(&band)) {
+            findings.push(
+                "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
+                 floor and not for ever"
+                    .to_owned(),
+            );
+        }
+        let left_out = self.left_out();
+        if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
+            findings.push(format!(
+                "not forecast: {} bands from {first} to {last} mm that lie outside map.wavelength of the case",
+                left_out.len()
+            ));
+        }
+        findings
+    }
+
+    /// Nominal wavelengths of bands that were measured and are not forecast \[mm\], the shortest first.
+    pub(super) fn left_out(&self) -> Vec<f64> {
+        let bands = self.measured.levels().iter().map(|level| level.band);
+        bands
+            .filter(|band| {
+                !self
+                    .forecast
+                    .bands()
+                    .iter()
+                    .any(|own| own.now.band == *band)
+            })
+            .map(|band| band.nominal_millimetres())
+            .collect()
+    }
+}
+
+/// The survey of now and the one before, with the days between if they are dated.
+pub(super) struct Dated {
+    pub(super) now: Survey,
+    pub(super) earlier: Option<Survey>,
+    pub(super) date: Option<Date>,
+    pub(super) days: Option<f64>,
+}
+
+impl Dated {
+    fn read(spectra: &Spectra) -> miette::Result<Self> {
+        let format = spectra
+            .format
+            .as_deref()
+            .map(ReaderFormat::read)
+            .transpose()?;
+        let read = |path: &PathBuf| Survey::read(path, format.as_ref());
+        let now = read(&spectra.spectrum)?;
+        let now_chosen = now.clone().choose(&spectra.choose)?;
+        let earlier = match (&spectra.earlier, &spectra.earlier_choose[..]) {
+            (Some(path), choices) => Some(read(path)?.choose(choices)?),
+            (None, choices @ [_, ..]) => Some(now.choose(choices)?),
+            (None, []) => None,
+        };
+        let Some(column) = &spectra.date_column else {
+            return Ok(Self {
+                now: now_chosen,
+                earlier,
+                date: None,
+                days: None,
+            });
+        };
+        // The latest date of what is now, the earliest of what was before.
+        let mut dates = now_chosen.by_date(column)?;
+        let earliest = match &earlier {
+            Some(earlier) => Some(earlier.by_date(column)?.swap_remove(0)),
+            None if dates.len() > 1 => Some(dates[0].clone()),
+            None => None,
+        };
+        let (date, now) = dates.swap_remove(dates.len() - 1);
+        let days = match &earliest {
+            Some((before, _)) => {
+                let span = date.since(*before).map_err(|error| CliError::Argument {
+                    argument: "--date-column",
+                    value: column.clone(),
+                    rule: format!("dates that can be compared: {error}"),
+                })?;
+                let days = f64::from(span.get_days());
+                if days <= 0.0 {
+                    Err(CliError::Argument {
+                        argument: "--earlier",
+                        value: before.to_string(),
+                        rule: format!("earlier than {date}, the date of the spectrum"),
+                    })?;
+                }
+                Some(days)
+            }
+            None => None,
+        };
+        Ok(Self {
+            now,
+            earlier: earliest.map(|(_, survey)| survey),
+            date: Some(date),
+            days,
+        })
+    }
+}
+
+/// The limit of levels of a name or a file.
+pub(crate) fn level_limit(name: &str) -> miette::Result<(LimitTable, LevelLimit)> {
+    let table = LimitTable::find(name)?;
+    match &table.limit {
+        Limit::Levels(limit) => {
+            let limit = limit.clone();
+            Ok((table, limit))
+        }
+        Limit::Rms(_) => Err(CliError::Argument {
+            argument: "--limit",
+            value: name.to_owned(),
+            rule:
+                "a table of one-third-octave levels: an RMS along the rail does not follow from a \
+                   spectrum"
+                    .to_owned(),
+        })?,
+    }
+}
+
+/// Axle passages of the forecast: as asked for, or a year.
+pub(crate) fn passages(horizon: &Horizon, on: &TrafficOnCase) -> Result<f64, CliError> {
+    for (argument, value) in [
+        ("--passages", horizon.passages),
+        ("--mgt", horizon.mgt),
+        ("--months", horizon.months),
+    ] {
+        if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
+            return Err(CliError::Argument {
+                argument,
+                value: value.to_string(),
+                rule: "finite and greater than zero".to_owned(),
+            });
+        }
+    }
+    if let Some(passages) = horizon.passages {
+        return Ok(passages);
+    }
+    if let Some(mgt) = horizon.mgt {
+        return Ok(on.growth.passages(mgt));
+    }
+    on.passages_per_day
+        .map(|per_day| per_day * DAYS_PER_MONTH * horizon.months.unwrap_or(12.0))
+        .ok_or_else(|| CliError::Argument {
+            argument: "--months",
+            value: horizon
+                .months
+                .map_or("left out".to_owned(), |months| months.to_string()),
+            rule:
+                "replaced by --passages or --mgt, for the traffic file says under [line] neither \
+                   passages_per_day nor mgt_per_year"
+                    .to_owned(),
+        })
+}
+
+/// A spectrum without a band in the window of the case.
+pub(crate) fn outside(path: &std::path::Path, case: &Case, error: riffel::Error) -> CliError {
+    CliError::Argument {
+        argument: "--spectrum",
+        value: path.display().to_string(),
+        rule: format!(
+            "of bands between {:.0} and {:.0} mm, map.wavelength of the case: {error}",
+            1e3 * case.wavelength.min(),
+            1e3 * case.wavelength.max()
+        ),
+    }
+}
+
+/// Change of level in a million passages \[dB\].
+pub(crate) fn per_million(rate: f64) -> f64 {
+    20.0 / std::f64::consts::LN_10 * 1e6 * rate
+}
+
+/// Passages to an event.
+pub(crate) fn when(passages: Option<f64>) -> String {
+    match passages {
+        Some(0.0) => "now".to_owned(),
+        Some(passages) => format!("{passages:.2e}"),
+        None => "never".to_owned(),
+    }
+}
+
+/// Three digits, as one writes them.
+pub(crate) fn number(value: f64) -> String {
+    match value.abs() {
+        size if size >= 1e5 => format!("{value:.2e}"),
+        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 10.0 => format!("{value:.1}"),
+        _ => format!("{value:.2}"),
+    }
+}

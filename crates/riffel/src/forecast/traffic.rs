@@ -1,0 +1,183 @@
+//! Growth under a mix of vehicles.
+
+use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
+use crate::roughness::ThirdOctave;
+use crate::{Error, FeedbackLoop};
+
+/// Standard acceleration of free fall \[m/s²\], which turns a load into a mass.
+pub const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// One kind of vehicle in the mix.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VehicleGrowth {
+    /// Its name.
+    pub name: String,
+    /// Its share of the axle passages \[-\], of all one.
+    pub share: f64,
+    /// Normal load P₀ of a wheel \[N\].
+    pub wheel_load: f64,
+    /// Its speeds.
+    pub speeds: SpeedDistribution,
+    /// Growth by line.
+    pub growth: MeanGrowth,
+}
+
+impl VehicleGrowth {
+    /// A vehicle over the lines of some bands. `places` as in [`MeanGrowth::compute`].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless share and load are above zero.
+    pub fn compute(
+        name: &str,
+        share: f64,
+        places: &[(FeedbackLoop, f64)],
+        bands: &[ThirdOctave],
+        speeds: SpeedDistribution,
+    ) -> Result<Self, Error> {
+        Error::unless_positive("share of the axle passages", share, "")?;
+        let wheel_load = places
+            .first()
+            .map_or(0.0, |(feedback, _)| feedback.contact.steady().normal_force);
+        Error::unless_positive("wheel load", wheel_load, "N")?;
+        Ok(Self {
+            name: name.to_owned(),
+            share,
+            wheel_load,
+            growth: MeanGrowth::compute(places, &band_lines(bands), &speeds),
+            speeds,
+        })
+    }
+
+    /// Mass of an axle \[kg\], two wheels.
+    pub fn axle_mass(&self) -> f64 {
+        2.0 * self.wheel_load / STANDARD_GRAVITY
+    }
+
+    /// Mean growth rate of the amplitude per passage in a band \[-\], by its place among the bands.
+    pub fn band_rate(&self, band: usize) -> f64 {
+        mean(&self.growth.rates[lines_of(band)])
+    }
+}
+
+/// Growth rates of the lines of some bands under a mix of vehicles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrafficGrowth {
+    bands: Vec<ThirdOctave>,
+    vehicles: Vec<VehicleGrowth>,
+    rates: Vec<f64>,
+}
+
+impl TrafficGrowth {
+    /// The mix of vehicles over the bands for which each was computed; shares are scaled to sum to one.
+    ///
+    /// The rate of a passage of the mix is g = Σ_v share_v g_v: wheels change the amplitude one after
+    /// the other, so their exponents add.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless there is a vehicle and a band, and every vehicle has the lines of the
+    /// bands.
+    pub fn new(bands: Vec<ThirdOctave>, mut vehicles: Vec<VehicleGrowth>) -> Result<Self, Error> {
+        let lines = LINES_PER_BAND * bands.len();
+        let wrong = |quantity, value: usize, rule| Error::OutOfRange {
+            quantity,
+            value: value as f64,
+            unit: "",
+            rule,
+        };
+        if bands.is_empty() {
+            return Err(wrong("number of bands", 0, "must be one or more"));
+        }
+        if vehicles.is_empty() {
+            return Err(wrong("number of vehicles", 0, "must be one or more"));
+        }
+        if let Some(other) = vehicles
+            .iter()
+            .find(|vehicle| vehicle.growth.rates.len() != lines)
+        {
+            let count = other.growth.rates.len();
+            return Err(wrong(
+                "number of lines of a vehicle",
+                count,
+                "must be that of the bands",
+            ));
+        }
+        let sum: f64 = vehicles.iter().map(|vehicle| vehicle.share).sum();
+        Error::unless_positive("sum of the shares of the axle passages", sum, "")?;
+        for vehicle in &mut vehicles {
+            vehicle.share /= sum;
+        }
+        let rate = |line: usize| {
+            let rates = vehicles
+                .iter()
+                .map(|vehicle| vehicle.share * vehicle.growth.rates[line]);
+            rates.sum()
+        };
+        Ok(Self {
+            rates: (0..lines).map(rate).collect(),
+            bands,
+            vehicles,
+        })
+    }
+
+    /// The bands.
+    pub fn bands(&self) -> &[ThirdOctave] {
+        &self.bands
+    }
+
+    /// The vehicles, shares summing to one.
+    pub fn vehicles(&self) -> &[VehicleGrowth] {
+        &self.vehicles
+    }
+
+    /// Wavelengths of all lines \[m\].
+    pub fn wavelengths(&self) -> Vec<f64> {
+        band_lines(&self.bands)
+    }
+
+    /// Growth rate of the amplitude per axle passage \[-\] of every line.
+    pub fn rates(&self) -> &[f64] {
+        &self.rates
+    }
+
+    /// Growth rates of the lines of a band \[-\], by its place among the bands.
+    pub fn lines(&self, band: usize) -> &[f64] {
+        &self.rates[lines_of(band)]
+    }
+
+    /// Mean growth rate of the amplitude per axle passage in a band \[-\], by its place among the bands: that
+    /// of the RMS of a band whose energy is spread evenly.
+    pub fn band_rate(&self, band: usize) -> f64 {
+        mean(self.lines(band))
+    }
+
+    /// Mean mass of an axle \[kg\].
+    pub fn axle_mass(&self) -> f64 {
+        let masses = self.vehicles.iter().map(|v| v.share * v.axle_mass());
+        masses.sum()
+    }
+
+    /// Gross mass over the track \[million tonnes, MGT\] after some axle passages.
+    pub fn mgt(&self, passages: f64) -> f64 {
+        1e-9 * passages * self.axle_mass()
+    }
+
+    /// Axle passages of a gross mass \[million tonnes, MGT\].
+    pub fn passages(&self, mgt: f64) -> f64 {
+        1e9 * mgt / self.axle_mass()
+    }
+
+    /// The least accurate rate of any vehicle by its share: change on halving the step in speed \[-\].
+    pub fn rate_error(&self) -> f64 {
+        let errors = self.vehicles.iter().map(|v| v.share * v.growth.rate_error);
+        errors.sum()
+    }
+}
+
+/// Places of the lines of a band.
+pub(super) fn lines_of(band: usize) -> std::ops::Range<usize> {
+    LINES_PER_BAND * band..LINES_PER_BAND * (band + 1)
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}

@@ -1,0 +1,281 @@
+//! Identities of the growth forecast: one rate, mixes, places on a track, limits, the fit of wear.
+
+use std::f64::consts::LN_10;
+use std::sync::Arc;
+
+use riffel::forecast::{
+    Forecast, LINES_PER_BAND, MeanGrowth, MeasuredChange, SpeedDistribution, TrafficGrowth,
+    VehicleGrowth, WearFit, WearVerdict, band_lines,
+};
+use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
+use riffel::{
+    Bay, Beam, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, EulerBernoulliBeam,
+    FeedbackLoop, FreeBeam, HertzContact, Layer, PeriodicTrack, PlaceOfWear, RigidInertia,
+    RigidMass, RollingContact, Support,
+};
+
+/// The nominal loop with a load, a tractive ratio and a wear coefficient.
+fn feedback(load: f64, ratio: f64, wear: f64) -> Result<FeedbackLoop, Error> {
+    let steel = ElasticMaterial::new(207e9, 0.3)?;
+    let hertz = HertzContact::new(steel, 0.46, 0.23, load)?;
+    let contact = Carter3d::from_tractive_ratio(hertz, 0.4, ratio)?;
+    let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
+    Ok(FeedbackLoop {
+        track: Arc::new(FreeBeam::new(EulerBernoulliBeam::new(
+            steel, 2.35e-5, 56.0,
+        )?)),
+        wheel: Arc::new(RigidMass::new(350.0)?),
+        contact_stiffness: hertz.stiffness(),
+        place_of_wear: PlaceOfWear::new(
+            DissipationPhase::Lag,
+            hertz.semi_axis_longitudinal(),
+            contact.steady().tractive_ratio(),
+        ),
+        contact: Arc::new(contact),
+        rotation: Arc::new(RigidInertia::new(inertia, 0.46)?),
+        rolling_radius: 0.46,
+        wear: EnergyWear::new(wear, 7850.0, hertz.semi_axis_lateral())?,
+        amplitude: 31.5e-6,
+    })
+}
+
+fn bands() -> Vec<ThirdOctave> {
+    (-17..=-11).map(ThirdOctave::new).collect()
+}
+
+fn nominal(share: f64, load: f64, ratio: f64, speed: f64) -> Result<VehicleGrowth, Error> {
+    let places = [(feedback(load, ratio, 2.5e-9)?, 1.0)];
+    let speeds = SpeedDistribution::single(speed)?;
+    VehicleGrowth::compute("wheel", share, &places, &bands(), speeds)
+}
+
+fn flat(level: f64) -> Result<Spectrum, Error> {
+    Spectrum::new(bands().into_iter().map(|band| (band, level)))
+}
+
+/// A vehicle of the same rate at every wavelength.
+fn constant(rate: f64) -> Result<TrafficGrowth, Error> {
+    let mut vehicle = nominal(1.0, 50e3, 0.1, 30.0)?;
+    vehicle.growth.rates.fill(rate);
+    TrafficGrowth::new(bands(), vec![vehicle])
+}
+
+#[test]
+fn constant_growth_changes_levels_by_twenty_over_ln_ten() -> Result<(), Error> {
+    for (rate, passages) in [(2e-7, 3e6), (-4e-7, 1e7), (1e-9, 1.0)] {
+        let forecast = Forecast::new(&flat(-5.0)?, constant(rate)?)?;
+        let expected = 20.0 / LN_10 * rate * passages;
+        for level in forecast.spectrum(passages)?.levels() {
+            assert!((level.level + 5.0 - expected).abs() < 1e-11 * expected.abs().max(1.0));
+        }
+    }
+    let forecast = Forecast::new(&flat(-5.0)?, constant(2e-7)?)?;
+    let limit = LevelLimit::new(flat(1.0)?);
+    let passages = forecast.grinding_interval(&limit).unwrap();
+    assert!((passages / (6.0 * LN_10 / 20.0 / 2e-7) - 1.0).abs() < 1e-12);
+    let decaying = Forecast::new(&flat(-5.0)?, constant(-2e-7)?)?;
+    assert_eq!(decaying.grinding_interval(&limit), None);
+    assert_eq!(
+        decaying.grinding_interval(&LevelLimit::new(flat(-6.0)?)),
+        Some(0.0)
+    );
+    Ok(())
+}
+
+#[test]
+fn one_speed_is_the_loop_itself() -> Result<(), Error> {
+    let (vehicle, feedback) = (nominal(1.0, 50e3, 0.1, 30.0)?, feedback(50e3, 0.1, 2.5e-9)?);
+    for (line, wavelength) in band_lines(&bands()).into_iter().enumerate() {
+        let state = feedback.at(wavelength, 30.0);
+        assert_eq!(vehicle.growth.rates[line], state.growth_rate);
+        let force = (state.normal_force.norm() / feedback.amplitude).powi(2);
+        let found = vehicle.growth.squared_force_per_amplitude[line];
+        assert!((found / force - 1.0).abs() < 1e-14);
+    }
+    Ok(())
+}
+
+/// Rates add by share, whatever the shares sum to; so does the mass.
+#[test]
+fn a_mix_is_the_sum_by_shares() -> Result<(), Error> {
+    let vehicles = [
+        nominal(1.0, 50e3, 0.1, 30.0)?,
+        nominal(2.0, 90e3, 0.3, 22.0)?,
+        nominal(1.0, 60e3, 0.05, 40.0)?,
+    ];
+    let mix = TrafficGrowth::new(bands(), vehicles.to_vec())?;
+    for line in 0..mix.rates().len() {
+        let [a, b, c] = [0, 1, 2].map(|vehicle: usize| vehicles[vehicle].growth.rates[line]);
+        let expected = 0.25 * a + 0.5 * b + 0.25 * c;
+        assert!((mix.rates()[line] - expected).abs() <= 1e-15 * (a.abs() + b.abs() + c.abs()));
+    }
+    let mass = 2.0 * (0.25 * 50e3 + 0.5 * 90e3 + 0.25 * 60e3) / 9.80665;
+    assert!((mix.axle_mass() / mass - 1.0).abs() < 1e-14);
+    assert!((mix.mgt(1e6) - 1e-3 * mass).abs() < 1e-9);
+    assert!((mix.passages(mix.mgt(1e6)) - 1e6).abs() < 1e-6);
+    assert!(TrafficGrowth::new(bands(), vec![]).is_err());
+    assert!(TrafficGrowth::new(bands()[1..].to_vec(), vehicles.to_vec()).is_err());
+    Ok(())
+}
+
+/// The growth of the loop over a normal distribution of speed, against a sum of 20 000 speeds.
+#[test]
+fn the_mean_over_speeds_is_that_of_a_fine_sum() -> Result<(), Error> {
+    let feedback = feedback(50e3, 0.1, 2.5e-9)?;
+    let wavelengths = [0.020, 0.035, 0.055, 0.080];
+    let (mean, deviation) = (30.0, 5.0);
+    let places = [(feedback.clone(), 1.0)];
+    let speeds = SpeedDistribution::normal(mean, deviation)?;
+    let found = MeanGrowth::compute(&places, &wavelengths, &speeds);
+    let steps = 20_000;
+    let fine = wavelengths.map(|wavelength| {
+        let (mut sum, mut weight) = (0.0, 0.0);
+        for step in 0..steps {
+            let z = 8.0 * (f64::from(step) + 0.5) / f64::from(steps) - 4.0;
+            let density = (-0.5 * z * z).exp();
+            sum += density * feedback.at(wavelength, mean + z * deviation).growth_rate;
+            weight += density;
+        }
+        sum / weight
+    });
+    let largest = fine
+        .iter()
+        .fold(0f64, |largest, rate| largest.max(rate.abs()));
+    for (found, fine) in found.rates.iter().zip(fine) {
+        // What is left is the step at the cut-off tails.
+        assert!((found - fine).abs() < 2e-4 * largest, "{found} {fine}");
+    }
+    assert!(found.rate_error < 1e-3 * largest);
+    Ok(())
+}
+
+#[test]
+fn growth_on_discrete_supports_is_the_mean_over_the_bay() -> Result<(), Error> {
+    let steel = ElasticMaterial::new(207e9, 0.3)?;
+    let rail = Beam::from(EulerBernoulliBeam::new(steel, 3.05e-5, 60.0)?);
+    let support = Support::one_layer(Layer::new(200e6, 30e3)?);
+    let track = Arc::new(PeriodicTrack::new(rail, support, 0.6)?);
+    let bay = Bay::new(&feedback(50e3, 0.1, 2.5e-9)?, track).unwrap();
+    let speeds = SpeedDistribution::single(30.0)?;
+    let found = MeanGrowth::compute(&bay.places(), &[0.05], &speeds).rates[0];
+    let mean = bay.mean_normalized_dissipation(0.05, 30.0).re;
+    let at = bay.at(0.0).at(0.05, 30.0);
+    let expected = at.growth_rate / at.normalized_dissipation.re * mean;
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    Ok(())
+}
+
+/// A band of one wave: the force of its amplitude reaches the load when the growth makes up for the ratio.
+#[test]
+fn contact_is_lost_where_the_force_reaches_the_load() -> Result<(), Error> {
+    let rate = 3e-7;
+    let forecast = Forecast::new(&flat(0.0)?, constant(rate)?)?;
+    let band = &forecast.bands()[3];
+    let feedback = feedback(50e3, 0.1, 2.5e-9)?;
+    let lines = band_lines(&[band.now.band]);
+    let squares = lines.iter().map(|line| {
+        let force = feedback.at(*line, 30.0).normal_force.norm() / feedback.amplitude;
+        (force * band.now.amplitude() / 50e3).powi(2)
+    });
+    let ratio = (squares.sum::<f64>() / LINES_PER_BAND as f64).sqrt();
+    let range = forecast.linear_range([band]);
+    assert!((range.force_ratio / ratio - 1.0).abs() < 1e-12);
+    let passages = range.passages.unwrap();
+    assert!((passages / (ratio.recip().ln() / rate) - 1.0).abs() < 1e-9);
+    let all = forecast.linear_range(forecast.bands());
+    assert!(all.force_ratio > range.force_ratio && all.passages.unwrap() < passages);
+    Ok(())
+}
+
+/// Records whose bands grow by the model with a factor of the coefficient, plus a scatter of each record.
+fn measured(traffic: &TrafficGrowth, factor: f64, passages: f64) -> (Vec<Spectrum>, Vec<Spectrum>) {
+    // An invented scatter of ±1.5 dB that repeats.
+    let scatter =
+        |record: usize, band: usize| 1.5 * (2.4 * record as f64 + 5.3 * band as f64).sin();
+    let before = |record: usize| {
+        let bands = traffic.bands().iter().enumerate();
+        Spectrum::new(bands.map(|(place, &band)| (band, scatter(record, place) - 8.0))).unwrap()
+    };
+    let forecast = |record: usize| Forecast::new(&before(record), traffic.clone()).unwrap();
+    let after = |record: usize| {
+        let forecast = forecast(record);
+        let bands = forecast.bands().iter().enumerate();
+        let levels = bands.map(|(place, band)| {
+            let own = 0.4 * scatter(record + 40, place);
+            (band.now.band, band.level(factor * passages) + own)
+        });
+        Spectrum::new(levels).unwrap()
+    };
+    ((0..8).map(before).collect(), (0..8).map(after).collect())
+}
+
+#[test]
+fn the_fit_finds_the_coefficient_that_made_the_growth() -> Result<(), Error> {
+    let traffic = TrafficGrowth::new(bands(), vec![nominal(1.0, 50e3, 0.1, 30.0)?])?;
+    let passages = 5e6;
+    for factor in [0.4, 1.0, 2.7] {
+        let (earlier, later) = measured(&traffic, factor, passages);
+        let change = MeasuredChange::paired(earlier, later, passages)?;
+        let fit = WearFit::new(&change, &traffic)?;
+        let (low, high) = fit.interval.unwrap();
+        assert_eq!(fit.verdict, WearVerdict::Fitted);
+        assert!(low < factor && factor < high, "{factor}: {low} {high}");
+        assert!(
+            (fit.factor / factor - 1.0).abs() < 0.25,
+            "{factor}: {}",
+            fit.factor
+        );
+        assert!(fit.residual_rms().unwrap() < 0.6);
+        // Bands that decay in the model are shown and not fitted.
+        assert!(
+            fit.bands
+                .iter()
+                .any(|band| !band.grows && band.predicted < 0.0)
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn an_exact_change_is_fitted_exactly() -> Result<(), Error> {
+    let traffic = TrafficGrowth::new(bands(), vec![nominal(1.0, 50e3, 0.1, 30.0)?])?;
+    let now = flat(-8.0)?;
+    let forecast = Forecast::new(&now, traffic.clone())?;
+    let later = forecast.spectrum(1.7 * 2e7)?;
+    let change = MeasuredChange::groups(vec![now], vec![later], 2e7)?;
+    let fit = WearFit::new(&change, &traffic)?;
+    assert!((fit.factor - 1.7).abs() < 1e-9, "{}", fit.factor);
+    assert_eq!(
+        (fit.verdict, fit.interval),
+        (WearVerdict::WithoutInterval, None)
+    );
+    assert!(fit.bands.iter().all(|band| band.residual().abs() < 1e-8));
+    Ok(())
+}
+
+/// Rails that fall, rails that stand still, and a model in which nothing grows: no coefficient.
+#[test]
+fn no_fit_is_claimed_where_nothing_grows() -> Result<(), Error> {
+    let traffic = TrafficGrowth::new(bands(), vec![nominal(1.0, 50e3, 0.1, 30.0)?])?;
+    let verdict = |factor: f64| {
+        let (earlier, later) = measured(&traffic, factor, 5e6);
+        let change = MeasuredChange::paired(earlier, later, 5e6)?;
+        WearFit::new(&change, &traffic).map(|fit| fit.verdict)
+    };
+    assert_eq!(verdict(-1.0)?, WearVerdict::Against);
+    assert!(!verdict(0.01)?.is_fit());
+    let (earlier, later) = measured(&traffic, 1.0, 5e6);
+    let change = MeasuredChange::paired(earlier, later, 5e6)?;
+    let fit = WearFit::new(&change, &constant(-1e-7)?)?;
+    assert_eq!(fit.verdict, WearVerdict::NothingGrows);
+    assert!(MeasuredChange::groups(vec![], vec![flat(0.0)?], 1e6).is_err());
+    assert!(MeasuredChange::paired(vec![flat(0.0)?], vec![flat(0.0)?], 0.0).is_err());
+    Ok(())
+}
+
+#[test]
+fn a_spectrum_outside_the_bands_is_refused() -> Result<(), Error> {
+    let elsewhere = Spectrum::new([(ThirdOctave::new(-5), 3.0)])?;
+    assert!(Forecast::new(&elsewhere, constant(1e-7)?).is_err());
+    Ok(())
+}
