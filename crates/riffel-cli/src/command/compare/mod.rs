@@ -153,10 +153,9 @@ impl Report {
                 outcome.title.clone(),
                 format!("{:.1}{edge}", 1e3 * wavelength),
                 format!("{:+.3}", per_million(rate)),
-                if compared {
-                    format!("{change:+.0} %")
-                } else {
-                    String::new()
+                match compared {
+                    true => format!("{change:+.0} %"),
+                    false => String::new(),
                 },
                 outcome
                     .ridge_frequency
