@@ -479,7 +479,7 @@ pub(crate) struct Report {
     #[arg(long, value_name = "WORDS")]
     pub(crate) title: Option<String>,
 
-    /// TOML file with the table [site]: title, railway, line, track, place, measured_on, instrument, author,
+    /// TOML file with the table `site`: title, railway, line, track, place, measured_on, instrument, author,
     /// date, remarks.
     #[arg(long, value_name = "TOML")]
     pub(crate) site: Option<PathBuf>,
