@@ -24,7 +24,7 @@ const FORCE_TOLERANCE: f64 = 1e-5;
 /// Method: each step is a friction problem of the half-space, to 1e-5 of the tractions, by
 /// semismooth Newton. Errors are of first order in the length of an element; a change of load moves the
 /// edge over whole elements, which adds some 1 % to the response to load. The frequency response
-/// itself is had at a fiftieth of the cost from [`HalfSpace::response`](super::HalfSpace::response);
+/// itself is had at a fortieth of the cost from [`HalfSpace::response`](super::HalfSpace::response);
 /// this is for courses that are not harmonic, and to prove that one right. Cost: 1 to 2 ms a step with
 /// 40 × 40 elements.
 ///
