@@ -4,9 +4,7 @@ use std::io::{self, Write};
 
 use riffel::{Axis, Bay, BayMaps, LoopState, Ridge};
 use riffel_case::Case;
-use riffel_plot::{
-    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series, png,
-};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
 use crate::error::CliError;
@@ -120,8 +118,7 @@ impl BayGrowth {
             ("bay-map", maps.svg()?, maps.html()?),
             ("bay", curves.svg()?, curves.html()?),
         ] {
-            staging.write(&format!("{name}.png"), png(&svg, DEFAULT_PNG_SCALE)?)?;
-            staging.write(&format!("{name}.svg"), svg)?;
+            staging.write_picture(name, &svg)?;
             staging.write(&format!("{name}.html"), html)?;
         }
         staging.write_with("bay.csv", |file| self.position_table(file))?;

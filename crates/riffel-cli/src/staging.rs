@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 use tempfile::TempDir;
 
 use crate::error::CliError;
@@ -90,6 +91,18 @@ impl Staging {
     /// Write a whole file.
     pub(crate) fn write(&mut self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), CliError> {
         self.write_with(name, |file| file.write_all(bytes.as_ref()))
+    }
+
+    /// Write a drawing as PNG and SVG.
+    pub(crate) fn write_picture(&mut self, name: &str, svg: &str) -> Result<(), CliError> {
+        self.write(&format!("{name}.png"), png(svg, DEFAULT_PNG_SCALE)?)?;
+        self.write(&format!("{name}.svg"), svg)
+    }
+
+    /// Write a figure as PNG, SVG and page.
+    pub(crate) fn write_figure(&mut self, name: &str, figure: &LineFigure) -> Result<(), CliError> {
+        self.write_picture(name, &figure.svg()?)?;
+        self.write(&format!("{name}.html"), figure.html()?)
     }
 
     /// Write a file piece by piece.

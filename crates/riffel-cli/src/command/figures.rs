@@ -1,9 +1,6 @@
 //! `riffel figures`
 
-use riffel_plot::{DEFAULT_PNG_SCALE, png};
-
 use crate::arguments::Figures;
-use crate::error::CliError;
 use crate::output::{Progress, print};
 use crate::paper;
 use crate::staging::Staging;
@@ -14,9 +11,7 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let model = paper::Model::from(arguments.model);
     for (number, make) in paper::FIGURES {
         let figure = make(model)?;
-        let picture = png(&figure.svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
-        staging.write(&format!("figure-{number}.png"), picture)?;
-        staging.write(&format!("figure-{number}.svg"), figure.svg)?;
+        staging.write_picture(&format!("figure-{number}"), &figure.svg)?;
         staging.write(&format!("figure-{number}.csv"), figure.csv)?;
         progress.advance(1);
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::{GrowthMap, Ridge, RidgePoint};
 use riffel_case::Case;
-use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, Observation, png};
+use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
 use crate::arguments::{Map, covering, positive};
@@ -174,9 +174,7 @@ fn write_files(
         caption: format!("{}{} {SIGN}", parameters(case), place(case)),
         panels: vec![panel],
     };
-    let svg = figure.svg()?;
-    staging.write("map.png", png(&svg, DEFAULT_PNG_SCALE)?)?;
-    staging.write("map.svg", svg)?;
+    staging.write_picture("map", &figure.svg()?)?;
     staging.write("map.html", figure.html()?)?;
     let progress = Progress::new("writing map.csv", case.speed.points());
     staging.write_with("map.csv", |file| {

@@ -6,9 +6,7 @@ use std::sync::Arc;
 
 use riffel::{Complex64, DecayRate, Resonance};
 use riffel_case::{Case, Direction, Track};
-use riffel_plot::{
-    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, Mark, Scale, Series, png,
-};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
 
 use crate::arguments::{DirectionArgument, Receptance, positive};
@@ -62,20 +60,13 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         .case
         .folder(arguments.output.as_deref(), "receptance");
     let mut staging = Staging::new(&folder)?;
-    let figure = curves.figure(&case, &resonances);
-    let svg = figure.svg().map_err(CliError::from)?;
-    let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
-    staging.write("receptance.png", picture)?;
-    staging.write("receptance.svg", svg)?;
-    staging.write("receptance.html", figure.html().map_err(CliError::from)?)?;
+    staging.write_figure("receptance", &curves.figure(&case, &resonances))?;
     staging.write_with("receptance.csv", |file| curves.table(file))?;
     staging.write_with("resonances.csv", |file| resonance_table(&resonances, file))?;
     if let Some(decay) = &decay {
         staging.write_with("decay-rate.csv", |file| decay_table(decay, file))?;
         let svg = decay_figure(&case, decay).svg().map_err(CliError::from)?;
-        let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
-        staging.write("decay-rate.png", picture)?;
-        staging.write("decay-rate.svg", svg)?;
+        staging.write_picture("decay-rate", &svg)?;
     }
     let files = staging.publish()?;
     if !arguments.json {

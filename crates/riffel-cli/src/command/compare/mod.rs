@@ -9,7 +9,6 @@ use riffel_case::roughness::{LimitTable, Survey};
 use riffel_case::traffic::Traffic;
 use riffel_case::what_if::{Comparison, FastestLine, Outcome};
 use riffel_case::{Case, Variant};
-use riffel_plot::{DEFAULT_PNG_SCALE, png};
 
 use super::forecast::{DAYS_PER_MONTH, level_limit, number, outside, per_million, when};
 use crate::arguments::{Compare, positive};
@@ -38,14 +37,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
             .case
             .folder(arguments.output.as_deref(), "compare");
         let mut staging = Staging::new(&folder)?;
-        let figure = report.figure();
-        let svg = figure.svg().map_err(CliError::from)?;
-        staging.write(
-            "compare.png",
-            png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?,
-        )?;
-        staging.write("compare.svg", svg)?;
-        staging.write("compare.html", figure.html().map_err(CliError::from)?)?;
+        staging.write_figure("compare", &report.figure())?;
         staging.write_with("bands.csv", |file| document::band_table(&report, file))?;
         staging.write_with("growth.csv", |file| document::line_table(&report, file))?;
         staging.write("summary.json", document)?;

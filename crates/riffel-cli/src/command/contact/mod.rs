@@ -8,7 +8,7 @@ mod patch_figure;
 
 use riffel::KalkerCoefficients;
 use riffel_case::Case;
-use riffel_plot::{Arrangement, DEFAULT_PNG_SCALE, LineFigure, Series, png};
+use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
@@ -45,17 +45,8 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
         .case
         .folder(arguments.output.as_deref(), "contact");
     let mut staging = Staging::new(&folder)?;
-    for (name, figure) in [
-        ("contact", figure(&case, &patch, &curves, &response)),
-        ("patch", patch_figure(&case, &patch)),
-    ] {
-        let svg = figure.svg().map_err(CliError::from)?;
-        let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
-        staging.write(&format!("{name}.png"), picture)?;
-        staging.write(&format!("{name}.svg"), svg)?;
-        let page = figure.html().map_err(CliError::from)?;
-        staging.write(&format!("{name}.html"), page)?;
-    }
+    staging.write_figure("contact", &figure(&case, &patch, &curves, &response))?;
+    staging.write_figure("patch", &patch_figure(&case, &patch))?;
     staging.write_with("creep-curve.csv", |file| curves.table(file))?;
     staging.write_with("frequency-response.csv", |file| response.table(file))?;
     staging.write_with("patch.csv", |file| patch.table(file))?;

@@ -11,7 +11,6 @@ use riffel_case::quantity::{Quantity, Speed};
 use riffel_case::traffic::Traffic;
 
 use crate::arguments::{Diagnose, DiagnosisArguments, positive};
-use crate::command::roughness::write_figure;
 use crate::error::CliError;
 use crate::output::{json, print, print_remarks};
 use crate::staging::Staging;
@@ -35,7 +34,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
         .case
         .folder(arguments.output.as_deref(), "diagnosis");
     let mut staging = Staging::new(&folder)?;
-    write_figure(&mut staging, "diagnosis", &figure::of(&file, &diagnosis))?;
+    staging.write_figure("diagnosis", &figure::of(&file, &diagnosis))?;
     staging.write_with("candidates.csv", |file| diagnosis.table(file))?;
     staging.write("diagnosis.json", document)?;
     let files = staging.publish()?;

@@ -13,7 +13,6 @@ use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::roughness::{Limit, LimitTable, ReaderFormat, Survey};
 use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
-use riffel_plot::{DEFAULT_PNG_SCALE, png};
 
 use crate::arguments::{Forecast as Arguments, Horizon, Spectra};
 use crate::error::CliError;
@@ -161,12 +160,7 @@ impl Report {
 
     fn write(&self, folder: &std::path::Path, document: &str) -> miette::Result<Vec<String>> {
         let mut staging = Staging::new(folder)?;
-        let figure = self.figure();
-        let svg = figure.svg().map_err(CliError::from)?;
-        let picture = png(&svg, DEFAULT_PNG_SCALE).map_err(CliError::from)?;
-        staging.write("forecast.png", picture)?;
-        staging.write("forecast.svg", svg)?;
-        staging.write("forecast.html", figure.html().map_err(CliError::from)?)?;
+        staging.write_figure("forecast", &self.figure())?;
         staging.write_with("bands.csv", |file| document::band_table(self, file))?;
         staging.write_with("growth.csv", |file| document::line_table(self, file))?;
         staging.write("summary.json", document)?;

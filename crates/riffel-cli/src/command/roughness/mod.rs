@@ -12,12 +12,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile};
-use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 use crate::arguments::{Roughness, positive};
-use crate::error::CliError;
 use crate::output::Progress;
-use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     if let Some(recipe) = &arguments.synthesise {
@@ -78,17 +75,4 @@ fn folder(path: &Path, given: Option<&Path>) -> PathBuf {
         },
         Path::to_owned,
     )
-}
-
-/// Picture, drawing and page of a figure.
-pub(crate) fn write_figure(
-    staging: &mut Staging,
-    name: &str,
-    figure: &LineFigure,
-) -> Result<(), CliError> {
-    let svg = figure.svg()?;
-    let picture = png(&svg, DEFAULT_PNG_SCALE)?;
-    staging.write(&format!("{name}.png"), picture)?;
-    staging.write(&format!("{name}.svg"), svg)?;
-    staging.write(&format!("{name}.html"), figure.html()?)
 }

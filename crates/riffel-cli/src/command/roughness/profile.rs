@@ -12,7 +12,7 @@ use riffel_case::roughness::{Limit, LimitTable, Rail, Record};
 
 use super::document::{Document, RailDocument, Removed, bands, grind, levels};
 use super::verdict::Verdict;
-use super::{figure, folder, with_progress, write_figure};
+use super::{figure, folder, with_progress};
 use crate::arguments::Roughness;
 use crate::error::CliError;
 use crate::output::{json, print, print_remarks, table};
@@ -56,11 +56,7 @@ pub(super) fn run(
     }
     let folder = folder(path, arguments.output.as_deref());
     let mut staging = Staging::new(&folder)?;
-    write_figure(
-        &mut staging,
-        "roughness",
-        &figure::of_profile(path, &report, limits),
-    )?;
+    staging.write_figure("roughness", &figure::of_profile(path, &report, limits))?;
     staging.write_with("spectrum.csv", |file| report.spectrum_table(file))?;
     staging.write_with("blocks.csv", |file| report.block_table(file))?;
     staging.write_with("grind.csv", |file| report.grind_table(file))?;

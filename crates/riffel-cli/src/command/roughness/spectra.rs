@@ -9,7 +9,7 @@ use riffel_case::roughness::{LabelledSpectrum, LimitTable};
 use super::choice::{groups, refuse};
 use super::document::{Document, GroupDocument, Removed, levels};
 use super::verdict::Verdict;
-use super::{figure, folder, write_figure};
+use super::{figure, folder};
 use crate::arguments::Roughness;
 use crate::output::{json, print, table};
 use crate::staging::Staging;
@@ -132,11 +132,7 @@ pub(super) fn run(
     }
     let folder = folder(path, arguments.output.as_deref());
     let mut staging = Staging::new(&folder)?;
-    write_figure(
-        &mut staging,
-        "roughness",
-        &figure::of_spectra(path, &means, limits),
-    )?;
+    staging.write_figure("roughness", &figure::of_spectra(path, &means, limits))?;
     staging.write_with("spectrum.csv", |file| mean_table(&means, file))?;
     staging.write("summary.json", document)?;
     let files = staging.publish()?;
