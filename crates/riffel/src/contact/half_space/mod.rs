@@ -70,15 +70,10 @@ struct Grid {
 impl Grid {
     fn new(hertz: HertzContact, friction: f64, across: usize) -> Result<Self, Error> {
         let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
-        let peak = 1.5 * hertz.normal_force() / (std::f64::consts::PI * a * b);
         let patch = Patch::new(a, b, across)?;
         Ok(Self {
             influence: Influence::new(hertz.material(), &patch),
-            bound: patch
-                .pressure
-                .iter()
-                .map(|share| friction * peak * share)
-                .collect(),
+            bound: patch.traction_bound(hertz, friction),
             patch,
         })
     }
@@ -108,15 +103,6 @@ impl Grid {
             let places = self.patch.places.iter().map(share).zip(&self.bound);
             places.map(|(share, bound)| share * bound).collect()
         })
-    }
-
-    /// Creep forces \[N\].
-    fn forces(&self, state: &Slip) -> CreepForces {
-        let sum = |part: usize| state.tractions[part].iter().sum::<f64>() * self.patch.area();
-        CreepForces {
-            longitudinal: sum(0),
-            lateral: sum(1),
-        }
     }
 
     fn response(&self, state: &Slip, input: Input, wavenumber: f64) -> Result<Response, Error> {
@@ -225,7 +211,10 @@ impl HalfSpace {
                 self.fine.roll(creepages, Some(&start))?
             }
         };
-        let (by_fine, by_coarse) = (self.fine.forces(&fine), self.coarse.forces(&coarse));
+        let (by_fine, by_coarse) = (
+            self.fine.patch.forces(&fine.tractions),
+            self.coarse.patch.forces(&coarse.tractions),
+        );
         let forces = by_fine.combine(2.0, by_coarse, -1.0);
         // Extrapolation may pass full slip by its own error.
         let limit = self.friction * self.hertz.normal_force();

@@ -1,6 +1,8 @@
 //! The contact ellipse cut into elements.
 
+use super::influence::Field;
 use crate::Error;
+use crate::contact::{CreepForces, HertzContact};
 
 /// Fewest and most elements across a diameter of the ellipse.
 const ELEMENTS: std::ops::RangeInclusive<usize> = 8..=200;
@@ -19,8 +21,6 @@ pub(super) struct Patch {
     pub(super) places: Vec<(usize, usize)>,
     /// Centre of each element \[m\].
     pub(super) centres: Vec<(f64, f64)>,
-    /// Share of the peak pressure that is the mean pressure of each element \[-\].
-    pub(super) pressure: Vec<f64>,
     /// Steps of one element length that the material makes: one into each element, in the order of
     /// the elements, then one out of the last element of each row.
     pub(super) steps: Vec<Step>,
@@ -69,7 +69,6 @@ impl Patch {
             dy,
             places: Vec::new(),
             centres: Vec::new(),
-            pressure: Vec::new(),
             steps: Vec::new(),
         };
         for row in 0..across {
@@ -81,9 +80,26 @@ impl Patch {
                 }
             }
         }
-        patch.pressure = patch.pressure_of((a, b));
         patch.steps = patch.all_steps();
         Ok(patch)
+    }
+
+    /// Largest traction μp of each element \[Pa\] in a contact on this patch or within it.
+    pub(super) fn traction_bound(&self, hertz: HertzContact, friction: f64) -> Vec<f64> {
+        let semi_axes = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
+        let largest = friction * hertz.peak_pressure();
+        let mut bound = self.pressure_of(semi_axes);
+        bound.iter_mut().for_each(|share| *share *= largest);
+        bound
+    }
+
+    /// Forces of tractions on the elements \[N\].
+    pub(super) fn forces(&self, tractions: &Field<f64>) -> CreepForces {
+        let sum = |part: usize| tractions[part].iter().sum::<f64>() * self.area();
+        CreepForces {
+            longitudinal: sum(0),
+            lateral: sum(1),
+        }
     }
 
     /// Share of the peak pressure that is the mean pressure of each element \[-\], of the ellipse of
@@ -189,7 +205,8 @@ mod tests {
         for across in [15, 16, 40] {
             let patch = Patch::new(6e-3, 4e-3, across).unwrap();
             let area = std::f64::consts::PI * 6e-3 * 4e-3;
-            let load: f64 = patch.pressure.iter().sum::<f64>() * patch.area();
+            let pressure = patch.pressure_of((6e-3, 4e-3));
+            let load: f64 = pressure.iter().sum::<f64>() * patch.area();
             assert!((load / (2.0 / 3.0 * area) - 1.0).abs() < 1e-12);
             assert!((patch.len() as f64 * patch.area() / area - 1.0).abs() < 1e-12);
             let rows = patch.places.iter().map(|place| place.1);

@@ -24,7 +24,8 @@ fn influence_is_cerrutis() {
     let (a, q) = (5e-3, 1e6);
     let patch = Patch::new(a, a, 40).unwrap();
     let influence = Influence::new(steel(), &patch);
-    let along: Vec<f64> = patch.pressure.iter().map(|share| q * share).collect();
+    let pressure = patch.pressure_of((a, a)).into_iter();
+    let along: Vec<f64> = pressure.map(|share| q * share).collect();
     let across = vec![0.0; patch.len()];
     let moved = Convolution::new(&influence, &patch).real([&along, &across], [1.0, 0.0]);
     let (g, poisson) = (steel().shear_modulus(), 0.3);
@@ -79,7 +80,7 @@ fn error_is_of_first_order() {
     let force = |across: usize| {
         let grid = Grid::new(hertz(), 0.4, across).unwrap();
         let state = grid.roll(Creepages::longitudinal(5e-4), None).unwrap();
-        grid.forces(&state).longitudinal
+        grid.patch.forces(&state.tractions).longitudinal
     };
     let [coarse, middle, fine] = [12, 24, 48].map(force);
     let ratio = (coarse - middle) / (middle - fine);

@@ -203,7 +203,7 @@ impl TransientRolling {
         let mut error = f64::NAN;
         for _ in 0..MOST_STEPS {
             let slip = self.solve(motion(distance), &bound, &start)?;
-            error = (self.forces(&slip.tractions).longitudinal - force) / limit;
+            error = (self.patch.forces(&slip.tractions).longitudinal - force) / limit;
             if error.abs() <= FORCE_TOLERANCE {
                 return Ok(self.accept(slip, motion(distance)));
             }
@@ -236,10 +236,7 @@ impl TransientRolling {
             });
         }
         let hertz = self.hertz.under(normal_force);
-        let semi_axes = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
-        let peak = 1.5 * normal_force / (std::f64::consts::PI * semi_axes.0 * semi_axes.1);
-        let shares = self.patch.pressure_of(semi_axes).into_iter();
-        Ok(shares.map(|share| self.friction * peak * share).collect())
+        Ok(self.patch.traction_bound(hertz, self.friction))
     }
 
     fn solve(&self, motion: Motion, bound: &[f64], start: &Field<f64>) -> Result<Slip, Error> {
@@ -279,14 +276,6 @@ impl TransientRolling {
             })
     }
 
-    fn forces(&self, tractions: &Field<f64>) -> CreepForces {
-        let sum = |part: usize| tractions[part].iter().sum::<f64>() * self.patch.area();
-        CreepForces {
-            longitudinal: sum(0),
-            lateral: sum(1),
-        }
-    }
-
     /// Take a solution as the new state.
     fn accept(&mut self, slip: Slip, motion: Motion) -> TransientStep {
         // Where the material was before: rolling takes it on by an element.
@@ -303,7 +292,7 @@ impl TransientRolling {
                     self.patch.area() * 0.5 * (old + new) * slip.distance[part][index];
             }
         }
-        let forces = self.forces(&slip.tractions);
+        let forces = self.patch.forces(&slip.tractions);
         let mut convolution = Convolution::new(&self.influence, &self.patch);
         let tractions = [slip.tractions[0].as_slice(), slip.tractions[1].as_slice()];
         self.displacement = Displacement {
