@@ -23,21 +23,6 @@ const LAWS: [&str; 7] = [
 ];
 const OUTPUTS: [&str; 3] = ["force", "dissipation", "rail_dissipation"];
 
-/// What a command prints on standard output, as JSON.
-fn json(sandbox: &Sandbox, arguments: &str) -> Value {
-    let output = sandbox
-        .command()
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
 fn numbers(value: &Value) -> Vec<f64> {
     serde_json::from_value(value.clone()).unwrap()
 }
@@ -57,7 +42,7 @@ fn table(sandbox: &Sandbox, name: &str) -> (Vec<String>, Vec<Vec<String>>) {
 fn contact_document_and_tables() {
     let sandbox = Sandbox::new();
     let arguments = format!("{EXACT} {COARSE} --creepage 0.002,0.05% --ratio 4,40 --json");
-    let document = json(&sandbox, &arguments);
+    let document = sandbox.json(&arguments);
     assert_eq!(sandbox.list("."), ["cases"]);
     for key in [
         "semi_axis_longitudinal_m",
@@ -145,10 +130,7 @@ fn contact_document_and_tables() {
 #[test]
 fn contact_agrees_with_the_exact_theory() {
     let sandbox = Sandbox::new();
-    let document = json(
-        &sandbox,
-        &format!("{EXACT} --creepage 0.001 --ratio 8 --json"),
-    );
+    let document = sandbox.json(&format!("{EXACT} --creepage 0.001 --ratio 8 --json"));
     let force = &document["frequency_response"]["creepage"]["force"][0];
     let (re, im) = (force[0].as_f64().unwrap(), force[1].as_f64().unwrap());
     let (modulus, phase) = (0.500f64.hypot(0.546), (-0.546f64).atan2(0.500));
@@ -161,10 +143,9 @@ fn contact_agrees_with_the_exact_theory() {
     };
     assert!(distance(&document, "half-space").abs() < 0.007);
     // The paper's law goes with the paper's ellipse.
-    let paper = json(
-        &sandbox,
-        &format!("contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8 --json"),
-    );
+    let paper = sandbox.json(&format!(
+        "contact cases/nominal.toml {COARSE} --creepage 0.001 --ratio 8 --json"
+    ));
     let below = -distance(&paper, "carter-3d");
     assert!((0.01..0.03).contains(&below), "{below}");
 }

@@ -6,22 +6,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::sandbox::Sandbox;
-
-fn json(sandbox: &Sandbox, arguments: &str) -> Value {
-    let output = sandbox
-        .command()
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap()
-}
+use crate::sandbox::{Sandbox, number};
 
 fn share(finding: &Value, mechanism: &str) -> f64 {
     let candidates = finding["candidates"].as_array().unwrap();
@@ -59,13 +44,10 @@ const SBB: &str = "validation/reference/sbb-track-noise/rail_roughness.csv";
 fn the_mark_of_niederwangen_is_a_fading_one() {
     let sandbox = Sandbox::new();
     sandbox.copy("validation/reference/sbb-track-noise");
-    let document = json(
-        &sandbox,
-        &format!(
-            "diagnose cases/discrete-supports.toml --roughness {SBB} --where laboratory=MBBM \
+    let document = sandbox.json(&format!(
+        "diagnose cases/discrete-supports.toml --roughness {SBB} --where laboratory=MBBM \
              --speed \"136 km/h\" --json"
-        ),
-    );
+    ));
     let findings = document["dominant_wavelengths"].as_array().unwrap();
     assert_eq!(findings.len(), 1);
     let finding = &findings[0];
@@ -104,8 +86,7 @@ fn corrugation_on_the_ridge_is_led_by_it() {
     // The ridge follows 537 Hz: 55.9 mm at 108 km/h.
     record(&sandbox, "old.csv", 0.0559, 4.0);
     record(&sandbox, "new.csv", 0.0559, 9.0);
-    let document = json(
-        &sandbox,
+    let document = sandbox.json(
         "diagnose cases/nominal.toml --roughness new.csv --earlier old.csv --dates 2024-03-01,2025-03-01 \
          --speed \"108 km/h\" --json",
     );
@@ -123,8 +104,7 @@ fn corrugation_on_the_ridge_is_led_by_it() {
     );
     assert!(share(finding, "grinding mark") < 0.05);
     // Read the other way round it fades, and the mark leads.
-    let document = json(
-        &sandbox,
+    let document = sandbox.json(
         "diagnose cases/nominal.toml --roughness old.csv --earlier new.csv --speed \"108 km/h\" --json",
     );
     let fading = &document["dominant_wavelengths"][0];
@@ -137,8 +117,7 @@ fn corrugation_on_the_ridge_is_led_by_it() {
 fn a_wheelset_mode_is_taken_as_given() {
     let sandbox = Sandbox::new();
     record(&sandbox, "curve.csv", 0.1, 20.0);
-    let document = json(
-        &sandbox,
+    let document = sandbox.json(
         "diagnose cases/discrete-supports.toml --roughness curve.csv --speed \"29 km/h\" --speed \"31 km/h\" \
          --bending \"83 Hz\" --torsion \"45 Hz\" --json",
     );

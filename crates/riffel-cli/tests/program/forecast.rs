@@ -5,7 +5,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, number};
 
 const NIEDERWANGEN: &str = "validation/reference/sbb-track-noise";
 const MEASURED: &str =
@@ -15,21 +15,6 @@ fn sandbox() -> Sandbox {
     let sandbox = Sandbox::new();
     sandbox.copy(NIEDERWANGEN);
     sandbox
-}
-
-fn json(sandbox: &Sandbox, arguments: &str) -> Value {
-    let output = sandbox
-        .command()
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap()
 }
 
 /// One band of 0 dB at 50 mm.
@@ -44,7 +29,7 @@ fn the_forecast_answers_under_the_fixed_names() {
     let command = format!(
         "forecast cases/nominal.toml {MEASURED} --date-column date --traffic cases/traffic.toml"
     );
-    let document = json(&sandbox, &format!("{command} --months 6 --json"));
+    let document = sandbox.json(&format!("{command} --months 6 --json"));
     let passages = number(&document["horizon"]["passages"]);
     assert!((passages / (6000.0 * 365.2425 / 2.0) - 1.0).abs() < 1e-12);
     assert_eq!(document["horizon"]["date"], "2016-04-01");
@@ -101,7 +86,7 @@ fn a_fading_grinding_mark_is_not_fitted() {
     let command = format!(
         "forecast cases/nominal.toml {MEASURED} --date-column date --traffic cases/traffic.toml --json"
     );
-    let document = json(&sandbox, &command);
+    let document = sandbox.json(&command);
     let fit = &document["wear_fit"];
     assert_eq!(fit["paired"], true);
     assert_eq!(fit["records_earlier"], 8);
@@ -125,10 +110,9 @@ fn a_fading_grinding_mark_is_not_fitted() {
 fn the_coefficient_of_two_dates_is_found() {
     let sandbox = sandbox();
     let forecast = |arguments: &str| {
-        json(
-            &sandbox,
-            &format!("forecast cases/nominal.toml --traffic cases/traffic.toml --json {arguments}"),
-        )
+        sandbox.json(&format!(
+            "forecast cases/nominal.toml --traffic cases/traffic.toml --json {arguments}"
+        ))
     };
     let write = |name: &str, document: &Value, key: &str| {
         let mut text = "section,wavelength_m,level_db\n".to_owned();
@@ -164,7 +148,7 @@ fn the_amount_can_be_said_in_three_ways() {
         let command = format!(
             "forecast cases/nominal.toml --spectrum one.csv --traffic cases/traffic.toml --json {horizon}"
         );
-        number(&json(&sandbox, &command)["spectrum_then"][0]["level_db"])
+        number(&sandbox.json(&command)["spectrum_then"][0]["level_db"])
     };
     let level = then("--passages 1e6");
     assert!(level > 0.0);
@@ -180,13 +164,13 @@ fn a_profile_can_be_forecast() {
     sandbox.riffel("roughness --synthesise -o made.csv");
     let command =
         "forecast cases/nominal.toml --spectrum made.csv --traffic cases/traffic.toml --json";
-    let document = json(&sandbox, command);
+    let document = sandbox.json(command);
     assert_eq!(document["inputs"]["records"], 2);
     assert!(document["wear_fit"].is_null());
     one_band(&sandbox, 40.0);
     let command =
         "forecast cases/nominal.toml --spectrum one.csv --traffic cases/traffic.toml --json";
-    let document = json(&sandbox, command);
+    let document = sandbox.json(command);
     assert_eq!(number(&document["passages_to_limit"]), 0.0);
     assert_eq!(document["bands"][0]["beyond_linear_range"], true);
     assert!(
@@ -206,7 +190,7 @@ fn variants_are_compared() {
     .unwrap();
     fs::write(sandbox.path("slow.toml"), "[speed]\nfactor = 0.7\n").unwrap();
     let command = "compare cases/nominal.toml --with dry.toml --with slow.toml";
-    let alone = json(&sandbox, &format!("{command} --speed \"108 km/h\" --json"));
+    let alone = sandbox.json(&format!("{command} --speed \"108 km/h\" --json"));
     let outcomes = alone["outcomes"].as_array().unwrap();
     let titles: Vec<&str> = outcomes
         .iter()
@@ -328,7 +312,7 @@ fn a_traffic_file_to_start_from_is_written() {
         outcome.text
     );
     let command = "forecast cases/nominal.toml --spectrum one.csv --traffic mine.toml --json";
-    assert!(json(&sandbox, command)["passages_to_limit"].is_number());
-    let schema = json(&sandbox, "schema --traffic");
+    assert!(sandbox.json(command)["passages_to_limit"].is_number());
+    let schema = sandbox.json("schema --traffic");
     assert!(schema["properties"]["vehicle"].is_object());
 }

@@ -6,22 +6,7 @@ use std::fs;
 
 use serde_json::Value;
 
-use crate::sandbox::Sandbox;
-
-fn json(sandbox: &Sandbox, arguments: &str) -> Value {
-    let output = sandbox
-        .command()
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
-    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{arguments}: {errors}");
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().unwrap()
-}
+use crate::sandbox::{Sandbox, number};
 
 /// Level of the band that contains a wavelength.
 fn level(document: &Value, wavelength: f64) -> f64 {
@@ -50,7 +35,7 @@ fn wave() -> String {
 fn two_columns_are_understood_and_answered_under_the_fixed_names() {
     let sandbox = Sandbox::new();
     fs::write(sandbox.path("wave.csv"), wave()).unwrap();
-    let document = json(&sandbox, "roughness wave.csv --json");
+    let document = sandbox.json("roughness wave.csv --json");
     assert_eq!(number(&document["sample_spacing_m"]), 1e-3);
     assert!((number(&document["length_m"]) - 20.0).abs() < 1e-9);
     // Heights are written to 1e-5 µm.
@@ -73,7 +58,7 @@ fn two_columns_are_understood_and_answered_under_the_fixed_names() {
 fn layouts_do_not_matter() {
     let sandbox = Sandbox::new();
     fs::write(sandbox.path("plain.csv"), wave()).unwrap();
-    let expected = level(&json(&sandbox, "roughness plain.csv --json"), 0.0501);
+    let expected = level(&sandbox.json("roughness plain.csv --json"), 0.0501);
     let rows: Vec<(f64, f64)> = wave()
         .lines()
         .map(|line| {
@@ -100,10 +85,7 @@ fn layouts_do_not_matter() {
         text
     });
     fs::write(sandbox.path("alone.txt"), alone).unwrap();
-    let document = json(
-        &sandbox,
-        "roughness german.txt --json --save-format german.toml",
-    );
+    let document = sandbox.json("roughness german.txt --json --save-format german.toml");
     assert_eq!(document["rails"].as_array().unwrap().len(), 2);
     assert_eq!(document["rails"][0]["name"], "links");
     for arguments in [
@@ -111,7 +93,7 @@ fn layouts_do_not_matter() {
         "roughness german.txt --json --format german.toml",
         "roughness alone.txt --json --spacing \"1 mm\"",
     ] {
-        let found = level(&json(&sandbox, arguments), 0.0501);
+        let found = level(&sandbox.json(arguments), 0.0501);
         assert!(
             (found - expected).abs() < 1e-3,
             "{arguments}: {found} {expected}"
@@ -168,10 +150,9 @@ fn the_grinding_mark_of_niederwangen_fades() {
     let sandbox = Sandbox::new();
     sandbox.copy("validation/reference/sbb-track-noise");
     let file = "validation/reference/sbb-track-noise/rail_roughness.csv";
-    let document = json(
-        &sandbox,
-        &format!("roughness {file} --json --where laboratory=MBBM --by campaign"),
-    );
+    let document = sandbox.json(&format!(
+        "roughness {file} --json --where laboratory=MBBM --by campaign"
+    ));
     let groups = document["groups"].as_array().unwrap();
     let levels: Vec<f64> = groups
         .iter()
@@ -190,7 +171,7 @@ fn the_grinding_mark_of_niederwangen_fades() {
         finding.contains("20 mm") && finding.contains("not growing corrugation"),
         "{finding}"
     );
-    let all = json(&sandbox, &format!("roughness {file} --json"));
+    let all = sandbox.json(&format!("roughness {file} --json"));
     assert_eq!(all["groups"][0]["spectra"], 36);
 }
 

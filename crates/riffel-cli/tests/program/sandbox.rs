@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use serde_json::Value;
 use tempfile::TempDir;
 
 /// The root of the repository.
@@ -73,6 +74,18 @@ impl Sandbox {
         }
     }
 
+    /// What a command that succeeds prints on standard output, as JSON.
+    pub(crate) fn json(&self, arguments: &str) -> Value {
+        let output = self
+            .command()
+            .args(shlex::split(arguments).unwrap())
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{arguments}: {errors}");
+        serde_json::from_slice(&output.stdout).unwrap()
+    }
+
     /// Names of all that lies in a folder of the sandbox, sorted.
     pub(crate) fn list(&self, name: &str) -> Vec<String> {
         let mut names: Vec<String> = fs::read_dir(self.path(name))
@@ -82,4 +95,9 @@ impl Sandbox {
         names.sort();
         names
     }
+}
+
+/// A number of a JSON document.
+pub(crate) fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap()
 }

@@ -8,16 +8,6 @@ use crate::sandbox::Sandbox;
 
 const CASE: &str = "cases/discrete-supports.toml";
 
-/// What a command prints on standard output, as JSON.
-fn json(sandbox: &Sandbox, arguments: &str) -> Value {
-    let output = sandbox
-        .command()
-        .args(shlex::split(arguments).unwrap())
-        .output()
-        .unwrap();
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
 fn pairs(document: &Value, key: &str) -> Vec<(f64, f64)> {
     document[key]
         .as_array()
@@ -43,7 +33,7 @@ fn table(text: &str) -> (Vec<&str>, Vec<Vec<f64>>) {
 fn receptance_document_and_table() {
     let sandbox = Sandbox::new();
     let arguments = format!("receptance {CASE} --from 20 --to 3000 --points 200 --json");
-    let document = json(&sandbox, &arguments);
+    let document = sandbox.json(&arguments);
     assert_eq!(sandbox.list("."), ["cases"]);
     let frequencies: Vec<f64> = serde_json::from_value(document["frequency_hz"].clone()).unwrap();
     assert_eq!((frequencies[0], frequencies[199]), (20.0, 3000.0));
@@ -110,10 +100,9 @@ fn position_moves_the_wheel() {
     sandbox.riffel(&format!("receptance {CASE} {arguments} -o out"));
     let text = fs::read_to_string(sandbox.path("out/receptance.csv")).unwrap();
     let (_, rows) = table(&text);
-    let mid_span = json(
-        &sandbox,
-        &format!("receptance {CASE} {arguments} --position \"0.3 m\" --json"),
-    );
+    let mid_span = sandbox.json(&format!(
+        "receptance {CASE} {arguments} --position \"0.3 m\" --json"
+    ));
     let mid_span = pairs(&mid_span, "rail_m_per_n");
     for (row, value) in rows.iter().zip(mid_span) {
         // Half the spacing and 0.3 m are a rounding apart.
@@ -134,9 +123,8 @@ fn a_computed_receptance_reads_back_as_a_measured_one() {
     // The middle one of the three frequencies.
     let frequency = (400f64 * 600.0).sqrt();
     let point = format!("--wavelength {} --speed 25 --json", 25.0 / frequency);
-    let exact = json(&sandbox, &format!("point {CASE} {point}"));
-    let measured = json(
-        &sandbox,
+    let exact = sandbox.json(&format!("point {CASE} {point}"));
+    let measured = sandbox.json(
         &format!(
             "point {CASE} {point} --set track.model=measured \
              --set track.measurement='{{file=\"../out/receptance.csv\", real=\"rail_m_per_n_re\", imaginary=\"rail_m_per_n_im\"}}'"
@@ -184,12 +172,9 @@ fn growth_over_the_bay() {
         (0, "0", "growth_rate_over_support"),
         (60, "0.3", "growth_rate_mid_span"),
     ] {
-        let point = json(
-            &sandbox,
-            &format!(
-                "point {CASE} --wavelength \"50 mm\" --speed \"80 km/h\" --position {place} --json"
-            ),
-        );
+        let point = sandbox.json(&format!(
+            "point {CASE} --wavelength \"50 mm\" --speed \"80 km/h\" --position {place} --json"
+        ));
         let expected = point["growth_rate_per_passage"].as_f64().unwrap();
         let summarised = summary["bay"][key].as_f64().unwrap();
         for got in [rows[row][5], summarised] {
