@@ -2,9 +2,7 @@
 
 use std::fs;
 
-use riffel_plot::{
-    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, Rgb, Scale, Series, png,
-};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Rgb, Scale, Series};
 use riffel_validation::decay_rate::{
     FIT, MEASUREMENT, MeasuredBand, fit_in_words, table_by_assumption, table_by_band,
 };
@@ -24,7 +22,6 @@ const LIMIT: [f64; 14] = [
 const GREY: Rgb = Rgb(200, 200, 200);
 const BLUE: Rgb = Rgb(0, 114, 178);
 const VERMILION: Rgb = Rgb(213, 94, 0);
-const BLACK: Rgb = Rgb(0, 0, 0);
 
 /// The page with its generated parts as they should be; the words between them are kept.
 pub(crate) fn page() -> Result<String, String> {
@@ -42,13 +39,7 @@ pub(crate) fn page() -> Result<String, String> {
 
 /// Draw the figure of the page. Like the picture of the README it is not compared.
 pub(crate) fn picture() -> Outcome {
-    let draw = || {
-        let svg = figure().svg()?;
-        png(&svg, DEFAULT_PNG_SCALE)
-    };
-    let picture = draw().map_err(|error| format!("cannot draw {PICTURE}: {error}"))?;
-    fs::write(root().join(PICTURE), picture)
-        .map_err(|error| format!("cannot write {PICTURE}: {error}"))
+    crate::draw(PICTURE, &figure())
 }
 
 fn figure() -> LineFigure {
@@ -85,7 +76,12 @@ fn decay_rates() -> LinePanel {
         line("median", quartile(2), LineStyle::Solid, BLUE),
         Series {
             x: frequencies().split_off(limited),
-            ..line("ISO 3095 limit", LIMIT.to_vec(), LineStyle::Dashed, BLACK)
+            ..line(
+                "ISO 3095 limit",
+                LIMIT.to_vec(),
+                LineStyle::Dashed,
+                Rgb::BLACK,
+            )
         },
         line(
             "computed",

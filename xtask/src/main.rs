@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Developer commands of Riffel.
 #[derive(Parser)]
@@ -54,6 +55,14 @@ fn main() -> ExitCode {
 /// The root of the workspace.
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Draw a picture of the book.
+fn draw(path: &str, figure: &LineFigure) -> Outcome {
+    let picture = figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE));
+    let picture = picture.map_err(|error| format!("cannot draw {path}: {error}"))?;
+    std::fs::write(root().join(path), picture)
+        .map_err(|error| format!("cannot write {path}: {error}"))
 }
 
 fn test() -> Outcome {

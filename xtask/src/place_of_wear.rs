@@ -2,9 +2,7 @@
 
 use std::fs;
 
-use riffel_plot::{
-    Arrangement, DEFAULT_PNG_SCALE, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series, png,
-};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 use riffel_validation::place_of_wear::{READINGS, Reading, TRACTIVE_RATIOS, table};
 
 use crate::marked::between_marks;
@@ -22,13 +20,7 @@ pub(crate) fn page() -> Result<String, String> {
 
 /// Draw the figure of the page. Like the other pictures it is not compared.
 pub(crate) fn picture() -> Outcome {
-    let draw = || {
-        let svg = figure().svg()?;
-        png(&svg, DEFAULT_PNG_SCALE)
-    };
-    let picture = draw().map_err(|error| format!("cannot draw {PICTURE}: {error}"))?;
-    fs::write(root().join(PICTURE), picture)
-        .map_err(|error| format!("cannot write {PICTURE}: {error}"))
+    crate::draw(PICTURE, &figure())
 }
 
 fn figure() -> LineFigure {

@@ -7,7 +7,8 @@ pub struct Rgb(pub u8, pub u8, pub u8);
 
 impl Rgb {
     pub(crate) const WHITE: Rgb = Rgb(255, 255, 255);
-    pub(crate) const BLACK: Rgb = Rgb(0, 0, 0);
+    /// Black, the first of [`OKABE_ITO`].
+    pub const BLACK: Rgb = Rgb(0, 0, 0);
     /// Axes, ticks and text.
     pub(crate) const INK: Rgb = Rgb(34, 34, 34);
     /// Rays of constant frequency and other auxiliary lines.

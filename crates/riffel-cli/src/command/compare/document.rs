@@ -6,7 +6,7 @@ use riffel_case::what_if::Outcome;
 use serde::Serialize;
 
 use super::{Report, months_to_limit};
-use crate::command::forecast::{Level, levels};
+use crate::command::roughness::document::{Level, levels};
 
 #[derive(Serialize)]
 pub(super) struct Document<'a> {

@@ -4,7 +4,8 @@ use riffel_case::traffic::DAYS_PER_YEAR;
 use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::{Report, when};
-use crate::command::forecast::{BLACK, level_panel, number, per_million, points, rate_panel, zero};
+use crate::command::forecast::{number, per_million, rate_panel, zero};
+use crate::command::roughness::figure::{level_panel, levels as curve};
 
 pub(super) fn figure(report: &Report) -> LineFigure {
     let base = report.comparison.base();
@@ -39,7 +40,7 @@ pub(super) fn figure(report: &Report) -> LineFigure {
             .find(|passages| *passages > 0.0)
             .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
             .unwrap_or(1e6);
-        let mut levels = vec![points("now", spectrum, LineStyle::Dotted, BLACK)];
+        let mut levels = vec![curve("now", spectrum, LineStyle::Dotted, Rgb::BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
             let bands = outcome.forecast.as_ref()?.bands().iter();
             Some(Series {
@@ -53,11 +54,11 @@ pub(super) fn figure(report: &Report) -> LineFigure {
                 color: Some(color(index)),
             })
         }));
-        levels.push(points(
+        levels.push(curve(
             &report.table.edition,
             report.limit.spectrum(),
             LineStyle::Dashed,
-            BLACK,
+            Rgb::BLACK,
         ));
         panels.push(level_panel(levels));
         caption += &format!(
@@ -82,7 +83,7 @@ pub(super) fn figure(report: &Report) -> LineFigure {
 /// Black for the case as it is.
 fn color(index: usize) -> Rgb {
     match index {
-        0 => BLACK,
+        0 => Rgb::BLACK,
         _ => OKABE_ITO[1 + (index - 1) % (OKABE_ITO.len() - 1)],
     }
 }

@@ -12,6 +12,7 @@ use riffel_case::roughness::{LabelledSpectrum, ReaderFormat, RoughnessFile};
 
 use crate::arguments::{DiagnosisArguments, positive};
 use crate::command::roughness::choice::{columns, groups, refuse};
+use crate::command::roughness::profile::counted;
 use crate::command::roughness::with_progress;
 use crate::error::CliError;
 
@@ -360,10 +361,6 @@ fn standard_error(levels: &[f64]) -> Option<f64> {
     let mean = levels.iter().sum::<f64>() / count;
     let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
     (count > 1.0).then(|| (squares / (count - 1.0) / count).sqrt())
-}
-
-fn counted(count: usize, what: &str) -> String {
-    counted_irregular(count, what, &format!("{what}s"))
 }
 
 fn counted_irregular(count: usize, one: &str, many: &str) -> String {

@@ -3,12 +3,12 @@
 use std::io::{self, Write};
 
 use riffel::forecast::VehicleGrowth;
-use riffel::roughness::Spectrum;
 use serde::Serialize;
 
 use super::Report;
 use super::wear::WearDocument;
 use crate::arguments::Forecast as Arguments;
+use crate::command::roughness::document::Level;
 
 #[derive(Serialize)]
 pub(super) struct Document<'a> {
@@ -52,12 +52,6 @@ struct Amount {
     mgt: f64,
     months: Option<f64>,
     date: Option<String>,
-}
-
-#[derive(Serialize)]
-pub(crate) struct Level {
-    wavelength_m: f64,
-    level_db: f64,
 }
 
 #[derive(Serialize)]
@@ -111,16 +105,6 @@ struct VehicleDocument<'a> {
     mean_speed_m_per_s: f64,
     speed_deviation_m_per_s: f64,
     growth_rate_per_passage: Vec<Rate>,
-}
-
-pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
-    let levels = spectrum.levels().iter();
-    levels
-        .map(|level| Level {
-            wavelength_m: level.band.wavelength(),
-            level_db: level.level,
-        })
-        .collect()
 }
 
 pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Document<'a> {

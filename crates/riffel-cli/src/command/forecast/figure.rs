@@ -1,15 +1,13 @@
 //! The figure of a forecast.
 
-use riffel::roughness::Spectrum;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::{Report, number};
-
-pub(crate) const BLACK: Rgb = Rgb(0, 0, 0);
+use crate::command::roughness::figure::{level_panel, levels};
 
 pub(super) fn figure(report: &Report) -> LineFigure {
     let traffic = report.forecast.traffic();
-    let now = points("now", &report.measured, LineStyle::Solid, OKABE_ITO[1]);
+    let now = levels("now", &report.measured, LineStyle::Solid, OKABE_ITO[1]);
     let bands = report.forecast.bands().iter();
     let then = Series {
         label: format!("after {} MGT", number(traffic.mgt(report.passages))),
@@ -21,11 +19,11 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         style: LineStyle::Solid,
         color: Some(OKABE_ITO[2]),
     };
-    let limit = points(
+    let limit = levels(
         &report.table.edition,
         report.limit.spectrum(),
         LineStyle::Dashed,
-        BLACK,
+        Rgb::BLACK,
     );
     let wavelengths: Vec<f64> = traffic.wavelengths().iter().map(|w| 1e3 * w).collect();
     let rate = |label: String, rates: &[f64], color| Series {
@@ -47,7 +45,7 @@ pub(super) fn figure(report: &Report) -> LineFigure {
             rate(label, &parts, color)
         })
         .collect();
-    rates.push(rate("mix".to_owned(), traffic.rates(), BLACK));
+    rates.push(rate("mix".to_owned(), traffic.rates(), Rgb::BLACK));
     rates.push(zero(&wavelengths));
     let title = report.case.file.title.clone();
     LineFigure {
@@ -59,17 +57,6 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         ),
         panels: vec![level_panel(vec![now, then, limit]), rate_panel(rates)],
         arrangement: Arrangement::Stacked,
-    }
-}
-
-/// Levels over wavelength.
-pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
-    LinePanel {
-        x_label: "wavelength λ [mm]".to_owned(),
-        y_label: "level [dB re 1 µm]".to_owned(),
-        x_scale: Scale::Log,
-        series,
-        ..LinePanel::default()
     }
 }
 
@@ -96,20 +83,6 @@ pub(crate) fn zero(wavelengths: &[f64]) -> Series {
             .collect(),
         y: vec![0.0; 2],
         style: LineStyle::Dotted,
-        color: Some(BLACK),
-    }
-}
-
-/// A spectrum as a curve.
-pub(crate) fn points(label: &str, spectrum: &Spectrum, style: LineStyle, color: Rgb) -> Series {
-    let levels = || spectrum.levels().iter();
-    Series {
-        label: label.to_owned(),
-        x: levels()
-            .map(|level| 1e3 * level.band.wavelength())
-            .collect(),
-        y: levels().map(|level| level.level).collect(),
-        style,
-        color: Some(color),
+        color: Some(Rgb::BLACK),
     }
 }

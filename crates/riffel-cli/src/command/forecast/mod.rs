@@ -20,8 +20,7 @@ use crate::output::{Progress, json, print, print_remarks, table};
 use crate::staging::Staging;
 use wear::WearReport;
 
-pub(crate) use document::{Level, levels};
-pub(crate) use figure::{BLACK, level_panel, points, rate_panel, zero};
+pub(crate) use figure::{rate_panel, zero};
 
 /// Days of a month in the mean of the calendar.
 pub(crate) const DAYS_PER_MONTH: f64 = DAYS_PER_YEAR / 12.0;

@@ -8,7 +8,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, OKABE_ITO, Series};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::command::roughness::figure as figures;
-use crate::command::roughness::profile::{Report, counted, name};
+use crate::command::roughness::profile::{Report, band_row, counted, grind_row};
 use crate::command::roughness::spectra::Means;
 use crate::command::roughness::verdict::Verdict;
 use crate::error::CliError;
@@ -167,19 +167,7 @@ pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
     let rows: Vec<Vec<String>> = report
         .bands
         .iter()
-        .map(|band| {
-            vec![
-                name(&band.band),
-                format!("{:.2}", 1e6 * band.rms),
-                format!("{:.2}", 1e6 * band.moving_rms_max),
-                format!("{:.1}", 1e6 * band.peak_to_peak_max),
-                format!("{:.1}", band.window),
-                band.limit
-                    .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
-                band.share_over_limit
-                    .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
-            ]
-        })
+        .map(|band| band_row(band).to_vec())
         .collect();
     let header = [
         "band [mm]",
@@ -219,16 +207,7 @@ pub(super) fn grind(report: &Report) -> Section {
         .iter()
         .take(GRIND_ROWS)
         .enumerate()
-        .map(|(index, section)| {
-            vec![
-                format!("{}", index + 1),
-                format!("{:.2}", section.from),
-                format!("{:.2}", section.to),
-                format!("{:.2}", section.length()),
-                name(&section.band),
-                format!("{:.2}", section.ratio),
-            ]
-        })
+        .map(|(index, section)| grind_row(index, section).to_vec())
         .collect();
     let header = [
         "section",

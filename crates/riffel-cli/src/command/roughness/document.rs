@@ -31,9 +31,9 @@ pub(super) struct Document {
 }
 
 #[derive(Serialize)]
-pub(super) struct Level {
-    wavelength_m: f64,
-    level_db: f64,
+pub(crate) struct Level {
+    pub(crate) wavelength_m: f64,
+    pub(crate) level_db: f64,
 }
 
 #[derive(Serialize)]
@@ -88,7 +88,7 @@ pub(super) struct GroupDocument {
     pub(super) arithmetic_mean: Vec<Level>,
 }
 
-pub(super) fn levels(spectrum: &Spectrum) -> Vec<Level> {
+pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
     let levels = spectrum.levels().iter();
     levels
         .map(|level| Level {

@@ -8,8 +8,6 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb,
 
 use super::profile::{Report, name};
 
-const BLACK: Rgb = Rgb(0, 0, 0);
-
 /// Levels with their limit, and the bands along the rail.
 pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) -> LineFigure {
     let rails = report.rails.len();
@@ -20,7 +18,7 @@ pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) ->
         .map(|(index, (name, rail))| {
             // Black is the mean's and the limit's.
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            levels(name, &rail.spectrum, LineStyle::Solid, Some(color))
+            levels(name, &rail.spectrum, LineStyle::Solid, color)
         })
         .collect();
     if rails > 1 {
@@ -28,7 +26,7 @@ pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) ->
             "energy mean",
             &report.spectrum,
             LineStyle::Solid,
-            Some(BLACK),
+            Rgb::BLACK,
         ));
     }
     curves.extend(limit_curves(limits));
@@ -99,7 +97,7 @@ pub(crate) fn of_spectra(
     let curves = |mean: fn(&(String, Spectrum, Spectrum)) -> &Spectrum| {
         let curves = groups.iter().enumerate().map(move |(index, group)| {
             let color = OKABE_ITO[index % OKABE_ITO.len()];
-            levels(&group.0, mean(group), LineStyle::Solid, Some(color))
+            levels(&group.0, mean(group), LineStyle::Solid, color)
         });
         curves.chain(limit_curves(limits)).collect()
     };
@@ -121,7 +119,8 @@ pub(crate) fn of_spectra(
     }
 }
 
-fn level_panel(series: Vec<Series>) -> LinePanel {
+/// Levels over wavelength.
+pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
     LinePanel {
         x_label: "wavelength λ [mm]".to_owned(),
         y_label: "level [dB re 1 µm]".to_owned(),
@@ -137,13 +136,14 @@ fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
             &table.edition,
             limit.spectrum(),
             LineStyle::Dashed,
-            Some(BLACK),
+            Rgb::BLACK,
         )),
         Limit::Rms(_) => None,
     })
 }
 
-fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: Option<Rgb>) -> Series {
+/// A spectrum as a curve.
+pub(crate) fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: Rgb) -> Series {
     let levels = || spectrum.levels().iter();
     Series {
         label: label.to_owned(),
@@ -152,6 +152,6 @@ fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: Option<Rgb>
             .collect(),
         y: levels().map(|level| level.level).collect(),
         style,
-        color,
+        color: Some(color),
     }
 }

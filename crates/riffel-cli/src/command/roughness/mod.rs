@@ -1,7 +1,7 @@
 //! `riffel roughness`
 
 pub(crate) mod choice;
-mod document;
+pub(crate) mod document;
 pub(crate) mod figure;
 pub(crate) mod profile;
 pub(crate) mod spectra;

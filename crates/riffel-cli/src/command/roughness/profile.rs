@@ -265,17 +265,7 @@ impl Report {
             "over limit",
         ]);
         for band in &self.bands {
-            rows.add_row([
-                name(&band.band),
-                format!("{:.2}", 1e6 * band.rms),
-                format!("{:.2}", 1e6 * band.moving_rms_max),
-                format!("{:.1}", 1e6 * band.peak_to_peak_max),
-                format!("{:.1}", band.window),
-                band.limit
-                    .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
-                band.share_over_limit
-                    .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
-            ]);
+            rows.add_row(band_row(band));
         }
         text += &format!("{rows}\n");
         for verdict in &self.verdicts {
@@ -302,14 +292,7 @@ impl Report {
             "rms/limit",
         ]);
         for (index, section) in self.sections.iter().take(SHOWN).enumerate() {
-            rows.add_row([
-                format!("{}", index + 1),
-                format!("{:.2}", section.from),
-                format!("{:.2}", section.to),
-                format!("{:.2}", section.length()),
-                name(&section.band),
-                format!("{:.2}", section.ratio),
-            ]);
+            rows.add_row(grind_row(index, section));
         }
         let total: f64 = self.sections.iter().map(GrindSection::length).sum();
         let more = match self.sections.len().saturating_sub(SHOWN) {
@@ -362,6 +345,33 @@ impl Report {
         }
         writer.flush()
     }
+}
+
+/// A band in the table of a reader: name, RMS values \[µm\], window \[m\], limit and share.
+pub(crate) fn band_row(band: &BandSummary) -> [String; 7] {
+    [
+        name(&band.band),
+        format!("{:.2}", 1e6 * band.rms),
+        format!("{:.2}", 1e6 * band.moving_rms_max),
+        format!("{:.1}", 1e6 * band.peak_to_peak_max),
+        format!("{:.1}", band.window),
+        band.limit
+            .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
+        band.share_over_limit
+            .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
+    ]
+}
+
+/// A section in the table of a reader: number, places and length \[m\], worst band and its ratio.
+pub(crate) fn grind_row(index: usize, section: &GrindSection) -> [String; 6] {
+    [
+        format!("{}", index + 1),
+        format!("{:.2}", section.from),
+        format!("{:.2}", section.to),
+        format!("{:.2}", section.length()),
+        name(&section.band),
+        format!("{:.2}", section.ratio),
+    ]
 }
 
 pub(crate) fn counted(count: usize, what: &str) -> String {
