@@ -120,7 +120,7 @@ impl CaseArguments {
 
 /// The case with a contact that answers at the wavelength \[m\] of `--wavelength`.
 pub(crate) fn covering(case: &Case, wavelength: f64) -> Result<Case, CliError> {
-    case.covering(wavelength).map_err(|error| {
+    case.covering(wavelength, wavelength).map_err(|error| {
         let message = error.to_string();
         // The window was not written by the user.
         let sentence = ["min", "max"].iter().find_map(|end| {

@@ -141,8 +141,13 @@ impl FeedbackLoop {
     ///
     /// The profile loses the depth k_w e₁/(ρ·2b) per passage, so g = −Re(k_w e₁/(ρ·2b))/Δ with
     /// e₁ = Ŵ₁ μP₀ξ₀, and |Δ| grows like exp(g · passages).
-    pub(crate) fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
+    fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
         let energy = steady.full_slip_energy_per_metre() * normalized.re;
         -self.wear.depth_per_energy() * energy / self.amplitude
+    }
+
+    /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
+    pub fn growth_rate_per_dissipation(&self) -> f64 {
+        self.growth_rate(&self.contact.steady(), Complex64::ONE)
     }
 }

@@ -37,12 +37,16 @@ impl Ridge {
     /// then refined between its neighbours by golden-section search to 1e-7 of the window, some 35
     /// evaluations a speed. A second minimum narrower than the grid's step is missed.
     pub fn search(feedback: &FeedbackLoop, wavelength: Axis, speed: Axis) -> Self {
-        let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
+        Self::search_at(feedback, wavelength, &speed.values())
+    }
+
+    /// [`search`](Self::search) at any speeds \[m/s\], in their order.
+    pub fn search_at(feedback: &FeedbackLoop, wavelength: Axis, speeds: &[f64]) -> Self {
+        let evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), speeds);
         let row = vec![Complex64::ZERO; wavelength.points()];
-        let points = (0..speed.points())
-            .into_par_iter()
-            .map_with((evaluator, row), |(evaluator, row), index| {
-                let speed = speed.value(index);
+        let points = speeds
+            .par_iter()
+            .map_with((evaluator, row), |(evaluator, row), &speed| {
                 evaluator.evaluate(speed, row);
                 refined_on(feedback, wavelength, speed, lowest(row))
             })
@@ -172,7 +176,7 @@ fn refined(
 
 /// [`refined`] on the loop itself.
 fn refined_on(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
-    let rate = feedback.growth_rate(&feedback.contact.steady(), Complex64::ONE);
+    let rate = feedback.growth_rate_per_dissipation();
     refined(wavelength, speed, lowest, rate, |wavelength| {
         feedback.at(wavelength, speed).normalized_dissipation
     })
