@@ -1,0 +1,70 @@
+"""Results as `xarray` objects with units and long names."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+from xarray.backends import BackendArray
+from xarray.core import indexing
+
+from riffel._quantities import Complexes, Floats
+
+WAVELENGTH = {"units": "m", "long_name": "wavelength of the corrugation"}
+SPEED = {"units": "m/s", "long_name": "speed of the vehicle"}
+FREQUENCY = {"units": "Hz", "long_name": "frequency"}
+NORMALIZED = {"units": "1", "long_name": "W1/(mu P0 V xi0), growth where its real part is negative"}
+GROWTH_RATE = {"units": "1", "long_name": "growth rate of the amplitude per passage of a wheel"}
+CONVENTIONS = {"time_factor": "exp(+i omega t)", "braking": "positive"}
+
+
+class GrowthRate(BackendArray):
+    """The growth rate of a map: a factor times the real part of the normalised dissipation, taken when it is read.
+
+    A map of a million points takes milliseconds; a second array of its size would cost as much again.
+    """
+
+    def __init__(self, normalized: Complexes, factor: float) -> None:
+        self.normalized = normalized
+        self.factor = factor
+        self.shape = normalized.shape
+        self.dtype = np.dtype(np.float64)
+
+    def __getitem__(self, key: indexing.ExplicitIndexer) -> npt.NDArray[Any]:
+        found: npt.NDArray[Any] = indexing.explicit_indexing_adapter(
+            key, self.shape, indexing.IndexingSupport.BASIC, self._read
+        )
+        return found
+
+    def _read(self, key: tuple[Any, ...]) -> npt.NDArray[Any]:
+        return self.factor * self.normalized[key].real
+
+
+def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[Hashable, Any]) -> xr.Variable:
+    """A coordinate along the dimension of its own name."""
+    return xr.Variable((name,), values, attributes)
+
+
+def growth_map(
+    normalized: Complexes, factor: float, wavelength: Floats, speed: Floats, title: str | None
+) -> xr.Dataset:
+    """A map over speed and wavelength."""
+    dimensions = ("speed", "wavelength")
+    lazy = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
+    return xr.Dataset(
+        {
+            "normalized_dissipation": xr.Variable(dimensions, normalized, NORMALIZED),
+            "growth_rate": xr.Variable(dimensions, lazy, GROWTH_RATE),
+        },
+        {"speed": coordinate("speed", speed, SPEED), "wavelength": coordinate("wavelength", wavelength, WAVELENGTH)},
+        attributes(title),
+    )
+
+
+def attributes(title: str | None) -> dict[str, Any]:
+    """Attributes of every result."""
+    named = {"title": title} if title is not None else {}
+    return {**named, **CONVENTIONS}
