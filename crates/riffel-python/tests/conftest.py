@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import matplotlib
-
-matplotlib.use("Agg")
-
-import json
-
-import numpy as np
+import matplotlib.pyplot as plt
 import pytest
 
 import riffel
-import riffel.plot
 
 ROOT = Path(__file__).resolve().parents[3]
+PROGRAM = os.environ.get("RIFFEL_PROGRAM", str(ROOT / "target" / "debug" / "riffel"))
+"""The program that Python is held against, built from the same sources."""
 
 
 @pytest.fixture(autouse=True)
@@ -30,12 +26,7 @@ def _in_the_repository(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(autouse=True)
-def _doctest_names(
-    doctest_namespace: dict[str, Any], tmp_path: Path, _in_the_repository: None
-) -> Iterator[None]:
-    import matplotlib.pyplot as plt
-
-    doctest_namespace.update(riffel=riffel, np=np, folder=tmp_path, case=riffel.Case.from_toml("cases/nominal.toml"))
+def _no_figures_left() -> Iterator[None]:
     yield
     plt.close("all")
 
@@ -48,10 +39,8 @@ def nominal() -> riffel.Case:
 @pytest.fixture
 def program() -> Callable[..., Any]:
     """The program, with its JSON document as the result."""
-    binary = os.environ.get("RIFFEL_PROGRAM", str(ROOT / "target" / "debug" / "riffel"))
-
     def run(*arguments: str) -> Any:
-        found = subprocess.run([binary, *arguments], capture_output=True, text=True, check=True, cwd=ROOT)
+        found = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, check=True, cwd=ROOT)
         return json.loads(found.stdout)
 
     return run

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -40,10 +40,11 @@ class GrowthRate(BackendArray):
         return found
 
     def _read(self, key: tuple[Any, ...]) -> npt.NDArray[Any]:
-        return self.factor * self.normalized[key].real
+        rates: npt.NDArray[Any] = self.factor * self.normalized[key].real
+        return rates
 
 
-def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[Hashable, Any]) -> xr.Variable:
+def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[str, Any]) -> xr.Variable:
     """A coordinate along the dimension of its own name."""
     return xr.Variable((name,), values, attributes)
 

@@ -42,9 +42,7 @@ def to_matlab(dataset: xr.Dataset, path: str | os.PathLike[str]) -> None:
     path = os.fspath(path)
     partial = f"{path}.part"
     try:
-        # Without a name of its own savemat would append another ending.
-        with open(partial, "wb") as file:
-            scipy.io.savemat(file, content, do_compression=False, oned_as="row")
+        scipy.io.savemat(partial, content, appendmat=False, oned_as="row")
         os.replace(partial, path)
     finally:
         if os.path.exists(partial):

@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import xarray as xr
 from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
+from matplotlib.ticker import NullLocator
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -58,8 +59,7 @@ def _finish(ax: Axes, x: str, y: str, title: str | None) -> Axes:
 def growth_map(dataset: xr.Dataset, ax: Axes | None = None, *, colorbar: bool = True) -> Axes:
     """Growth rate over wavelength and speed: blue where corrugation grows, brown where it decays.
 
-    Colours are centred at zero and end at the highest growth; faster decay has the darkest brown. The line is neither
-    growth nor decay.
+    Colours are centred at zero and end at the highest growth and the fastest decay. The line is neither growth nor decay.
 
     Parameters
     ----------
@@ -79,19 +79,16 @@ def growth_map(dataset: xr.Dataset, ax: Axes | None = None, *, colorbar: bool = 
     ax = _axes(ax)
     rate = dataset["growth_rate"].transpose("speed", "wavelength")
     values = rate.values
-    # A map without growth still has a scale.
-    largest = float(np.nanmax(values))
-    if not largest > 0.0:
-        largest = float(np.nanmax(np.abs(values))) or 1.0
+    low, high = float(np.nanmin(values)), float(np.nanmax(values))
+    # A map of growth alone, or of decay alone, still has both sides of the scale.
+    size = max(abs(low), abs(high)) or 1.0
+    norm = TwoSlopeNorm(0.0, low if low < 0.0 else -size, high if high > 0.0 else size)
     x, y = 1e3 * dataset["wavelength"].values, 3.6 * dataset["speed"].values
-    mesh = ax.pcolormesh(
-        x, y, values, cmap=GROWTH_COLORS, norm=TwoSlopeNorm(0.0, -largest, largest), shading="nearest", rasterized=True
-    )
-    if values.min() < 0.0 < values.max() and min(values.shape) > 1:
+    mesh = ax.pcolormesh(x, y, values, cmap=GROWTH_COLORS, norm=norm, shading="nearest", rasterized=True)
+    if low < 0.0 < high and min(values.shape) > 1:
         ax.contour(x, y, values, levels=[0.0], colors="#0b1f4b", linewidths=1.2)
     if colorbar:
-        bar = plt.colorbar(mesh, ax=ax, extend="min" if values.min() < -largest else "neither")
-        bar.set_label("growth rate per passage [-]")
+        plt.colorbar(mesh, ax=ax, label="growth rate per passage [-]")
     _finish(ax, "wavelength λ [mm]", "speed V [km/h]", dataset.attrs.get("title"))
     ax.set_xlim(x.min(), x.max())
     ax.set_ylim(y.min(), y.max())
@@ -217,9 +214,11 @@ def _wavelengths(ax: Axes) -> None:
     ax.set_xscale("log")
     low, high = sorted(ax.get_xlim())
     ax.set_xlim(high, low)
-    marks = [mark for decade in (1, 10, 100, 1000) for mark in (decade, 2 * decade, 5 * decade) if low <= mark <= high]
+    # Every one-third octave where there is room.
+    steps = (1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0) if high < 20.0 * low else (1.0, 2.0, 5.0)
+    marks = [mark for decade in (1, 10, 100, 1000) for step in steps if low <= (mark := decade * step) <= high]
     ax.set_xticks(marks, [f"{mark:g}" for mark in marks])
-    ax.xaxis.set_minor_locator(plt.NullLocator())
+    ax.xaxis.set_minor_locator(NullLocator())
 
 
 def spectrum(level: xr.DataArray, ax: Axes | None = None, *, limit: xr.DataArray | None = None, **line: Any) -> Axes:

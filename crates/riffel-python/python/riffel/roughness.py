@@ -431,7 +431,7 @@ def dominant_wavelengths(
     if isinstance(rail, (list, tuple)) and rail and all(isinstance(one, xr.DataArray) for one in rail):
         found = _riffel.dominant_of_spectra(_spectra(rail))
     else:
-        stretches, step = _stretches(rail, spacing)  # type: ignore[arg-type]
+        stretches, step = _stretches(rail, spacing)
         found = _riffel.dominant_of_profile(stretches, step)
     names = {
         "wavelength": "m",
