@@ -20,6 +20,7 @@ mod creep_laws;
 mod error;
 pub mod file;
 mod fill_in;
+mod key;
 mod measurement;
 mod mechanisms;
 mod preset;
@@ -37,10 +38,12 @@ pub mod what_if;
 pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use error::CaseError;
+pub use key::CaseKey;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use site::Site;
+pub use source::Source;
 pub use track::{Direction, Track};
-pub use variant::{SpeedChange, Variant};
+pub use variant::{SpeedChange, Variant, assignments};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

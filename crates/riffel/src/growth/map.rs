@@ -43,12 +43,11 @@ impl GrowthMap {
                 values
             })
             .collect_into_vec(&mut tiles);
-        let steady = feedback.contact.steady();
         Self {
             wavelength,
             speed,
             tiles,
-            growth_rate_per_dissipation: feedback.growth_rate(&steady, Complex64::ONE),
+            growth_rate_per_dissipation: feedback.growth_rate_per_dissipation(),
         }
     }
 
