@@ -21,6 +21,7 @@ mod error;
 pub mod file;
 mod fill_in;
 mod given;
+mod key;
 mod measurement;
 mod mechanisms;
 mod point;
@@ -42,13 +43,15 @@ pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use error::CaseError;
 pub use given::{GivenReceptance, UniversalFunction};
+pub use key::CaseKey;
 pub use point::{Point, PointQuantity, PointValue};
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
+pub use source::Source;
 pub use track::{Direction, Track};
-pub use variant::{SpeedChange, Variant};
+pub use variant::{SpeedChange, Variant, assignments};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

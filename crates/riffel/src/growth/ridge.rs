@@ -25,6 +25,19 @@ pub struct RidgePoint {
     pub at_edge: bool,
 }
 
+impl RidgePoint {
+    /// The point of the ridge in a row that a [`RowEvaluator`] computed for the wavelengths at one speed
+    /// \[m/s\]: what [`Ridge::search`] finds there, for those who keep the rows too.
+    pub fn of_row(
+        feedback: &FeedbackLoop,
+        wavelength: Axis,
+        speed: f64,
+        row: &[Complex64],
+    ) -> Self {
+        refined_on(feedback, wavelength, speed, lowest(row))
+    }
+}
+
 /// Ridge points in order of speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ridge {
@@ -48,7 +61,7 @@ impl Ridge {
             .par_iter()
             .map_with((evaluator, row), |(evaluator, row), &speed| {
                 evaluator.evaluate(speed, row);
-                refined_on(feedback, wavelength, speed, lowest(row))
+                RidgePoint::of_row(feedback, wavelength, speed, row)
             })
             .collect();
         Self { points }
@@ -56,8 +69,9 @@ impl Ridge {
 
     /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
     pub fn of_map(feedback: &FeedbackLoop, map: &GrowthMap) -> Self {
+        let steady = feedback.contact.steady();
         Self::refined_from(map, |wavelength, speed| {
-            feedback.at(wavelength, speed).normalized_dissipation
+            feedback.normalized_dissipation(&steady, wavelength, speed)
         })
     }
 
@@ -176,9 +190,10 @@ fn refined(
 
 /// [`refined`] on the loop itself.
 fn refined_on(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
+    let steady = feedback.contact.steady();
     let rate = feedback.growth_rate_per_dissipation();
     refined(wavelength, speed, lowest, rate, |wavelength| {
-        feedback.at(wavelength, speed).normalized_dissipation
+        feedback.normalized_dissipation(&steady, wavelength, speed)
     })
 }
 

@@ -114,7 +114,7 @@ impl RowEvaluator {
 
     /// An evaluator for a whole map, which reads an expensive track receptance from a table good to
     /// 1e-9 where the map is large enough to repay it.
-    pub(crate) fn for_map(feedback: &FeedbackLoop, wavelengths: &[f64], speeds: &[f64]) -> Self {
+    pub fn for_map(feedback: &FeedbackLoop, wavelengths: &[f64], speeds: &[f64]) -> Self {
         /// Points from which a table of some thousand receptances is a small part of the work.
         const WORTH_A_TABLE: usize = 20_000;
         let mut feedback = feedback.clone();

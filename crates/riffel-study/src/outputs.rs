@@ -1,0 +1,654 @@
+//! What is computed for each sample.
+
+use riffel::roughness::{ThirdOctave, WavelengthBand};
+use riffel::{Complex64, LoopState, Ridge, RidgePoint, RowEvaluator};
+use riffel_case::{Case, CaseError, Source};
+
+use crate::file::{BandSet, MapQuantity, OutputsFile, PointQuantity};
+
+/// An array of results: one value, or a table of values, for each sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Dimensions after the sample, the last fastest.
+    pub dimensions: Vec<Dimension>,
+    /// Whether its values are complex.
+    pub complex: bool,
+    /// SI unit, `1` for none.
+    pub unit: &'static str,
+    /// What it is.
+    pub description: String,
+}
+
+/// A dimension of the results besides the sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Speeds of the map.
+    Speed,
+    /// Wavelengths of the map.
+    Wavelength,
+    /// Bands of wavelength.
+    Band,
+}
+
+impl Dimension {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Speed => "speed",
+            Self::Wavelength => "wavelength",
+            Self::Band => "band",
+        }
+    }
+}
+
+/// A band and the wavelengths of the map that lie in it, by number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    /// Shortest wavelength \[m\].
+    pub from: f64,
+    /// Longest wavelength \[m\].
+    pub to: f64,
+    lines: std::ops::Range<usize>,
+}
+
+/// What is computed for each sample of a study.
+#[derive(Debug, Clone)]
+pub struct Outputs {
+    file: OutputsFile,
+    /// Wavelengths of the map \[m\].
+    wavelengths: Vec<f64>,
+    /// Speeds of the map \[m/s\].
+    speeds: Vec<f64>,
+    bands: Vec<Band>,
+    variables: Vec<Variable>,
+    /// Numbers of each variable in one sample.
+    lengths: Vec<usize>,
+}
+
+/// The name of the output that may be missing where nothing grows.
+const RIDGE_FREQUENCY: &str = "ridge_frequency";
+
+impl Outputs {
+    /// What a plan asks for on the window of its case.
+    pub(crate) fn new(source: &Source, file: &OutputsFile, case: &Case) -> Result<Self, CaseError> {
+        let mut outputs = Self {
+            file: file.clone(),
+            wavelengths: case.wavelength.values(),
+            speeds: case.speed.values(),
+            bands: bands(source, file, case)?,
+            variables: Vec::new(),
+            lengths: Vec::new(),
+        };
+        for (index, point) in file.point.iter().enumerate() {
+            let key = |name: &str| format!("outputs.point[{index}].{name}");
+            for (name, value) in [
+                ("wavelength", point.wavelength.si()),
+                ("speed", point.speed.si()),
+            ] {
+                if value <= 0.0 {
+                    let rule = format!("is {value}, but must be greater than zero");
+                    return Err(source.invalid(&key(name), &rule, ""));
+                }
+            }
+            if point.quantities.is_empty() {
+                return Err(source.invalid(
+                    &key("quantities"),
+                    "is empty, but must name a quantity",
+                    "",
+                ));
+            }
+            if let Some(name) = &point.name
+                && (name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'))
+            {
+                let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
+                return Err(source.invalid(&key("name"), &rule, ""));
+            }
+        }
+        outputs.variables = outputs.describe();
+        if outputs.variables.is_empty() {
+            let help = "ask for something, as in ridge = true";
+            return Err(source.invalid("outputs", "is empty: nothing would be computed", help));
+        }
+        for (index, variable) in outputs.variables.iter().enumerate() {
+            if outputs.variables[..index]
+                .iter()
+                .any(|other| other.name == variable.name)
+            {
+                let rule = format!("asks for {} twice", variable.name);
+                return Err(source.invalid("outputs", &rule, "give each point a name of its own"));
+            }
+        }
+        outputs.lengths = outputs
+            .variables
+            .iter()
+            .map(|variable| outputs.length(variable))
+            .collect();
+        Ok(outputs)
+    }
+
+    /// The arrays, in their order.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// Numbers of an array in one sample; a complex value counts as two.
+    pub fn length(&self, variable: &Variable) -> usize {
+        let values: usize = variable
+            .dimensions
+            .iter()
+            .map(|&dimension| self.size(dimension))
+            .product();
+        values * if variable.complex { 2 } else { 1 }
+    }
+
+    /// Length of a dimension.
+    pub fn size(&self, dimension: Dimension) -> usize {
+        match dimension {
+            Dimension::Speed => self.speeds.len(),
+            Dimension::Wavelength => self.wavelengths.len(),
+            Dimension::Band => self.bands.len(),
+        }
+    }
+
+    /// Wavelengths of the map \[m\].
+    pub fn wavelengths(&self) -> &[f64] {
+        &self.wavelengths
+    }
+
+    /// Speeds of the map \[m/s\].
+    pub fn speeds(&self) -> &[f64] {
+        &self.speeds
+    }
+
+    /// Bands of wavelength.
+    pub fn bands(&self) -> &[Band] {
+        &self.bands
+    }
+
+    /// The dimensions that the arrays have.
+    pub fn dimensions(&self) -> Vec<Dimension> {
+        let all = [Dimension::Speed, Dimension::Wavelength, Dimension::Band];
+        let used = |dimension: &Dimension| {
+            self.variables
+                .iter()
+                .any(|v| v.dimensions.contains(dimension))
+        };
+        all.into_iter().filter(used).collect()
+    }
+
+    /// Whether an array has the axes of the map, or bands of them.
+    pub(crate) fn has_axes(&self) -> bool {
+        !self.dimensions().is_empty()
+    }
+
+    /// Whether the whole window is computed.
+    fn uses_window(&self) -> bool {
+        let file = &self.file;
+        file.ridge || self.has_axes()
+    }
+
+    fn describe(&self) -> Vec<Variable> {
+        use Dimension::{Band, Speed, Wavelength};
+        let file = &self.file;
+        let mut variables = Vec::new();
+        let mut add = |name: &str, dimensions: &[Dimension], unit, description: &str| {
+            variables.push(Variable {
+                name: name.to_owned(),
+                dimensions: dimensions.to_vec(),
+                complex: false,
+                unit,
+                description: description.to_owned(),
+            });
+        };
+        if file.ridge {
+            add(
+                RIDGE_FREQUENCY,
+                &[],
+                "Hz",
+                "frequency that the ridge follows, missing where nothing grows inside the window",
+            );
+            add(
+                "highest_growth_rate",
+                &[],
+                "1",
+                "highest growth rate per passage in the window",
+            );
+            add(
+                "highest_growth_wavelength",
+                &[],
+                "m",
+                "wavelength of the highest growth rate",
+            );
+            add(
+                "highest_growth_speed",
+                &[],
+                "m/s",
+                "speed of the highest growth rate",
+            );
+            add(
+                "highest_growth_frequency",
+                &[],
+                "Hz",
+                "frequency of the highest growth rate",
+            );
+            add(
+                "highest_growth_at_edge",
+                &[],
+                "1",
+                "1 where the highest growth sits at the shortest or longest wavelength of the window, else 0",
+            );
+        }
+        if file.ridge_over_speed {
+            add(
+                "ridge_wavelength",
+                &[Speed],
+                "m",
+                "wavelength of highest growth at each speed",
+            );
+            add(
+                "ridge_growth_rate",
+                &[Speed],
+                "1",
+                "highest growth rate per passage at each speed",
+            );
+            add(
+                "ridge_at_edge",
+                &[Speed],
+                "1",
+                "1 where the ridge sits at an end of the window, else 0",
+            );
+        }
+        if file.growth_by_wavelength {
+            add(
+                "mean_growth_rate",
+                &[Wavelength],
+                "1",
+                "growth rate per passage in the mean over the speeds of the window",
+            );
+        }
+        if !self.bands.is_empty() {
+            add(
+                "band_growth_rate",
+                &[Band],
+                "1",
+                "highest growth rate per passage of the wavelengths of a band, in the mean over the speeds",
+            );
+        }
+        for quantity in &file.map {
+            match quantity {
+                MapQuantity::GrowthRate => {
+                    add(
+                        "growth_rate",
+                        &[Speed, Wavelength],
+                        "1",
+                        "growth rate per passage",
+                    );
+                }
+                MapQuantity::NormalizedDissipation => add(
+                    "normalized_dissipation",
+                    &[Speed, Wavelength],
+                    "1",
+                    "W1/(mu P0 V xi0), growth where its real part is negative",
+                ),
+            }
+        }
+        if let Some(variable) = variables
+            .iter_mut()
+            .find(|v| v.name == "normalized_dissipation")
+        {
+            variable.complex = true;
+        }
+        for (index, point) in file.point.iter().enumerate() {
+            let name = point
+                .name
+                .clone()
+                .unwrap_or_else(|| format!("point_{}", index + 1));
+            for &quantity in &point.quantities {
+                let words = quantity.words();
+                variables.push(Variable {
+                    name: format!("{name}_{}", words.name),
+                    dimensions: Vec::new(),
+                    complex: words.complex,
+                    unit: words.unit,
+                    description: format!(
+                        "{} at {} and {}",
+                        words.description, point.wavelength, point.speed
+                    ),
+                });
+            }
+        }
+        variables
+    }
+
+    /// The case with overrides, if everything asked for can be computed on it.
+    pub(crate) fn on(&self, case: &Case, overrides: &[String]) -> Result<Case, CaseError> {
+        let case = case.with(&[overrides])?;
+        if self.uses_window() {
+            case.check_window()?;
+        }
+        for point in &self.file.point {
+            let frequency = point.speed.si() / point.wavelength.si();
+            case.check_frequencies(frequency, frequency)?;
+        }
+        Ok(case)
+    }
+
+    /// All values on a case in the order of the variables, the parts of a complex value one after the other; or
+    /// why there are none.
+    pub(crate) fn evaluate(&self, case: &Case) -> Result<Vec<f64>, String> {
+        let mut values = Vec::with_capacity(self.lengths.iter().sum());
+        if self.uses_window() {
+            self.evaluate_window(case, &mut values);
+        }
+        for point in &self.file.point {
+            let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
+            let case = case
+                .covering(wavelength, wavelength)
+                .map_err(|error| crate::plan::sentence(&error))?;
+            let state = case.feedback.at(wavelength, speed);
+            for &quantity in &point.quantities {
+                let value = quantity.value(&case, &state);
+                values.push(value.re);
+                if quantity.words().complex {
+                    values.push(value.im);
+                }
+            }
+        }
+        self.check_finite(&values)?;
+        Ok(values)
+    }
+
+    fn evaluate_window(&self, case: &Case, values: &mut Vec<f64>) {
+        let file = &self.file;
+        let (wavelength, speed) = (case.wavelength, case.speed);
+        let feedback = &case.feedback;
+        let rate = feedback.growth_rate_per_dissipation();
+        let mut evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), &speed.values());
+        let mut row = vec![Complex64::ZERO; wavelength.points()];
+        let (mut ridge, mut map) = (Vec::new(), Vec::new());
+        let with_mean = file.growth_by_wavelength || !self.bands.is_empty();
+        let mut mean = vec![0.0; if with_mean { row.len() } else { 0 }];
+        for index in 0..speed.points() {
+            let speed = speed.value(index);
+            evaluator.evaluate(speed, &mut row);
+            if file.ridge || file.ridge_over_speed {
+                ridge.push(RidgePoint::of_row(feedback, wavelength, speed, &row));
+            }
+            for (mean, value) in mean.iter_mut().zip(&row) {
+                *mean += rate * value.re;
+            }
+            if !file.map.is_empty() {
+                map.extend_from_slice(&row);
+            }
+        }
+        mean.iter_mut()
+            .for_each(|mean| *mean /= speed.points() as f64);
+        let ridge = Ridge { points: ridge };
+        let flag = |is: bool| if is { 1.0 } else { 0.0 };
+        if file.ridge {
+            values.push(ridge.best_fit_frequency().unwrap_or(f64::NAN));
+            // A window has speeds.
+            if let Some(highest) = ridge.highest() {
+                values.extend([
+                    highest.growth_rate,
+                    highest.wavelength,
+                    highest.speed,
+                    highest.frequency,
+                    flag(highest.at_edge),
+                ]);
+            }
+        }
+        if file.ridge_over_speed {
+            values.extend(ridge.points.iter().map(|point| point.wavelength));
+            values.extend(ridge.points.iter().map(|point| point.growth_rate));
+            values.extend(ridge.points.iter().map(|point| flag(point.at_edge)));
+        }
+        if file.growth_by_wavelength {
+            values.extend(&mean);
+        }
+        values.extend(self.bands.iter().map(|band| {
+            let lines = mean[band.lines.clone()].iter().copied();
+            lines.fold(f64::NEG_INFINITY, f64::max)
+        }));
+        for quantity in &file.map {
+            match quantity {
+                MapQuantity::GrowthRate => values.extend(map.iter().map(|value| rate * value.re)),
+                MapQuantity::NormalizedDissipation => {
+                    values.extend(map.iter().flat_map(|value| [value.re, value.im]));
+                }
+            }
+        }
+    }
+
+    fn check_finite(&self, values: &[f64]) -> Result<(), String> {
+        let mut rest = values;
+        for (variable, &length) in self.variables.iter().zip(&self.lengths) {
+            let (own, others) = rest.split_at(length);
+            rest = others;
+            if variable.name != RIDGE_FREQUENCY && !own.iter().all(|value| value.is_finite()) {
+                return Err(format!("{} is not a finite number", variable.name));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The bands that a plan asks for.
+fn bands(source: &Source, file: &OutputsFile, case: &Case) -> Result<Vec<Band>, CaseError> {
+    let wavelengths = case.wavelength.values();
+    let band = |from: f64, to: f64, open: bool| {
+        let first = wavelengths.partition_point(|&wavelength| wavelength < from);
+        let last = wavelengths.partition_point(|&wavelength| match open {
+            true => wavelength < to,
+            false => wavelength <= to,
+        });
+        Band {
+            from,
+            to,
+            lines: first..last,
+        }
+    };
+    let (first, last) = (case.wavelength.min(), case.wavelength.max());
+    let bands: Vec<Band> = match file.growth_by_band {
+        None => {
+            let mut bands = Vec::new();
+            for (index, written) in file.band.iter().enumerate() {
+                let (from, to) = (written.from.si(), written.to.si());
+                let key = format!("outputs.band[{index}]");
+                WavelengthBand::new(from, to)
+                    .map_err(|error| source.invalid(&key, &error.to_string(), ""))?;
+                let band = band(from, to, false);
+                if band.lines.is_empty() {
+                    let rule = format!(
+                        "holds no wavelength of the map, which has {} from {first} m to {last} m",
+                        wavelengths.len()
+                    );
+                    return Err(source.invalid(
+                        &key,
+                        &rule,
+                        "widen map.wavelength, by [set] or in the case",
+                    ));
+                }
+                bands.push(band);
+            }
+            bands
+        }
+        Some(_) if !file.band.is_empty() => {
+            return Err(source.invalid(
+                "outputs.band",
+                "and `outputs.growth_by_band` exclude each other",
+                "give one of the two",
+            ));
+        }
+        Some(BandSet::Grinding) => WavelengthBand::GRINDING
+            .iter()
+            .map(|grinding| band(grinding.from(), grinding.to(), true))
+            .collect(),
+        Some(BandSet::OneThirdOctaves) => {
+            // An axis has wavelengths above zero.
+            let ends = ThirdOctave::containing(first)
+                .and_then(|low| Ok((low, ThirdOctave::containing(last)?)));
+            let ends = ends.map_err(|error| {
+                source.invalid("outputs.growth_by_band", &error.to_string(), "")
+            })?;
+            ThirdOctave::between(ends.0, ends.1)
+                .map(|octave| {
+                    let (from, to) = octave.wavelength_range();
+                    band(from, to, true)
+                })
+                .collect()
+        }
+    };
+    Ok(bands
+        .into_iter()
+        .filter(|band| !band.lines.is_empty())
+        .collect())
+}
+
+/// How a quantity is called.
+struct Words {
+    name: &'static str,
+    unit: &'static str,
+    complex: bool,
+    description: &'static str,
+}
+
+impl PointQuantity {
+    fn words(self) -> Words {
+        let (name, unit, complex, description) = match self {
+            Self::SemiAxisLongitudinalM => (
+                "semi_axis_longitudinal_m",
+                "m",
+                false,
+                "semi-axis of the contact along the rail",
+            ),
+            Self::SemiAxisLateralM => (
+                "semi_axis_lateral_m",
+                "m",
+                false,
+                "semi-axis of the contact across the rail",
+            ),
+            Self::Creepage => ("creepage", "1", false, "mean creepage"),
+            Self::TractiveRatio => (
+                "tractive_ratio",
+                "1",
+                false,
+                "mean tractive ratio Q0/(mu P0)",
+            ),
+            Self::ContactStiffnessNPerM => (
+                "contact_stiffness_n_per_m",
+                "N/m",
+                false,
+                "linearised contact stiffness",
+            ),
+            Self::RailReceptanceMPerN => (
+                "rail_receptance_m_per_n",
+                "m/N",
+                true,
+                "receptance of the rail",
+            ),
+            Self::WheelReceptanceMPerN => (
+                "wheel_receptance_m_per_n",
+                "m/N",
+                true,
+                "receptance of the wheel",
+            ),
+            Self::NormalForceN => ("normal_force_n", "N", true, "normal force P1"),
+            Self::DqDp => ("dq_dp", "1", true, "dQ/dP of the contact"),
+            Self::DqDomegaNSPerRad => (
+                "dq_domega_n_s_per_rad",
+                "N s/rad",
+                true,
+                "dQ/dOmega of the contact",
+            ),
+            Self::DwDpMPerS => ("dw_dp_m_per_s", "m/s", true, "dW/dP of the contact"),
+            Self::DwDomegaWSPerRad => (
+                "dw_domega_w_s_per_rad",
+                "W s/rad",
+                true,
+                "dW/dOmega of the contact",
+            ),
+            Self::TangentialForceN => ("tangential_force_n", "N", true, "tangential force Q1"),
+            Self::AngularVelocityRadPerS => (
+                "angular_velocity_rad_per_s",
+                "rad/s",
+                true,
+                "angular velocity Omega1",
+            ),
+            Self::DissipationW => (
+                "dissipation_w",
+                "W",
+                true,
+                "dissipated power W1 at the wheel",
+            ),
+            Self::DissipationPhaseRad => (
+                "dissipation_phase_rad",
+                "rad",
+                false,
+                "lag of the dissipation at a point of the rail",
+            ),
+            Self::DissipationLagW => (
+                "dissipation_lag_w",
+                "W",
+                true,
+                "dissipated power at a point of the rail",
+            ),
+            Self::NormalizedDissipation => (
+                "normalized_dissipation",
+                "1",
+                true,
+                "W1/(mu P0 V xi0), growth where its real part is negative",
+            ),
+            Self::NormalizedByMean => (
+                "normalized_by_mean",
+                "1",
+                true,
+                "W1/W0 at a point of the rail",
+            ),
+            Self::MeanDissipationW => {
+                ("mean_dissipation_w", "W", false, "mean dissipated power W0")
+            }
+            Self::GrowthRatePerPassage => (
+                "growth_rate_per_passage",
+                "1",
+                false,
+                "growth rate per passage",
+            ),
+        };
+        Words {
+            name,
+            unit,
+            complex,
+            description,
+        }
+    }
+
+    fn value(self, case: &Case, state: &LoopState) -> Complex64 {
+        let real = |value: f64| Complex64::new(value, 0.0);
+        match self {
+            Self::SemiAxisLongitudinalM => real(case.hertz.semi_axis_longitudinal()),
+            Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
+            Self::Creepage => real(case.steady.creepage),
+            Self::TractiveRatio => real(case.steady.tractive_ratio()),
+            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness),
+            Self::RailReceptanceMPerN => state.track_receptance,
+            Self::WheelReceptanceMPerN => state.wheel_receptance,
+            Self::NormalForceN => state.normal_force,
+            Self::DqDp => state.dq_dp,
+            Self::DqDomegaNSPerRad => state.dq_domega,
+            Self::DwDpMPerS => state.dw_dp,
+            Self::DwDomegaWSPerRad => state.dw_domega,
+            Self::TangentialForceN => state.tangential_force,
+            Self::AngularVelocityRadPerS => state.angular_velocity,
+            Self::DissipationW => state.dissipation,
+            Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
+            Self::DissipationLagW => state.dissipation_at_rail,
+            Self::NormalizedDissipation => state.normalized_dissipation,
+            Self::NormalizedByMean => state.dissipation_at_rail / state.mean_dissipation,
+            Self::MeanDissipationW => real(state.mean_dissipation),
+            Self::GrowthRatePerPassage => real(state.growth_rate),
+        }
+    }
+}
