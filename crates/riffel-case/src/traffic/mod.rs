@@ -230,7 +230,7 @@ impl Traffic {
         let window = window(&lines, &speeds);
         let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
         let sets = [&own_assignments[..], &variant.overrides, &window];
-        let wheel = case.with(&sets).map_err(|error| match error {
+        let wheel = case.of_vehicle(&sets).map_err(|error| match error {
             CaseError::Override {
                 assignment,
                 message,
