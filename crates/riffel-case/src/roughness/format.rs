@@ -98,6 +98,13 @@ impl DecimalMark {
         }
     }
 
+    pub(super) const fn other(self) -> Self {
+        match self {
+            Self::Point => Self::Comma,
+            Self::Comma => Self::Point,
+        }
+    }
+
     /// In words.
     pub const fn words(self) -> &'static str {
         match self {

@@ -86,6 +86,14 @@ impl RoughnessFile {
                         help: Some(HELP.to_owned()),
                     }
                 })?;
+                if table.mixed_marks {
+                    let message = format!(
+                        "numbers have a {} from here on, but a {} above",
+                        table.decimal.words(),
+                        table.decimal.other().words()
+                    );
+                    return Err(Refusal::new(Some(table.header_lines + 1), message));
+                }
                 if table.header.as_deref().is_some_and(spectra::is_header) {
                     let comma = table.decimal == DecimalMark::Comma;
                     let body = from_line(bytes, table.header_lines.saturating_sub(1));
@@ -326,6 +334,27 @@ mod tests {
         let wrong = parse(mixed.as_bytes(), None).unwrap_err();
         assert!(
             wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"),
+            "{wrong}"
+        );
+        // However many rows there are of either mark.
+        let turns: String = (0..2000)
+            .map(|row| {
+                let line = format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row));
+                if row < 900 {
+                    line
+                } else {
+                    line.replace('.', ",")
+                }
+            })
+            .collect();
+        let wrong = parse(turns.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.starts_with("line 901: numbers have a decimal comma from here on"),
+            "{wrong}"
+        );
+        let wrong = refusal(&|rows| rows[1500] = "11.500,-1e9".to_owned());
+        assert!(
+            wrong.starts_with("line 1501: rail column 2: a height of -1000 m"),
             "{wrong}"
         );
         assert_eq!(parse(b"", None).unwrap_err(), "the file is empty");
