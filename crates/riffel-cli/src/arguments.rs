@@ -5,6 +5,7 @@ mod forecast;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use riffel::roughness::AnalysisSettings;
 use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_case::{Case, CaseError};
 
@@ -303,27 +304,21 @@ pub(crate) struct Contact {
     pub(crate) json: bool,
 }
 
-#[derive(Args)]
-#[command(
-    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results"
-)]
-pub(crate) struct Roughness {
-    /// Longitudinal profile, or table of one-third-octave levels: text in columns.
-    #[arg(value_name = "FILE", required_unless_present = "synthesise")]
-    pub(crate) path: Option<PathBuf>,
-
-    /// Reader profile that says how the file is laid out [default: found from its first lines].
+/// How files of roughness are laid out.
+#[derive(Args, Default)]
+pub(crate) struct Layout {
+    /// Reader profile that says how profiles are laid out [default: found from their first lines].
     #[arg(long, value_name = "TOML")]
     pub(crate) format: Option<PathBuf>,
 
-    /// Save how the file was read as a reader profile.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) save_format: Option<PathBuf>,
-
-    /// Step between samples of a file without positions, in metres or with its unit.
+    /// Step between samples of files without positions, in metres or with its unit.
     #[arg(long, value_name = "LENGTH")]
     pub(crate) spacing: Option<Quantity<Length>>,
+}
 
+/// What is computed of a profile.
+#[derive(Args)]
+pub(crate) struct Statistics {
     /// Longest wavelength of the spectrum [default: a quarter of the record, at most 2 m].
     #[arg(long, value_name = "LENGTH")]
     pub(crate) longest: Option<Quantity<Length>>,
@@ -334,12 +329,43 @@ pub(crate) struct Roughness {
     pub(crate) window: Option<Quantity<Length>>,
 
     /// Length of the blocks whose RMS is tabled.
-    #[arg(long, value_name = "LENGTH", default_value = "10 m")]
+    #[arg(long, value_name = "LENGTH", default_value_t = Self::default().block)]
     pub(crate) block: Quantity<Length>,
 
     /// Good length below which two sections are ground as one.
-    #[arg(long, value_name = "LENGTH", default_value = "5 m")]
+    #[arg(long, value_name = "LENGTH", default_value_t = Self::default().merge)]
     pub(crate) merge: Quantity<Length>,
+}
+
+impl Default for Statistics {
+    fn default() -> Self {
+        Self {
+            longest: None,
+            window: None,
+            block: Quantity::new(AnalysisSettings::default().block),
+            merge: Quantity::new(5.0),
+        }
+    }
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results"
+)]
+pub(crate) struct Roughness {
+    /// Longitudinal profile, or table of one-third-octave levels: text in columns.
+    #[arg(value_name = "FILE", required_unless_present = "synthesise")]
+    pub(crate) path: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) layout: Layout,
+
+    /// Save how the file was read as a reader profile.
+    #[arg(long, value_name = "TOML")]
+    pub(crate) save_format: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) statistics: Statistics,
 
     /// Limit table, by name or as a TOML file; may be repeated [default: iso-3095-2013, grassie-1999].
     #[arg(long, value_name = "LIMIT")]
@@ -374,13 +400,8 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) roughness: PathBuf,
 
-    /// Reader profile that says how profiles are laid out [default: found from their first lines].
-    #[arg(long, value_name = "TOML")]
-    pub(crate) format: Option<PathBuf>,
-
-    /// Step between samples of files without positions, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) spacing: Option<Quantity<Length>>,
+    #[command(flatten)]
+    pub(crate) layout: Layout,
 
     /// An earlier record of the same rail; may be repeated, the oldest first.
     #[arg(long, value_name = "FILE")]
@@ -472,7 +493,12 @@ pub(crate) struct Report {
     pub(crate) variants: Vec<PathBuf>,
 
     /// Months that the forecast looks ahead.
-    #[arg(long, value_name = "M", requires = "traffic")]
+    #[arg(
+        long,
+        value_name = "M",
+        requires = "traffic",
+        allow_negative_numbers = true
+    )]
     pub(crate) months: Option<f64>,
 
     /// Title [default: that of the site, or \"Rail roughness and corrugation\"].

@@ -22,6 +22,14 @@ pub struct LabelledSpectrum {
 }
 
 impl LabelledSpectrum {
+    /// The spectrum of one rail of a profile.
+    pub fn of_rail(name: &str, spectrum: Spectrum) -> Self {
+        Self {
+            labels: vec![("rail".to_owned(), name.to_owned())],
+            spectrum,
+        }
+    }
+
     /// What a column holds.
     pub fn label(&self, column: &str) -> Option<&str> {
         let same = |label: &&(String, String)| label.0 == column;
