@@ -50,7 +50,7 @@ fn two_columns_are_understood_and_answered_under_the_fixed_names() {
     assert_eq!(document["removed"]["spikes"], 0);
     assert_eq!(document["removed"]["pits"], 0);
     assert_eq!(document["warnings"].as_array().unwrap().len(), 1);
-    assert_eq!(sandbox.list("."), ["cases", "levels.csv", "wave.csv"]);
+    assert_eq!(sandbox.list("."), ["cases", "wave.csv"]);
 }
 
 /// The same rail in other clothes gives the same levels.
