@@ -128,7 +128,7 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "COLUMN")]
     pub(crate) by: Option<String>,
 
-    /// Speeds of the traffic, as \"80 km/h\" or a range \"60 km/h..90 km/h\"; may be repeated [default: those
+    /// Speeds of the traffic, as "80 km/h" or a range "60 km/h..90 km/h"; may be repeated [default: those
     /// of the map of the case].
     #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Vec<String>,
