@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel::roughness::{
-    BandPass, BandStatistics, PIT_DEPTH, PowerSpectrum, Profile, SpikeCriterion, WHEEL_RADIUS,
+    BandSettings, BandStatistics, PIT_DEPTH, PowerSpectrum, Profile, SpikeCriterion, WHEEL_RADIUS,
     WavelengthBand,
 };
 use riffel_case::roughness::RoughnessFile;
@@ -51,19 +51,14 @@ pub(crate) fn contest(task: &str, file: &str, samples: usize) -> Result<(f64, f6
     let mut profile = Profile::new(0.0, SPACING, made(samples))?;
     let begun = Instant::now();
     profile.remove_spikes(SpikeCriterion::EN_15610);
-    let bands = WavelengthBand::GRINDING;
-    let filtered = BandPass::new(SPACING, samples, &bands)?.filter(&profile);
-    for (band, heights) in bands.iter().zip(&filtered) {
-        let window = (band.default_window() / SPACING).round() as usize;
-        black_box(BandStatistics::new(
-            *band,
-            heights,
-            window,
-            Some(7e-6),
-            10_000,
-            1000,
-        ));
-    }
+    let settings = WavelengthBand::GRINDING.map(|band| BandSettings {
+        band,
+        window: (band.default_window() / SPACING).round() as usize,
+        limit: Some(7e-6),
+        block: 10_000,
+        margin: 1000,
+    });
+    black_box(BandStatistics::of_profile(&profile, &settings)?);
     profile.roll_over(WHEEL_RADIUS, PIT_DEPTH);
     let power = PowerSpectrum::of_record(&[profile], 1.0)?;
     let sum: f64 = power.lines().map(|(_, power)| power).sum();

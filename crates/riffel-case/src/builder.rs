@@ -18,7 +18,8 @@ use crate::given::Given;
 use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::Source;
 use crate::track::{Direction, Track};
-use crate::{CaseError, measurement, validity};
+use crate::validity::{self, Window};
+use crate::{CaseError, measurement};
 
 /// Most points along one axis of a map.
 const MOST_AXIS_POINTS: u64 = 100_000;
@@ -34,10 +35,18 @@ pub(crate) struct Builder {
     pub(crate) file: CaseFile,
     /// Structures in place of those of the file.
     pub(crate) given: Given,
+    /// What wavelengths and speeds of the file are a window of.
+    pub(crate) window: Window,
 }
 
 impl Builder {
-    pub(crate) fn new(source: Source, folder: PathBuf, mut file: CaseFile, given: Given) -> Self {
+    pub(crate) fn new(
+        source: Source,
+        folder: PathBuf,
+        mut file: CaseFile,
+        given: Given,
+        window: Window,
+    ) -> Self {
         let wheel = &mut file.wheel;
         wheel.inertia.get_or_insert_with(|| {
             let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
@@ -48,6 +57,7 @@ impl Builder {
             folder,
             file,
             given,
+            window,
         }
     }
 
@@ -104,8 +114,8 @@ impl Builder {
                 .iter()
                 .flat_map(|given| given.remarks.clone()),
         );
-        let window = [wavelength, speed];
-        remarks.extend(validity::remarks(&self, &track, &feedback, hertz, window));
+        let axes = [wavelength, speed];
+        remarks.extend(validity::remarks(&self, &track, &feedback, hertz, axes));
         Ok(Case {
             file: self.file.clone(),
             builder: self,

@@ -13,6 +13,7 @@ use crate::given::{Given, GivenReceptance};
 use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
+use crate::validity::Window;
 
 /// A case ready to compute.
 #[derive(Clone)]
@@ -71,14 +72,19 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
         source.apply(overrides)?;
-        Self::of_source(source, folder, Given::default())
+        Self::of_source(source, folder, Given::default(), Window::Map)
     }
 
-    fn of_source(written: Source, folder: &Path, given: Given) -> Result<Self, CaseError> {
+    fn of_source(
+        written: Source,
+        folder: &Path,
+        given: Given,
+        window: Window,
+    ) -> Result<Self, CaseError> {
         let mut source = written.clone();
         source.fill_in()?;
         let file = source.deserialize()?;
-        Builder::new(source, folder.to_owned(), file, given).build(written)
+        Builder::new(source, folder.to_owned(), file, given, window).build(written)
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it
@@ -87,11 +93,25 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn with(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
+        self.with_window(sets, Window::Map)
+    }
+
+    /// [`with`](Self::with), where wavelengths and speeds are those of a vehicle and no map's.
+    pub(crate) fn of_vehicle(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
+        self.with_window(sets, Window::Traffic)
+    }
+
+    fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {
         let mut source = self.written.clone();
         for overrides in sets {
             source.apply(overrides)?;
         }
-        Self::of_source(source, self.builder.folder(), self.builder.given.clone())
+        Self::of_source(
+            source,
+            self.builder.folder(),
+            self.builder.given.clone(),
+            window,
+        )
     }
 
     /// The case on a track of the receptance given. It goes where the case goes: into overrides, traffic and

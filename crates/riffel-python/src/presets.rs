@@ -19,9 +19,9 @@ pub(crate) fn presets(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
             }
             let dict = PyDict::new(py);
             dict.set_item("kind", preset.kind.name())?;
-            dict.set_item("name", preset.name)?;
-            dict.set_item("aliases", preset.aliases)?;
-            dict.set_item("title", preset.title)?;
+            dict.set_item("name", &preset.name)?;
+            dict.set_item("aliases", &preset.aliases)?;
+            dict.set_item("title", &preset.title)?;
             dict.set_item("values", values)?;
             Ok(dict)
         })

@@ -1,8 +1,8 @@
 //! Everything about the roughness of one rail, in one call.
 
 use super::{
-    BandPass, BandStatistics, GrindSection, PIT_DEPTH, PowerSpectrum, Profile, RmsLimit, Spectrum,
-    SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    BandPass, BandSettings, BandStatistics, GrindSection, PIT_DEPTH, PowerSpectrum, Profile,
+    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use crate::Error;
 
@@ -152,28 +152,22 @@ fn band_statistics(
     let length = stretch.length();
     let fits = |band: &WavelengthBand| band.fits_into(length) && BandPass::resolves(*band, spacing);
     let samples = |length: f64| (length / spacing).round().max(1.0) as usize;
-    let fitting: Vec<WavelengthBand> = settings.bands.iter().copied().filter(fits).collect();
-    let bank = BandPass::new(spacing, stretch.heights().len(), &fitting)?;
-    let mut filtered = bank.filter(stretch).into_iter();
-    Ok(settings
+    let fitting: Vec<BandSettings> = settings
         .bands
         .iter()
-        .map(|band| {
-            let heights = if fits(band) {
-                filtered.next()?
-            } else {
-                return None;
-            };
-            let window = settings.window.unwrap_or_else(|| band.default_window());
-            Some(BandStatistics::new(
-                *band,
-                &heights,
-                samples(window),
-                settings.limit.as_ref().and_then(|limit| limit.of(*band)),
-                samples(settings.block),
-                samples(band.to()),
-            ))
+        .filter(|band| fits(band))
+        .map(|band| BandSettings {
+            band: *band,
+            window: samples(settings.window.unwrap_or_else(|| band.default_window())),
+            limit: settings.limit.as_ref().and_then(|limit| limit.of(*band)),
+            block: samples(settings.block),
+            margin: samples(band.to()),
         })
+        .collect();
+    let mut found = BandStatistics::of_profile(stretch, &fitting)?.into_iter();
+    let bands = settings.bands.iter();
+    Ok(bands
+        .map(|band| fits(band).then(|| found.next()).flatten())
         .collect())
 }
 

@@ -1,6 +1,7 @@
 //! Zero-phase band-pass over bands of wavelength.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::ops::Range;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -17,6 +18,8 @@ const HALF_TRANSITION: f64 = 0.1;
 const REACH: f64 = 6.0;
 /// Part of the reach over which the impulse response is kept as it is.
 const FLAT: f64 = 0.6;
+/// Blocks of a section at least, and lengths of the overlap that a section has.
+const BLOCKS: usize = 4;
 
 /// A bank of zero-phase band-passes that share their transforms.
 ///
@@ -122,37 +125,91 @@ impl BandPass {
 
     /// The profile's heights in each band \[m\], as many as the profile has.
     pub fn filter(&self, profile: &Profile) -> Vec<Vec<f64>> {
-        let heights = profile.heights();
-        let continued = Continued::new(heights, self.reach / 3);
-        let step = self.forward.len() - 2 * self.reach;
-        let mut filtered: Vec<Vec<f64>> = vec![vec![0.0; heights.len()]; self.gains.len()];
-        // For each block, its part of each band.
-        let mut blocks: Vec<Vec<&mut [f64]>> = Vec::new();
-        for band in &mut filtered {
-            for (index, part) in band.chunks_mut(step).enumerate() {
-                match blocks.get_mut(index) {
-                    Some(parts) => parts.push(part),
-                    None => blocks.push(vec![part]),
-                }
-            }
+        let mut filtered = vec![Vec::with_capacity(profile.heights().len()); self.gains.len()];
+        for (band, part) in self.sections(profile, 0, |_, section| section.heights.to_vec()) {
+            filtered[band].extend(part);
         }
-        blocks.into_par_iter().enumerate().for_each_init(
-            || Scratch::new(self),
-            |scratch, (index, parts)| {
-                scratch.filter(self, &continued, index * step, parts);
-            },
-        );
         filtered
+    }
+
+    /// What `of` makes of each section of the filtered profile, with the index of its band and in the order
+    /// of sections. A section's heights are its own and up to `overlap` of those behind.
+    pub(super) fn sections<T: Send>(
+        &self,
+        profile: &Profile,
+        overlap: usize,
+        of: impl Fn(usize, Section<'_>) -> T + Sync,
+    ) -> Vec<(usize, T)> {
+        let samples = profile.heights().len();
+        let continued = Continued::new(profile.heights(), self.reach / 3);
+        let step = self.forward.len() - 2 * self.reach;
+        // Whole blocks, so many that the overlap weighs little.
+        let blocks = BLOCKS.max((BLOCKS * overlap).div_ceil(step));
+        let own = (blocks * step).saturating_sub(overlap).max(1);
+        let starts: Vec<usize> = (0..samples).step_by(own).collect();
+        let made: Vec<Vec<(usize, T)>> = starts
+            .into_par_iter()
+            .map_init(
+                || Scratch::new(self),
+                |scratch, start| {
+                    let end = (start + own + overlap).min(samples);
+                    scratch.filter(self, &continued, start..end);
+                    let own = own.min(samples - start);
+                    let filtered = scratch.filtered.iter().enumerate();
+                    filtered
+                        .map(|(band, heights)| {
+                            let section = Section {
+                                start,
+                                own,
+                                heights,
+                            };
+                            (band, of(band, section))
+                        })
+                        .collect()
+                },
+            )
+            .collect();
+        made.into_iter().flatten().collect()
+    }
+}
+
+/// Heights of a part of the profile in one band.
+pub(super) struct Section<'a> {
+    /// Index of the first sample.
+    pub(super) start: usize,
+    /// Number of samples that are in no other section's own.
+    pub(super) own: usize,
+    /// The section's own samples, and those behind that its windows reach into \[m\].
+    pub(super) heights: &'a [f64],
+}
+
+impl Section<'_> {
+    /// The samples of all windows that begin in this section and lie within a range.
+    pub(super) fn windows_within(&self, range: &Range<usize>, window: usize) -> &[f64] {
+        let from = range.start.saturating_sub(self.start);
+        let to = (self.own + window - 1)
+            .min(range.end.saturating_sub(self.start))
+            .min(self.heights.len());
+        self.heights.get(from..to).unwrap_or_default()
     }
 }
 
 /// Gain of a band at a wavenumber \[1/m\].
 fn gain(band: WavelengthBand, wavenumber: f64) -> f64 {
-    let edge =
-        |wavelength: f64| ((wavenumber * wavelength).log10() / HALF_TRANSITION).clamp(-1.0, 1.0);
-    let above_lower = 1.0 - (FRAC_PI_2 * edge(band.to())).sin();
-    let below_upper = 1.0 + (FRAC_PI_2 * edge(band.from())).sin();
-    (FRAC_PI_4 * above_lower).cos() * (FRAC_PI_4 * below_upper).cos()
+    edge(wavenumber * band.to()) * edge((wavenumber * band.from()).recip())
+}
+
+/// Gain over an edge, from zero to one as the ratio of wavenumbers goes from a tenth of a decade below it to
+/// a tenth above.
+fn edge(ratio: f64) -> f64 {
+    let decades = ratio.log10() / HALF_TRANSITION;
+    if decades <= -1.0 {
+        return 0.0;
+    }
+    if decades >= 1.0 {
+        return 1.0;
+    }
+    (FRAC_PI_4 * (1.0 - (FRAC_PI_2 * decades).sin())).cos()
 }
 
 /// What one thread needs.
@@ -163,6 +220,8 @@ struct Scratch {
     output: Vec<f64>,
     forward: Vec<Complex64>,
     inverse: Vec<Complex64>,
+    /// Heights of a section in each band.
+    filtered: Vec<Vec<f64>>,
 }
 
 impl Scratch {
@@ -174,43 +233,40 @@ impl Scratch {
             output: bank.inverse.make_output_vec(),
             forward: bank.forward.make_scratch_vec(),
             inverse: bank.inverse.make_scratch_vec(),
+            filtered: vec![Vec::new(); bank.gains.len()],
         }
     }
 
-    /// One block from the sample `start` on.
-    fn filter(
-        &mut self,
-        bank: &BandPass,
-        heights: &Continued<'_>,
-        start: usize,
-        parts: Vec<&mut [f64]>,
-    ) {
+    /// A section, block by block.
+    fn filter(&mut self, bank: &BandPass, heights: &Continued<'_>, section: Range<usize>) {
         let reach = bank.reach;
-        let needed = parts.first().map_or(0, |part| part.len()) + 2 * reach;
-        for (index, height) in self.heights.iter_mut().enumerate() {
-            *height = if index < needed {
-                heights.at((start + index) as isize - reach as isize)
-            } else {
-                0.0
-            };
-        }
-        let done = bank.forward.process_with_scratch(
-            &mut self.heights,
-            &mut self.lines,
-            &mut self.forward,
-        );
-        debug_assert!(done.is_ok());
-        for (gains, part) in bank.gains.iter().zip(parts) {
-            for ((product, line), gain) in self.product.iter_mut().zip(&self.lines).zip(gains) {
-                *product = line * gain;
-            }
-            let done = bank.inverse.process_with_scratch(
-                &mut self.product,
-                &mut self.output,
-                &mut self.inverse,
+        self.filtered.iter_mut().for_each(Vec::clear);
+        for start in section.clone().step_by(bank.forward.len() - 2 * reach) {
+            let own = (section.end - start).min(bank.forward.len() - 2 * reach);
+            heights.copy(
+                start as isize - reach as isize,
+                &mut self.heights[..own + 2 * reach],
+            );
+            self.heights[own + 2 * reach..].fill(0.0);
+            // Fails only for buffers of another length.
+            let done = bank.forward.process_with_scratch(
+                &mut self.heights,
+                &mut self.lines,
+                &mut self.forward,
             );
             debug_assert!(done.is_ok());
-            part.copy_from_slice(&self.output[reach..reach + part.len()]);
+            for (gains, filtered) in bank.gains.iter().zip(&mut self.filtered) {
+                for ((product, line), gain) in self.product.iter_mut().zip(&self.lines).zip(gains) {
+                    *product = line * gain;
+                }
+                let done = bank.inverse.process_with_scratch(
+                    &mut self.product,
+                    &mut self.output,
+                    &mut self.inverse,
+                );
+                debug_assert!(done.is_ok());
+                filtered.extend_from_slice(&self.output[reach..reach + own]);
+            }
         }
     }
 }
@@ -229,6 +285,18 @@ impl<'a> Continued<'a> {
         let length = length.clamp(2, heights.len());
         let slopes = [&heights[..length], &heights[heights.len() - length..]].map(slope);
         Self { heights, slopes }
+    }
+
+    /// Copy heights from a place on, up to one record before or behind.
+    fn copy(&self, start: isize, to: &mut [f64]) {
+        let within = start >= 0 && start as usize + to.len() <= self.heights.len();
+        if within {
+            to.copy_from_slice(&self.heights[start as usize..][..to.len()]);
+        } else {
+            for (index, height) in to.iter_mut().enumerate() {
+                *height = self.at(start + index as isize);
+            }
+        }
     }
 
     /// Height at a place up to one record before or behind.

@@ -131,20 +131,16 @@ fn bound(heights: &[f64], block: Range<usize>, rise: &[f64]) -> usize {
         .iter()
         .copied()
         .fold(f64::INFINITY, f64::min);
-    let (mut bound, mut highest) = (0, f64::NEG_INFINITY);
-    let mut seen = block.start..block.start;
+    let mut bound = rise.len() - 1;
     loop {
         let around = block.start.saturating_sub(bound)..(block.end + bound).min(heights.len());
-        for part in [around.start..seen.start, seen.end..around.end] {
-            highest = heights[part].iter().copied().fold(highest, f64::max);
-        }
-        seen = around;
-        // The circle may not reach higher than the range of heights.
+        let highest = heights[around].iter().copied().fold(lowest, f64::max);
+        // Contacts beyond lie lower than the circle there, wherever in the block the wheel stands.
         let needed = rise.partition_point(|&rise| rise < highest - lowest);
-        if needed <= bound || bound + 1 >= rise.len() {
-            return bound.min(rise.len() - 1);
+        if needed >= bound {
+            return bound;
         }
-        bound = needed.min(rise.len() - 1);
+        bound = needed;
     }
 }
 
@@ -204,6 +200,22 @@ mod tests {
                 prop_assert!((found - expected).abs() < 1e-15);
             }
         }
+    }
+
+    /// A step in the next block lifts the wheel already over the flat rail before it.
+    #[test]
+    fn a_step_lifts_the_wheel_from_afar() -> Result<(), Error> {
+        let mut heights = vec![0.0; 2 * BLOCK];
+        heights[BLOCK + 10..].fill(1e-3);
+        let expected = as_printed(&heights, 1e-3, WHEEL_RADIUS);
+        let mut profile = Profile::new(0.0, 1e-3, heights)?;
+        profile.roll_over(WHEEL_RADIUS, PIT_DEPTH);
+        for (found, expected) in profile.heights().iter().zip(&expected) {
+            assert!((found - expected).abs() < 1e-15);
+        }
+        // 11 mm before it: 1 mm − d²/2R.
+        assert!((profile.heights()[BLOCK - 1] - (1e-3 - 0.011f64.powi(2) / 0.75)).abs() < 1e-7);
+        Ok(())
     }
 
     /// A pit 100 µm deep and 10 mm wide becomes the sag of the wheel across it, w²/8R.

@@ -37,13 +37,13 @@ mod wavelength_band;
 
 pub use analysis::{AnalysisSettings, BandSummary, BlockRms, RailAnalysis};
 pub use band_pass::BandPass;
-pub use band_statistics::{BandStatistics, Exceedance};
+pub use band_statistics::{BandSettings, BandStatistics, Exceedance};
 pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
 pub use grinding::{GrindSection, grind_sections};
 pub use level::{REFERENCE_ROUGHNESS, level, mean_square};
 pub use limit::{LevelExcess, LevelLimit, RmsLimit};
 pub use method_a::PowerSpectrum;
-pub use moving::{moving_peak_to_peak, moving_rms};
+pub use moving::{largest_peak_to_peak, moving_peak_to_peak, moving_rms};
 pub use profile::Profile;
 pub use spectrum::{BandLevel, Spectrum};
 pub use spike::SpikeCriterion;
