@@ -5,6 +5,7 @@
 
 mod contact;
 mod contestant;
+mod python;
 mod roughness;
 
 use std::fmt::Write as _;
@@ -34,11 +35,20 @@ const MOVING_LOAD_SIDE: usize = 101;
 /// The argument that makes this program a contestant.
 pub(crate) const CONTESTANT: &str = "--contestant";
 
+/// The argument that prints the section on Python alone and writes nothing.
+const PYTHON: &str = "--python";
+
 fn main() -> Result<(), Failure> {
     if std::env::args().any(|argument| argument == CONTESTANT) {
         return contest();
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if std::env::args().any(|argument| argument == PYTHON) {
+        let mut text = String::new();
+        python::report(&mut text, folder)?;
+        println!("{text}");
+        return Ok(());
+    }
     let report = report(folder)?;
     println!("{report}");
     std::fs::write(folder.join("README.md"), report)?;
@@ -248,6 +258,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     writeln!(text, "| one | {single:.1} | 1 |")?;
     writeln!(text, "| two | {double:.1} | {:.2} |\n", single / double)?;
 
+    python::report(&mut text, folder)?;
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
     contact::report(&mut text, &mut one)?;

@@ -23,4 +23,6 @@ axes[1].set_title("")
 
 # %%
 
-figure.savefig(Path(os.environ.get("RIFFEL_GALLERY", "out")) / "contact.png", dpi=120)
+folder = Path(os.environ.get("RIFFEL_GALLERY", "out"))
+folder.mkdir(exist_ok=True)
+figure.savefig(folder / "contact.png", dpi=120)

@@ -35,4 +35,6 @@ axes[1].set_ylabel("")
 
 # %%
 
-figure.savefig(Path(os.environ.get("RIFFEL_GALLERY", "out")) / "growth_map.png", dpi=120)
+folder = Path(os.environ.get("RIFFEL_GALLERY", "out"))
+folder.mkdir(exist_ok=True)
+figure.savefig(folder / "growth_map.png", dpi=120)

@@ -44,4 +44,6 @@ riffel.plot.comparison(compared, axes[2])
 
 # %%
 
-figure.savefig(Path(os.environ.get("RIFFEL_GALLERY", "out")) / "measured_rail.png", dpi=120)
+folder = Path(os.environ.get("RIFFEL_GALLERY", "out"))
+folder.mkdir(exist_ok=True)
+figure.savefig(folder / "measured_rail.png", dpi=120)

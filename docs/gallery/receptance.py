@@ -54,4 +54,6 @@ axes[1].legend()
 
 # %%
 
-figure.savefig(Path(os.environ.get("RIFFEL_GALLERY", "out")) / "receptance.png", dpi=120)
+folder = Path(os.environ.get("RIFFEL_GALLERY", "out"))
+folder.mkdir(exist_ok=True)
+figure.savefig(folder / "receptance.png", dpi=120)
