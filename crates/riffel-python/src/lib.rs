@@ -10,6 +10,7 @@ mod interrupt;
 mod presets;
 mod quantity;
 mod roughness;
+mod study;
 mod tables;
 
 /// The extension `riffel._riffel`.
@@ -33,6 +34,8 @@ mod _riffel {
         energy_mean, level, limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness,
         remove_spikes, roll_over, synthesise, third_octaves,
     };
+    #[pymodule_export]
+    use crate::study::{Study, merge_study, sobol_indices, study_summary};
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

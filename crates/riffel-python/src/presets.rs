@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 #[pyfunction]
 pub(crate) fn presets(py: Python<'_>) -> PyResult<Vec<Bound<'_, PyDict>>> {
     riffel_case::presets()
-        .into_iter()
+        .iter()
         .map(|preset| {
             let values = PyDict::new(py);
             for value in &preset.values {

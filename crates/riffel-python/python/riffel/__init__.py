@@ -21,14 +21,19 @@ from riffel._matlab import to_matlab
 from riffel._receptance import receptance_from_uff
 from riffel._riffel import VERSION as __version__
 from riffel._riffel import ConvergenceError, ReceptanceError, presets
+from riffel._study import Study, merge_studies, open_results, study_summary
 
 __all__ = [
     "Case",
     "ConvergenceError",
     "ReceptanceError",
+    "Study",
     "__version__",
+    "merge_studies",
+    "open_results",
     "presets",
     "receptance_from_uff",
     "roughness",
+    "study_summary",
     "to_matlab",
 ]

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "OKABE_ITO",
+    "bands",
     "comparison",
     "creep_curve",
     "forecast",
@@ -26,7 +27,9 @@ __all__ = [
     "growth_map",
     "receptance",
     "ridge",
+    "sobol_indices",
     "spectrum",
+    "tornado",
 ]
 
 OKABE_ITO = ("#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#f0e442")
@@ -264,3 +267,62 @@ def comparison(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     _wavelengths(ax)
     ax.legend()
     return _finish(ax, "wavelength λ [mm]", "growth rate per passage [-]", dataset.attrs.get("title"))
+
+
+def sobol_indices(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
+    """First-order and total Sobol indices with their intervals, as `riffel.Study.sobol_indices` returns them."""
+    ax = _axes(ax)
+    places = np.arange(dataset.sizes["parameter"])
+    for name, shift, color, label in (("first", -0.18, OKABE_ITO[1], "first order"), ("total", 0.18, OKABE_ITO[2], "total")):
+        value = dataset[name].values
+        interval = np.abs(np.stack([dataset[f"{name}_low"].values, dataset[f"{name}_high"].values]) - value)
+        ax.barh(places + shift, value, height=0.32, color=color, label=label)
+        ax.errorbar(value, places + shift, xerr=interval, fmt="none", ecolor="#222222", elinewidth=1.0, capsize=3.0)
+    ax.set_yticks(places, dataset["parameter"].values)
+    ax.invert_yaxis()
+    _finish(ax, f"Sobol indices of {dataset.attrs.get('output', 'the output')} [-]", "", dataset.attrs.get("title"))
+    ax.set_xlim(left=min(0.0, float(dataset["first_low"].min())))
+    ax.legend(loc="lower right")
+    return ax
+
+
+def tornado(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
+    """What each parameter does alone, as `riffel.Study.tornado` returns it."""
+    ax = _axes(ax)
+    places = np.arange(dataset.sizes["parameter"])
+    median = float(dataset["median"])
+    low, high = dataset.attrs.get("shares", (0.1, 0.9))
+    for name, color, share in (("low", OKABE_ITO[6], low), ("high", OKABE_ITO[1], high)):
+        ax.barh(places, dataset[name].values - median, left=median, height=0.6, color=color, label=f"at its {share:.0%} quantile")
+    ax.axvline(median, color="#222222", linewidth=1.0)
+    ax.set_yticks(places, dataset["parameter"].values)
+    ax.invert_yaxis()
+    _finish(ax, str(dataset.attrs.get("output", "output")), "", dataset.attrs.get("title"))
+    ax.legend(loc="lower right")
+    return ax
+
+
+def bands(output: xr.DataArray, ax: Axes | None = None, *, shares: tuple[float, ...] = (0.05, 0.25, 0.5, 0.75, 0.95)) -> Axes:
+    """Quantiles over the samples of a study of an output over wavelength, as in ``results["growth_by_wavelength"]``.
+
+    Parameters
+    ----------
+    output : xarray.DataArray
+        Over ``sample`` and ``wavelength``.
+    ax : Axes, optional
+        Where to draw.
+    shares : tuple of float
+        Shares of the quantiles, an odd number of them, symmetric about the middle one, which is drawn as a line.
+    """
+    ax = _axes(ax)
+    quantiles = output.quantile(list(shares), "sample").transpose("quantile", "wavelength").values
+    x = 1e3 * output["wavelength"].values
+    middle = len(shares) // 2
+    for index in range(middle):
+        label = f"{shares[index]:.0%} to {shares[-1 - index]:.0%}"
+        ax.fill_between(x, quantiles[index], quantiles[-1 - index], color=OKABE_ITO[1], alpha=0.25, linewidth=0, label=label)
+    ax.plot(x, quantiles[middle], color=OKABE_ITO[1], label=f"{shares[middle]:.0%}")
+    ax.axhline(0.0, color="#222222", linewidth=0.8, linestyle=":")
+    _finish(ax, "wavelength λ [mm]", f"{output.attrs.get('long_name', output.name)}", None)
+    ax.legend(loc="best")
+    return ax
