@@ -7,6 +7,7 @@ mod contact;
 mod contestant;
 mod python;
 mod roughness;
+mod study;
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -89,6 +90,7 @@ fn contest() -> Result<(), Failure> {
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
+            "study" => study::contest(points.parse()?)?,
             _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
         };
@@ -263,6 +265,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     report_tracks(&mut text, &mut one)?;
     contact::report(&mut text, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
+    study::report(&mut text, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(

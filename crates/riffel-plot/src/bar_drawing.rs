@@ -20,6 +20,8 @@ const BAR: f64 = 11.0;
 const ROW_GAP: f64 = 11.0;
 const NOTE_FONT: f64 = 10.5;
 const NOTE_GAP: f64 = 4.0;
+/// Length from which a bar has words at its end, pixels.
+const SEEN: f64 = 0.5;
 const BAR_OPACITY: f64 = 0.85;
 
 pub(crate) fn svg(figure: &BarFigure) -> Result<String, PlotError> {
@@ -177,6 +179,10 @@ fn draw(canvas: &mut Canvas<'_>, panel: &BarPanel, frame: &SheetBox) -> Result<(
                 true => (left - NOTE_GAP, HPos::Right),
                 false => (right + NOTE_GAP, HPos::Left),
             };
+            if right - left < SEEN {
+                // Two bars of no length would have their words in one place.
+                continue;
+            }
             let lettering = Lettering::new(NOTE_FONT).anchor(anchor, VPos::Center);
             canvas.text(&bar.note, (place, top + 0.5 * BAR), lettering)?;
         }

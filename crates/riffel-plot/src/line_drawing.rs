@@ -129,6 +129,12 @@ impl<'a> Drawing<'a> {
             .map(|at| vec![(at, frame.top), (at, frame.bottom)]);
         let mut obstacles = lines.clone();
         obstacles.push(names.collect());
+        obstacles.extend(panel.areas.iter().map(|area| {
+            let place = |v: f64| y.at(v).clamp(frame.top, frame.bottom);
+            let sample = |((&u, &low), &high)| vec![(x.at(u), place(low)), (x.at(u), place(high))];
+            let samples = area.x.iter().zip(&area.low).zip(&area.high);
+            samples.map(sample).collect()
+        }));
         let legend_corner = free_corner(&entries, &obstacles, frame);
         let count = |length: f64, least: f64| (length / least).floor() as usize;
         let vertical_ticks = |count| {

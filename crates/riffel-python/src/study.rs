@@ -23,9 +23,7 @@ fn of_study(error: StudyError) -> PyErr {
     match error {
         StudyError::Plan(error) => of_case(error),
         StudyError::NoStudy { .. } => PyFileNotFoundError::new_err(error.to_string()),
-        StudyError::Read { .. } | StudyError::Write { .. } => {
-            PyOSError::new_err(error.to_string())
-        }
+        StudyError::Read { .. } | StudyError::Write { .. } => PyOSError::new_err(error.to_string()),
         error => PyValueError::new_err(error.to_string()),
     }
 }
@@ -107,7 +105,10 @@ impl Study {
     /// Those chunks that belong to a shard.
     fn shard_of(&self, chunks: Vec<u64>, shard: &str) -> PyResult<Vec<u64>> {
         let shard = parse_shard(shard)?;
-        Ok(chunks.into_iter().filter(|chunk| shard.contains(*chunk)).collect())
+        Ok(chunks
+            .into_iter()
+            .filter(|chunk| shard.contains(*chunk))
+            .collect())
     }
 
     /// Key, unit and description of each parameter, and whether it is a number.
@@ -132,12 +133,7 @@ impl Study {
     }
 
     /// Values of each parameter in the samples from one number to another.
-    fn design<'py>(
-        &self,
-        py: Python<'py>,
-        from: u64,
-        to: u64,
-    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    fn design<'py>(&self, py: Python<'py>, from: u64, to: u64) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let study = self.study.clone();
         let samples: Vec<Vec<ParameterValue>> = interruptible(py, move || {
             (from..to.min(study.samples()))
@@ -289,14 +285,16 @@ impl Study {
             if variable.name == name {
                 return match length {
                     1 => Ok(place),
-                    _ => Err(wrong(format!(
-                        "{name} is no single number of each sample"
-                    ))),
+                    _ => Err(wrong(format!("{name} is no single number of each sample"))),
                 };
             }
             place += length;
         }
-        let known: Vec<&str> = outputs.variables().iter().map(|v| v.name.as_str()).collect();
+        let known: Vec<&str> = outputs
+            .variables()
+            .iter()
+            .map(|v| v.name.as_str())
+            .collect();
         Err(wrong(format!(
             "the study has no output {name}, but {}",
             known.join(", ")

@@ -89,7 +89,7 @@ def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: P
     study = riffel.Study.from_toml(plan)
     alone = study.run(tmp_path / "alone")
     assert not np.isnan(alone["ridge_frequency"].values).any()
-    assert alone["growth_by_wavelength"].sizes == {"sample": 640, "wavelength": 121}
+    assert alone["mean_growth_rate"].sizes == {"sample": 640, "wavelength": 121}
     subprocess.run([PROGRAM, "study", str(plan), "-o", str(tmp_path / "program")], check=True, capture_output=True)
     same(alone, riffel.open_results(tmp_path / "program"))
     shards = [tmp_path / f"shard{index}" for index in range(1, 8)]
@@ -265,15 +265,15 @@ def test_sobol_indices_are_those_of_salib(tmp_path: Path) -> None:
 
 
 def test_tornado(plan: Path) -> None:
-    tornado = riffel.Study.from_toml(plan).tornado("growth_rate_max")
+    tornado = riffel.Study.from_toml(plan).tornado("highest_growth_rate")
     assert tornado["parameter"].values.tolist()[0] == "contact.friction"
     assert (tornado["low"] != tornado["high"]).all()
     with pytest.raises(ValueError, match="has no output nonsense, but ridge_frequency"):
         riffel.Study.from_toml(plan).tornado("nonsense")
     with pytest.raises(ValueError, match="no single number"):
-        riffel.Study.from_toml(plan).tornado("growth_by_wavelength")
+        riffel.Study.from_toml(plan).tornado("mean_growth_rate")
     with pytest.raises(ValueError, match="must rise between 0 and 1"):
-        riffel.Study.from_toml(plan).tornado("growth_rate_max", (0.9, 0.1))
+        riffel.Study.from_toml(plan).tornado("highest_growth_rate", (0.9, 0.1))
 
 
 def test_wrong_plans_and_folders(plan: Path, tmp_path: Path) -> None:

@@ -128,7 +128,7 @@ mod tests {
     #[test]
     fn moments_are_those_of_the_books() {
         let infinite = (f64::NEG_INFINITY, f64::INFINITY);
-        let (density, below) = (0.241_970_724_519_143_37, 0.682_689_492_137_085_9);
+        let (density, below): (f64, f64) = (0.241_970_724_519_143_37, 0.682_689_492_137_085_9);
         let normal = |(min, max)| Distribution::Normal {
             mean: 3.0,
             standard_deviation: 2.0,

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
+use riffel_case::quantity::{Quantity, Ratio};
 use riffel_study::Shard;
 
 #[derive(Args)]
@@ -75,7 +76,7 @@ pub(crate) struct Merge {
 
 #[derive(Args)]
 #[command(
-    after_help = "Example: riffel study sensitivity study-results --output highest_growth_rate"
+    after_help = "Example: riffel study sensitivity study-results --result highest_growth_rate"
 )]
 pub(crate) struct Sensitivity {
     /// Folder with the results of a finished study.
@@ -83,18 +84,18 @@ pub(crate) struct Sensitivity {
     pub(crate) folder: PathBuf,
 
     /// Result to look at; may be repeated [default: all that are one number for each sample].
-    #[arg(long = "output", value_name = "NAME")]
-    pub(crate) outputs: Vec<String>,
+    #[arg(long = "result", value_name = "NAME")]
+    pub(crate) results: Vec<String>,
 
     /// Confidence of the intervals.
     #[arg(long, value_name = "RATIO", default_value = "95 %")]
-    pub(crate) confidence: riffel_case::quantity::Quantity<riffel_case::quantity::Ratio>,
+    pub(crate) confidence: Quantity<Ratio>,
 
-    /// Folder for tables and figures, made if need be [default: DIR].
+    /// Folder for table and figures, made if need be [default: that of the study].
     #[arg(short, long, value_name = "DIR")]
-    pub(crate) to: Option<PathBuf>,
+    pub(crate) output: Option<PathBuf>,
 
-    /// Print one JSON document; files are written only with --to.
+    /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
 }

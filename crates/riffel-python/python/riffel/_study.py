@@ -204,7 +204,7 @@ class Study:
 
         Examples
         --------
-        >>> tornado = riffel.Study.from_toml("cases/study.toml").tornado("growth_rate_max")
+        >>> tornado = riffel.Study.from_toml("cases/study.toml").tornado("highest_growth_rate")
         >>> tornado.sizes["parameter"]
         4
         """

@@ -303,7 +303,7 @@ def tornado(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def bands(output: xr.DataArray, ax: Axes | None = None, *, shares: tuple[float, ...] = (0.05, 0.25, 0.5, 0.75, 0.95)) -> Axes:
-    """Quantiles over the samples of a study of an output over wavelength, as in ``results["growth_by_wavelength"]``.
+    """Quantiles over the samples of a study of an output over wavelength, as in ``results["mean_growth_rate"]``.
 
     Parameters
     ----------

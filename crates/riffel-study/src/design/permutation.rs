@@ -49,7 +49,7 @@ mod tests {
     #[test]
     fn places_are_even() {
         let mut counts = [[0u32; 5]; 5];
-        let keys = 4000;
+        let keys = 4000u32;
         for key in 0..keys {
             for index in 0..5 {
                 let place = permuted(index, 5, u64::from(key) << 20);

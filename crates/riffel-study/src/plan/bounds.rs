@@ -32,7 +32,14 @@ pub(super) fn check(source: &Source, plan: &mut Plan, case: &Case) -> Result<(),
             let Err(error) = plan.outputs.on(case, &overrides) else {
                 continue;
             };
-            let sentence = sentence(&error);
+            // The end itself reads better than the number next to it, where it is refused as well.
+            overrides[index] = parameter.assignment(&parameter.value(share.round()));
+            let at_end = plan
+                .outputs
+                .on(case, &overrides)
+                .err()
+                .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
+            let sentence = sentence(&at_end.unwrap_or(error));
             match place {
                 Some(place) => {
                     return Err(source.refuse(&format!("parameter[{index}].{place}"), &sentence));

@@ -1,24 +1,23 @@
 //! Plans: what varies, how, and what is wanted.
 
 mod bounds;
+mod correlation;
+mod design;
 pub mod file;
 mod spread;
 
 pub(crate) use bounds::sentence;
 
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use riffel_case::{Case, CaseError, CaseKey, Source, assignments};
 
 use crate::correlation::GaussianCopula;
-use crate::design::{Design, Grid, LatinHypercube, Random, Saltelli, Sobol};
+use crate::design::Design;
 use crate::outputs::Outputs;
 use crate::parameter::Parameter;
 use file::{Method, PlanFile};
 
-/// Most samples of a study.
-const MOST_SAMPLES: u64 = 100_000_000;
 /// Most bytes of the results of a study: a terabyte.
 const MOST_BYTES: u64 = 1_000_000_000_000;
 /// Most samples of a chunk.
@@ -178,178 +177,6 @@ impl Plan {
         Ok(parameters)
     }
 
-    fn design(
-        source: &Source,
-        file: &PlanFile,
-        parameters: &[Parameter],
-    ) -> Result<Design, CaseError> {
-        let method = file.design.method;
-        let count = parameters.len();
-        if method == Method::Grid {
-            if file.design.samples.is_some() {
-                return Err(source.invalid(
-                    "design.samples",
-                    "is given, but a grid has as many samples as its parameters have combinations",
-                    "leave it out",
-                ));
-            }
-            return Self::grid(source, file, parameters);
-        }
-        let Some(samples) = file.design.samples else {
-            let help = format!("design.method = \"{}\" needs it", method.name());
-            return Err(source.missing("design.samples", &help));
-        };
-        if samples == 0 {
-            return Err(source.invalid("design.samples", "is 0, but must be at least 1", ""));
-        }
-        let rows = match method {
-            Method::Saltelli => count as u64 + 2,
-            _ => 1,
-        };
-        let total = samples.saturating_mul(rows);
-        if total > MOST_SAMPLES {
-            let what = match method {
-                Method::Saltelli => format!("{samples} times {rows} samples are"),
-                _ => format!("is {samples}: they are"),
-            };
-            return Err(source.invalid(
-                "design.samples",
-                &format!("{what} more than the {MOST_SAMPLES} of the largest study"),
-                "the error of a mean falls with the root of their number: take fewer",
-            ));
-        }
-        let most = match method {
-            Method::Sobol => Sobol::MOST_DIMENSIONS,
-            Method::Saltelli => Saltelli::MOST_PARAMETERS,
-            _ => usize::MAX,
-        };
-        if count > most {
-            let rule = format!(
-                "is \"{}\", which reaches {most} parameters, but there are {count}",
-                method.name()
-            );
-            return Err(source.invalid("design.method", &rule, "choose latin-hypercube or random"));
-        }
-        let seed = file.design.seed;
-        Ok(match method {
-            Method::Grid | Method::Random => Design::Random(Random::new(samples, count, seed)),
-            Method::LatinHypercube => {
-                Design::LatinHypercube(LatinHypercube::new(samples, count, seed))
-            }
-            Method::Sobol => Design::Sobol(Sobol::new(samples, count, seed)),
-            Method::Saltelli => Design::Saltelli(Saltelli::new(samples, count, seed)),
-        })
-    }
-
-    fn grid(
-        source: &Source,
-        file: &PlanFile,
-        parameters: &[Parameter],
-    ) -> Result<Design, CaseError> {
-        let mut levels = Vec::new();
-        for (index, parameter) in parameters.iter().enumerate() {
-            let Some(count) = parameter.levels() else {
-                return Err(source.invalid(
-                    &format!("parameter[{index}]"),
-                    &format!("`{}` has a distribution, but a grid takes values or a range", parameter.key.key),
-                    "write values or range, or choose design.method = \"sobol\" or \"latin-hypercube\"",
-                ));
-            };
-            levels.push(count as u64);
-        }
-        let total = levels
-            .iter()
-            .map(|&count| u128::from(count))
-            .product::<u128>();
-        if total > u128::from(MOST_SAMPLES) {
-            let mut factors = String::new();
-            for (index, (written, count)) in file.parameter.iter().zip(&levels).enumerate() {
-                let sign = if index == 0 { "" } else { " × " };
-                // Writing to a string does not fail.
-                let _ = write!(factors, "{sign}{count} of {}", written.key);
-            }
-            return Err(source.invalid(
-                "parameter",
-                &format!(
-                    "{factors} make a grid of {} samples, more than the {MOST_SAMPLES} of the largest study",
-                    in_figures(total)
-                ),
-                "take fewer values, or draw samples instead: design.method = \"sobol\" with some thousand of them",
-            ));
-        }
-        Ok(Design::Grid(Grid::new(levels)))
-    }
-
-    fn copula(
-        source: &Source,
-        file: &PlanFile,
-        parameters: &[Parameter],
-    ) -> Result<Option<GaussianCopula>, CaseError> {
-        if file.correlation.is_empty() {
-            return Ok(None);
-        }
-        let method = file.design.method;
-        if matches!(method, Method::Grid | Method::Saltelli) {
-            let why = match method {
-                Method::Grid => "a grid takes every combination of its values",
-                _ => "Sobol indices are those of independent parameters",
-            };
-            return Err(source.invalid(
-                "correlation[0]",
-                &format!(
-                    "and design.method = \"{}\" exclude each other: {why}",
-                    method.name()
-                ),
-                "choose sobol, latin-hypercube or random, or leave the correlation out",
-            ));
-        }
-        let mut pairs: Vec<([usize; 2], f64)> = Vec::new();
-        for (index, written) in file.correlation.iter().enumerate() {
-            let place = format!("correlation[{index}]");
-            let mut pair = [0; 2];
-            for (slot, key) in pair.iter_mut().zip(&written.between) {
-                let between = format!("{place}.between");
-                *slot = parameters
-                    .iter()
-                    .position(|parameter| parameter.key.key == *key)
-                    .ok_or_else(|| {
-                        let rule = format!("names \"{key}\", which is not the key of a parameter");
-                        source.invalid(&between, &rule, "")
-                    })?;
-                if parameters[*slot].levels().is_some() {
-                    let rule = format!(
-                        "names \"{key}\", but only parameters with a distribution vary together"
-                    );
-                    return Err(source.invalid(&between, &rule, ""));
-                }
-            }
-            if pair[0] == pair[1] {
-                let rule = "names the same key twice";
-                return Err(source.invalid(&format!("{place}.between"), rule, ""));
-            }
-            let known =
-                |(other, _): &([usize; 2], f64)| *other == pair || *other == [pair[1], pair[0]];
-            if pairs.iter().any(known) {
-                let rule = "names a pair a second time";
-                return Err(source.invalid(&format!("{place}.between"), rule, ""));
-            }
-            let coefficient = written.coefficient;
-            if !(coefficient > -1.0 && coefficient < 1.0) {
-                let rule = format!("is {coefficient}, but must be between -1 and 1, both excluded");
-                return Err(source.invalid(&format!("{place}.coefficient"), &rule, ""));
-            }
-            pairs.push((pair, coefficient));
-        }
-        let copula = GaussianCopula::new(parameters.len(), &pairs).ok_or_else(|| {
-            source.invalid(
-                "correlation",
-                "no parameters can be correlated like this: the matrix of the coefficients is not positive definite",
-                "pairs left out are not correlated; lower the coefficients, or give those of the other pairs",
-            )
-        })?;
-        Ok(Some(copula))
-    }
-
     fn own_remarks(&self) -> Vec<String> {
         let design = &self.file.design;
         let samples = design.samples.unwrap_or(1);
@@ -426,17 +253,4 @@ fn in_words(bytes: u64) -> String {
         }
     }
     format!("{bytes} bytes")
-}
-
-/// A large number in groups of three figures.
-fn in_figures(number: u128) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index) % 3 == 0 {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
 }

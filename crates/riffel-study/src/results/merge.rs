@@ -93,13 +93,13 @@ impl ResultFolder {
             let Some((index, record)) = source else {
                 continue;
             };
-            for (name, &checksum) in &record.files {
+            for (name, checksum) in &record.files {
                 let path = folders[index].1.path.join(ARRAYS).join(name);
                 let bytes = fs::read(&path).map_err(|reason| StudyError::Read {
                     path: path.clone(),
                     reason,
                 })?;
-                if crc32c::crc32c(&bytes) != checksum {
+                if super::checksum(&bytes) != *checksum {
                     return Err(StudyError::Damaged { path, chunk });
                 }
                 atomic::write(&target.path.join(ARRAYS).join(name), &bytes)?;

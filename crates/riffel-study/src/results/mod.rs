@@ -29,6 +29,7 @@ use crate::study::{Chunk, Study};
 use crate::{ParameterValue, StudyError};
 use arrays::{Arrays, Values};
 use record::{ChunkRecord, StudyRecord};
+use sha2::{Digest, Sha256};
 
 /// The folder of the arrays.
 pub(crate) const ARRAYS: &str = "results.zarr";
@@ -179,7 +180,7 @@ impl ResultFolder {
         let mut record = ChunkRecord::new(chunk);
         for (name, bytes) in self.arrays.encode(chunk)? {
             atomic::write(&self.path.join(ARRAYS).join(&name), &bytes)?;
-            record.files.insert(name, crc32c::crc32c(&bytes));
+            record.files.insert(name, checksum(&bytes));
         }
         atomic::write(&self.record_path(chunk.index), &record::json(&record))
     }
@@ -203,7 +204,7 @@ impl ResultFolder {
         for name in self.arrays.files_of(chunk) {
             let path = self.path.join(ARRAYS).join(&name);
             let believed = fs::read(&path)
-                .is_ok_and(|bytes| record.files.get(&name) == Some(&crc32c::crc32c(&bytes)));
+                .is_ok_and(|bytes| record.files.get(&name) == Some(&checksum(&bytes)));
             if !believed {
                 return Ok((ChunkState::Damaged(path), None));
             }
@@ -309,7 +310,7 @@ impl ResultFolder {
             };
             let bytes = fs::read(&path).map_err(|_| damaged())?;
             let record = ChunkRecord::read(&self.record_path(chunk))?;
-            if record.files.get(&file) != Some(&crc32c::crc32c(&bytes)) {
+            if record.files.get(&file) != Some(&checksum(&bytes)) {
                 return Err(damaged());
             }
             let values = self.arrays.decode(name, chunk, bytes, record.samples)?;
@@ -321,4 +322,11 @@ impl ResultFolder {
         }
         Ok(all.unwrap_or(Values::Numbers(Vec::new())))
     }
+}
+
+/// SHA-256 of a file. Not a CRC: the files of the arrays end with their own, and the CRC of any such file is the
+/// same number.
+fn checksum(bytes: &[u8]) -> String {
+    let digest = Sha256::digest(bytes);
+    digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -34,8 +34,8 @@ pub(super) struct ChunkRecord {
     pub(super) chunk: u64,
     pub(super) samples: u64,
     failures: BTreeMap<String, Reason>,
-    /// CRC-32C of each file below `results.zarr`.
-    pub(super) files: BTreeMap<String, u32>,
+    /// SHA-256 of each file below `results.zarr`.
+    pub(super) files: BTreeMap<String, String>,
 }
 
 /// How often samples failed for one reason, with one of the sentences.

@@ -19,6 +19,21 @@ fn title(study: &Study) -> &str {
     study.plan.file.title.as_deref().unwrap_or("Study")
 }
 
+/// What an output is, in a few words.
+fn words(analysis: &Analysis<'_>) -> String {
+    let band = analysis
+        .name
+        .strip_prefix(&analysis.variable.name)
+        .unwrap_or_default();
+    let description = analysis
+        .variable
+        .description
+        .split(',')
+        .next()
+        .unwrap_or_default();
+    format!("{description}{band}")
+}
+
 fn unit(analysis: &Analysis<'_>) -> &'static str {
     match analysis.variable.unit {
         "1" => "-",
@@ -58,7 +73,7 @@ pub(super) fn indices(study: &Study, analyses: &[Analysis<'_>]) -> BarFigure {
                 .collect(),
         };
         BarPanel {
-            subtitle: analysis.name.clone(),
+            subtitle: words(analysis),
             x_label: "share of the variance [-]".to_owned(),
             rows: rows.clone(),
             series: vec![
@@ -121,8 +136,12 @@ pub(super) fn tornado(
                     .collect(),
             };
             BarPanel {
-                subtitle: analysis.name.clone(),
-                x_label: format!("{} [{}]", analysis.name, unit(analysis)),
+                subtitle: words(analysis),
+                x_label: format!(
+                    "{} [{}]",
+                    analysis.variable.name.replace('_', " "),
+                    unit(analysis)
+                ),
                 base: middle[analysis.place],
                 rows: order
                     .iter()

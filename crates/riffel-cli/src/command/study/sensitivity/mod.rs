@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<ExitCode> {
     let (study, folder) = ResultFolder::open(&arguments.folder)?;
     let is_saltelli = study.plan.file.design.method == Method::Saltelli;
     let mut notes = Vec::new();
-    let mut analyses = chosen(&study, &arguments.outputs)?;
+    let mut analyses = chosen(&study, &arguments.results)?;
     if is_saltelli {
         let intervals = Intervals {
             confidence,
@@ -89,7 +89,7 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<ExitCode> {
         );
     }
     let document = Document::new(&study, &analyses, &tornado, bands.as_ref(), &notes);
-    let to = match &arguments.to {
+    let to = match &arguments.output {
         None if arguments.json => None,
         None => Some(arguments.folder.as_path()),
         Some(to) => Some(to.as_path()),
@@ -126,7 +126,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
     {
         let known: Vec<&str> = known().collect();
         return Err(StudyError::Analysis {
-            message: format!("--output {unknown}: the study has {}", known.join(", ")),
+            message: format!("--result {unknown}: the study has {}", known.join(", ")),
         });
     }
     let mut analyses = Vec::new();
@@ -141,7 +141,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
         if wanted && (variable.complex || length > outputs.bands().len().max(1)) {
             return Err(StudyError::Analysis {
                 message: format!(
-                    "--output {}: only real numbers and bands are looked at; open the arrays in Python for more",
+                    "--result {}: only real numbers and bands are looked at; open the arrays in Python for more",
                     variable.name
                 ),
             });
@@ -169,7 +169,7 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
     }
     if analyses.is_empty() {
         return Err(StudyError::Analysis {
-            message: "the study has no output that is one real number for each sample; name one by --output".to_owned(),
+            message: "the study has no output that is one real number for each sample; name one by --result".to_owned(),
         });
     }
     Ok(analyses)

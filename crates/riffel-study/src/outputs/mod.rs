@@ -1,10 +1,15 @@
 //! What is computed for each sample.
 
-use riffel::roughness::{ThirdOctave, WavelengthBand};
-use riffel::{Complex64, LoopState, Ridge, RidgePoint, RowEvaluator};
+mod band;
+mod point_quantity;
+
+use riffel::{Complex64, Ridge, RidgePoint, RowEvaluator};
 use riffel_case::{Case, CaseError, Source};
 
-use crate::file::{BandSet, MapQuantity, OutputsFile, PointQuantity};
+use crate::file::{MapQuantity, OutputsFile};
+
+pub use band::Band;
+use band::bands;
 
 /// An array of results: one value, or a table of values, for each sample.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,16 +46,6 @@ impl Dimension {
             Self::Band => "band",
         }
     }
-}
-
-/// A band and the wavelengths of the map that lie in it, by number.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Band {
-    /// Shortest wavelength \[m\].
-    pub from: f64,
-    /// Longest wavelength \[m\].
-    pub to: f64,
-    lines: std::ops::Range<usize>,
 }
 
 /// What is computed for each sample of a study.
@@ -432,223 +427,5 @@ impl Outputs {
             }
         }
         Ok(())
-    }
-}
-
-/// The bands that a plan asks for.
-fn bands(source: &Source, file: &OutputsFile, case: &Case) -> Result<Vec<Band>, CaseError> {
-    let wavelengths = case.wavelength.values();
-    let band = |from: f64, to: f64, open: bool| {
-        let first = wavelengths.partition_point(|&wavelength| wavelength < from);
-        let last = wavelengths.partition_point(|&wavelength| match open {
-            true => wavelength < to,
-            false => wavelength <= to,
-        });
-        Band {
-            from,
-            to,
-            lines: first..last,
-        }
-    };
-    let (first, last) = (case.wavelength.min(), case.wavelength.max());
-    let bands: Vec<Band> = match file.growth_by_band {
-        None => {
-            let mut bands = Vec::new();
-            for (index, written) in file.band.iter().enumerate() {
-                let (from, to) = (written.from.si(), written.to.si());
-                let key = format!("outputs.band[{index}]");
-                WavelengthBand::new(from, to)
-                    .map_err(|error| source.invalid(&key, &error.to_string(), ""))?;
-                let band = band(from, to, false);
-                if band.lines.is_empty() {
-                    let rule = format!(
-                        "holds no wavelength of the map, which has {} from {first} m to {last} m",
-                        wavelengths.len()
-                    );
-                    return Err(source.invalid(
-                        &key,
-                        &rule,
-                        "widen map.wavelength, by [set] or in the case",
-                    ));
-                }
-                bands.push(band);
-            }
-            bands
-        }
-        Some(_) if !file.band.is_empty() => {
-            return Err(source.invalid(
-                "outputs.band",
-                "and `outputs.growth_by_band` exclude each other",
-                "give one of the two",
-            ));
-        }
-        Some(BandSet::Grinding) => WavelengthBand::GRINDING
-            .iter()
-            .map(|grinding| band(grinding.from(), grinding.to(), true))
-            .collect(),
-        Some(BandSet::OneThirdOctaves) => {
-            // An axis has wavelengths above zero.
-            let ends = ThirdOctave::containing(first)
-                .and_then(|low| Ok((low, ThirdOctave::containing(last)?)));
-            let ends = ends.map_err(|error| {
-                source.invalid("outputs.growth_by_band", &error.to_string(), "")
-            })?;
-            ThirdOctave::between(ends.0, ends.1)
-                .map(|octave| {
-                    let (from, to) = octave.wavelength_range();
-                    band(from, to, true)
-                })
-                .collect()
-        }
-    };
-    Ok(bands
-        .into_iter()
-        .filter(|band| !band.lines.is_empty())
-        .collect())
-}
-
-/// How a quantity is called.
-struct Words {
-    name: &'static str,
-    unit: &'static str,
-    complex: bool,
-    description: &'static str,
-}
-
-impl PointQuantity {
-    fn words(self) -> Words {
-        let (name, unit, complex, description) = match self {
-            Self::SemiAxisLongitudinalM => (
-                "semi_axis_longitudinal_m",
-                "m",
-                false,
-                "semi-axis of the contact along the rail",
-            ),
-            Self::SemiAxisLateralM => (
-                "semi_axis_lateral_m",
-                "m",
-                false,
-                "semi-axis of the contact across the rail",
-            ),
-            Self::Creepage => ("creepage", "1", false, "mean creepage"),
-            Self::TractiveRatio => (
-                "tractive_ratio",
-                "1",
-                false,
-                "mean tractive ratio Q0/(mu P0)",
-            ),
-            Self::ContactStiffnessNPerM => (
-                "contact_stiffness_n_per_m",
-                "N/m",
-                false,
-                "linearised contact stiffness",
-            ),
-            Self::RailReceptanceMPerN => (
-                "rail_receptance_m_per_n",
-                "m/N",
-                true,
-                "receptance of the rail",
-            ),
-            Self::WheelReceptanceMPerN => (
-                "wheel_receptance_m_per_n",
-                "m/N",
-                true,
-                "receptance of the wheel",
-            ),
-            Self::NormalForceN => ("normal_force_n", "N", true, "normal force P1"),
-            Self::DqDp => ("dq_dp", "1", true, "dQ/dP of the contact"),
-            Self::DqDomegaNSPerRad => (
-                "dq_domega_n_s_per_rad",
-                "N s/rad",
-                true,
-                "dQ/dOmega of the contact",
-            ),
-            Self::DwDpMPerS => ("dw_dp_m_per_s", "m/s", true, "dW/dP of the contact"),
-            Self::DwDomegaWSPerRad => (
-                "dw_domega_w_s_per_rad",
-                "W s/rad",
-                true,
-                "dW/dOmega of the contact",
-            ),
-            Self::TangentialForceN => ("tangential_force_n", "N", true, "tangential force Q1"),
-            Self::AngularVelocityRadPerS => (
-                "angular_velocity_rad_per_s",
-                "rad/s",
-                true,
-                "angular velocity Omega1",
-            ),
-            Self::DissipationW => (
-                "dissipation_w",
-                "W",
-                true,
-                "dissipated power W1 at the wheel",
-            ),
-            Self::DissipationPhaseRad => (
-                "dissipation_phase_rad",
-                "rad",
-                false,
-                "lag of the dissipation at a point of the rail",
-            ),
-            Self::DissipationLagW => (
-                "dissipation_lag_w",
-                "W",
-                true,
-                "dissipated power at a point of the rail",
-            ),
-            Self::NormalizedDissipation => (
-                "normalized_dissipation",
-                "1",
-                true,
-                "W1/(mu P0 V xi0), growth where its real part is negative",
-            ),
-            Self::NormalizedByMean => (
-                "normalized_by_mean",
-                "1",
-                true,
-                "W1/W0 at a point of the rail",
-            ),
-            Self::MeanDissipationW => {
-                ("mean_dissipation_w", "W", false, "mean dissipated power W0")
-            }
-            Self::GrowthRatePerPassage => (
-                "growth_rate_per_passage",
-                "1",
-                false,
-                "growth rate per passage",
-            ),
-        };
-        Words {
-            name,
-            unit,
-            complex,
-            description,
-        }
-    }
-
-    fn value(self, case: &Case, state: &LoopState) -> Complex64 {
-        let real = |value: f64| Complex64::new(value, 0.0);
-        match self {
-            Self::SemiAxisLongitudinalM => real(case.hertz.semi_axis_longitudinal()),
-            Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
-            Self::Creepage => real(case.steady.creepage),
-            Self::TractiveRatio => real(case.steady.tractive_ratio()),
-            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness),
-            Self::RailReceptanceMPerN => state.track_receptance,
-            Self::WheelReceptanceMPerN => state.wheel_receptance,
-            Self::NormalForceN => state.normal_force,
-            Self::DqDp => state.dq_dp,
-            Self::DqDomegaNSPerRad => state.dq_domega,
-            Self::DwDpMPerS => state.dw_dp,
-            Self::DwDomegaWSPerRad => state.dw_domega,
-            Self::TangentialForceN => state.tangential_force,
-            Self::AngularVelocityRadPerS => state.angular_velocity,
-            Self::DissipationW => state.dissipation,
-            Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
-            Self::DissipationLagW => state.dissipation_at_rail,
-            Self::NormalizedDissipation => state.normalized_dissipation,
-            Self::NormalizedByMean => state.dissipation_at_rail / state.mean_dissipation,
-            Self::MeanDissipationW => real(state.mean_dissipation),
-            Self::GrowthRatePerPassage => real(state.growth_rate),
-        }
     }
 }
