@@ -7,6 +7,7 @@ import resource
 import signal
 import subprocess
 from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -76,12 +77,19 @@ def same(one: xr.Dataset, other: xr.Dataset) -> None:
         assert one[name].values.tobytes() == other[name].values.tobytes(), name
 
 
-@pytest.fixture(scope="module")
-def client() -> Iterator[Client]:
+@contextmanager
+def workers(count: int) -> Iterator[Client]:
+    """A cluster of processes of one thread each."""
     with (
-        LocalCluster(n_workers=3, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL") as cluster,
+        LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=":0", silence_logs="CRITICAL") as cluster,
         Client(cluster) as client,
     ):
+        yield client
+
+
+@pytest.fixture(scope="module")
+def client() -> Iterator[Client]:
+    with workers(3) as client:
         yield client
 
 
@@ -114,10 +122,7 @@ def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: 
 
 def test_a_killed_worker_costs_nothing(tmp_path: Path) -> None:
     study = riffel.Study.from_toml(written(tmp_path, samples=2560))
-    with (
-        LocalCluster(n_workers=3, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL") as cluster,
-        Client(cluster) as client,
-    ):
+    with workers(3) as client:
         pids = list(client.run(os.getpid).values())
 
         def kill(done: int, _: int) -> None:
@@ -132,10 +137,7 @@ def test_a_killed_worker_costs_nothing(tmp_path: Path) -> None:
 
 def test_a_worker_that_never_answers_is_given_up(tmp_path: Path) -> None:
     study = riffel.Study.from_toml(written(tmp_path, samples=1280))
-    with (
-        LocalCluster(n_workers=3, threads_per_worker=1, dashboard_address=None, silence_logs="CRITICAL") as cluster,
-        Client(cluster) as client,
-    ):
+    with workers(3) as client:
         pid = client.run(os.getpid).popitem()[1]
         stopped: list[int] = []
 
@@ -284,9 +286,13 @@ def test_wrong_plans_and_folders(plan: Path, tmp_path: Path) -> None:
         riffel.Study.open(tmp_path)
     with pytest.raises(FileNotFoundError, match="holds no study"):
         riffel.open_results(tmp_path)
+    # A file of the same name, but not of this study.
+    mine = tmp_path / "mine"
+    mine.mkdir()
+    (mine / "case.toml").write_text("mine")
     with pytest.raises(ValueError, match="is not empty and holds no study"):
-        study.run(tmp_path)
-    assert [path.name for path in tmp_path.iterdir()] == ["plan.toml"]
+        study.run(mine)
+    assert [(path.name, path.read_text()) for path in mine.iterdir()] == [("case.toml", "mine")]
     with pytest.raises(ValueError, match='shard is "9/8"'):
         study.run(tmp_path / "study", shard="9/8")
     with pytest.raises(ValueError, match=r"design\.samples"):
@@ -302,7 +308,7 @@ def test_wrong_plans_and_folders(plan: Path, tmp_path: Path) -> None:
 
 
 def test_a_cluster_without_workers(plan: Path, tmp_path: Path) -> None:
-    with LocalCluster(n_workers=0, dashboard_address=None, silence_logs="CRITICAL") as cluster, Client(cluster) as client:
+    with workers(0) as client:
         with pytest.raises(RuntimeError, match="no workers"):
             riffel.Study.from_toml(plan).run(tmp_path / "study", client)
     assert not (tmp_path / "study").exists()

@@ -74,7 +74,7 @@ impl ResultFolder {
             there.check(&folder.study, path)?;
             return Ok(folder);
         }
-        folder.check_empty()?;
+        folder.check_free(study)?;
         folder.write_study(study)?;
         Ok(folder)
     }
@@ -117,8 +117,8 @@ impl ResultFolder {
         self.path.join(ARRAYS)
     }
 
-    /// `Ok` if nothing but an interrupted beginning is there.
-    fn check_empty(&self) -> Result<(), StudyError> {
+    /// `Ok` if nothing but an interrupted beginning of this study is there: a file of another's stays.
+    fn check_free(&self, study: &Study) -> Result<(), StudyError> {
         if !self.path.exists() {
             return Ok(());
         }
@@ -126,16 +126,27 @@ impl ResultFolder {
             path: self.path.clone(),
             reason,
         };
+        let files = [
+            (PLAN, study.plan.text.as_bytes()),
+            (CASE, study.case_text.as_bytes()),
+        ];
+        let data = study.data.iter().map(|(name, bytes)| (&**name, &**bytes));
+        let files: Vec<(&str, &[u8])> = files.into_iter().chain(data).collect();
+        let first = |name: &str| name.split('/').next().unwrap_or_default().to_owned();
         for entry in fs::read_dir(&self.path).map_err(read)? {
             let name = entry.map_err(read)?.file_name();
             let name = name.to_string_lossy();
-            let own = [PLAN, CASE, ARRAYS, FINISHED].contains(&&*name);
-            let data = self
-                .study
-                .data
+            let folder = [ARRAYS, FINISHED].contains(&&*name) || name.starts_with(atomic::PREFIX);
+            let mut own = files
                 .iter()
-                .any(|file| file.split('/').next() == Some(&*name));
-            if !own && !data && !name.starts_with(atomic::PREFIX) {
+                .filter(|(file, _)| first(file) == name)
+                .peekable();
+            let same = own.peek().is_some()
+                && own.all(|(file, bytes)| {
+                    let path = self.path.join(file);
+                    !path.exists() || fs::read(path).is_ok_and(|there| there == *bytes)
+                });
+            if !folder && !same {
                 return Err(StudyError::NotAStudy {
                     folder: self.path.clone(),
                 });
