@@ -41,8 +41,8 @@ pub(crate) fn report(text: &mut String, folder: &Path) -> Result<(), Failure> {
     }
     writeln!(
         text,
-        "\n`GrowthMap::compute` beside `riffel.Case.growth_map`, from arrays of wavelength and speed to an \
-         `xarray.Dataset`, in turn; the last column is the median of the ratios of each turn."
+        "\n`GrowthMap::compute` beside `riffel.Case.growth_map()` over the window of its case, from the call \
+         to the `xarray.Dataset`, in turn; the last column is the median of the ratios of each turn."
     )?;
     Ok(())
 }

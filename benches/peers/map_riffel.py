@@ -8,17 +8,18 @@ import pathlib
 import sys
 import time
 
-import numpy as np
-
 import riffel
 
-case = riffel.Case.from_toml(pathlib.Path(__file__).parents[2] / "cases" / "nominal.toml")
+nominal = riffel.Case.from_toml(pathlib.Path(__file__).parents[2] / "cases" / "nominal.toml")
+cases = {}
 
 for line in sys.stdin:
     points = int(line.split()[-1])
-    wavelength, speed = np.linspace(0.020, 0.080, points), np.linspace(5.0, 60.0, points)
+    if points not in cases:
+        wavelength = {"min": "20 mm", "max": "80 mm", "points": points}
+        cases[points] = nominal.with_({"map.wavelength": wavelength, "map.speed": {"min": 5, "max": 60, "points": points}})
     begun = time.perf_counter()
-    growth = case.growth_map(wavelength=wavelength, speed=speed)
+    growth = cases[points].growth_map()
     seconds = time.perf_counter() - begun
     print(seconds, float(growth["normalized_dissipation"].values.real.sum()), flush=True)
     del growth

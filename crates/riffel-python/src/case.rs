@@ -227,14 +227,26 @@ impl Case {
     ) -> PyResult<Vec<(&'static str, &'static str, &'static str, Bound<'py, PyAny>)>> {
         let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
         let case = self.over(py, &wavelengths, &speeds)?;
-        let points: Vec<Point> = interruptible(py, move || {
-            let pairs = wavelengths.par_iter().zip(&speeds);
-            pairs
-                .map(|(&wavelength, &speed)| {
-                    Point::new(&case, &case.feedback.at(wavelength, speed))
-                })
-                .collect()
-        })?;
+        /// From here on the wait may be worth interrupting.
+        const MANY: usize = 1000;
+        let at = move |wavelength: f64, speed: f64| {
+            Point::new(&case, &case.feedback.at(wavelength, speed))
+        };
+        let points: Vec<Point> = if wavelengths.len() < MANY {
+            let pairs = wavelengths.iter().zip(&speeds);
+            py.detach(|| {
+                pairs
+                    .map(|(&wavelength, &speed)| at(wavelength, speed))
+                    .collect()
+            })
+        } else {
+            interruptible(py, move || {
+                let pairs = wavelengths.par_iter().zip(&speeds);
+                pairs
+                    .map(|(&wavelength, &speed)| at(wavelength, speed))
+                    .collect()
+            })?
+        };
         let points = self.heard(points)?;
         let columns = points[0].quantities.iter().enumerate();
         Ok(columns
@@ -273,8 +285,12 @@ impl Case {
         let case = self.over(py, &wavelengths, &speeds)?;
         let rate = case.feedback.growth_rate_per_dissipation();
         let shape = [speeds.len(), wavelengths.len().div_ceil(TILE) * TILE];
+        // Taken here, where memory that an earlier map gave back is at hand: a short-lived thread gets fresh pages,
+        // whose first touch costs as much as the map.
+        let mut tiles = Vec::with_capacity(shape[0] * shape[1] / TILE);
         let tiles = interruptible(py, move || {
-            GrowthMap::tiles(&case.feedback, &wavelengths, &speeds, |_| ())
+            GrowthMap::compute_tiles(&case.feedback, &wavelengths, &speeds, &mut tiles, |_| ());
+            tiles
         })?;
         let values = self.heard(tiles)?.into_flattened();
         Ok((values.into_pyarray(py).reshape(shape)?, rate))

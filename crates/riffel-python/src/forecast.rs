@@ -146,7 +146,6 @@ pub(crate) enum GivenVariant<'py> {
 
 /// The case and its variants side by side.
 #[pyfunction]
-#[allow(clippy::type_complexity)]
 pub(crate) fn compare<'py>(
     py: Python<'py>,
     case: &Case,

@@ -272,7 +272,6 @@ fn rms_limit(name: &str) -> PyResult<RmsLimit> {
 
 /// Every limit table that comes with Riffel: name, title, edition, source, and its levels if it has any.
 #[pyfunction]
-#[allow(clippy::type_complexity)]
 pub(crate) fn limits(
     py: Python<'_>,
 ) -> Vec<(
@@ -405,7 +404,6 @@ pub(crate) fn dominant_of_spectra(
 
 /// A file: its spacing and rails where it holds profiles, else its labelled spectra; and warnings.
 #[pyfunction]
-#[allow(clippy::type_complexity)]
 pub(crate) fn read_roughness<'py>(
     py: Python<'py>,
     path: PathBuf,

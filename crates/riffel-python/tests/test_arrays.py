@@ -74,6 +74,14 @@ def test_growth_rates_are_read_lazily_and_right(nominal: riffel.Case) -> None:
     assert rate.attrs == {"units": "1", "long_name": "growth rate of the amplitude per passage of a wheel"}
 
 
+def test_maps_of_one_case_are_apart(nominal: riffel.Case) -> None:
+    first, second = nominal.growth_map(), nominal.growth_map()
+    first["growth_rate"].attrs["note"] = first.attrs["note"] = first["speed"].attrs["note"] = "mine"
+    first["normalized_dissipation"][0, 0] = 0.0
+    assert second.identical(nominal.growth_map())
+    assert second.identical(riffel.Case.from_toml("cases/nominal.toml").growth_map())
+
+
 def test_a_ridge_needs_equal_steps(nominal: riffel.Case) -> None:
     with pytest.raises(ValueError, match="wavelength must rise in equal steps"):
         nominal.ridge(wavelength=[0.02, 0.03, 0.05])

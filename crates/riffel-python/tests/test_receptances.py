@@ -43,6 +43,15 @@ def test_a_callable_is_the_track_that_it_computes(nominal: riffel.Case) -> None:
     assert np.allclose(again.forecast(levels, speed=30.0, passages=1e6)["level"], later["level"], rtol=1e-9)
 
 
+def test_a_callable_may_ask_another_case(nominal: riffel.Case) -> None:
+    """Its threads must not wait for each other, however few there are."""
+    given = nominal.with_track(lambda frequency: nominal.receptance(frequency)["rail_m_per_n"].values)
+    assert np.allclose(given.ridge()["wavelength"], nominal.ridge()["wavelength"], rtol=1e-6)
+    found = given.growth_map(wavelength=[0.03, 0.05], speed=[20.0, 30.0])
+    expected = nominal.growth_map(wavelength=[0.03, 0.05], speed=[20.0, 30.0])
+    assert np.allclose(found["growth_rate"], expected["growth_rate"], rtol=1e-12)
+
+
 def test_tables_are_interpolated_and_not_extrapolated(nominal: riffel.Case) -> None:
     frequency = np.geomspace(60.0, 3100.0, 20_000)
     table = nominal.with_track((frequency, free_beam(frequency)))

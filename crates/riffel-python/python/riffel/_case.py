@@ -27,10 +27,12 @@ class Case:
     Make one with `from_toml`, `from_dict` or `parse`.
     """
 
-    __slots__ = ("_case",)
+    __slots__ = ("_case", "_window_map")
 
     def __init__(self, case: _riffel.Case) -> None:
         self._case = case
+        # Coordinates over the window of the case: making them costs a tenth of a map of a million points.
+        self._window_map: xr.Dataset | None = None
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str], overrides: Overrides | None = None) -> Case:
@@ -235,7 +237,13 @@ class Case:
         wavelengths = self._window("wavelength", wavelength)
         speeds = self._window("speed", speed)
         values, rate = self._case.growth_map(wavelengths, speeds)
-        return _datasets.growth_map(values[:, : wavelengths.size], rate, wavelengths, speeds, self.title)
+        values = values[:, : wavelengths.size]
+        if wavelength is not None or speed is not None:
+            return _datasets.growth_map(values, rate, wavelengths, speeds, self.title)
+        if self._window_map is None:
+            nothing = np.broadcast_to(np.complex128(0.0), values.shape)
+            self._window_map = _datasets.growth_map(nothing, rate, wavelengths, speeds, self.title)
+        return self._window_map.copy(data=_datasets.growth_data(values, rate))
 
     def bay_maps(self) -> xr.Dataset:
         """Growth over a sleeper bay on discrete supports, over the window of the case.

@@ -49,16 +49,22 @@ def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[str, Any]) 
     return xr.Variable((name,), values, attributes)
 
 
+def growth_data(normalized: Complexes, factor: float) -> dict[str, Any]:
+    """What the variables of a map hold."""
+    lazy = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
+    return {"normalized_dissipation": normalized, "growth_rate": lazy}
+
+
 def growth_map(
     normalized: Complexes, factor: float, wavelength: Floats, speed: Floats, title: str | None
 ) -> xr.Dataset:
     """A map over speed and wavelength."""
     dimensions = ("speed", "wavelength")
-    lazy = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
+    meanings = {"normalized_dissipation": NORMALIZED, "growth_rate": GROWTH_RATE}
     return xr.Dataset(
         {
-            "normalized_dissipation": xr.Variable(dimensions, normalized, NORMALIZED),
-            "growth_rate": xr.Variable(dimensions, lazy, GROWTH_RATE),
+            name: xr.Variable(dimensions, values, meanings[name])
+            for name, values in growth_data(normalized, factor).items()
         },
         {"speed": coordinate("speed", speed, SPEED), "wavelength": coordinate("wavelength", wavelength, WAVELENGTH)},
         attributes(title),

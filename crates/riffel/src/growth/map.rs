@@ -28,27 +28,31 @@ impl GrowthMap {
         speed: Axis,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
+        let mut tiles = Vec::new();
+        let (wavelengths, speeds) = (wavelength.values(), speed.values());
+        Self::compute_tiles(feedback, &wavelengths, &speeds, &mut tiles, progress);
         Self {
             wavelength,
             speed,
-            tiles: Self::tiles(feedback, &wavelength.values(), &speed.values(), progress),
+            tiles,
             growth_rate_per_dissipation: feedback.growth_rate_per_dissipation(),
         }
     }
 
-    /// Ŵ₁ over any wavelengths \[m\] and speeds \[m/s\], not only equally spaced ones: for each speed as many
-    /// whole tiles as hold the wavelengths, of which the last is filled up with values that mean nothing.
+    /// Ŵ₁ over any wavelengths \[m\] and speeds \[m/s\], not only equally spaced ones, in place of what `tiles`
+    /// holds: for each speed as many whole tiles as hold the wavelengths, of which the last is filled up with values
+    /// that mean nothing.
     ///
     /// Method, `progress` and accuracy are those of [`compute`](Self::compute).
-    pub fn tiles(
+    pub fn compute_tiles(
         feedback: &FeedbackLoop,
         wavelengths: &[f64],
         speeds: &[f64],
+        tiles: &mut Vec<[Complex64; TILE]>,
         progress: impl Fn(usize) + Sync,
-    ) -> Vec<[Complex64; TILE]> {
+    ) {
         let evaluator = RowEvaluator::for_map(feedback, wavelengths, speeds);
         let tiles_a_row = wavelengths.len().div_ceil(TILE);
-        let mut tiles = Vec::new();
         (0..speeds.len() * tiles_a_row)
             .into_par_iter()
             .with_min_len(tiles_a_row)
@@ -60,8 +64,7 @@ impl GrowthMap {
                 }
                 values
             })
-            .collect_into_vec(&mut tiles);
-        tiles
+            .collect_into_vec(tiles);
     }
 
     /// The map with every value multiplied by a factor.
