@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use riffel_study::{ResultFolder, Stop, Study};
+use riffel_study::{ResultFolder, Shard, Stop, Study};
 
 use crate::contestant::{Contestant, Failure};
 use crate::median;
@@ -62,7 +62,12 @@ pub(crate) fn contest(samples: usize) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let study = Study::read(&place.join("study.toml"))?;
     let folder = ResultFolder::begin(&study, &results)?;
-    study.run(&folder, &folder.pending()?, &|| (), &Stop::default())?;
+    study.run(
+        &folder,
+        &folder.pending(Shard::ALL)?,
+        &|| (),
+        &Stop::default(),
+    )?;
     let seconds = begun.elapsed().as_secs_f64();
 
     let sum = folder.output("highest_growth_rate")?.iter().sum();

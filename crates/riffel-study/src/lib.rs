@@ -6,11 +6,11 @@
 //! work. [`sensitivity`] says which parameters matter.
 //!
 //! ```no_run
-//! use riffel_study::{ResultFolder, Study};
+//! use riffel_study::{ResultFolder, Shard, Study};
 //!
 //! let study = Study::read("study.toml".as_ref())?;
 //! let folder = ResultFolder::begin(&study, "results".as_ref())?;
-//! for chunk in folder.pending()? {
+//! for chunk in folder.pending(Shard::ALL)? {
 //!     folder.commit(&study.compute(chunk))?;
 //! }
 //! # Ok::<(), riffel_study::StudyError>(())

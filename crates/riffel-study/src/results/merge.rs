@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::record::ChunkRecord;
 use super::{ARRAYS, ChunkState, ResultFolder, atomic};
-use crate::{StudyError, Summary};
+use crate::{Shard, StudyError, Summary};
 
 /// What a merge did.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -114,7 +114,7 @@ impl ResultFolder {
         Ok(MergeReport {
             copied,
             there_already,
-            missing: self.pending()?,
+            missing: self.pending(Shard::ALL)?,
             summary: self.summary()?,
         })
     }

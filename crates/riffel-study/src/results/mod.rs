@@ -26,7 +26,7 @@ pub use merge::MergeReport;
 pub use record::{Reason, Summary};
 
 use crate::study::{Chunk, Study};
-use crate::{ParameterValue, StudyError};
+use crate::{ParameterValue, Shard, StudyError};
 use arrays::{Arrays, Values};
 use record::{ChunkRecord, StudyRecord};
 use sha2::{Digest, Sha256};
@@ -223,26 +223,27 @@ impl ResultFolder {
         Ok((ChunkState::Finished, Some(record)))
     }
 
-    /// The states of all chunks, in parallel.
+    /// The chunks of a shard with their states, in order. Cost: their files are read, in parallel.
     ///
     /// # Errors
     /// [`StudyError::Read`].
-    pub fn states(&self) -> Result<Vec<ChunkState>, StudyError> {
+    pub fn states(&self, shard: Shard) -> Result<Vec<(u64, ChunkState)>, StudyError> {
         (0..self.study.chunks)
             .into_par_iter()
-            .map(|chunk| self.state(chunk))
+            .filter(|&chunk| shard.contains(chunk))
+            .map(|chunk| Ok((chunk, self.state(chunk)?)))
             .collect()
     }
 
-    /// The chunks that are missing or damaged, in order.
+    /// The chunks of a shard that are missing or damaged, in order.
     ///
     /// # Errors
     /// [`StudyError::Read`].
-    pub fn pending(&self) -> Result<Vec<u64>, StudyError> {
-        let states = self.states()?.into_iter().zip(0..);
+    pub fn pending(&self, shard: Shard) -> Result<Vec<u64>, StudyError> {
+        let states = self.states(shard)?.into_iter();
         Ok(states
-            .filter(|(state, _)| *state != ChunkState::Finished)
-            .map(|(_, chunk)| chunk)
+            .filter(|(_, state)| *state != ChunkState::Finished)
+            .map(|(chunk, _)| chunk)
             .collect())
     }
 

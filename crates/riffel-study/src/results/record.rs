@@ -161,7 +161,8 @@ impl Summary {
                 .or_insert_with(|| reason.clone());
         }
         self.reasons = self.by_sentence.values().cloned().collect();
-        self.reasons.sort_by(|a, b| b.count.cmp(&a.count));
+        self.reasons
+            .sort_by_key(|reason| std::cmp::Reverse(reason.count));
     }
 }
 

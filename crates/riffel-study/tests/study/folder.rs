@@ -28,16 +28,16 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 
 fn run(study: &Study, path: &Path, shard: Shard) -> ResultFolder {
     let folder = ResultFolder::begin(study, path).unwrap();
-    let chunks: Vec<u64> = folder
-        .pending()
-        .unwrap()
-        .into_iter()
-        .filter(|&chunk| shard.contains(chunk))
-        .collect();
+    let chunks = folder.pending(shard).unwrap();
     study
         .run(&folder, &chunks, &|| (), &Stop::default())
         .unwrap();
     folder
+}
+
+fn states_of(folder: &ResultFolder) -> Vec<ChunkState> {
+    let states = folder.states(Shard::ALL).unwrap();
+    states.into_iter().map(|(_, state)| state).collect()
 }
 
 #[test]
@@ -46,12 +46,12 @@ fn threads_shards_and_chunks_change_nothing() {
     let study = study_of(PLAN);
     let whole = place.path().join("whole");
     let folder = run(&study, &whole, Shard::ALL);
-    assert!(folder.pending().unwrap().is_empty());
+    assert!(folder.pending(Shard::ALL).unwrap().is_empty());
 
     // One chunk after the other on one thread.
     let serial = place.path().join("serial");
     let one = ResultFolder::begin(&study, &serial).unwrap();
-    for chunk in one.pending().unwrap().into_iter().rev() {
+    for chunk in one.pending(Shard::ALL).unwrap().into_iter().rev() {
         one.commit(&study.compute(chunk)).unwrap();
     }
     assert!(files(&whole) == files(&serial));
@@ -136,14 +136,14 @@ fn only_missing_and_damaged_chunks_are_computed() {
     // And what a killed process leaves.
     fs::write(arrays.join("failure/c/.riffel-abc"), "half").unwrap();
 
-    let states = folder.states().unwrap();
+    let states = states_of(&folder);
     assert_eq!(states[0], ChunkState::Damaged(cut));
     assert_eq!(states[1], ChunkState::Damaged(wrong));
     assert!(matches!(states[2], ChunkState::Damaged(_)));
     assert!(matches!(states[3], ChunkState::Damaged(_)));
     assert_eq!(states[4], ChunkState::Missing);
     assert_eq!(states[5], ChunkState::Finished);
-    assert_eq!(folder.pending().unwrap(), [0, 1, 2, 3, 4]);
+    assert_eq!(folder.pending(Shard::ALL).unwrap(), [0, 1, 2, 3, 4]);
     assert!(matches!(
         folder.output("growth_rate"),
         Err(StudyError::Incomplete { missing: 1, .. })
@@ -246,14 +246,14 @@ fn a_place_that_takes_no_file_ends_the_study() {
     let folder = run(&study, place.path(), Shard::new(1, 2).unwrap());
     let blocked = folder.arrays_path().join("ridge_wavelength/c/1/0");
     fs::create_dir_all(&blocked).unwrap();
-    let pending = folder.pending().unwrap();
+    let pending = folder.pending(Shard::ALL).unwrap();
     let error = study
         .run(&folder, &pending, &|| (), &Stop::default())
         .unwrap_err();
     assert!(matches!(error, StudyError::Write { .. }), "{error}");
     fs::remove_dir_all(&blocked).unwrap();
     let folder = run(&study, place.path(), Shard::ALL);
-    assert!(folder.pending().unwrap().is_empty());
+    assert!(folder.pending(Shard::ALL).unwrap().is_empty());
 }
 
 #[test]
@@ -269,9 +269,14 @@ fn a_wish_to_stop_keeps_finished_chunks() {
         }
     };
     study
-        .run(&folder, &folder.pending().unwrap(), &progress, &stop)
+        .run(
+            &folder,
+            &folder.pending(Shard::ALL).unwrap(),
+            &progress,
+            &stop,
+        )
         .unwrap();
-    let left = folder.pending().unwrap().len();
+    let left = folder.pending(Shard::ALL).unwrap().len();
     assert!((1..6).contains(&left), "{left}");
     let summary = folder.summary().unwrap();
     assert_eq!(summary.chunks_finished as usize, 6 - left);

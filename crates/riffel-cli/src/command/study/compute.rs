@@ -41,30 +41,27 @@ pub(super) fn run(arguments: &Run) -> miette::Result<ExitCode> {
     let stop = stop_on_interrupt();
     eprintln!("{}", beginning(&study));
     let folder = ResultFolder::begin(&study, &path)?;
-    let states = folder.states()?;
-    let mut pending = Vec::new();
-    for (state, chunk) in states.iter().zip(0..) {
+    let states = folder.states(shard)?;
+    for (chunk, state) in &states {
         if let ChunkState::Damaged(file) = state {
-            eprintln!(
-                "note: {} is damaged; chunk {chunk} is computed anew",
-                file.display()
-            );
-        }
-        if *state != ChunkState::Finished && shard.contains(chunk) {
-            pending.push(chunk);
+            let file = file.display();
+            eprintln!("note: {file} is damaged; chunk {chunk} is computed anew");
         }
     }
-    let samples: u64 = pending
+    let pending: Vec<u64> = states
         .iter()
-        .map(|&chunk| study.samples_of(chunk).count() as u64)
-        .sum();
-    let kept = states
-        .iter()
-        .filter(|state| **state == ChunkState::Finished)
-        .count();
+        .filter(|(_, state)| *state != ChunkState::Finished)
+        .map(|(chunk, _)| *chunk)
+        .collect();
+    let kept = states.len() - pending.len();
     if kept > 0 {
         eprintln!("{kept} of {} chunks are finished and kept", states.len());
     }
+    let size = |chunk: &u64| {
+        let samples = study.samples_of(*chunk);
+        samples.end - samples.start
+    };
+    let samples: u64 = pending.iter().map(size).sum();
 
     let begun = Instant::now();
     let progress = SampleProgress::new(samples);

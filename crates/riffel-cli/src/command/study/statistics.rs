@@ -5,6 +5,9 @@ use serde::Serialize;
 
 use crate::output::table;
 
+/// Most samples that are read for the table: 80 MB for each output.
+const MOST_SAMPLES: u64 = 10_000_000;
+
 /// An output that is one number for each sample, over the samples that have it.
 #[derive(Serialize)]
 pub(super) struct Statistics {
@@ -19,6 +22,9 @@ pub(super) struct Statistics {
 
 impl Statistics {
     pub(super) fn of(study: &Study, folder: &ResultFolder) -> Result<Vec<Self>, StudyError> {
+        if study.samples() > MOST_SAMPLES {
+            return Ok(Vec::new());
+        }
         let outputs = study.outputs().variables().iter();
         let scalars =
             outputs.filter(|variable| variable.dimensions.is_empty() && !variable.complex);
