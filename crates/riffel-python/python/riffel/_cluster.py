@@ -15,9 +15,10 @@ from collections import Counter, deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from distributed import Client, Future, KilledWorker, get_worker, wait
-from distributed.comm import CommClosedError
+from distributed.comm.core import CommClosedError
 
 from riffel import _riffel
 
@@ -103,7 +104,7 @@ class _Run:
         self.progress, self.patience, self.attempts = progress, patience, attempts
         self.chunks = deque(chunks)
         self.again: deque[Task] = deque()
-        self.futures: dict[Future, Task] = {}
+        self.futures: dict[Future[Any], Task] = {}
         self.open = set(chunks)
         self.samples = self._samples(chunks)
         self.seconds: deque[float] = deque(maxlen=50)
@@ -253,7 +254,7 @@ class _Run:
             self.client.cancel([future], force=True)
             self.again.append(task)
 
-    def _forget(self, future: Future) -> Future:
+    def _forget(self, future: Future[Any]) -> Future[Any]:
         self.futures.pop(future)
         return future
 

@@ -171,8 +171,10 @@ class Study:
 
         Examples
         --------
+        >>> import tempfile
         >>> study = riffel.Study.from_toml("cases/study.toml")
-        >>> results = study.run(tmp_path / "study")
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     results = study.run(folder).load()
         >>> float(results["ridge_frequency"].median()) > 400.0
         True
         """
@@ -310,7 +312,8 @@ def open_results(folder: Folder) -> xr.Dataset:
     arrays = Path(folder) / "results.zarr"
     if not arrays.is_dir():
         raise FileNotFoundError(f"{folder} holds no study: there is no {arrays.name}")
-    return xr.open_zarr(arrays, consolidated=False, chunks=None)
+    opened: xr.Dataset = xr.open_zarr(arrays, consolidated=False, chunks=None)
+    return opened
 
 
 def merge_studies(into: Folder, folders: Sequence[Folder]) -> list[int]:

@@ -269,6 +269,12 @@ def comparison(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     return _finish(ax, "wavelength λ [mm]", "growth rate per passage [-]", dataset.attrs.get("title"))
 
 
+def _named(output: object, unit: object) -> str:
+    """An output in words, with its unit."""
+    name = str(output or "output").replace("_", " ")
+    return name if unit is None else f"{name} [{'-' if unit == '1' else unit}]"
+
+
 def sobol_indices(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     """First-order and total Sobol indices with their intervals, as `riffel.Study.sobol_indices` returns them."""
     ax = _axes(ax)
@@ -280,7 +286,7 @@ def sobol_indices(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
         ax.errorbar(value, places + shift, xerr=interval, fmt="none", ecolor="#222222", elinewidth=1.0, capsize=3.0)
     ax.set_yticks(places, dataset["parameter"].values)
     ax.invert_yaxis()
-    _finish(ax, f"Sobol indices of {dataset.attrs.get('output', 'the output')} [-]", "", dataset.attrs.get("title"))
+    _finish(ax, f"Sobol indices of {_named(dataset.attrs.get('output'), None)} [-]", "", dataset.attrs.get("title"))
     ax.set_xlim(left=min(0.0, float(dataset["first_low"].min())))
     ax.legend(loc="lower right")
     return ax
@@ -297,7 +303,7 @@ def tornado(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     ax.axvline(median, color="#222222", linewidth=1.0)
     ax.set_yticks(places, dataset["parameter"].values)
     ax.invert_yaxis()
-    _finish(ax, str(dataset.attrs.get("output", "output")), "", dataset.attrs.get("title"))
+    _finish(ax, _named(dataset.attrs.get("output"), dataset.attrs.get("units")), "", dataset.attrs.get("title"))
     ax.legend(loc="lower right")
     return ax
 
@@ -323,6 +329,6 @@ def bands(output: xr.DataArray, ax: Axes | None = None, *, shares: tuple[float, 
         ax.fill_between(x, quantiles[index], quantiles[-1 - index], color=OKABE_ITO[1], alpha=0.25, linewidth=0, label=label)
     ax.plot(x, quantiles[middle], color=OKABE_ITO[1], label=f"{shares[middle]:.0%}")
     ax.axhline(0.0, color="#222222", linewidth=0.8, linestyle=":")
-    _finish(ax, "wavelength λ [mm]", f"{output.attrs.get('long_name', output.name)}", None)
+    _finish(ax, "wavelength λ [mm]", _named(output.name, output.attrs.get("units")), None)
     ax.legend(loc="best")
     return ax
