@@ -8,6 +8,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::{fs, iter};
 
 const NUMPY_REQUIREMENTS: &str = "peers/requirements.txt";
+const RIFFEL_REQUIREMENTS: &str = "peers/requirements-riffel.txt";
 const ROLLAND_REQUIREMENTS: &str = "peers/requirements-rolland.txt";
 
 /// Anything that stops a benchmark.
@@ -36,6 +37,23 @@ impl Contestant {
         let mut rolland = Self::python(&python, &folder.join("peers/receptance_rolland.py"))?;
         rolland.once("rolland", 1).map_err(|_| "it does not run")?;
         Ok(rolland)
+    }
+
+    /// The Python package of Riffel, built from these sources as users build it, on a number of threads.
+    pub(crate) fn riffel_of_python(folder: &Path, threads: usize) -> Result<Self, Failure> {
+        let python = environment(folder, "peers-riffel", || Ok("python3".into()))?;
+        install(&python, &folder.join(RIFFEL_REQUIREMENTS))?;
+        run(Command::new(&python)
+            .args(["-m", "pip", "install", "--quiet", "--no-build-isolation"])
+            .args(["--no-deps", "--disable-pip-version-check"])
+            .arg(folder.join("..").canonicalize()?)
+            // The scripts beside the interpreter, for maturin.
+            .env("PATH", scripts_first(&python)?))?;
+        Self::start(
+            Command::new(python)
+                .arg(folder.join("peers/map_riffel.py"))
+                .env("RAYON_NUM_THREADS", threads.to_string()),
+        )
     }
 
     /// A Python script on one thread.
@@ -121,6 +139,15 @@ fn environment(
             .arg(&environment))?;
     }
     Ok(python)
+}
+
+/// The search path with the folder of an interpreter before all else.
+fn scripts_first(python: &Path) -> Result<std::ffi::OsString, Failure> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let folder = python.parent().map(Path::to_owned);
+    Ok(std::env::join_paths(
+        folder.into_iter().chain(std::env::split_paths(&path)),
+    )?)
 }
 
 fn install(python: &Path, requirements: &Path) -> Result<(), Failure> {

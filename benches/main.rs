@@ -5,7 +5,9 @@
 
 mod contact;
 mod contestant;
+mod python;
 mod roughness;
+mod study;
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -34,11 +36,20 @@ const MOVING_LOAD_SIDE: usize = 101;
 /// The argument that makes this program a contestant.
 pub(crate) const CONTESTANT: &str = "--contestant";
 
+/// The argument that prints the section on Python alone and writes nothing.
+const PYTHON: &str = "--python";
+
 fn main() -> Result<(), Failure> {
     if std::env::args().any(|argument| argument == CONTESTANT) {
         return contest();
     }
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    if std::env::args().any(|argument| argument == PYTHON) {
+        let mut text = String::new();
+        python::report(&mut text, folder)?;
+        println!("{text}");
+        return Ok(());
+    }
     let report = report(folder)?;
     println!("{report}");
     std::fs::write(folder.join("README.md"), report)?;
@@ -79,6 +90,7 @@ fn contest() -> Result<(), Failure> {
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
+            "study" => study::contest(points.parse()?)?,
             _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
         };
@@ -248,10 +260,12 @@ fn report(folder: &Path) -> Result<String, Failure> {
     writeln!(text, "| one | {single:.1} | 1 |")?;
     writeln!(text, "| two | {double:.1} | {:.2} |\n", single / double)?;
 
+    python::report(&mut text, folder)?;
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
     contact::report(&mut text, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
+    study::report(&mut text, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(

@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "init",
     "point",
     "map",
@@ -17,6 +17,7 @@ const COMMANDS: [&str; 14] = [
     "report",
     "forecast",
     "compare",
+    "study",
     "figures",
     "presets",
     "schema",
@@ -31,11 +32,13 @@ pub(crate) fn run(check: bool) -> Outcome {
     };
     let case = written(serde_json::to_string_pretty(&riffel_case::json_schema()))?;
     let traffic = written(serde_json::to_string_pretty(&riffel_case::traffic_schema()))?;
+    let study = written(serde_json::to_string_pretty(&riffel_study::plan_schema()))?;
     let files = [
         ("docs/src/validation.md", validation()),
         ("docs/src/command-line.md", command_line()?),
         ("docs/src/case.schema.json", case),
         ("docs/src/traffic.schema.json", traffic),
+        ("docs/src/study.schema.json", study),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),
@@ -132,6 +135,24 @@ fn pictures() -> Outcome {
         )
         .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
     }
+    study_pictures()
+}
+
+/// The pictures of a study, which are made from its results.
+fn study_pictures() -> Outcome {
+    const RESULTS: &str = "target/generate-study";
+    const FIGURES: &str = "target/generate";
+    // Of another plan, if the example has changed.
+    let _ = fs::remove_dir_all(root().join(RESULTS));
+    riffel(&["study", "cases/sensitivity.toml", "-o", RESULTS])?;
+    riffel(&["study", "sensitivity", RESULTS, "-o", FIGURES])?;
+    for name in ["sobol-indices.png", "tornado.png", "growth-bands.png"] {
+        fs::copy(
+            root().join(FIGURES).join(name),
+            root().join("docs/src/images").join(name),
+        )
+        .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
+    }
     Ok(())
 }
 
@@ -154,6 +175,12 @@ fn command_line() -> Result<String, String> {
         text.push_str(&section(
             &format!("riffel {command}"),
             &[command, "--help"],
+        )?);
+    }
+    for command in ["merge", "sensitivity"] {
+        text.push_str(&section(
+            &format!("riffel study {command}"),
+            &["study", command, "--help"],
         )?);
     }
     Ok(text)

@@ -5,6 +5,7 @@ mod generate;
 mod marked;
 mod place_of_wear;
 mod presets;
+mod python;
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
@@ -22,8 +23,10 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything there is: formatting, lints, tests, documentation, generated files.
+    /// Everything there is: formatting, lints, tests, documentation, the Python package, generated files.
     Test,
+    /// The Python package alone: wheel, tests, types.
+    Python,
     /// Write the generated files of the book, or check that they are current.
     Generate {
         /// Change nothing; fail if a file is not current.
@@ -40,6 +43,7 @@ type Outcome = Result<(), String>;
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Task::Test => test(),
+        Task::Python => python::test_alone(),
         Task::Generate { check } => generate::run(check),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
     };
@@ -81,6 +85,7 @@ fn test() -> Outcome {
         &["doc", "--workspace", "--no-deps", "--quiet"],
         &[("RUSTDOCFLAGS", "--deny warnings")],
     )?;
+    python::test()?;
     generate::run(true)
 }
 

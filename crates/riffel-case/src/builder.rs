@@ -9,11 +9,12 @@ use std::sync::Arc;
 
 use riffel::{
     Axis, ConstantCreepage, ConstantTangentialForce, ElasticMaterial, EnergyWear, FeedbackLoop,
-    PlaceOfWear, RigidInertia, RigidMass, WheelRotation,
+    PlaceOfWear, Receptance, RigidInertia, RigidMass, WheelRotation,
 };
 
 use crate::case::Case;
 use crate::file::{CaseFile, DissipationPhase, Rotation};
+use crate::given::Given;
 use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::Source;
 use crate::track::{Direction, Track};
@@ -32,12 +33,20 @@ pub(crate) struct Builder {
     /// Folder to which file names in the case are relative.
     folder: PathBuf,
     pub(crate) file: CaseFile,
+    /// Structures in place of those of the file.
+    pub(crate) given: Given,
     /// What wavelengths and speeds of the file are a window of.
     pub(crate) window: Window,
 }
 
 impl Builder {
-    pub(crate) fn new(source: Source, folder: PathBuf, mut file: CaseFile, window: Window) -> Self {
+    pub(crate) fn new(
+        source: Source,
+        folder: PathBuf,
+        mut file: CaseFile,
+        given: Given,
+        window: Window,
+    ) -> Self {
         let wheel = &mut file.wheel;
         wheel.inertia.get_or_insert_with(|| {
             let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
@@ -47,6 +56,7 @@ impl Builder {
             source,
             folder,
             file,
+            given,
             window,
         }
     }
@@ -67,7 +77,10 @@ impl Builder {
         let (wavelength, speed) = self.window()?;
         let track = self.track(Direction::Vertical)?;
         let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
-        let wheel = self.physics("wheel.mass", wheel)?;
+        let mut wheel: Arc<dyn Receptance> = Arc::new(self.physics("wheel.mass", wheel)?);
+        if let Some(given) = &self.given.wheel {
+            wheel = given.receptance.clone();
+        }
         let place_of_wear = PlaceOfWear::new(
             match file.contact.dissipation_phase {
                 DissipationPhase::Lag => riffel::DissipationPhase::Lag,
@@ -84,7 +97,7 @@ impl Builder {
         );
         let feedback = FeedbackLoop {
             track: track.receptance.clone(),
-            wheel: Arc::new(wheel),
+            wheel,
             contact_stiffness: hertz.stiffness(),
             contact: contact.rolling,
             rotation: self.rotation(hertz.rolling_radius())?,
@@ -95,6 +108,12 @@ impl Builder {
         };
         let mut remarks = self.source.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
+        remarks.extend(
+            self.given
+                .wheel
+                .iter()
+                .flat_map(|given| given.remarks.clone()),
+        );
         let axes = [wavelength, speed];
         remarks.extend(validity::remarks(&self, &track, &feedback, hertz, axes));
         Ok(Case {
@@ -123,7 +142,7 @@ impl Builder {
         self.physics("steel", steel)
     }
 
-    /// `Ok` if the track is known over the frequencies \[Hz\].
+    /// `Ok` if track and wheel are known over the frequencies \[Hz\].
     pub(crate) fn check_frequencies(
         &self,
         track: &Track,
@@ -132,17 +151,29 @@ impl Builder {
     ) -> Result<(), CaseError> {
         /// Frequencies come from V/λ and pass through ω: some roundings.
         const ROUNDING: f64 = 1e-9;
-        let (low, high) = measurement::range(&*track.receptance);
-        if lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING) {
+        let outside = |receptance: &dyn Receptance| {
+            let (low, high) = measurement::range(receptance);
+            let within = lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING);
+            (!within).then_some((low, high))
+        };
+        let wheel = self.given.wheel.as_ref();
+        let (key, (low, high)) = if let Some(range) = outside(&*track.receptance) {
+            match self.given.track {
+                Some(_) => ("receptance of the track", range),
+                None => ("track.measurement.file", range),
+            }
+        } else if let Some(range) = wheel.and_then(|wheel| outside(&*wheel.receptance)) {
+            ("receptance of the wheel", range)
+        } else {
             return Ok(());
-        }
+        };
         let asked = if lowest == highest {
             format!("{lowest:.4} Hz is")
         } else {
             format!("{lowest:.4} to {highest:.4} Hz are")
         };
         Err(self.source.invalid(
-            "track.measurement.file",
+            key,
             &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             "narrow the window, or measure further",
         ))
@@ -267,6 +298,12 @@ impl Builder {
         key: &str,
         result: Result<T, riffel::Error>,
     ) -> Result<T, CaseError> {
-        result.map_err(|error| self.source.invalid(key, &error.to_string(), ""))
+        result.map_err(|error| {
+            let invalid = self.source.invalid(key, &error.to_string(), "");
+            match error {
+                riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
+                _ => invalid,
+            }
+        })
     }
 }

@@ -9,6 +9,7 @@ use crate::CaseError;
 use crate::builder::Builder;
 use crate::creep_laws::CreepLaws;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
+use crate::given::{Given, GivenReceptance};
 use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
@@ -71,14 +72,19 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
         source.apply(overrides)?;
-        Self::of_source(source, folder, Window::Map)
+        Self::of_source(source, folder, Given::default(), Window::Map)
     }
 
-    fn of_source(written: Source, folder: &Path, window: Window) -> Result<Self, CaseError> {
+    fn of_source(
+        written: Source,
+        folder: &Path,
+        given: Given,
+        window: Window,
+    ) -> Result<Self, CaseError> {
         let mut source = written.clone();
         source.fill_in()?;
         let file = source.deserialize()?;
-        Builder::new(source, folder.to_owned(), file, window).build(written)
+        Builder::new(source, folder.to_owned(), file, given, window).build(written)
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it
@@ -100,7 +106,34 @@ impl Case {
         for overrides in sets {
             source.apply(overrides)?;
         }
-        Self::of_source(source, self.builder.folder(), window)
+        Self::of_source(
+            source,
+            self.builder.folder(),
+            self.builder.given.clone(),
+            window,
+        )
+    }
+
+    /// The case on a track of the receptance given. It goes where the case goes: into overrides, traffic and
+    /// variants. The model of the file is still checked, but is not asked.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`with`](Self::with).
+    pub fn with_track(&self, track: GivenReceptance) -> Result<Self, CaseError> {
+        let mut builder = self.builder.clone();
+        builder.given.track = Some(track);
+        builder.build(self.written.clone())
+    }
+
+    /// The case under a wheel of the receptance given; its rotation stays that of the file. Otherwise as
+    /// [`with_track`](Self::with_track).
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`with`](Self::with).
+    pub fn with_wheel(&self, wheel: GivenReceptance) -> Result<Self, CaseError> {
+        let mut builder = self.builder.clone();
+        builder.given.wheel = Some(wheel);
+        builder.build(self.written.clone())
     }
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that
@@ -125,21 +158,21 @@ impl Case {
         self.builder.creep_laws(self.hertz, self.steady.friction)
     }
 
-    /// The case with a contact that answers at a wavelength \[m\] outside the window of its map, too: a
+    /// The case with a contact that answers at wavelengths \[m\] outside the window of its map, too: a
     /// non-steady one is tabulated over the window.
     ///
     /// # Errors
-    /// [`CaseError`] where the grid of the contact does not resolve the wavelength.
-    pub fn covering(&self, wavelength: f64) -> Result<Self, CaseError> {
+    /// [`CaseError`] where the grid of the contact does not resolve the shortest.
+    pub fn covering(&self, from: f64, to: f64) -> Result<Self, CaseError> {
         let tabulated = self.file.contact.response == ContactDynamics::NonSteady;
         let (shortest, longest) = (self.wavelength.min(), self.wavelength.max());
-        if !tabulated || (shortest..=longest).contains(&wavelength) {
+        if !tabulated || shortest <= from && to <= longest {
             return Ok(self.clone());
         }
         let mut builder = self.builder.clone();
         let window = &mut builder.file.map.wavelength;
-        window.min = Quantity::new(shortest.min(wavelength));
-        window.max = Quantity::new(longest.max(wavelength));
+        window.min = Quantity::new(shortest.min(from));
+        window.max = Quantity::new(longest.max(to));
         Ok(Self {
             feedback: builder.build(self.written.clone())?.feedback,
             ..self.clone()
@@ -177,6 +210,11 @@ impl Case {
             self.speed.min() / self.wavelength.max(),
             self.speed.max() / self.wavelength.min(),
         )
+    }
+
+    /// A sentence about a key of the case.
+    pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
+        self.builder.source.refuse(key, message)
     }
 
     /// The P2 resonance of the wheel on the track: above 10 Hz and below the frequency at which the

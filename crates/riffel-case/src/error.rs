@@ -51,6 +51,20 @@ pub enum CaseError {
         span: Option<SourceSpan>,
     },
 
+    /// A value with which an iteration does not reach its tolerance; the error of the value.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    NotConverged(Box<CaseError>),
+
+    /// The physics refuses what was asked of a case.
+    #[error("{input}: {error}")]
+    Physics {
+        /// What was asked.
+        input: String,
+        /// Why not.
+        error: riffel::Error,
+    },
+
     /// An override is malformed or sets a value that is not allowed.
     #[error("--set {assignment}: {message}")]
     Override {
@@ -90,6 +104,44 @@ pub enum CaseError {
 }
 
 impl CaseError {
+    /// The sentence, then the line of the file where it stands and what would be right, each on a line of its own:
+    /// for those who cannot show the file. An override is not quoted, for there it is no part of a command line.
+    pub fn in_words(&self) -> String {
+        let mut words = match self {
+            Self::NotConverged(error) => return error.in_words(),
+            Self::Override { message, .. } => message.clone(),
+            error => error.to_string(),
+        };
+        let (source, span) = match self {
+            Self::Syntax {
+                source_code, span, ..
+            } => (Some(source_code), Some(*span)),
+            Self::Invalid {
+                source_code, span, ..
+            } => (Some(source_code), *span),
+            _ => (None, None),
+        };
+        // What was not read from a text has no name.
+        if let (Some(source), Some(span)) = (source, span)
+            && !source.name().is_empty()
+        {
+            let text = source.inner();
+            let before = &text.as_bytes()[..span.offset().min(text.len())];
+            let number = before.iter().filter(|&&byte| byte == b'\n').count();
+            let line = text.lines().nth(number).unwrap_or_default();
+            words += &format!(
+                "\n  {}, line {}: {}",
+                source.name(),
+                number + 1,
+                line.trim()
+            );
+        }
+        if let Some(help) = self.help() {
+            words += &format!("\n  {help}");
+        }
+        words
+    }
+
     /// A file of data that cannot be used as a whole, and why not.
     pub fn data(path: impl Into<PathBuf>, message: impl Into<String>) -> Self {
         Self::Data {

@@ -21,7 +21,7 @@ impl Source {
                 .ok()
                 .filter(|preset| preset.kind == kind)
                 .ok_or_else(|| self.unknown_preset(kind, &name))?;
-            self.fill_in_one(&preset);
+            self.fill_in_one(preset);
         }
         Ok(())
     }
@@ -55,9 +55,9 @@ impl Source {
 
     fn unknown_preset(&self, kind: PresetKind, name: &str) -> CaseError {
         let known: Vec<String> = presets()
-            .into_iter()
+            .iter()
             .filter(|preset| preset.kind == kind)
-            .map(|preset| preset.name)
+            .map(|preset| preset.name.clone())
             .collect();
         self.invalid(
             kind.key(),

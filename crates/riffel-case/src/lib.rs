@@ -20,10 +20,15 @@ mod creep_laws;
 mod error;
 pub mod file;
 mod fill_in;
+mod given;
+mod key;
 mod measurement;
 mod mechanisms;
+mod point;
 mod preset;
 pub mod quantity;
+mod receptance_curves;
+mod rolling;
 pub mod roughness;
 mod site;
 mod source;
@@ -37,10 +42,16 @@ pub mod what_if;
 pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use error::CaseError;
+pub use given::{GivenReceptance, UniversalFunction};
+pub use key::CaseKey;
+pub use point::{Point, PointQuantity, PointValue};
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
+pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
+pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
+pub use source::Source;
 pub use track::{Direction, Track};
-pub use variant::{SpeedChange, Variant};
+pub use variant::{SpeedChange, Variant, assignments};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

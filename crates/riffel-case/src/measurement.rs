@@ -8,6 +8,7 @@ use std::path::Path;
 
 use riffel::{Complex64, MeasuredReceptance, Receptance};
 
+use crate::UniversalFunction;
 use crate::file::{Measurement, Response};
 use crate::unit::Exponents;
 
@@ -59,26 +60,39 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
     let bytes = std::fs::read(&path).map_err(|reason| {
         MeasurementError::file(format!("cannot read {}: {reason}", path.display()))
     })?;
-    let mut response = if is_universal_file(&path) {
-        universal::read(&bytes, measurement)?
+    let remedy = "set track.measurement.conjugate";
+    if is_universal_file(&path) {
+        let response = universal::read(&bytes, measurement)?;
+        transformed(response, measurement.conjugate, remedy)
     } else {
-        table::read(&bytes, measurement)?
-    };
-    let mut remarks = Vec::new();
-    if response.frequencies.first() == Some(&0.0) && is_universal_file(&path) {
-        // An even abscissa of a Fourier transform begins at zero; no receptance does.
+        let response = table::read(&bytes, measurement)?;
+        response.measured(measurement.conjugate, remedy)
+    }
+}
+
+/// A function that was read elsewhere.
+pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
+    transformed(universal::of_function(function)?, false, "conjugate it")
+}
+
+/// A response of a Fourier transform, whose even abscissa begins at zero; no receptance does.
+fn transformed(
+    mut response: FrequencyResponse,
+    conjugate: bool,
+    remedy: &str,
+) -> Result<Measured, MeasurementError> {
+    let from_zero = response.frequencies.first() == Some(&0.0);
+    if from_zero {
         response.frequencies.remove(0);
         response.values.remove(0);
         response.places.remove(0);
-        remarks.push("the measured value at 0 Hz is left out".to_owned());
     }
-    response.check()?;
-    let receptance = response.receptance(measurement.conjugate)?;
-    remarks.extend(activity(&receptance));
-    Ok(Measured {
-        receptance,
-        remarks,
-    })
+    let mut measured = response.measured(conjugate, remedy)?;
+    if from_zero {
+        let remark = "the measured value at 0 Hz is left out";
+        measured.remarks.insert(0, remark.to_owned());
+    }
+    Ok(measured)
 }
 
 fn is_universal_file(path: &Path) -> bool {
@@ -90,6 +104,16 @@ fn is_universal_file(path: &Path) -> bool {
 }
 
 impl FrequencyResponse {
+    /// Checked, as a receptance; `remedy` as for [`activity`].
+    fn measured(self, conjugate: bool, remedy: &str) -> Result<Measured, MeasurementError> {
+        self.check()?;
+        let receptance = self.receptance(conjugate)?;
+        Ok(Measured {
+            remarks: activity(&receptance, remedy).into_iter().collect(),
+            receptance,
+        })
+    }
+
     /// Frequencies positive, rising and without gaps, values finite.
     fn check(&self) -> Result<(), MeasurementError> {
         let mut before: Option<f64> = None;
@@ -149,8 +173,8 @@ impl FrequencyResponse {
     }
 }
 
-/// Where a receptance is not passive, in one sentence.
-fn activity(receptance: &MeasuredReceptance) -> Option<String> {
+/// Where a receptance is not passive, in one sentence; `remedy` is for one that follows exp(−iωt).
+pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: &str) -> Option<String> {
     let active: Vec<f64> = receptance
         .active()
         .map(|w| w / std::f64::consts::TAU)
@@ -158,8 +182,7 @@ fn activity(receptance: &MeasuredReceptance) -> Option<String> {
     let (first, last) = (active.first()?, active.last()?);
     Some(format!(
         "the measured receptance gives energy away (Im H > 0) at {} of {} frequencies, between {first:.0} \
-         and {last:.0} Hz: check its phase, its noise, and whether it follows exp(+iωt) (else set \
-         track.measurement.conjugate)",
+         and {last:.0} Hz: check its phase, its noise, and whether it follows exp(+iωt) (else {remedy})",
         active.len(),
         receptance.points(),
     ))

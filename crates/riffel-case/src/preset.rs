@@ -1,6 +1,7 @@
 //! Presets: data files under `presets/`, each value with its source.
 
 use std::fmt;
+use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
@@ -191,24 +192,28 @@ fn collect(
 }
 
 /// All presets, by kind and name.
-pub fn presets() -> Vec<Preset> {
-    let mut presets: Vec<Preset> = FILES
-        .dirs()
-        .flat_map(|folder| folder.files())
-        .filter_map(|file| Preset::read(file.contents_utf8()?).ok())
-        .collect();
-    presets.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
-    presets
+pub fn presets() -> &'static [Preset] {
+    // Read once: a study builds a case for each of its samples.
+    static PRESETS: LazyLock<Vec<Preset>> = LazyLock::new(|| {
+        let mut presets: Vec<Preset> = FILES
+            .dirs()
+            .flat_map(|folder| folder.files())
+            .filter_map(|file| Preset::read(file.contents_utf8()?).ok())
+            .collect();
+        presets.sort_by(|a, b| (a.kind, &a.name).cmp(&(b.kind, &b.name)));
+        presets
+    });
+    &PRESETS
 }
 
 /// The preset of the given name or alias, upper or lower case.
 ///
 /// # Errors
 /// [`CaseError::UnknownPreset`] with the nearest name.
-pub fn preset(name: &str) -> Result<Preset, CaseError> {
+pub fn preset(name: &str) -> Result<&'static Preset, CaseError> {
     let presets = presets();
     if let Some(preset) = presets.iter().find(|preset| preset.is_called(name)) {
-        return Ok(preset.clone());
+        return Ok(preset);
     }
     let likeness = |known: &&String| strsim::jaro_winkler(name, known);
     let nearest = presets
@@ -241,7 +246,7 @@ mod tests {
     #[test]
     fn names_and_aliases_are_unique() {
         let presets = presets();
-        for preset in &presets {
+        for preset in presets {
             for name in preset.names() {
                 let called = presets.iter().filter(|other| other.is_called(name));
                 assert_eq!(called.count(), 1, "{name}");

@@ -21,6 +21,87 @@ pub trait Dimension {
     const EXAMPLE: &'static str;
 }
 
+/// A dimension where only the key of the case file tells which.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Kind {
+    /// In the field's words, with its article: "a stiffness".
+    pub name: &'static str,
+    /// SI unit, empty for a ratio.
+    pub unit: &'static str,
+    /// What one writes in a case file.
+    pub example: &'static str,
+}
+
+impl Kind {
+    /// The words of a dimension.
+    pub(crate) const fn of<D: Dimension>() -> Self {
+        Self {
+            name: D::NAME,
+            unit: D::UNIT,
+            example: D::EXAMPLE,
+        }
+    }
+
+    /// Read a number in SI, or one with its unit.
+    ///
+    /// # Errors
+    /// [`QuantityError`] for a text that is no quantity of this kind.
+    pub fn read(&self, text: &str) -> Result<f64, QuantityError> {
+        let Self {
+            name,
+            unit,
+            example,
+        } = *self;
+        let trimmed = text.trim();
+        // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
+        let number = (1..=trimmed.len())
+            .rev()
+            .filter(|&end| trimmed.is_char_boundary(end))
+            .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
+        let Some((number, rest)) = number else {
+            return Err(QuantityError::NoNumber {
+                text: text.to_owned(),
+                name,
+                example,
+            });
+        };
+        if rest.trim().is_empty() {
+            return self.finite(number, trimmed);
+        }
+        let written = Unit::parse(rest).map_err(|unit| QuantityError::UnknownUnit {
+            text: text.to_owned(),
+            unit,
+            name,
+            example,
+        })?;
+        // The unit of a dimension is a constant that the tests read for every dimension.
+        let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
+        if written.exponents != own {
+            return Err(QuantityError::WrongUnit {
+                text: text.to_owned(),
+                got: written.exponents.to_string(),
+                name,
+                in_unit: match unit {
+                    "" => String::new(),
+                    unit => format!(" in {unit}"),
+                },
+                example,
+            });
+        }
+        self.finite(number * written.factor, trimmed)
+    }
+
+    fn finite(&self, si: f64, text: &str) -> Result<f64, QuantityError> {
+        if si.is_finite() {
+            return Ok(si);
+        }
+        Err(QuantityError::NotFinite {
+            text: text.to_owned(),
+            name: self.name,
+        })
+    }
+}
+
 macro_rules! dimensions {
     ($($(#[$doc:meta])* $name:ident = $words:literal, $unit:literal, $example:literal;)*) => {$(
         $(#[$doc])*
@@ -32,7 +113,10 @@ macro_rules! dimensions {
             const UNIT: &'static str = $unit;
             const EXAMPLE: &'static str = $example;
         }
-    )*};
+    )*
+        /// Every kind of quantity of the case file.
+        pub(crate) const KINDS: &[Kind] = &[$(Kind::of::<$name>()),*];
+    };
 }
 
 dimensions! {
@@ -160,62 +244,13 @@ impl<D: Dimension> Quantity<D> {
     pub const fn si(&self) -> f64 {
         self.si
     }
-
-    fn exponents() -> Exponents {
-        // The unit of a dimension is a constant that the tests read for every dimension.
-        Unit::parse(D::UNIT).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents)
-    }
-
-    fn finite(si: f64, text: &str) -> Result<Self, QuantityError> {
-        if si.is_finite() {
-            return Ok(Self::new(si));
-        }
-        Err(QuantityError::NotFinite {
-            text: text.to_owned(),
-            name: D::NAME,
-        })
-    }
 }
 
 impl<D: Dimension> FromStr for Quantity<D> {
     type Err = QuantityError;
 
     fn from_str(text: &str) -> Result<Self, QuantityError> {
-        let trimmed = text.trim();
-        // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
-        let number = (1..=trimmed.len())
-            .rev()
-            .filter(|&end| trimmed.is_char_boundary(end))
-            .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
-        let Some((number, rest)) = number else {
-            return Err(QuantityError::NoNumber {
-                text: text.to_owned(),
-                name: D::NAME,
-                example: D::EXAMPLE,
-            });
-        };
-        if rest.trim().is_empty() {
-            return Self::finite(number, trimmed);
-        }
-        let unit = Unit::parse(rest).map_err(|unit| QuantityError::UnknownUnit {
-            text: text.to_owned(),
-            unit,
-            name: D::NAME,
-            example: D::EXAMPLE,
-        })?;
-        if unit.exponents != Self::exponents() {
-            return Err(QuantityError::WrongUnit {
-                text: text.to_owned(),
-                got: unit.exponents.to_string(),
-                name: D::NAME,
-                in_unit: match D::UNIT {
-                    "" => String::new(),
-                    unit => format!(" in {unit}"),
-                },
-                example: D::EXAMPLE,
-            });
-        }
-        Self::finite(number * unit.factor, trimmed)
+        Kind::of::<D>().read(text).map(Self::new)
     }
 }
 
@@ -260,7 +295,10 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::finite(value, &value.to_string()).map_err(E::custom)
+                Kind::of::<D>()
+                    .finite(value, &value.to_string())
+                    .map(Quantity::new)
+                    .map_err(E::custom)
             }
 
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {

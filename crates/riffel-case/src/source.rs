@@ -19,71 +19,57 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, CaseError> {
         .map_err(|reason| CaseError::data(path, format!("cannot read the {what}: {reason}")))
 }
 
-/// A case file as TOML, each key with the place where it was set.
+/// A file of TOML, each key with the place where it was set: what a case, a traffic and a plan are read from,
+/// and what makes errors that show the line.
 #[derive(Clone)]
-pub(crate) struct Source {
-    name: String,
-    text: String,
+pub struct Source {
+    text: Arc<Text>,
     table: Table,
-    /// Dotted key → its value in the text.
-    values: HashMap<String, Range<usize>>,
-    /// Dotted key → the key itself in the text.
-    keys: HashMap<String, Range<usize>>,
     /// Dotted key → the override that set it last.
     overrides: HashMap<String, String>,
     /// What the reader of the case should know.
     pub(crate) remarks: Vec<String>,
 }
 
+/// What was read; the same for every case that is made from it by overrides.
+struct Text {
+    name: String,
+    text: String,
+    /// Dotted key → its value in the text.
+    values: HashMap<String, Range<usize>>,
+    /// Dotted key → the key itself in the text.
+    keys: HashMap<String, Range<usize>>,
+}
+
 impl Source {
     /// Read TOML; `name` is shown in errors.
-    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+    ///
+    /// # Errors
+    /// [`CaseError::Syntax`] with the place.
+    pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let syntax = |error: toml::de::Error| CaseError::Syntax {
             message: error.message().to_owned(),
             source_code: Arc::new(NamedSource::new(name, text.to_owned())),
             span: error.span().map_or((0..0).into(), SourceSpan::from),
         };
         let spans = DeTable::parse(text).map_err(syntax)?;
-        let mut source = Self {
-            text: text.to_owned(),
+        let mut read = Text::empty(name);
+        text.clone_into(&mut read.text);
+        read.index("", spans.get_ref());
+        Ok(Self {
+            text: Arc::new(read),
             table: text.parse().map_err(syntax)?,
             ..Self::empty(name)
-        };
-        source.index("", spans.get_ref());
-        Ok(source)
+        })
     }
 
     /// Nothing, under a name.
     pub(crate) fn empty(name: &str) -> Self {
         Self {
-            name: name.to_owned(),
-            text: String::new(),
+            text: Arc::new(Text::empty(name)),
             table: Table::new(),
-            values: HashMap::new(),
-            keys: HashMap::new(),
             overrides: HashMap::new(),
             remarks: Vec::new(),
-        }
-    }
-
-    fn index(&mut self, parent: &str, table: &DeTable<'_>) {
-        for (key, value) in table {
-            let path = join(parent, key.get_ref());
-            self.keys.insert(path.clone(), key.span());
-            self.values.insert(path.clone(), value.span());
-            match value.get_ref() {
-                DeValue::Table(table) => self.index(&path, table),
-                DeValue::Array(items) => {
-                    for (index, item) in items.iter().enumerate() {
-                        let path = format!("{path}[{index}]");
-                        self.keys.insert(path.clone(), item.span());
-                        if let DeValue::Table(table) = item.get_ref() {
-                            self.index(&path, table);
-                        }
-                    }
-                }
-                _ => {}
-            }
         }
     }
 
@@ -103,7 +89,7 @@ impl Source {
     }
 
     /// The top level as a table.
-    pub(crate) fn table(&self) -> &Table {
+    pub fn table(&self) -> &Table {
         &self.table
     }
 
@@ -195,7 +181,10 @@ impl Source {
     }
 
     /// The keys as types.
-    pub(crate) fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
         serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
             let path = error.path().to_string();
             self.explain(
@@ -238,23 +227,23 @@ impl Source {
     }
 
     /// A key that must be there and is not.
-    pub(crate) fn missing(&self, key: &str, help: &str) -> CaseError {
+    pub fn missing(&self, key: &str, help: &str) -> CaseError {
         self.error(key, "is missing", help)
     }
 
     /// A sentence about a key, which need not begin with it.
-    pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
+    pub fn refuse(&self, key: &str, message: &str) -> CaseError {
         CaseError::Invalid {
             key: key.to_owned(),
             message: message.to_owned(),
             help: None,
-            source_code: Arc::new(NamedSource::new(&self.name, self.text.clone())),
-            span: self.span(key),
+            source_code: Arc::new(NamedSource::new(&self.text.name, self.text.text.clone())),
+            span: self.text.span(key),
         }
     }
 
     /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.
-    pub(crate) fn invalid(&self, key: &str, rule: &str, help: &str) -> CaseError {
+    pub fn invalid(&self, key: &str, rule: &str, help: &str) -> CaseError {
         self.error(key, rule, help)
     }
 
@@ -280,8 +269,40 @@ impl Source {
             key: key.to_owned(),
             message,
             help,
-            source_code: Arc::new(NamedSource::new(&self.name, self.text.clone())),
-            span: self.span(key),
+            source_code: Arc::new(NamedSource::new(&self.text.name, self.text.text.clone())),
+            span: self.text.span(key),
+        }
+    }
+}
+
+impl Text {
+    fn empty(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            text: String::new(),
+            values: HashMap::new(),
+            keys: HashMap::new(),
+        }
+    }
+
+    fn index(&mut self, parent: &str, table: &DeTable<'_>) {
+        for (key, value) in table {
+            let path = join(parent, key.get_ref());
+            self.keys.insert(path.clone(), key.span());
+            self.values.insert(path.clone(), value.span());
+            match value.get_ref() {
+                DeValue::Table(table) => self.index(&path, table),
+                DeValue::Array(items) => {
+                    for (index, item) in items.iter().enumerate() {
+                        let path = format!("{path}[{index}]");
+                        self.keys.insert(path.clone(), item.span());
+                        if let DeValue::Table(table) = item.get_ref() {
+                            self.index(&path, table);
+                        }
+                    }
+                }
+                _ => {}
+            }
         }
     }
 

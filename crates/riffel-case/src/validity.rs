@@ -61,7 +61,7 @@ pub(crate) fn remarks(
     let window = builder.window.name();
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
-    let measured = file.track.model == TrackModel::Measured;
+    let measured = builder.given.track.is_some() || file.track.model == TrackModel::Measured;
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
         remarks.push(format!(
             "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (lowest of the \
@@ -75,14 +75,14 @@ pub(crate) fn remarks(
              and 14 % at 1500 Hz (highest of the {window}: {highest:.0} Hz)"
         ));
     }
-    if bends_only && file.track.model.is_periodic() {
+    if !measured && bends_only && file.track.model.is_periodic() {
         remarks.push(
             "the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % or more and \
              not named (choose rail.beam = \"timoshenko\")"
                 .to_owned(),
         );
     }
-    if let Some(pinned) = evenly_supported_pinned_pinned(builder)
+    if let Some(pinned) = evenly_supported_pinned_pinned(builder).filter(|_| !measured)
         && highest > EVEN_SUPPORT_UP_TO * pinned
     {
         remarks.push(format!(

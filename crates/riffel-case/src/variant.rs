@@ -157,7 +157,7 @@ impl SpeedChange {
 }
 
 /// Tables of keys as overrides `key=value`, the values in TOML.
-pub(crate) fn assignments(table: &Table) -> Vec<String> {
+pub fn assignments(table: &Table) -> Vec<String> {
     fn walk(parent: &str, table: &Table, assignments: &mut Vec<String>) {
         for (key, value) in table {
             let path = if parent.is_empty() {

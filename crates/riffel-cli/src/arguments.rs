@@ -2,6 +2,7 @@
 
 mod forecast;
 mod roughness;
+mod study;
 
 use std::path::{Path, PathBuf};
 
@@ -13,6 +14,7 @@ use crate::error::CliError;
 
 pub(crate) use forecast::{Compare, Forecast, Horizon, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -20,7 +22,8 @@ pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughne
     name = "riffel",
     version,
     after_help = "Example: riffel init case.toml && riffel map case.toml\n\n\
-        Exit status: 0 done, 1 a validation check failed, 2 bad input or a file that cannot be written."
+        Exit status: 0 done, 1 a validation check failed or a merged study is not whole, 2 bad input or a file that \
+        cannot be written, 130 stopped by Ctrl-C."
 )]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -29,7 +32,7 @@ pub(crate) struct Arguments {
 
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    /// Write a commented case file to start from, or a traffic file.
+    /// Write a commented case file to start from, a traffic file or the plan of a study.
     Init(Init),
     /// The whole loop at one wavelength and speed.
     Point(Point),
@@ -49,11 +52,13 @@ pub(crate) enum Command {
     Forecast(Forecast),
     /// What would help: growth on a case and on variants of it, side by side.
     Compare(Compare),
+    /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
+    Study(Study),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
-    /// Print the JSON schema of the case file, or of the traffic file.
+    /// Print the JSON schema of the case file, of the traffic file or of the plan of a study.
     Schema(Schema),
     /// Hold the program against reference numbers and published statements.
     Validate,
@@ -122,7 +127,7 @@ impl CaseArguments {
 
 /// The case with a contact that answers at the wavelength \[m\] of `--wavelength`.
 pub(crate) fn covering(case: &Case, wavelength: f64) -> Result<Case, CliError> {
-    case.covering(wavelength).map_err(|error| {
+    case.covering(wavelength, wavelength).map_err(|error| {
         let message = error.to_string();
         // The window was not written by the user.
         let sentence = ["min", "max"].iter().find_map(|end| {
@@ -153,13 +158,17 @@ pub(crate) fn positive<D: Dimension>(
 #[derive(Args)]
 #[command(after_help = "Example: riffel init metro.toml")]
 pub(crate) struct Init {
-    /// File to write [default: case.toml, or traffic.toml with --traffic].
+    /// File to write [default: case.toml, traffic.toml with --traffic, study.toml with --study].
     #[arg(value_name = "FILE")]
     pub(crate) path: Option<PathBuf>,
 
     /// Write a traffic file for `riffel forecast`.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "study")]
     pub(crate) traffic: bool,
+
+    /// Write the plan of a study, on a case nominal.toml beside it.
+    #[arg(long)]
+    pub(crate) study: bool,
 
     /// Replace the file if it is there.
     #[arg(long)]
@@ -309,8 +318,12 @@ pub(crate) struct Contact {
 #[command(after_help = "Example: riffel schema --traffic > traffic.schema.json")]
 pub(crate) struct Schema {
     /// That of the traffic file.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "study")]
     pub(crate) traffic: bool,
+
+    /// That of the plan of a study.
+    #[arg(long)]
+    pub(crate) study: bool,
 }
 
 #[derive(Args)]

@@ -44,6 +44,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Forecast(arguments) => command::forecast::run(&arguments)?,
         Command::Compare(arguments) => command::compare::run(&arguments)?,
+        Command::Study(arguments) => return command::study::run(&arguments),
         Command::Schema(arguments) => command::schema::run(&arguments),
         Command::Validate => return command::validate::run(),
     }

@@ -3,9 +3,10 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
+use riffel_study::Stop;
 use tempfile::TempDir;
 
 use crate::error::CliError;
@@ -34,12 +35,23 @@ fn active() -> MutexGuard<'static, Option<Active>> {
     ACTIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// A study under way, which ends by itself when it is asked to.
+static STUDY: OnceLock<Arc<Stop>> = OnceLock::new();
+
+/// Let Ctrl-C ask a study to stop, instead of ending the program; the second one ends it.
+pub(crate) fn stop_on_interrupt() -> Arc<Stop> {
+    STUDY.get_or_init(Arc::default).clone()
+}
+
 /// On Ctrl-C or a request to end, remove what is half-written and leave with status 130.
 ///
 /// The handler waits for the lock, so it never cuts into the renaming of finished files.
 pub(crate) fn clean_up_on_interrupt() {
     // Fails only if a handler is set already, which this program does once.
     let _ = ctrlc::set_handler(|| {
+        if let Some(stop) = STUDY.get().filter(|stop| !stop.is_asked()) {
+            return stop.ask();
+        }
         let mut guard = active();
         if let Some(active) = guard.take() {
             active.discard();

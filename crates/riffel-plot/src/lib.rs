@@ -41,6 +41,8 @@
 //! labels of 9 and 10 points, one of two panels 196 mm.
 
 mod axis;
+mod bar_drawing;
+mod bar_figure;
 mod canvas;
 mod color;
 mod color_bar;
@@ -65,9 +67,10 @@ mod sheet_box;
 mod text;
 
 pub use axis::Scale;
+pub use bar_figure::{Bar, BarArrangement, BarFigure, BarPanel, BarSeries};
 pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
-pub use line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 pub use map_figure::{MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};
 pub use rays::constant_frequency_rays;

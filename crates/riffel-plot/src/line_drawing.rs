@@ -9,7 +9,7 @@ use crate::contours;
 use crate::error::PlotError;
 use crate::frame::{self, Side};
 use crate::legend::{self, Entry, Sample};
-use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
@@ -129,6 +129,12 @@ impl<'a> Drawing<'a> {
             .map(|at| vec![(at, frame.top), (at, frame.bottom)]);
         let mut obstacles = lines.clone();
         obstacles.push(names.collect());
+        obstacles.extend(panel.areas.iter().map(|area| {
+            let place = |v: f64| y.at(v).clamp(frame.top, frame.bottom);
+            let sample = |((&u, &low), &high)| vec![(x.at(u), place(low)), (x.at(u), place(high))];
+            let samples = area.x.iter().zip(&area.low).zip(&area.high);
+            samples.map(sample).collect()
+        }));
         let legend_corner = free_corner(&entries, &obstacles, frame);
         let count = |length: f64, least: f64| (length / least).floor() as usize;
         let vertical_ticks = |count| {
@@ -160,6 +166,33 @@ impl<'a> Drawing<'a> {
         } else {
             legend::height(&self.entries, frame.width()) + 6.0
         }
+    }
+
+    /// The samples of an area within the range of the abscissa, as one polygon; ordinates beyond the frame end
+    /// at it.
+    fn draw_area(
+        &self,
+        canvas: &mut Canvas<'_>,
+        frame: &SheetBox,
+        (x, y): (&Axis, &Axis),
+        area: &Area,
+    ) -> Result<(), PlotError> {
+        let point = |u: f64, v: f64| (x.at(u), y.at(v).clamp(frame.top, frame.bottom));
+        let inside = |u: f64| self.x.low <= u && u <= self.x.high;
+        let samples: Vec<(f64, f64, f64)> = area
+            .x
+            .iter()
+            .zip(&area.low)
+            .zip(&area.high)
+            .map(|((&u, &low), &high)| (u, low, high))
+            .filter(|&(u, low, high)| {
+                inside(u) && self.panel.admits(u, low) && self.panel.admits(u, high)
+            })
+            .collect();
+        let upper = samples.iter().map(|&(u, _, high)| point(u, high));
+        let lower = samples.iter().rev().map(|&(u, low, _)| point(u, low));
+        let outline: Vec<Point> = upper.chain(lower).collect();
+        canvas.polygon(&outline, area.color, 1.0)
     }
 
     /// Marks within the range of the abscissa.
@@ -212,6 +245,9 @@ impl<'a> Drawing<'a> {
         };
         let (x, y) = (moved(&self.x, shift.0), moved(&self.y, shift.1));
         frame::draw_grid(canvas, frame, (&x, &self.x_ticks), (&y, &self.y_ticks))?;
+        for area in &self.panel.areas {
+            self.draw_area(canvas, frame, (&x, &y), area)?;
+        }
         for mark in self.marks() {
             let at = x.at(mark.x);
             let line = [(at, frame.top), (at, frame.bottom)];
@@ -288,6 +324,11 @@ fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
         .iter()
         .enumerate()
         .filter(|(_, series)| !series.label.is_empty());
+    let areas = panel.areas.iter().filter(|area| !area.label.is_empty());
+    let areas = areas.map(|area| Entry {
+        sample: Sample::Patch(area.color),
+        name: area.label.clone(),
+    });
     named
         .map(|(index, series)| {
             let color = series_color(series, index);
@@ -300,6 +341,7 @@ fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
                 name: series.label.clone(),
             }
         })
+        .chain(areas)
         .collect()
 }
 

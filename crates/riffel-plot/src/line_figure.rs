@@ -47,6 +47,21 @@ pub struct Series {
     pub color: Option<Rgb>,
 }
 
+/// The area between two curves, such as a band that holds half of all samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Area {
+    /// Name in the legend; without a name the area has no entry there.
+    pub label: String,
+    /// Abscissae, in the unit the axis names.
+    pub x: Vec<f64>,
+    /// Ordinates of the lower curve, as many as abscissae.
+    pub low: Vec<f64>,
+    /// Ordinates of the upper curve, as many.
+    pub high: Vec<f64>,
+    /// Colour; light, since curves and areas lie on it.
+    pub color: Rgb,
+}
+
 /// A place on the abscissa with a name, such as a resonance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
@@ -77,6 +92,8 @@ pub struct LinePanel {
     pub series: Vec<Series>,
     /// Named places, drawn as upright lines below the curves.
     pub marks: Vec<Mark>,
+    /// Areas below the curves, later ones on top.
+    pub areas: Vec<Area>,
 }
 
 /// One or more panels of curves.
@@ -134,6 +151,17 @@ impl LinePanel {
                 });
             }
         }
+        for area in &self.areas {
+            let (x_count, y_count) = (area.x.len(), area.low.len().min(area.high.len()));
+            if x_count != y_count || area.low.len() != area.high.len() {
+                return Err(PlotError::SeriesLength {
+                    panel,
+                    label: area.label.clone(),
+                    x_count,
+                    y_count,
+                });
+            }
+        }
         for (axis, scale, range) in [
             ("x", self.x_scale, self.x_range),
             ("y", self.y_scale, self.y_range),
@@ -177,9 +205,18 @@ impl LinePanel {
 
     /// Samples that can be drawn.
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> {
+        let curve = |x: &'_ [f64], y: &'_ [f64]| {
+            x.iter().copied().zip(y.iter().copied()).collect::<Vec<_>>()
+        };
         self.series
             .iter()
-            .flat_map(|series| series.x.iter().copied().zip(series.y.iter().copied()))
+            .map(move |series| curve(&series.x, &series.y))
+            .chain(
+                self.areas
+                    .iter()
+                    .flat_map(move |area| [curve(&area.x, &area.low), curve(&area.x, &area.high)]),
+            )
+            .flatten()
             .filter(|&(x, y)| self.admits(x, y))
     }
 

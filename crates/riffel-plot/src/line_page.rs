@@ -6,7 +6,7 @@ use crate::axis::{Scale, degree_step};
 use crate::error::PlotError;
 use crate::html::{self, PagePanel, coordinates, words};
 use crate::line_drawing::series_color;
-use crate::line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
 
 pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
@@ -21,12 +21,9 @@ pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
 }
 
 fn page_panel(panel: &LinePanel) -> PagePanel {
-    let data = panel
-        .series
-        .iter()
-        .enumerate()
-        .map(|(index, series)| trace(panel, series, index))
-        .collect();
+    let curves = panel.series.iter().enumerate();
+    let curves = curves.map(|(index, series)| trace(panel, series, index));
+    let data = panel.areas.iter().flat_map(edges).chain(curves).collect();
     let x = axis(&panel.x_label, panel.x_scale, panel.drawn_x_range());
     let (low, high) = panel.drawn_y_range();
     let mut y = axis(&panel.y_label, panel.y_scale, (low, high));
@@ -45,6 +42,23 @@ fn page_panel(panel: &LinePanel) -> PagePanel {
         layout,
         hover: Value::Null,
     }
+}
+
+/// The two edges of an area, filled between.
+fn edges(area: &Area) -> [Value; 2] {
+    let edge = |y: &[f64], fill: Value, named: bool| {
+        json!({
+            "type": "scatter", "mode": "lines", "name": words(&area.label), "showlegend": named,
+            "x": coordinates(area.x.iter().copied()), "y": coordinates(y.iter().copied()),
+            "line": { "width": 0, "color": area.color.hex() }, "fill": fill,
+            "fillcolor": area.color.hex(), "hovertemplate": "%{x:.5g}, %{y:.5g}",
+        })
+    };
+    let labelled = !area.label.is_empty();
+    [
+        edge(&area.low, Value::Null, false),
+        edge(&area.high, json!("tonexty"), labelled),
+    ]
 }
 
 /// The line of a mark.

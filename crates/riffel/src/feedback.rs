@@ -5,7 +5,10 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::{EnergyWear, PlaceOfWear, Receptance, RollingContact, SteadyRolling, WheelRotation};
+use crate::{
+    ContactResponse, EnergyWear, PlaceOfWear, Receptance, RollingContact, RotationRatio,
+    SteadyRolling, WheelRotation,
+};
 
 /// The joints of the loop, each of any kind.
 ///
@@ -81,36 +84,43 @@ pub struct LoopState {
     pub growth_rate: f64,
 }
 
+/// What one turn of the loop needs to reach the rail again.
+struct Turn {
+    angular_frequency: f64,
+    track_receptance: Complex64,
+    wheel_receptance: Complex64,
+    normal_force: Complex64,
+    response: ContactResponse,
+    creepage_per_omega: f64,
+    dq_domega: Complex64,
+    ratio: RotationRatio,
+    /// Q_P P₁/(impedance − Q_Ω lever), of which Ω₁ and Q₁ are multiples.
+    slip: Complex64,
+    angular_velocity: Complex64,
+    dissipation_at_rail: Complex64,
+}
+
 impl FeedbackLoop {
     /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive.
     pub fn at(&self, wavelength: f64, speed: f64) -> LoopState {
-        let angular_frequency = 2.0 * PI * speed / wavelength;
+        let turn = self.turn(wavelength, speed);
+        let Turn {
+            angular_frequency,
+            track_receptance,
+            wheel_receptance,
+            normal_force,
+            response,
+            dq_domega,
+            angular_velocity,
+            dissipation_at_rail,
+            ..
+        } = turn;
         let steady = self.contact.steady();
-        let response = self.contact.response(wavelength);
+        let tangential_force = turn.slip * turn.ratio.impedance; // (18)
 
-        let track_receptance = self.track.receptance(angular_frequency, speed);
-        let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
-        // (24)
-        let normal_force =
-            self.amplitude / (track_receptance + wheel_receptance + self.contact_stiffness.recip());
-
-        // ξ₁ = −Ω₁R/V from (4) turns derivatives by creepage into derivatives by angular velocity.
-        let creepage_per_omega = -self.rolling_radius / speed;
-        let dq_domega = response.dq_dxi * creepage_per_omega; // (10)
         let dw_dp = response.de_dp * speed; // (11)
-        let dw_domega = response.de_dxi * creepage_per_omega * speed; // (12)
-
-        // (13) and (16) for Ω₁ and Q₁, finite in both limits of the inertia: (17), (18)
-        let ratio = self.rotation.ratio(angular_frequency);
-        let turn = response.dq_dp * normal_force / (ratio.impedance - dq_domega * ratio.lever);
-        let angular_velocity = turn * ratio.lever;
-        let tangential_force = turn * ratio.impedance;
-
+        let dw_domega = response.de_dxi * turn.creepage_per_omega * speed; // (12)
         let dissipation = dw_dp * normal_force + dw_domega * angular_velocity; // (14), (19)
-        let rail = response.at_rail(self.place_of_wear.lag(wavelength));
-        let dissipation_at_rail = (rail.de_dp * normal_force
-            + rail.de_dxi * creepage_per_omega * angular_velocity)
-            * speed;
         let dissipation_lag_angle = -(dissipation_at_rail / dissipation).arg();
         let normalized_dissipation =
             dissipation_at_rail / (steady.full_slip_energy_per_metre() * speed); // (20)
@@ -137,11 +147,66 @@ impl FeedbackLoop {
         }
     }
 
+    /// Ŵ₁ of [`at`](Self::at) alone, for a search that turns the loop many times; `steady` is the mean state of
+    /// the contact.
+    pub(crate) fn normalized_dissipation(
+        &self,
+        steady: &SteadyRolling,
+        wavelength: f64,
+        speed: f64,
+    ) -> Complex64 {
+        self.turn(wavelength, speed).dissipation_at_rail
+            / (steady.full_slip_energy_per_metre() * speed)
+    }
+
+    fn turn(&self, wavelength: f64, speed: f64) -> Turn {
+        let angular_frequency = 2.0 * PI * speed / wavelength;
+        let response = self.contact.response(wavelength);
+
+        let track_receptance = self.track.receptance(angular_frequency, speed);
+        let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
+        // (24)
+        let normal_force =
+            self.amplitude / (track_receptance + wheel_receptance + self.contact_stiffness.recip());
+
+        // ξ₁ = −Ω₁R/V from (4) turns derivatives by creepage into derivatives by angular velocity.
+        let creepage_per_omega = -self.rolling_radius / speed;
+        let dq_domega = response.dq_dxi * creepage_per_omega; // (10)
+
+        // (13) and (16) for Ω₁ and Q₁, finite in both limits of the inertia: (17), (18)
+        let ratio = self.rotation.ratio(angular_frequency);
+        let slip = response.dq_dp * normal_force / (ratio.impedance - dq_domega * ratio.lever);
+        let angular_velocity = slip * ratio.lever;
+
+        let rail = response.at_rail(self.place_of_wear.lag(wavelength));
+        let dissipation_at_rail = (rail.de_dp * normal_force
+            + rail.de_dxi * creepage_per_omega * angular_velocity)
+            * speed;
+        Turn {
+            angular_frequency,
+            track_receptance,
+            wheel_receptance,
+            normal_force,
+            response,
+            creepage_per_omega,
+            dq_domega,
+            ratio,
+            slip,
+            angular_velocity,
+            dissipation_at_rail,
+        }
+    }
+
+    /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
+    pub fn growth_rate_per_dissipation(&self) -> f64 {
+        self.growth_rate(&self.contact.steady(), Complex64::ONE)
+    }
+
     /// Growth rate per passage \[-\] that belongs to a normalised dissipation Ŵ₁.
     ///
     /// The profile loses the depth k_w e₁/(ρ·2b) per passage, so g = −Re(k_w e₁/(ρ·2b))/Δ with
     /// e₁ = Ŵ₁ μP₀ξ₀, and |Δ| grows like exp(g · passages).
-    pub(crate) fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
+    fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
         let energy = steady.full_slip_energy_per_metre() * normalized.re;
         -self.wear.depth_per_energy() * energy / self.amplitude
     }

@@ -22,6 +22,20 @@ impl Builder {
         self.check_track()?;
         let steel = self.steel()?;
         let model = self.file.track.model;
+        if let Some(given) = &self.given.track {
+            if direction != Direction::Vertical {
+                let message = "the receptance given for the track is vertical only";
+                return Err(self.source.refuse("track.model", message));
+            }
+            return Ok(Track {
+                receptance: given.receptance.clone(),
+                structure: None,
+                support: None,
+                rail_mass: None,
+                pinned_pinned: None,
+                remarks: given.remarks.clone(),
+            });
+        }
         if direction != Direction::Vertical
             && matches!(model, TrackModel::MovingBeam | TrackModel::Measured)
         {

@@ -1,7 +1,8 @@
 //! A frequency response in a universal file.
 
-use super::universal_file::{self, Axis, Function, Units};
+use super::universal_file::{self, Axis, Freedom, Function, Units};
 use super::{FrequencyResponse, MeasurementError};
+use crate::UniversalFunction;
 use crate::file::{Measurement, Response};
 use crate::unit::{Exponents, Unit};
 
@@ -55,15 +56,52 @@ fn only(functions: &[Function]) -> Result<&Function, MeasurementError> {
     }
 }
 
+/// A function by its numbers, whose units are SI where it names none.
+pub(super) fn of_function(
+    function: &UniversalFunction,
+) -> Result<FrequencyResponse, MeasurementError> {
+    let axis = |kind: i32, unit: &str| Axis {
+        kind,
+        length: 0,
+        force: 0,
+        temperature: 0,
+        label: String::new(),
+        unit: unit.to_owned(),
+    };
+    let freedom = |direction: i32| Freedom {
+        entity: String::new(),
+        node: 0,
+        direction,
+    };
+    let function = Function {
+        line: 0,
+        title: function.title.clone(),
+        function_type: function.function_type,
+        load_case: function.load_case,
+        response: freedom(function.response_direction),
+        reference: freedom(function.reference_direction),
+        abscissa_axis: axis(function.abscissa_kind, ""),
+        numerator: axis(function.numerator.0, &function.numerator.1),
+        denominator: axis(function.denominator.0, &function.denominator.1),
+        complex: true,
+        abscissa: function.frequencies.clone(),
+        ordinate: function.values.clone(),
+    };
+    response(&function, None)
+}
+
 fn response(
     function: &Function,
     units: Option<Units>,
 ) -> Result<FrequencyResponse, MeasurementError> {
+    // What was not read here has no line.
+    let place = |value: String| match function.line {
+        0 => value,
+        line => format!("line {line}, {value}"),
+    };
     let wrong = |rule: &str| {
-        Err(MeasurementError::file(format!(
-            "line {}, \"{}\": {rule}",
-            function.line, function.title
-        )))
+        let function = place(format!("\"{}\"", function.title));
+        Err(MeasurementError::file(format!("{function}: {rule}")))
     };
     if function.function_type != FREQUENCY_RESPONSE || !function.complex {
         return wrong("is not a complex frequency response");
@@ -112,7 +150,7 @@ fn response(
             .map(|value| value * factor)
             .collect(),
         places: (1..=function.ordinate.len())
-            .map(|number| format!("line {}, value {number}", function.line))
+            .map(|number| place(format!("value {number}")))
             .collect(),
     })
 }

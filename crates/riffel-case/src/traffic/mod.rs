@@ -20,6 +20,8 @@ use crate::{Case, CaseError, Variant};
 const SHARE_TOLERANCE: f64 = 2e-3;
 /// Days of a year in the mean of the calendar.
 pub const DAYS_PER_YEAR: f64 = 365.2425;
+/// Days of a month in the mean of the calendar.
+pub const DAYS_PER_MONTH: f64 = DAYS_PER_YEAR / 12.0;
 
 /// A mix of vehicles, checked.
 #[derive(Clone)]
@@ -40,6 +42,13 @@ pub struct TrafficOnCase {
     pub passages_per_day: Option<f64>,
     /// What the reader should know about the validity of the models.
     pub remarks: Vec<String>,
+}
+
+impl TrafficOnCase {
+    /// Axle passages in a month of the mean calendar, if the file says how much traffic there is.
+    pub fn passages_per_month(&self) -> Option<f64> {
+        Some(self.passages_per_day? * DAYS_PER_MONTH)
+    }
 }
 
 /// The one-third-octave bands that a case speaks of: from the one that holds the shortest wavelength of its

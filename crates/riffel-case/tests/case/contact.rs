@@ -118,12 +118,12 @@ fn a_clean_contact_needs_no_table() {
 fn a_point_outside_the_window_is_covered() {
     let narrow = case(&["contact.response=non-steady"]).unwrap();
     assert!(narrow.feedback.at(0.15, 30.0).growth_rate.is_nan());
-    let covering = narrow.covering(0.15).unwrap();
+    let covering = narrow.covering(0.15, 0.15).unwrap();
     assert_eq!(covering.wavelength.max(), 0.08);
     let wide = case(&["contact.response=non-steady", "map.wavelength.max=150 mm"]).unwrap();
     let growth = |case: &Case| case.feedback.at(0.15, 30.0).growth_rate;
     assert_eq!(growth(&covering), growth(&wide));
-    assert!(narrow.covering(1e-3).is_err());
+    assert!(narrow.covering(1e-3, 0.05).is_err());
 }
 
 #[test]

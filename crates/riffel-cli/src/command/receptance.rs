@@ -2,10 +2,9 @@
 
 use std::f64::consts::TAU;
 use std::io::{self, Write};
-use std::sync::Arc;
 
 use riffel::{Complex64, DecayRate, Resonance};
-use riffel_case::{Case, Direction, Track};
+use riffel_case::{Case, Direction, ReceptanceCurve, ReceptanceCurves, Track};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
 
@@ -34,7 +33,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         &track,
         direction,
         speed,
-        frequencies(from, to, arguments.points),
+        ReceptanceCurves::frequencies(from, to, arguments.points),
     );
     if arguments.json {
         print_json(&curves.document());
@@ -80,14 +79,14 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
 /// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement
 /// has.
 fn range(arguments: &Receptance, track: &Track) -> Result<(f64, f64), CliError> {
-    let (known_from, known_to) = track.receptance.frequency_range();
+    let (usual_from, usual_to) = ReceptanceCurves::default_range(&*track.receptance);
     let from = match arguments.from {
         Some(from) => positive("--from", from)?,
-        None => 20f64.max(known_from / TAU),
+        None => usual_from,
     };
     let to = match arguments.to {
         Some(to) => to.si(),
-        None => 5000f64.min(known_to / TAU),
+        None => usual_to,
     };
     if from < to {
         return Ok((from, to));
@@ -99,35 +98,9 @@ fn range(arguments: &Receptance, track: &Track) -> Result<(f64, f64), CliError> 
     })
 }
 
-/// Equally spaced in their logarithm, both ends included and exact.
-fn frequencies(from: f64, to: f64, points: u32) -> Vec<f64> {
-    let last = points - 1;
-    (0..points)
-        .map(|index| match index {
-            0 => from,
-            _ if index == last => to,
-            _ => from * (to / from).powf(f64::from(index) / f64::from(last)),
-        })
-        .collect()
-}
-
-/// A joint of the loop over frequency.
-struct Curve {
-    /// Key in documents and tables.
-    key: &'static str,
-    /// Name in the figure.
-    label: String,
-    style: LineStyle,
-    values: Vec<Complex64>,
-}
-
 /// What the command shows.
 struct Curves {
-    frequencies: Vec<f64>,
-    /// What stands in documents and tables.
-    joints: Vec<Curve>,
-    /// The rail elsewhere in the bay, for the figure and the table.
-    places: Vec<Curve>,
+    receptances: ReceptanceCurves,
     speed: f64,
     direction: Direction,
 }
@@ -152,76 +125,34 @@ impl Curves {
         speed: f64,
         frequencies: Vec<f64>,
     ) -> Self {
-        let over = |structure: &dyn riffel::Receptance| -> Vec<Complex64> {
-            frequencies
-                .iter()
-                .map(|frequency| structure.receptance(TAU * frequency, speed))
-                .collect()
-        };
-        let curve = |key, label: &str, style, values| Curve {
-            key,
-            label: label.to_owned(),
-            style,
-            values,
-        };
-        let rail = over(&*track.receptance);
-        let mut joints = vec![curve("rail_m_per_n", "rail", LineStyle::Solid, rail)];
-        if direction == Direction::Vertical {
-            let wheel = over(&*case.feedback.wheel);
-            let contact = Complex64::from(case.feedback.contact_stiffness.recip());
-            let total = joints[0].values.iter().zip(&wheel);
-            let total = total.map(|(rail, wheel)| rail + wheel + contact).collect();
-            let contact = vec![contact; frequencies.len()];
-            joints.extend([
-                curve("wheel_m_per_n", "wheel", LineStyle::Dashed, wheel),
-                curve(
-                    "contact_m_per_n",
-                    "contact spring",
-                    LineStyle::Dotted,
-                    contact,
-                ),
-                curve("total_m_per_n", "total", LineStyle::Solid, total),
-            ]);
-        }
-        let mut places = Vec::new();
-        if let Some(spacing) = track.support_spacing() {
-            for (key, label, place) in [
-                ("rail_over_support_m_per_n", "rail over support", 0.0),
-                ("rail_mid_span_m_per_n", "rail in mid-span", 0.5 * spacing),
-            ] {
-                let rail: Option<Arc<dyn riffel::Receptance>> = track.at(place);
-                places.extend(rail.map(|rail| curve(key, label, LineStyle::Solid, over(&*rail))));
-            }
-        }
         Self {
-            frequencies,
-            joints,
-            places,
+            receptances: ReceptanceCurves::new(case, track, direction, speed, frequencies),
             speed,
             direction,
         }
     }
 
     fn document(&self) -> Document {
-        let joints = self.joints.iter().map(|curve| {
+        let joints = self.receptances.joints.iter().map(|curve| {
             let values = serde_json::to_value(pairs(&curve.values)).unwrap_or_default();
             (curve.key.to_owned(), values)
         });
         Document {
-            frequency_hz: self.frequencies.clone(),
+            frequency_hz: self.receptances.frequencies.clone(),
             joints: joints.collect(),
         }
     }
 
     fn table(&self, file: &mut impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        let curves = || self.joints.iter().chain(&self.places);
+        let all = &self.receptances;
+        let curves = || all.joints.iter().chain(&all.places);
         let mut header = vec!["frequency_hz".to_owned()];
         header.extend(
             curves().flat_map(|curve| ["re", "im"].map(|part| format!("{}_{part}", curve.key))),
         );
         writer.write_record(&header)?;
-        for (index, &frequency) in self.frequencies.iter().enumerate() {
+        for (index, &frequency) in all.frequencies.iter().enumerate() {
             let mut row = vec![frequency];
             row.extend(curves().flat_map(|curve| {
                 let value = curve.values[index];
@@ -233,13 +164,13 @@ impl Curves {
     }
 
     /// Discrete supports show the rail at both of its typical places instead of at one.
-    fn drawn(&self) -> Vec<&Curve> {
-        let rail = if self.places.is_empty() {
-            &self.joints[..1]
-        } else {
-            &self.places[..]
+    fn drawn(&self) -> Vec<&ReceptanceCurve> {
+        let ReceptanceCurves { joints, places, .. } = &self.receptances;
+        let rail = match places.is_empty() {
+            true => &joints[..1],
+            false => &places[..],
         };
-        rail.iter().chain(&self.joints[1..]).collect()
+        rail.iter().chain(&joints[1..]).collect()
     }
 
     fn figure(&self, case: &Case, resonances: &[Resonance]) -> LineFigure {
@@ -254,17 +185,17 @@ impl Curves {
                 .into_iter()
                 .map(|curve| Series {
                     label: if named {
-                        curve.label.clone()
+                        curve.label.to_owned()
                     } else {
                         String::new()
                     },
-                    x: self.frequencies.clone(),
+                    x: self.receptances.frequencies.clone(),
                     y: curve
                         .values
                         .iter()
                         .map(|&receptance| value(receptance))
                         .collect(),
-                    style: curve.style,
+                    style: style(curve),
                     color: None,
                 })
                 .collect(),
@@ -300,6 +231,15 @@ impl Curves {
             ],
             arrangement: Arrangement::Stacked,
         }
+    }
+}
+
+/// The rail and the sum of all are solid.
+fn style(curve: &ReceptanceCurve) -> LineStyle {
+    match curve.key {
+        "wheel_m_per_n" => LineStyle::Dashed,
+        "contact_m_per_n" => LineStyle::Dotted,
+        _ => LineStyle::Solid,
     }
 }
 

@@ -4,8 +4,9 @@ use crate::arguments::Schema;
 use crate::output::print_json;
 
 pub(crate) fn run(arguments: &Schema) {
-    print_json(&match arguments.traffic {
-        true => riffel_case::traffic_schema(),
-        false => riffel_case::json_schema(),
+    print_json(&match arguments {
+        Schema { traffic: true, .. } => riffel_case::traffic_schema(),
+        Schema { study: true, .. } => riffel_study::plan_schema(),
+        _ => riffel_case::json_schema(),
     });
 }

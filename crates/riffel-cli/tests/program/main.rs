@@ -8,4 +8,5 @@ mod forecast;
 mod report;
 mod roughness;
 mod sandbox;
+mod study;
 mod track;

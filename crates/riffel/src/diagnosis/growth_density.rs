@@ -33,7 +33,7 @@ impl GrowthDensity {
         let wavelengths: Vec<f64> = (0..=steps as usize)
             .map(|step| from * (to / from).powf(step as f64 / steps))
             .collect();
-        let per_dissipation = feedback.growth_rate(&feedback.contact.steady(), Complex64::ONE);
+        let per_dissipation = feedback.growth_rate_per_dissipation();
         let mut evaluator = RowEvaluator::new(feedback, &wavelengths);
         let mut row = vec![Complex64::ZERO; wavelengths.len()];
         let mut rates = vec![0.0; wavelengths.len()];

@@ -28,28 +28,43 @@ impl GrowthMap {
         speed: Axis,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
-        let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
-        let tiles_a_row = wavelength.points().div_ceil(TILE);
         let mut tiles = Vec::new();
-        (0..speed.points() * tiles_a_row)
+        let (wavelengths, speeds) = (wavelength.values(), speed.values());
+        Self::compute_tiles(feedback, &wavelengths, &speeds, &mut tiles, progress);
+        Self {
+            wavelength,
+            speed,
+            tiles,
+            growth_rate_per_dissipation: feedback.growth_rate_per_dissipation(),
+        }
+    }
+
+    /// Ŵ₁ over any wavelengths \[m\] and speeds \[m/s\], not only equally spaced ones, in place of what `tiles`
+    /// holds: for each speed as many whole tiles as hold the wavelengths, of which the last is filled up with values
+    /// that mean nothing.
+    ///
+    /// Method, `progress` and accuracy are those of [`compute`](Self::compute).
+    pub fn compute_tiles(
+        feedback: &FeedbackLoop,
+        wavelengths: &[f64],
+        speeds: &[f64],
+        tiles: &mut Vec<[Complex64; TILE]>,
+        progress: impl Fn(usize) + Sync,
+    ) {
+        let evaluator = RowEvaluator::for_map(feedback, wavelengths, speeds);
+        let tiles_a_row = wavelengths.len().div_ceil(TILE);
+        (0..speeds.len() * tiles_a_row)
             .into_par_iter()
             .with_min_len(tiles_a_row)
             .map_with(evaluator, |evaluator, index| {
                 let (row, tile) = (index / tiles_a_row, index % tiles_a_row);
-                let values = evaluator.evaluate_tile(speed.value(row), tile);
+                let values = evaluator.evaluate_tile(speeds[row], tile);
                 if tile + 1 == tiles_a_row {
                     progress(1);
                 }
                 values
             })
-            .collect_into_vec(&mut tiles);
-        let steady = feedback.contact.steady();
-        Self {
-            wavelength,
-            speed,
-            tiles,
-            growth_rate_per_dissipation: feedback.growth_rate(&steady, Complex64::ONE),
-        }
+            .collect_into_vec(tiles);
     }
 
     /// The map with every value multiplied by a factor.

@@ -25,6 +25,19 @@ pub struct RidgePoint {
     pub at_edge: bool,
 }
 
+impl RidgePoint {
+    /// The point of the ridge in a row that a [`RowEvaluator`] computed for the wavelengths at one speed
+    /// \[m/s\]: what [`Ridge::search`] finds there, for those who keep the rows too.
+    pub fn of_row(
+        feedback: &FeedbackLoop,
+        wavelength: Axis,
+        speed: f64,
+        row: &[Complex64],
+    ) -> Self {
+        refined_on(feedback, wavelength, speed, lowest(row))
+    }
+}
+
 /// Ridge points in order of speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ridge {
@@ -37,14 +50,18 @@ impl Ridge {
     /// then refined between its neighbours by golden-section search to 1e-7 of the window, some 35
     /// evaluations a speed. A second minimum narrower than the grid's step is missed.
     pub fn search(feedback: &FeedbackLoop, wavelength: Axis, speed: Axis) -> Self {
-        let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
+        Self::search_at(feedback, wavelength, &speed.values())
+    }
+
+    /// [`search`](Self::search) at any speeds \[m/s\], in their order.
+    pub fn search_at(feedback: &FeedbackLoop, wavelength: Axis, speeds: &[f64]) -> Self {
+        let evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), speeds);
         let row = vec![Complex64::ZERO; wavelength.points()];
-        let points = (0..speed.points())
-            .into_par_iter()
-            .map_with((evaluator, row), |(evaluator, row), index| {
-                let speed = speed.value(index);
+        let points = speeds
+            .par_iter()
+            .map_with((evaluator, row), |(evaluator, row), &speed| {
                 evaluator.evaluate(speed, row);
-                refined_on(feedback, wavelength, speed, lowest(row))
+                RidgePoint::of_row(feedback, wavelength, speed, row)
             })
             .collect();
         Self { points }
@@ -52,8 +69,9 @@ impl Ridge {
 
     /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
     pub fn of_map(feedback: &FeedbackLoop, map: &GrowthMap) -> Self {
+        let steady = feedback.contact.steady();
         Self::refined_from(map, |wavelength, speed| {
-            feedback.at(wavelength, speed).normalized_dissipation
+            feedback.normalized_dissipation(&steady, wavelength, speed)
         })
     }
 
@@ -172,9 +190,10 @@ fn refined(
 
 /// [`refined`] on the loop itself.
 fn refined_on(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
-    let rate = feedback.growth_rate(&feedback.contact.steady(), Complex64::ONE);
+    let steady = feedback.contact.steady();
+    let rate = feedback.growth_rate_per_dissipation();
     refined(wavelength, speed, lowest, rate, |wavelength| {
-        feedback.at(wavelength, speed).normalized_dissipation
+        feedback.normalized_dissipation(&steady, wavelength, speed)
     })
 }
 

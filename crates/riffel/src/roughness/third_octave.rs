@@ -32,6 +32,23 @@ impl ThirdOctave {
         Ok(Self::new((10.0 * wavelength.log10()).round() as i32))
     }
 
+    /// The band of which a wavelength \[m\] is the exact or the nominal centre; these are 1.3 % apart at most.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a wavelength more than 5 % from a centre.
+    pub fn centred(wavelength: f64) -> Result<Self, Error> {
+        let band = Self::containing(wavelength)?;
+        if (wavelength / band.wavelength() - 1.0).abs() <= 0.05 {
+            return Ok(band);
+        }
+        Err(Error::OutOfRange {
+            quantity: "wavelength of a one-third octave",
+            value: wavelength,
+            unit: "m",
+            rule: "must be the centre of one, such as 0.0315 or 0.04",
+        })
+    }
+
     /// The n of the centre 10^(n/10) m.
     pub const fn index(self) -> i32 {
         self.index

@@ -6,11 +6,11 @@ mod figure;
 use riffel::forecast::SpeedDistribution;
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::roughness::{LimitTable, Survey};
-use riffel_case::traffic::Traffic;
+use riffel_case::traffic::{DAYS_PER_MONTH, Traffic};
 use riffel_case::what_if::{Comparison, FastestLine, Outcome};
 use riffel_case::{Case, Variant};
 
-use super::forecast::{DAYS_PER_MONTH, level_limit, number, outside, per_million, when};
+use super::forecast::{level_limit, number, outside, per_million, when};
 use super::roughness::survey;
 use crate::arguments::{Compare, positive};
 use crate::error::CliError;

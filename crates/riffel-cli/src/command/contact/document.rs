@@ -1,11 +1,8 @@
 //! `contact --json`.
 
 use riffel::{Complex64, KalkerCoefficients};
+use riffel_case::{CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 use serde::Serialize;
-
-use super::creep_curves::CreepCurves;
-use super::frequency_response::{FrequencyResponse, Outputs};
-use super::patch::Patch;
 
 /// `contact --json`.
 #[derive(Serialize)]
@@ -42,7 +39,7 @@ struct FrequencyResponseDocument {
 }
 
 pub(super) fn document(
-    patch: &Patch,
+    patch: &RollingTheories,
     curves: &CreepCurves,
     response: &FrequencyResponse,
 ) -> Document {
@@ -51,7 +48,7 @@ pub(super) fn document(
         .laws
         .iter()
         .map(|law| (law.key.to_owned(), law.tractive_ratios.clone().into()));
-    let outputs = |outputs: &Outputs| {
+    let outputs = |outputs: &ResponseOutputs| {
         let pairs = |values: &[Complex64]| -> serde_json::Value {
             values
                 .iter()
@@ -60,7 +57,7 @@ pub(super) fn document(
         };
         outputs
             .all()
-            .map(|(key, _, _, values)| (key.to_owned(), pairs(values)))
+            .map(|(key, _, values)| (key.to_owned(), pairs(values)))
             .into_iter()
             .collect()
     };

@@ -3,11 +3,10 @@
 mod creep_curves;
 mod document;
 mod frequency_response;
-mod patch;
 mod patch_figure;
 
 use riffel::KalkerCoefficients;
-use riffel_case::Case;
+use riffel_case::{Case, CaseError, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
@@ -15,22 +14,20 @@ use crate::error::CliError;
 use crate::map_figure::polach;
 use crate::output::{Progress, print, print_json, print_remarks, table};
 use crate::staging::Staging;
-use creep_curves::CreepCurves;
 use document::document;
-use frequency_response::FrequencyResponse;
-use patch::Patch;
-use patch_figure::patch_figure;
+use patch_figure::{patch_figure, patch_table};
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let case = arguments.case.read()?;
-    let patch = Patch::new(&case)?;
+    let patch = RollingTheories::new(&case)?;
     let creepages = creepages(arguments, &patch)?;
     let ratios = ratios(arguments)?;
 
     let progress = Progress::new("contact", creepages.len() + ratios.len() + 1);
     // First what is refused soonest.
-    let response = FrequencyResponse::new(&patch, ratios, &progress)?;
-    let curves = CreepCurves::new(&patch, creepages, &progress)?;
+    let response =
+        FrequencyResponse::new(&patch, ratios, || progress.advance(1)).map_err(of_argument)?;
+    let curves = CreepCurves::new(&patch, creepages, || progress.advance(1))?;
     drop(progress);
 
     if arguments.json {
@@ -47,9 +44,11 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let mut staging = Staging::new(&folder)?;
     staging.write_figure("contact", &figure(&case, &patch, &curves, &response))?;
     staging.write_figure("patch", &patch_figure(&case, &patch))?;
-    staging.write_with("creep-curve.csv", |file| curves.table(file))?;
-    staging.write_with("frequency-response.csv", |file| response.table(file))?;
-    staging.write_with("patch.csv", |file| patch.table(file))?;
+    staging.write_with("creep-curve.csv", |file| creep_curves::table(&curves, file))?;
+    staging.write_with("frequency-response.csv", |file| {
+        frequency_response::table(&response, file)
+    })?;
+    staging.write_with("patch.csv", |file| patch_table(&patch, file))?;
     let files = staging.publish()?;
     if !arguments.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
@@ -60,14 +59,9 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
 }
 
 /// The creepages asked for \[-\], or equally spaced ones to beyond full slip.
-fn creepages(arguments: &Contact, patch: &Patch) -> Result<Vec<f64>, CliError> {
-    const POINTS: u32 = 40;
-    const BEYOND_FULL_SLIP: f64 = 1.2;
+fn creepages(arguments: &Contact, theories: &RollingTheories) -> Result<Vec<f64>, CliError> {
     if arguments.creepage.is_empty() {
-        let last = BEYOND_FULL_SLIP * patch.full_slip_creepage();
-        return Ok((1..=POINTS)
-            .map(|index| last * f64::from(index) / f64::from(POINTS))
-            .collect());
+        return Ok(theories.default_creepages());
     }
     let given = arguments.creepage.iter();
     given
@@ -77,31 +71,27 @@ fn creepages(arguments: &Contact, patch: &Patch) -> Result<Vec<f64>, CliError> {
 
 /// The wavelengths asked for \[semi-axes\], or some equally spaced in their logarithm.
 fn ratios(arguments: &Contact) -> Result<Vec<f64>, CliError> {
-    const POINTS: u32 = 61;
-    const SHORTEST: f64 = 2.0;
-    const LONGEST: f64 = 100.0;
     if arguments.ratio.is_empty() {
-        let last = POINTS - 1;
-        return Ok((0..POINTS)
-            .map(|index| match index {
-                0 => SHORTEST,
-                _ if index == last => LONGEST,
-                _ => SHORTEST * (LONGEST / SHORTEST).powf(f64::from(index) / f64::from(last)),
-            })
-            .collect());
+        return Ok(FrequencyResponse::default_ratios());
     }
     let given = arguments.ratio.iter();
     given.map(|&ratio| positive("--ratio", ratio)).collect()
 }
 
-/// A refusal of the physics, with what was computed.
-fn refused(input: impl Into<String>) -> impl FnOnce(riffel::Error) -> CliError {
-    let input = input.into();
-    move |error| CliError::Physics { input, error }
+/// A wavelength that the contact refuses, under the name of its argument.
+fn of_argument(error: CaseError) -> miette::Report {
+    match error {
+        CaseError::Physics { input, error } => CliError::Physics {
+            input: input.replace("λ/a = ", "--ratio "),
+            error,
+        }
+        .into(),
+        error => error.into(),
+    }
 }
 
 /// The parameters of the contact in one sentence.
-fn parameters(case: &Case, patch: &Patch) -> String {
+fn parameters(case: &Case, patch: &RollingTheories) -> String {
     let material = patch.hertz.material();
     format!(
         "E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, P = {:.0} kN, μ = {}; ellipse {:.2} × {:.2} mm; \
@@ -126,11 +116,11 @@ fn parameters(case: &Case, patch: &Patch) -> String {
 
 fn figure(
     case: &Case,
-    patch: &Patch,
+    patch: &RollingTheories,
     curves: &CreepCurves,
     response: &FrequencyResponse,
 ) -> LineFigure {
-    let [modulus, phase] = response.panels();
+    let [modulus, phase] = frequency_response::panels(response);
     LineFigure {
         title: "Rolling contact: creep curves and frequency response".to_owned(),
         caption: format!(
@@ -138,7 +128,7 @@ fn figure(
              the whole passage, relative to the instant at which the wheel centre passes. {}",
             parameters(case, patch)
         ),
-        panels: vec![curves.panel(patch), modulus, phase],
+        panels: vec![creep_curves::panel(curves, patch), modulus, phase],
         arrangement: Arrangement::Stacked,
     }
 }
@@ -157,7 +147,7 @@ fn line(label: &str, x: &[f64], y: &[f64]) -> Series {
 }
 
 /// The contact for the terminal.
-fn readable(case: &Case, patch: &Patch, curves: &CreepCurves) -> String {
+fn readable(case: &Case, patch: &RollingTheories, curves: &CreepCurves) -> String {
     const ROWS: usize = 8;
     let hertz = patch.hertz;
     let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;

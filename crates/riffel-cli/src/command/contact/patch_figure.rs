@@ -1,13 +1,14 @@
 //! Stick, slip and tractions of the mean state as a picture.
 
+use std::io::{self, Write};
+
 use riffel::ContactElement;
-use riffel_case::Case;
+use riffel_case::{Case, RollingTheories};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 
-use super::patch::Patch;
 use super::{line, parameters};
 
-pub(super) fn patch_figure(case: &Case, patch: &Patch) -> LineFigure {
+pub(super) fn patch_figure(case: &Case, patch: &RollingTheories) -> LineFigure {
     const TO_MILLIMETRES: f64 = 1e3;
     const TO_MEGAPASCALS: f64 = 1e-6;
     /// Height of a panel over its width, so that the ellipse keeps its shape.
@@ -137,4 +138,26 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
+}
+
+/// The elements of the patch, one row for each.
+pub(super) fn patch_table(patch: &RollingTheories, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record([
+        "x_m",
+        "y_m",
+        "traction_longitudinal_pa",
+        "traction_lateral_pa",
+        "bound_pa",
+        "slips",
+    ])?;
+    for element in patch.elements() {
+        writer.serialize((
+            element.centre,
+            element.traction,
+            element.bound,
+            element.slips,
+        ))?;
+    }
+    writer.flush()
 }

@@ -10,7 +10,7 @@ use jiff::civil::Date;
 use riffel::forecast::{Forecast, ForecastBand};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::roughness::{Limit, LimitTable, Survey};
-use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, TrafficOnCase, bands_of};
+use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
 
 use crate::arguments::{Forecast as Arguments, Horizon};
@@ -22,9 +22,6 @@ use dated::Dated;
 use wear::WearReport;
 
 pub(crate) use figure::{rate_panel, zero};
-
-/// Days of a month in the mean of the calendar.
-pub(crate) const DAYS_PER_MONTH: f64 = DAYS_PER_YEAR / 12.0;
 
 /// Everything that is reported.
 pub(super) struct Report {
@@ -321,8 +318,8 @@ pub(crate) fn passages(horizon: &Horizon, on: &TrafficOnCase) -> Result<f64, Cli
     if let Some(mgt) = horizon.mgt {
         return Ok(on.growth.passages(mgt));
     }
-    on.passages_per_day
-        .map(|per_day| per_day * DAYS_PER_MONTH * horizon.months.unwrap_or(12.0))
+    on.passages_per_month()
+        .map(|per_month| per_month * horizon.months.unwrap_or(12.0))
         .ok_or_else(|| CliError::Argument {
             argument: "--months",
             value: horizon

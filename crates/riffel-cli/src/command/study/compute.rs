@@ -1,0 +1,153 @@
+//! `riffel study PLAN`
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use riffel_study::{ChunkState, ResultFolder, Shard, Study, StudyError, Summary};
+use serde::Serialize;
+
+use super::progress::SampleProgress;
+use super::statistics::{Statistics, table_of};
+use crate::arguments::Run;
+use crate::output::{print, print_json, print_remarks};
+use crate::staging::stop_on_interrupt;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Document<'a> {
+    folder: String,
+    fingerprint: &'a str,
+    parameters: Vec<&'a str>,
+    #[serde(flatten)]
+    summary: &'a Summary,
+    /// Samples computed by this run.
+    samples_computed: u64,
+    seconds: f64,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    outputs: Vec<Statistics>,
+    remarks: &'a [String],
+}
+
+pub(super) fn run(arguments: &Run) -> miette::Result<ExitCode> {
+    // The plan is given where there is no sub-command.
+    let plan = arguments.plan.clone().unwrap_or_default();
+    let study = Study::read(&plan)?;
+    let path = arguments.output.clone().unwrap_or_else(|| {
+        let stem = plan.file_stem().unwrap_or_default().to_string_lossy();
+        PathBuf::from(format!("{stem}-results"))
+    });
+    let shard = arguments.shard.unwrap_or(Shard::ALL);
+    let stop = stop_on_interrupt();
+    eprintln!("{}", beginning(&study));
+    let folder = ResultFolder::begin(&study, &path)?;
+    let states = folder.states(shard)?;
+    for (chunk, state) in &states {
+        if let ChunkState::Damaged(file) = state {
+            let file = file.display();
+            eprintln!("note: {file} is damaged; chunk {chunk} is computed anew");
+        }
+    }
+    let pending: Vec<u64> = states
+        .iter()
+        .filter(|(_, state)| *state != ChunkState::Finished)
+        .map(|(chunk, _)| *chunk)
+        .collect();
+    let kept = states.len() - pending.len();
+    if kept > 0 {
+        eprintln!("{kept} of {} chunks are finished and kept", states.len());
+    }
+    let size = |chunk: &u64| {
+        let samples = study.samples_of(*chunk);
+        samples.end - samples.start
+    };
+    let samples: u64 = pending.iter().map(size).sum();
+
+    let begun = Instant::now();
+    let progress = SampleProgress::new(samples);
+    let work = || study.run(&folder, &pending, &|| progress.advance(), &stop);
+    let outcome = match arguments.threads {
+        None => work(),
+        Some(threads) => rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build()
+            .map_err(|error| StudyError::Analysis {
+                message: format!("cannot start {threads} threads: {error}"),
+            })?
+            .install(work),
+    };
+    drop(progress);
+    outcome?;
+    let seconds = begun.elapsed().as_secs_f64();
+    let summary = folder.summary()?;
+    let whole = summary.chunks_finished == summary.chunks;
+    if stop.is_asked() && !pending.is_empty() && !whole {
+        eprintln!(
+            "stopped: {} of {} chunks are finished and kept in {}; the same command goes on from there",
+            summary.chunks_finished,
+            summary.chunks,
+            path.display()
+        );
+        return Ok(ExitCode::from(130));
+    }
+    if whole && shard == Shard::ALL {
+        folder.sweep()?;
+    }
+    let outputs = match whole {
+        true => Statistics::of(&study, &folder)?,
+        false => Vec::new(),
+    };
+    if arguments.json {
+        print_json(&Document {
+            folder: path.display().to_string(),
+            fingerprint: &study.fingerprint,
+            parameters: study
+                .parameters()
+                .iter()
+                .map(|p| p.key.key.as_str())
+                .collect(),
+            summary: &summary,
+            samples_computed: samples,
+            seconds,
+            outputs,
+            remarks: &study.plan.remarks,
+        });
+    } else {
+        let title = study.plan.file.title.as_deref().unwrap_or("Study");
+        let left = match summary.chunks - summary.chunks_finished {
+            0 => String::new(),
+            left => format!(
+                "{left} of {} chunks are left to other shards\n",
+                summary.chunks
+            ),
+        };
+        print(&format!(
+            "{title}\n{}{}{left}{}: results.zarr plan.toml case.toml study.json\n",
+            table_of(&outputs),
+            super::failures(&summary),
+            path.display(),
+        ));
+    }
+    if samples > 0 {
+        eprintln!(
+            "{samples} samples in {}, {:.0} a second",
+            super::progress::duration(seconds),
+            samples as f64 / seconds
+        );
+    }
+    print_remarks(&study.plan.remarks);
+    Ok(ExitCode::SUCCESS)
+}
+
+/// How large the study is.
+fn beginning(study: &Study) -> String {
+    let plan = &study.plan;
+    format!(
+        "{} samples of {} parameters ({}), {} in {} chunks",
+        study.samples(),
+        study.parameters().len(),
+        plan.file.design.method.name(),
+        plan.size_in_words(),
+        study.chunks()
+    )
+}

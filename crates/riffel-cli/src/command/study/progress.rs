@@ -1,0 +1,80 @@
+//! How far a study is.
+
+use std::io::IsTerminal;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Time from one line to the next where there is no terminal, as in the log of a cluster.
+const LINE_EVERY: Duration = Duration::from_secs(60);
+
+/// A bar with rate and time left on a terminal, a line a minute elsewhere.
+pub(super) struct SampleProgress {
+    bar: ProgressBar,
+    terminal: bool,
+    total: u64,
+    done: AtomicU64,
+    begun: Instant,
+    last_line: Mutex<Instant>,
+}
+
+impl SampleProgress {
+    pub(super) fn new(total: u64) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+        let template = "{wide_bar} {human_pos} of {human_len} samples  {per_sec}  {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        Self {
+            bar,
+            terminal: std::io::stderr().is_terminal(),
+            total,
+            done: AtomicU64::new(0),
+            begun: Instant::now(),
+            last_line: Mutex::new(Instant::now()),
+        }
+    }
+
+    /// One more sample.
+    pub(super) fn advance(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        if self.terminal {
+            self.bar.inc(1);
+            if self.bar.is_hidden() && self.begun.elapsed() > Duration::from_secs(1) {
+                self.bar.set_draw_target(ProgressDrawTarget::stderr());
+            }
+            return;
+        }
+        // A thread that finds the clock taken leaves the line to the one that has it.
+        if let Ok(mut last) = self.last_line.try_lock()
+            && last.elapsed() > LINE_EVERY
+        {
+            *last = Instant::now();
+            let rate = done as f64 / self.begun.elapsed().as_secs_f64();
+            let left = duration((self.total - done) as f64 / rate);
+            eprintln!(
+                "{done} of {} samples, {rate:.1} a second, {left} left",
+                self.total
+            );
+        }
+    }
+}
+
+impl Drop for SampleProgress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+/// A time in the units that suit it.
+pub(super) fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 10.0 => format!("{s:.1} s"),
+        s if s < 120.0 => format!("{s:.0} s"),
+        s if s < 7200.0 => format!("{:.0} min", s / 60.0),
+        s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
+        s => format!("{:.1} days", s / 86_400.0),
+    }
+}

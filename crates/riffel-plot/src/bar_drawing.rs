@@ -1,0 +1,197 @@
+//! Bars as pictures.
+
+use plotters::style::text_anchor::{HPos, VPos};
+
+use crate::axis::{Axis, Scale, Tick, Ticks};
+use crate::bar_figure::{BarArrangement, BarFigure, BarPanel};
+use crate::canvas::{self, Canvas, Lettering, Stroke};
+use crate::color::{OKABE_ITO, Rgb};
+use crate::error::PlotError;
+use crate::frame::{self, Side};
+use crate::legend::{Entry, Sample};
+use crate::sheet::{self, Sheet};
+use crate::sheet_box::SheetBox;
+use crate::text::{self, Weight};
+
+const WIDTH: f64 = 400.0;
+/// Height of a bar, pixels.
+const BAR: f64 = 11.0;
+/// Distance of one row from the next, pixels.
+const ROW_GAP: f64 = 11.0;
+const NOTE_FONT: f64 = 10.5;
+const NOTE_GAP: f64 = 4.0;
+/// Length from which a bar has words at its end, pixels.
+const SEEN: f64 = 0.5;
+const BAR_OPACITY: f64 = 0.85;
+
+pub(crate) fn svg(figure: &BarFigure) -> Result<String, PlotError> {
+    let height = |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
+    let tallest = figure.panels.iter().map(height).fold(0.0, f64::max);
+    let subtitled = figure.panels.iter().any(|panel| !panel.subtitle.is_empty());
+    let entries = entries(figure);
+    let beside = |panel| frame::room_beside(&row_ticks(panel));
+    let sheet = Sheet {
+        title: &figure.title,
+        caption: &figure.caption,
+        columns: 1,
+        panel_count: figure.panels.len(),
+        frame_size: (WIDTH, tallest),
+        left: figure.panels.iter().map(beside).fold(0.0, f64::max),
+        right: 14.0,
+        above: if subtitled { sheet::SUBTITLE } else { 8.0 },
+        below: frame::BELOW,
+        legend: &entries,
+    };
+    canvas::picture(sheet.size(), &figure.title, &figure.caption, |canvas| {
+        sheet.draw_words(canvas)?;
+        figure
+            .panels
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, panel)| {
+                let mut frame = sheet.frame(index);
+                frame.bottom = frame.top + height(panel);
+                sheet.draw_subtitle(canvas, &frame, &panel.subtitle)?;
+                draw(canvas, panel, &frame)
+            })
+    })
+}
+
+fn row_height(panel: &BarPanel) -> f64 {
+    let bars = match panel.arrangement {
+        BarArrangement::SideBySide => panel.series.len().max(1),
+        BarArrangement::OnOneLine => 1,
+    };
+    bars as f64 * BAR + ROW_GAP
+}
+
+/// The names of the rows at their middles, in rows from the top.
+fn row_ticks(panel: &BarPanel) -> Ticks {
+    let tick = |(index, name): (usize, &String)| Tick {
+        value: index as f64 + 0.5,
+        label: Some(name.clone()),
+    };
+    Ticks {
+        ticks: panel.rows.iter().enumerate().map(tick).collect(),
+        exponent: 0,
+    }
+}
+
+/// The series of all panels by name, each once.
+fn entries(figure: &BarFigure) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for panel in &figure.panels {
+        for (index, series) in panel.series.iter().enumerate() {
+            let known = entries.iter().any(|entry| entry.name == series.label);
+            if !series.label.is_empty() && !known {
+                entries.push(Entry {
+                    sample: Sample::Patch(color(panel, index)),
+                    name: series.label.clone(),
+                });
+            }
+        }
+    }
+    entries
+}
+
+fn color(panel: &BarPanel, index: usize) -> Rgb {
+    panel.series[index]
+        .color
+        .unwrap_or(OKABE_ITO[index % OKABE_ITO.len()])
+}
+
+/// Range of the bars with room for the words at their ends.
+fn range(panel: &BarPanel) -> (f64, f64) {
+    if let Some(range) = panel.x_range {
+        return range;
+    }
+    let bars = || panel.series.iter().flat_map(|series| &series.bars);
+    let values = bars().flat_map(|bar| {
+        let (low, high) = bar.interval.unwrap_or((bar.value, bar.value));
+        [bar.value, low, high]
+    });
+    let (low, high) = Scale::Linear.with_air(Scale::Linear.range_of(values.chain([panel.base])));
+    let widest = bars()
+        .map(|bar| text::width(&bar.note, NOTE_FONT, Weight::Regular))
+        .fold(0.0, f64::max);
+    if widest == 0.0 {
+        return (low, high);
+    }
+    // Words stand outside of the bars, on either side.
+    let share = ((widest + 2.0 * NOTE_GAP) / WIDTH).min(0.4);
+    let room = share / (1.0 - 2.0 * share) * (high - low);
+    (low - room, high + room)
+}
+
+fn draw(canvas: &mut Canvas<'_>, panel: &BarPanel, frame: &SheetBox) -> Result<(), PlotError> {
+    let (low, high) = range(panel);
+    let x = Axis {
+        scale: Scale::Linear,
+        low,
+        high,
+        start: frame.left,
+        end: frame.right,
+    };
+    let y = Axis {
+        scale: Scale::Linear,
+        low: 0.0,
+        high: panel.rows.len() as f64,
+        start: frame.top + 0.5 * ROW_GAP,
+        end: frame.bottom - 0.5 * ROW_GAP,
+    };
+    let ticks = x.ticks((frame.width() / 60.0) as usize);
+    let none = Ticks {
+        ticks: Vec::new(),
+        exponent: 0,
+    };
+    frame::draw_grid(canvas, frame, (&x, &ticks), (&y, &none))?;
+    let base = x.at(panel.base).clamp(frame.left, frame.right);
+    for (index, series) in panel.series.iter().enumerate() {
+        for (row, bar) in series.bars.iter().enumerate() {
+            if !bar.value.is_finite() {
+                continue;
+            }
+            let middle = y.at(row as f64 + 0.5);
+            let top = match panel.arrangement {
+                BarArrangement::OnOneLine => middle - 0.5 * BAR,
+                BarArrangement::SideBySide => {
+                    middle + (index as f64 - 0.5 * panel.series.len() as f64) * BAR
+                }
+            };
+            let end = x.at(bar.value).clamp(frame.left, frame.right);
+            let (left, right) = (base.min(end), base.max(end));
+            canvas.rectangle(
+                (left, top + 0.5),
+                (right, top + BAR - 0.5),
+                color(panel, index),
+                BAR_OPACITY,
+            )?;
+            if let Some((from, to)) = bar.interval {
+                let at = top + 0.5 * BAR;
+                let [from, to] = [from, to].map(|value| x.at(value).clamp(frame.left, frame.right));
+                let stroke = Stroke::solid(Rgb::INK, 1.0);
+                canvas.line(&[(from, at), (to, at)], stroke)?;
+                for end in [from, to] {
+                    canvas.line(&[(end, at - 2.5), (end, at + 2.5)], stroke)?;
+                }
+            }
+            let (place, anchor) = match bar.value < panel.base {
+                true => (left - NOTE_GAP, HPos::Right),
+                false => (right + NOTE_GAP, HPos::Left),
+            };
+            if right - left < SEEN {
+                // Two bars of no length would have their words in one place.
+                continue;
+            }
+            let lettering = Lettering::new(NOTE_FONT).anchor(anchor, VPos::Center);
+            canvas.text(&bar.note, (place, top + 0.5 * BAR), lettering)?;
+        }
+    }
+    canvas.line(
+        &[(base, frame.top), (base, frame.bottom)],
+        Stroke::solid(Rgb::INK, 1.0),
+    )?;
+    frame::draw_outline(canvas, frame)?;
+    frame::draw_axis(canvas, frame, Side::Bottom, &x, &ticks, &panel.x_label)?;
+    frame::draw_axis(canvas, frame, Side::Left, &y, &row_ticks(panel), "")
+}

@@ -1,0 +1,663 @@
+"""Cases."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+import xarray as xr
+
+from riffel import _datasets, _riffel
+from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
+from riffel._receptance import GivenReceptance, checked_receptance
+from riffel._spectra import levels_of
+
+Overrides: TypeAlias = "Mapping[str, Any]"
+"""Values by dotted key, as in ``{"contact.friction": 0.3}``."""
+
+Traffic: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
+"""A traffic file, or its keys."""
+
+
+class Case:
+    """One wheel on one track, checked and complete. It does not change; `with_` makes another one.
+
+    Make one with `from_toml`, `from_dict` or `parse`.
+    """
+
+    __slots__ = ("_case", "_window_map")
+
+    def __init__(self, case: _riffel.Case) -> None:
+        self._case = case
+        # Coordinates over the window of the case: making them costs a tenth of a map of a million points.
+        self._window_map: xr.Dataset | None = None
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str], overrides: Overrides | None = None) -> Case:
+        """Read a case file.
+
+        Parameters
+        ----------
+        path : path-like
+            The file. Files that it names are relative to its folder.
+        overrides : mapping, optional
+            Values by dotted key that replace those of the file, as ``--set`` of the program.
+
+        Raises
+        ------
+        FileNotFoundError
+            If there is no such file.
+        ValueError
+            For a key or a value that is not allowed, with the line of the file.
+        ConvergenceError
+            If a contact does not converge with the values of the case.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml", {"wheel.mass": "600 kg"})
+        >>> case.title
+        'BR main line, tangent track'
+        """
+        return cls(_riffel.Case.read(os.fspath(path), dict(overrides or {})))
+
+    @classmethod
+    def parse(cls, text: str, overrides: Overrides | None = None, *, name: str = "case") -> Case:
+        """Read a case from TOML; `name` is shown in errors. Otherwise as `from_toml`."""
+        return cls(_riffel.Case.parse(text, name, dict(overrides or {})))
+
+    @classmethod
+    def from_dict(cls, keys: Mapping[str, Any]) -> Case:
+        """A case from nested dicts with the keys of the case file.
+
+        Parameters
+        ----------
+        keys : mapping
+            Tables as dicts; quantities as numbers in SI or strings with their unit.
+
+        Raises
+        ------
+        ValueError
+            For a key or a value that is not allowed.
+        TypeError
+            For a value that no case file holds.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_dict({
+        ...     "wheel": {"rolling_radius": "460 mm", "mass": 350},
+        ...     "rail": {"section": "BS113A"},
+        ...     "track": {"model": "free-beam"},
+        ...     "contact": {"transverse_radius": "230 mm", "normal_load": "50 kN", "friction": 0.4, "tractive_ratio": 0.1},
+        ... })
+        >>> case.to_dict()["wheel"]["mass"]
+        '350 kg'
+        """
+        return cls(_riffel.Case.from_dict(_plain(keys)))
+
+    def with_(self, overrides: Overrides | None = None, /, **more: Any) -> Case:
+        """The case with other values.
+
+        Parameters
+        ----------
+        overrides : mapping, optional
+            Values by dotted key. One of two keys that exclude each other replaces the other.
+        **more
+            The same, as in ``case.with_(**{"contact.friction": 0.3})``.
+
+        Examples
+        --------
+        >>> riffel.Case.from_toml("cases/nominal.toml").with_({"contact.friction": 0.3}).to_dict()["contact"]["friction"]
+        0.3
+        """
+        return Case(self._case.with_overrides({**(overrides or {}), **more}))
+
+    def with_track(self, receptance: GivenReceptance) -> Case:
+        """The case on a track of the receptance given: a finite-element track, say, or a measured one.
+
+        It takes part in points, maps, ridges, receptances, forecasts and comparisons, and stays with the case in
+        `with_`. It stands for one place of the rail, so that nothing is averaged over a bay.
+
+        Parameters
+        ----------
+        receptance : callable, tuple, DataArray or dataset of pyuff
+            Vertical receptance of the rail at the contact in m/N, displacement and force both downward, for the time
+            factor exp(+i omega t): a passive track has an imaginary part of zero or less. A callable takes an array of
+            frequencies in Hz and returns as many complex numbers; it is called from several threads in turn, with one
+            frequency or with 64. For a map of 20 000 points or more it is tabulated to 1e-9. A pair
+            ``(frequency, receptance)`` or a `DataArray` over ``frequency`` is interpolated linearly in the logarithm of
+            frequency and not extrapolated.
+
+        Raises
+        ------
+        ReceptanceError
+            If the callable raises, which is the cause of the error, or does not return one finite number for each
+            frequency. Raised here or by the computation that met it.
+        ValueError
+            For arrays that are no receptance.
+
+        Examples
+        --------
+        A rail of 56 kg/m on an elastic foundation with loss:
+
+        >>> def winkler(frequency):
+        ...     omega = 2.0 * np.pi * frequency
+        ...     bending, mass, foundation = 207e9 * 2.35e-5, 56.0, 50e6 * (1.0 + 0.2j)
+        ...     decay = ((foundation - mass * omega**2) / (4.0 * bending)) ** 0.25
+        ...     return 1.0 / (8.0 * bending * decay**3)
+        >>> case = riffel.Case.from_toml("cases/nominal.toml").with_track(winkler)
+        >>> bool((case.receptance([500.0, 1000.0])["rail_m_per_n"] == winkler(np.array([500.0, 1000.0]))).all())
+        True
+        """
+        return Case(self._case.with_track(checked_receptance(receptance, "receptance")))
+
+    def with_wheel(self, receptance: GivenReceptance) -> Case:
+        """The case under a wheel of the receptance given; its rotation stays that of the case.
+
+        Otherwise as `with_track`.
+        """
+        return Case(self._case.with_wheel(checked_receptance(receptance, "receptance")))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All keys with their values, presets and defaults filled in; `from_dict` reads them back."""
+        return self._case.to_dict()
+
+    @property
+    def title(self) -> str | None:
+        """What the case is."""
+        return self._case.title
+
+    @property
+    def remarks(self) -> list[str]:
+        """What to know about the validity of the models in the window of the map."""
+        return self._case.remarks
+
+    def __repr__(self) -> str:
+        return f"<riffel.Case {self.title or 'without title'!r}>"
+
+    def point(self, *, wavelength: Quantities, speed: Quantities) -> dict[str, float | complex] | xr.Dataset:
+        """The whole loop at one wavelength and speed, or at many.
+
+        Parameters
+        ----------
+        wavelength, speed : quantity or array
+            Plain arrays make a grid; `DataArray` s are broadcast by their dimensions.
+
+        Returns
+        -------
+        dict or xarray.Dataset
+            For two scalars a dict with the keys of ``riffel point --json``; for arrays the same keys as variables.
+            Complex quantities are amplitudes for exp(+i omega t).
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> state = case.point(wavelength="55 mm", speed=30.0)
+        >>> state["growth_rate_per_passage"] > 0.0
+        True
+        >>> case.point(wavelength=[0.03, 0.05, 0.08], speed="30 m/s")["normal_force_n"].dims
+        ('wavelength',)
+        """
+        if is_scalar(wavelength) and is_scalar(speed):
+            pair = np.array([scalar(wavelength, "wavelength", "length")]), np.array([scalar(speed, "speed", "speed")])
+            return {key: values[0].item() for key, _, _, values in self._case.points(*pair)}
+        speeds, wavelengths = xr.broadcast(
+            _as_data_array(speed, "speed", "speed", _datasets.SPEED),
+            _as_data_array(wavelength, "wavelength", "length", _datasets.WAVELENGTH),
+        )
+        flat = [np.ascontiguousarray(values.values.ravel()) for values in (wavelengths, speeds)]
+        columns = {
+            key: (speeds.dims, values.reshape(speeds.shape), {"units": unit, "long_name": name})
+            for key, unit, name, values in self._case.points(*flat)
+        }
+        return xr.Dataset(columns, speeds.coords | wavelengths.coords, _datasets.attributes(self.title))
+
+    def growth_map(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
+        """Growth over wavelength and speed.
+
+        Parameters
+        ----------
+        wavelength, speed : array or window, optional
+            Any values, or ``{"min": ..., "max": ..., "points": ...}`` as in a case file; those of the case by default.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimensions ``speed`` and ``wavelength``; ``normalized_dissipation``, complex, and ``growth_rate``, which is
+            computed from it when it is read.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> growth = case.growth_map(wavelength={"min": "20 mm", "max": "80 mm", "points": 61}, speed=[20.0, 30.0])
+        >>> growth["growth_rate"].idxmax("wavelength").values.round(3)
+        array([0.037, 0.056])
+        """
+        wavelengths = self._window("wavelength", wavelength)
+        speeds = self._window("speed", speed)
+        values, rate = self._case.growth_map(wavelengths, speeds)
+        values = values[:, : wavelengths.size]
+        if wavelength is not None or speed is not None:
+            return _datasets.growth_map(values, rate, wavelengths, speeds, self.title)
+        if self._window_map is None:
+            nothing = np.broadcast_to(np.complex128(0.0), values.shape)
+            self._window_map = _datasets.growth_map(nothing, rate, wavelengths, speeds, self.title)
+        return self._window_map.copy(data=_datasets.growth_data(values, rate))
+
+    def bay_maps(self) -> xr.Dataset:
+        """Growth over a sleeper bay on discrete supports, over the window of the case.
+
+        Returns
+        -------
+        xarray.Dataset
+            As `growth_map`, with the dimension ``place``: over a support, in mid-span and mean over the bay.
+
+        Raises
+        ------
+        ValueError
+            On a track that is the same everywhere along the rail.
+        """
+        maps, rate = self._case.bay_maps()
+        wavelengths, speeds = self._case.wavelengths(), self._case.speeds()
+        places = [_datasets.growth_map(values, rate, wavelengths, speeds, self.title).load() for values in maps]
+        names = xr.Variable("place", ["over support", "mid-span", "mean"], {"long_name": "place of the wheel"})
+        return xr.concat(places, xr.DataArray(names, name="place"), combine_attrs="override")
+
+    def ridge(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
+        """The wavelength of highest growth at each speed.
+
+        Parameters
+        ----------
+        wavelength : array or window, optional
+            Equally spaced wavelengths between which the ridge is searched, refined to 1e-7 of their range.
+        speed : array or window, optional
+            Any speeds.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``speed``. The attribute ``best_fit_frequency_hz`` is that of the ray that fits best, NaN where nothing
+            grows inside the window.
+
+        Examples
+        --------
+        >>> ridge = riffel.Case.from_toml("cases/nominal.toml").ridge(speed=["72 km/h", "108 km/h"])
+        >>> ridge["frequency"].values.round()
+        array([537., 539.])
+        """
+        if wavelength is None:
+            values = self._case.wavelengths()
+            axis = float(values[0]), float(values[-1]), int(values.size)
+        else:
+            axis = spaced(wavelength, "wavelength", "length")
+        speeds = self._window("speed", speed)
+        (place, frequency, normalized, rate), edges, best = self._case.ridge(axis, speeds)
+        edge = {"long_name": "whether a wavelength outside the window would grow faster"}
+        attributes = _datasets.attributes(self.title)
+        attributes["best_fit_frequency_hz"] = np.nan if best is None else best
+        return xr.Dataset(
+            {
+                "wavelength": ("speed", place, _datasets.WAVELENGTH),
+                "frequency": ("speed", frequency, _datasets.FREQUENCY),
+                "normalized_dissipation_re": ("speed", normalized, _datasets.NORMALIZED),
+                "growth_rate": ("speed", rate, _datasets.GROWTH_RATE),
+                "at_edge": ("speed", edges, edge),
+            },
+            {"speed": ("speed", speeds, _datasets.SPEED)},
+            attributes,
+        )
+
+    def receptance(
+        self, frequency: Quantities | None = None, *, speed: Quantity | None = None, direction: str = "vertical"
+    ) -> xr.Dataset:
+        """Receptances of rail, wheel and contact, and their sum.
+
+        Parameters
+        ----------
+        frequency : array or window, optional
+            By default 600 from 20 Hz to 5 kHz, equally spaced in their logarithm, or those that were measured.
+        speed : quantity, optional
+            Speed of the load; by default the highest of the map.
+        direction : {"vertical", "lateral", "longitudinal"}
+            Of force and displacement; wheel and contact are vertical only.
+
+        Returns
+        -------
+        xarray.Dataset
+            Complex receptances in m/N over ``frequency``, named as by ``riffel receptance --json``; on discrete
+            supports those over a support and in mid-span as well. The attributes ``resonances`` and
+            ``resonance_frequencies_hz`` name what stands out vertically.
+
+        Examples
+        --------
+        >>> track = riffel.Case.from_toml("cases/bhaskar-track.toml").receptance(["100 Hz", "1 kHz"])
+        >>> sorted(track.data_vars)
+        ['contact_m_per_n', 'rail_m_per_n', 'total_m_per_n', 'wheel_m_per_n']
+        >>> track.attrs["resonances"]
+        ['P2', 'full-track', 'rail on pad']
+        """
+        asked = None if frequency is None else array(frequency, "frequency", "frequency")
+        load = None if speed is None else scalar(speed, "speed", "speed")
+        frequencies, joints = self._case.receptance(asked, load, direction)
+        attributes = _datasets.attributes(self.title)
+        if direction == "vertical":
+            found = self._case.resonances()
+            attributes["resonances"] = [name for name, _, _ in found]
+            attributes["resonance_frequencies_hz"] = [place for _, place, _ in found]
+        return xr.Dataset(
+            {
+                key: ("frequency", values, {"units": "m/N", "long_name": f"receptance, {name}"})
+                for key, name, values in joints
+            },
+            {"frequency": ("frequency", frequencies, _datasets.FREQUENCY)},
+            attributes,
+        )
+
+    def decay_rate(self, *, direction: str = "vertical") -> xr.DataArray:
+        """Track decay rate in one-third octaves of EN 15461, in dB/m over nominal ``frequency``.
+
+        The coordinate ``upper_bound`` is true where the rate is not known better.
+
+        Raises
+        ------
+        ValueError
+            For a track whose supports the case does not know.
+        """
+        rates = self._case.decay_rate(direction)
+        return xr.DataArray(
+            [rate for _, rate, _ in rates],
+            {
+                "frequency": ("frequency", [place for place, _, _ in rates], _datasets.FREQUENCY),
+                "upper_bound": ("frequency", [bound for _, _, bound in rates]),
+            },
+            ("frequency",),
+            "decay_rate",
+            {"units": "dB/m", "long_name": "track decay rate"},
+        )
+
+    def contact(self) -> dict[str, Any]:
+        """The contact patch: the scalars of ``riffel contact --json``."""
+        return self._case.contact()
+
+    def creep_curve(self, creepage: Quantities | None = None) -> xr.Dataset:
+        """Tractive ratio against creepage by every law.
+
+        Parameters
+        ----------
+        creepage : array, optional
+            Creepages as ratios or strings with %; by default 40, to 1.2 times that of full slip.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``tractive_ratio`` over ``law`` and ``creepage``, and the same for Kalker's exact theory, ``half-space``.
+
+        Raises
+        ------
+        ConvergenceError
+            If the exact theory does not converge.
+
+        Examples
+        --------
+        >>> curves = riffel.Case.from_toml("cases/nominal.toml", {"contact.grid": 16}).creep_curve(["0.05 %", "0.1 %"])
+        >>> curves["tractive_ratio"].sel(law="carter-3d").values.round(3)
+        array([0.198, 0.369])
+        """
+        asked = None if creepage is None else array(creepage, "creepage", "ratio")
+        creepages, laws = self._case.creep_curve(asked)
+        ratio = {"units": "1", "long_name": "tractive ratio Q/(mu P)"}
+        return xr.Dataset(
+            {"tractive_ratio": (("law", "creepage"), np.array([values for _, _, values in laws]), ratio)},
+            {
+                "law": ("law", [key for key, _, _ in laws], {"long_name": "creep law"}),
+                "name": ("law", [name for _, name, _ in laws], {"long_name": "name of the law in figures"}),
+                "creepage": ("creepage", creepages, {"units": "1", "long_name": "creepage"}),
+            },
+            _datasets.attributes(self.title),
+        )
+
+    def frequency_response(self, wavelength_over_semi_axis: Quantities | None = None) -> xr.Dataset:
+        """Responses of the exact contact to small oscillations, over those to slow ones.
+
+        Parameters
+        ----------
+        wavelength_over_semi_axis : array, optional
+            Wavelengths in longitudinal semi-axes; by default 61 from 2 to 100.
+
+        Returns
+        -------
+        xarray.Dataset
+            Complex ``response`` over ``input`` (creepage, load), ``output`` (force, dissipation, rail_dissipation) and
+            ``wavelength_over_semi_axis``.
+
+        Raises
+        ------
+        ConvergenceError
+            If the exact theory does not converge.
+        ValueError
+            Near full slip, or for a wavelength that the grid of the contact does not resolve.
+        """
+        name = "wavelength_over_semi_axis"
+        asked = None if wavelength_over_semi_axis is None else array(wavelength_over_semi_axis, name, "ratio")
+        ratios, responses = self._case.frequency_response(asked)
+        inputs = list(dict.fromkeys(put for put, _, _, _ in responses))
+        outputs = list(dict.fromkeys(output for _, output, _, _ in responses))
+        values = np.array([values for _, _, _, values in responses]).reshape(len(inputs), len(outputs), ratios.size)
+        return xr.Dataset(
+            {
+                "response": (
+                    ("input", "output", name),
+                    values,
+                    {"units": "1", "long_name": "response over the quasi-static one"},
+                )
+            },
+            {
+                "input": ("input", inputs, {"long_name": "what oscillates"}),
+                "output": ("output", outputs, {"long_name": "what answers"}),
+                name: (name, ratios, {"units": "1", "long_name": "wavelength over the longitudinal semi-axis"}),
+            },
+            _datasets.attributes(self.title),
+        )
+
+    def forecast(
+        self,
+        spectrum: xr.DataArray,
+        *,
+        traffic: Traffic | None = None,
+        speed: Quantity | None = None,
+        speed_deviation: Quantity | None = None,
+        passages: Any = None,
+        mgt: Any = None,
+        months: Any = None,
+        limit: str = "iso-3095-2013",
+    ) -> xr.Dataset:
+        """What becomes of a measured spectrum under traffic.
+
+        Parameters
+        ----------
+        spectrum : DataArray
+            One-third-octave levels in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
+        traffic : path or mapping, optional
+            A traffic file or its keys; without it, the wheel of the case at `speed`.
+        speed, speed_deviation : quantity, optional
+            Mean and standard deviation of the speed of the wheel of the case; the middle of its map by default.
+        passages, mgt, months : number or array, optional
+            How far to look ahead, in one of the three.
+        limit : str
+            Limit of the levels by name or as a TOML file.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``passages`` and ``wavelength``: ``level``; over ``wavelength``: ``level_now``, ``growth_rate``, ``limit`` and
+            ``passages_to_limit``, infinite where it is never reached. Attributes: ``grinding_interval_passages`` and
+            ``linear_range_passages``, from where on the wheel leaves the rail.
+
+        Raises
+        ------
+        ValueError
+            For a spectrum without a band in the window of the case, or a value that is not allowed.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> now = riffel.roughness.levels([0.0315, 0.04, 0.05, 0.063], [2.0, 1.0, 0.0, -1.0])
+        >>> later = case.forecast(now, speed="100 km/h", passages=[0.0, 1e6])
+        >>> later["level"].dims
+        ('passages', 'wavelength')
+        >>> bool((later["level"][0] == later["level_now"]).all())
+        True
+        """
+        horizon = {"passages": passages, "mgt": mgt, "months": months}
+        given = {name: _numbers(value, name) for name, value in horizon.items() if value is not None}
+        if len(given) > 1:
+            raise ValueError(f"{' and '.join(given)} exclude each other: give one of them")
+        # The wheel of the case alone does not say how often it comes.
+        if not given and traffic is None:
+            raise ValueError("passages, mgt or months is missing: say how far to look ahead")
+        wavelengths, levels = levels_of(spectrum, "spectrum")
+        found = _riffel.forecast(
+            self._case,
+            wavelengths,
+            levels,
+            self._traffic(traffic, speed, speed_deviation),
+            given.get("passages"),
+            given.get("mgt"),
+            given.get("months"),
+            limit,
+        )
+        decibels = {"units": "dB re 1 µm", "long_name": "one-third-octave level"}
+        attributes = _datasets.attributes(self.title)
+        for name, key in (
+            ("grinding_interval_passages", "grinding_interval"),
+            ("linear_range_passages", "linear_passages"),
+            ("linear_force_ratio_now", "linear_force_ratio"),
+            ("passages_per_day", "passages_per_day"),
+        ):
+            attributes[name] = np.nan if found[key] is None else found[key]
+        attributes["limit"] = limit
+        attributes["remarks"] = found["remarks"]
+        return xr.Dataset(
+            {
+                "level": (("passages", "wavelength"), found["level"], decibels),
+                "level_now": ("wavelength", found["now"], decibels),
+                "growth_rate": ("wavelength", found["growth_rate"], _datasets.GROWTH_RATE),
+                "limit": ("wavelength", found["limit"], {**decibels, "long_name": "limit of the level"}),
+                "passages_to_limit": (
+                    "wavelength",
+                    found["passages_to_limit"],
+                    {"units": "1", "long_name": "axle passages to the limit"},
+                ),
+            },
+            {
+                "passages": ("passages", found["passages"], {"units": "1", "long_name": "axle passages"}),
+                "mgt": ("passages", found["mgt"], {"units": "1e9 kg", "long_name": "million gross tonnes"}),
+                "wavelength": ("wavelength", found["wavelength"], _datasets.WAVELENGTH),
+                "nominal_mm": ("wavelength", found["nominal"], {"units": "mm", "long_name": "nominal wavelength"}),
+            },
+            attributes,
+        )
+
+    def compare(
+        self,
+        variants: Sequence[str | os.PathLike[str] | Mapping[str, Any]],
+        *,
+        traffic: Traffic | None = None,
+        speed: Quantity | None = None,
+        speed_deviation: Quantity | None = None,
+        spectrum: xr.DataArray | None = None,
+        limit: str = "iso-3095-2013",
+    ) -> xr.Dataset:
+        """What would help: growth on the case and on variants of it, side by side.
+
+        Parameters
+        ----------
+        variants : sequence of paths or mappings
+            Files of changes or their keys: ``{"title": ..., "track": {...}, "speed": {"factor": 0.8}}``.
+        traffic, speed, speed_deviation, limit
+            As of `forecast`.
+        spectrum : DataArray, optional
+            Measured levels, to say when each variant reaches the limit.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``variant``, "as it is" first: ``growth_rate`` by ``wavelength``, ``fastest_wavelength``,
+            ``fastest_growth_rate``, ``ridge_frequency`` and ``passages_to_limit``.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> both = case.compare([{"title": "less friction", "contact": {"friction": 0.2}}], speed="100 km/h")
+        >>> both["variant"].values.tolist()
+        ['as it is', 'less friction']
+        """
+        measured = None if spectrum is None else levels_of(spectrum, "spectrum")
+        changes = [_plain(variant) if isinstance(variant, Mapping) else os.fspath(variant) for variant in variants]
+        wavelengths, nominal, outcomes = _riffel.compare(
+            self._case, changes, self._traffic(traffic, speed, speed_deviation), measured, limit
+        )
+
+        def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
+            values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
+            return "variant", values, {"units": units, "long_name": name}
+
+        return xr.Dataset(
+            {
+                "growth_rate": (
+                    ("variant", "wavelength"),
+                    np.array([outcome["growth_rate"] for outcome in outcomes]),
+                    _datasets.GROWTH_RATE,
+                ),
+                "fastest_wavelength": column("fastest_wavelength", "m", "wavelength that grows fastest"),
+                "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
+                "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the ridge follows"),
+                "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
+            },
+            {
+                "variant": ("variant", [outcome["title"] for outcome in outcomes]),
+                "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
+                "nominal_mm": ("wavelength", nominal, {"units": "mm", "long_name": "nominal wavelength"}),
+            },
+            _datasets.attributes(self.title),
+        )
+
+    def _window(self, name: str, value: Quantities | None) -> Floats:
+        if name == "wavelength":
+            return self._case.wavelengths() if value is None else array(value, name, "length")
+        return self._case.speeds() if value is None else array(value, name, "speed")
+
+    def _traffic(
+        self, traffic: Traffic | None, speed: Quantity | None, deviation: Quantity | None
+    ) -> str | dict[str, Any] | tuple[float, float]:
+        if traffic is not None:
+            if speed is not None or deviation is not None:
+                raise ValueError("traffic and speed exclude each other: give one of the two")
+            return _plain(traffic) if isinstance(traffic, Mapping) else os.fspath(traffic)
+        speeds = self._case.speeds()
+        mean = 0.5 * float(speeds[0] + speeds[-1]) if speed is None else scalar(speed, "speed", "speed")
+        least = -np.finfo(np.float64).tiny
+        return mean, 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
+
+
+def _numbers(value: Any, name: str) -> Floats:
+    return array(value, name, "ratio", least=-np.finfo(np.float64).tiny)
+
+
+def _plain(keys: Mapping[str, Any]) -> dict[str, Any]:
+    """Mappings of any kind as dicts, all the way down."""
+    return {key: _plain(value) if isinstance(value, Mapping) else value for key, value in keys.items()}
+
+
+def _as_data_array(value: Any, name: str, kind: Any, attributes: Mapping[str, str]) -> xr.DataArray:
+    """Quantities with dimensions: those of the user, or one of their own name."""
+    if isinstance(value, xr.DataArray):
+        if value.size == 0:
+            raise ValueError(f"{name} is empty, but must have a value")
+        si = array(xr.DataArray(np.ravel(value.values), attrs=value.attrs), name, kind)
+        return value.copy(data=si.reshape(value.shape)).assign_attrs(attributes)
+    values = array(value, name, kind)
+    if is_scalar(value):
+        return xr.DataArray(values[0], {name: values[0]}, attrs=attributes)
+    return xr.DataArray(values, {name: (name, values, dict(attributes))}, (name,), attrs=attributes)

@@ -1,0 +1,498 @@
+//! A case, with everything that is computed of it alone.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+use riffel::{Axis, Bay, DecayRate, GrowthMap, KalkerCoefficients, Ridge, TILE};
+use riffel_case::{
+    CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves, RollingTheories,
+};
+
+use crate::errors::{of_case, of_physics, wrong};
+use crate::given::{self, CallableReceptance};
+use crate::interrupt::interruptible;
+use crate::tables;
+
+type Real<'py> = Bound<'py, PyArray1<f64>>;
+type Complex<'py> = Bound<'py, PyArray1<Complex64>>;
+
+/// A case, checked and complete.
+#[pyclass(frozen, module = "riffel._riffel")]
+pub(crate) struct Case {
+    pub(crate) case: Arc<riffel_case::Case>,
+    /// Receptances that are asked in Python, for their failures.
+    pub(crate) callables: Vec<Arc<CallableReceptance>>,
+}
+
+/// Overrides `key=value` of a dict of dotted keys.
+pub(crate) fn assignments(overrides: &Bound<'_, PyDict>) -> PyResult<Vec<String>> {
+    overrides
+        .iter()
+        .map(|(key, item)| {
+            let key: String = key.extract()?;
+            let value = tables::value(&item, &key)?;
+            Ok(format!("{key}={value}"))
+        })
+        .collect()
+}
+
+pub(crate) fn direction(name: &str) -> PyResult<Direction> {
+    match name {
+        "vertical" => Ok(Direction::Vertical),
+        "lateral" => Ok(Direction::Lateral),
+        "longitudinal" => Ok(Direction::Longitudinal),
+        _ => Err(wrong(format!(
+            "direction is \"{name}\", but must be \"vertical\", \"lateral\" or \"longitudinal\""
+        ))),
+    }
+}
+
+/// Smallest and largest value.
+fn ends(values: &[f64]) -> (f64, f64) {
+    let fold = |fold: fn(f64, f64) -> f64| values.iter().copied().fold(values[0], fold);
+    (fold(f64::min), fold(f64::max))
+}
+
+fn owned(values: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
+    values.as_array().iter().copied().collect()
+}
+
+impl Case {
+    fn new(case: riffel_case::Case) -> Self {
+        Self {
+            case: Arc::new(case),
+            callables: Vec::new(),
+        }
+    }
+
+    /// What a callable of the case raised goes before any result.
+    pub(crate) fn heard<T>(&self, result: T) -> PyResult<T> {
+        match self
+            .callables
+            .iter()
+            .find_map(|callable| callable.take_failure())
+        {
+            Some(error) => Err(error),
+            None => Ok(result),
+        }
+    }
+
+    /// Long work on the case, without the interpreter.
+    pub(crate) fn compute<T: Send + 'static>(
+        &self,
+        py: Python<'_>,
+        work: impl FnOnce(&riffel_case::Case) -> T + Send + 'static,
+    ) -> PyResult<T> {
+        let case = self.case.clone();
+        let result = interruptible(py, move || work(&case));
+        self.heard(result?)
+    }
+
+    /// The case on wavelengths and speeds that may leave its window.
+    fn over(
+        &self,
+        py: Python<'_>,
+        wavelengths: &[f64],
+        speeds: &[f64],
+    ) -> PyResult<Arc<riffel_case::Case>> {
+        let ((shortest, longest), (slowest, fastest)) = (ends(wavelengths), ends(speeds));
+        self.case
+            .check_frequencies(slowest / longest, fastest / shortest)
+            .map_err(of_case)?;
+        if self.case.wavelength.min() <= shortest && longest <= self.case.wavelength.max() {
+            return Ok(self.case.clone());
+        }
+        let covering = self.compute(py, move |case| case.covering(shortest, longest))?;
+        Ok(Arc::new(covering.map_err(of_case)?))
+    }
+
+    fn with_given(
+        &self,
+        py: Python<'_>,
+        given: &Bound<'_, PyAny>,
+        what: &'static str,
+        put: fn(
+            &riffel_case::Case,
+            riffel_case::GivenReceptance,
+        ) -> Result<riffel_case::Case, riffel_case::CaseError>,
+    ) -> PyResult<Self> {
+        let (receptance, callable) = given::extract(given, what)?;
+        let mut callables: Vec<_> = self
+            .callables
+            .iter()
+            .filter(|callable| !callable.is_of(what))
+            .cloned()
+            .collect();
+        callables.extend(callable);
+        let case = self.case.clone();
+        let built = interruptible(py, move || put(&case, receptance))?;
+        // A failure of the callable explains any other.
+        if let Some(error) = callables
+            .iter()
+            .find_map(|callable| callable.take_failure())
+        {
+            return Err(error);
+        }
+        Ok(Self {
+            case: Arc::new(built.map_err(of_case)?),
+            callables,
+        })
+    }
+}
+
+#[pymethods]
+impl Case {
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let overrides = assignments(overrides)?;
+        let case = interruptible(py, move || riffel_case::Case::read(&path, &overrides))?;
+        case.map(Self::new).map_err(of_case)
+    }
+
+    #[staticmethod]
+    fn parse(
+        py: Python<'_>,
+        text: String,
+        name: String,
+        overrides: &Bound<'_, PyDict>,
+    ) -> PyResult<Self> {
+        let overrides = assignments(overrides)?;
+        let case = interruptible(py, move || {
+            riffel_case::Case::parse(&name, &text, &overrides)
+        })?;
+        case.map(Self::new).map_err(of_case)
+    }
+
+    #[staticmethod]
+    fn from_dict(py: Python<'_>, keys: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let text = tables::table(keys, "")?.to_string();
+        let case = interruptible(py, move || riffel_case::Case::parse("", &text, &[]))?;
+        case.map(Self::new).map_err(of_case)
+    }
+
+    fn with_overrides(&self, py: Python<'_>, overrides: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let overrides = assignments(overrides)?;
+        let case = self.compute(py, move |case| case.with(&[&overrides]))?;
+        Ok(Self {
+            case: Arc::new(case.map_err(of_case)?),
+            callables: self.callables.clone(),
+        })
+    }
+
+    fn with_track(&self, py: Python<'_>, track: &Bound<'_, PyAny>) -> PyResult<Self> {
+        self.with_given(py, track, "track", riffel_case::Case::with_track)
+    }
+
+    fn with_wheel(&self, py: Python<'_>, wheel: &Bound<'_, PyAny>) -> PyResult<Self> {
+        self.with_given(py, wheel, "wheel", riffel_case::Case::with_wheel)
+    }
+
+    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let table =
+            toml::Table::try_from(&self.case.file).map_err(|error| wrong(error.to_string()))?;
+        tables::dict(py, &table)
+    }
+
+    #[getter]
+    fn title(&self) -> Option<String> {
+        self.case.file.title.clone()
+    }
+
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.case.remarks.clone()
+    }
+
+    /// Wavelengths of the window.
+    fn wavelengths<'py>(&self, py: Python<'py>) -> Real<'py> {
+        self.case.wavelength.values().into_pyarray(py)
+    }
+
+    /// Speeds of the window.
+    fn speeds<'py>(&self, py: Python<'py>) -> Real<'py> {
+        self.case.speed.values().into_pyarray(py)
+    }
+
+    /// Quantities at pairs of wavelength and speed: key, unit, name and values of each.
+    fn points<'py>(
+        &self,
+        py: Python<'py>,
+        wavelengths: PyReadonlyArray1<'py, f64>,
+        speeds: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Vec<(&'static str, &'static str, &'static str, Bound<'py, PyAny>)>> {
+        let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
+        let case = self.over(py, &wavelengths, &speeds)?;
+        /// From here on the wait may be worth interrupting.
+        const MANY: usize = 1000;
+        let at = move |wavelength: f64, speed: f64| {
+            Point::new(&case, &case.feedback.at(wavelength, speed))
+        };
+        let points: Vec<Point> = if wavelengths.len() < MANY {
+            let pairs = wavelengths.iter().zip(&speeds);
+            py.detach(|| {
+                pairs
+                    .map(|(&wavelength, &speed)| at(wavelength, speed))
+                    .collect()
+            })
+        } else {
+            interruptible(py, move || {
+                let pairs = wavelengths.par_iter().zip(&speeds);
+                pairs
+                    .map(|(&wavelength, &speed)| at(wavelength, speed))
+                    .collect()
+            })?
+        };
+        let points = self.heard(points)?;
+        let columns = points[0].quantities.iter().enumerate();
+        Ok(columns
+            .map(|(index, quantity)| {
+                let values = || points.iter().map(|point| point.quantities[index].value);
+                let reals: Option<Vec<f64>> = values()
+                    .map(|value| match value {
+                        PointValue::Real(value) => Some(value),
+                        PointValue::Complex(_) => None,
+                    })
+                    .collect();
+                let array = match reals {
+                    Some(reals) => reals.into_pyarray(py).into_any(),
+                    None => values()
+                        .map(|value| match value {
+                            PointValue::Real(value) => value.into(),
+                            PointValue::Complex(value) => value,
+                        })
+                        .collect::<Vec<Complex64>>()
+                        .into_pyarray(py)
+                        .into_any(),
+                };
+                (quantity.key, quantity.unit, quantity.name, array)
+            })
+            .collect())
+    }
+
+    /// Ŵ₁, a row for each speed, filled up to whole tiles; and the growth rate for Ŵ₁ = 1.
+    fn growth_map<'py>(
+        &self,
+        py: Python<'py>,
+        wavelengths: PyReadonlyArray1<'py, f64>,
+        speeds: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<(Bound<'py, PyArray2<Complex64>>, f64)> {
+        let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
+        let case = self.over(py, &wavelengths, &speeds)?;
+        let rate = case.feedback.growth_rate_per_dissipation();
+        let shape = [speeds.len(), wavelengths.len().div_ceil(TILE) * TILE];
+        // Taken here, where memory that an earlier map gave back is at hand: a short-lived thread gets fresh pages,
+        // whose first touch costs as much as the map.
+        let mut tiles = Vec::with_capacity(shape[0] * shape[1] / TILE);
+        let tiles = interruptible(py, move || {
+            GrowthMap::compute_tiles(&case.feedback, &wavelengths, &speeds, &mut tiles, |_| ());
+            tiles
+        })?;
+        let values = self.heard(tiles)?.into_flattened();
+        Ok((values.into_pyarray(py).reshape(shape)?, rate))
+    }
+
+    /// Ŵ₁ over a support, in mid-span and in the mean over the bay, over the window of the case.
+    fn bay_maps<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<([Bound<'py, PyArray2<Complex64>>; 3], f64)> {
+        self.case.check_window().map_err(of_case)?;
+        let track = self.case.track.structure.clone();
+        let bay = track.and_then(|track| Bay::new(&self.case.feedback, track));
+        let Some(bay) = bay else {
+            return Err(wrong(format!(
+                "growth over the bay needs discrete supports, but track.model = \"{}\" is the same everywhere along \
+                 the rail",
+                self.case.file.track.model.name()
+            )));
+        };
+        let maps = self.compute(py, move |case| {
+            bay.maps(case.wavelength, case.speed, |_| ())
+        })?;
+        let rate = self.case.feedback.growth_rate_per_dissipation();
+        let array = |map: &GrowthMap| {
+            let values: Vec<Complex64> = map.rows().flat_map(|(_, row)| row).copied().collect();
+            let shape = [map.speed().points(), map.wavelength().points()];
+            values.into_pyarray(py).reshape(shape)
+        };
+        let arrays = [
+            array(&maps.over_support)?,
+            array(&maps.mid_span)?,
+            array(&maps.mean)?,
+        ];
+        Ok((arrays, rate))
+    }
+
+    /// Wavelength, frequency, Re Ŵ₁, growth rate and whether it sits at the edge, for each speed; and the
+    /// frequency of the ray that fits best.
+    fn ridge<'py>(
+        &self,
+        py: Python<'py>,
+        wavelength: (f64, f64, usize),
+        speeds: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<([Real<'py>; 4], Bound<'py, PyArray1<bool>>, Option<f64>)> {
+        let axis = Axis::new(wavelength.0, wavelength.1, wavelength.2).map_err(of_physics)?;
+        let speeds = owned(&speeds);
+        let case = self.over(py, &[axis.min(), axis.max()], &speeds)?;
+        let ridge = interruptible(py, move || Ridge::search_at(&case.feedback, axis, &speeds))?;
+        let ridge = self.heard(ridge)?;
+        let column = |value: fn(&riffel::RidgePoint) -> f64| {
+            ridge
+                .points
+                .iter()
+                .map(value)
+                .collect::<Vec<_>>()
+                .into_pyarray(py)
+        };
+        let columns = [
+            column(|point| point.wavelength),
+            column(|point| point.frequency),
+            column(|point| point.normalized_dissipation),
+            column(|point| point.growth_rate),
+        ];
+        let edges: Vec<bool> = ridge.points.iter().map(|point| point.at_edge).collect();
+        Ok((columns, edges.into_pyarray(py), ridge.best_fit_frequency()))
+    }
+
+    /// Frequencies, and key, name and receptance of each joint.
+    fn receptance<'py>(
+        &self,
+        py: Python<'py>,
+        frequencies: Option<PyReadonlyArray1<'py, f64>>,
+        speed: Option<f64>,
+        direction: &str,
+    ) -> PyResult<(Real<'py>, Vec<(&'static str, &'static str, Complex<'py>)>)> {
+        /// Of the program.
+        const POINTS: u32 = 600;
+        let direction = self::direction(direction)?;
+        let track = self.case.track_in(direction).map_err(of_case)?;
+        let speed = speed.unwrap_or_else(|| self.case.speed.max());
+        let frequencies = match frequencies {
+            Some(frequencies) => owned(&frequencies),
+            None => {
+                let (from, to) = ReceptanceCurves::default_range(&*track.receptance);
+                ReceptanceCurves::frequencies(from, to, POINTS)
+            }
+        };
+        let (lowest, highest) = ends(&frequencies);
+        self.case
+            .check_frequencies(lowest, highest)
+            .map_err(of_case)?;
+        let curves = self.compute(py, move |case| {
+            ReceptanceCurves::new(case, &track, direction, speed, frequencies)
+        })?;
+        let all = curves.joints.into_iter().chain(curves.places);
+        let all = all.map(|curve| (curve.key, curve.label, curve.values.into_pyarray(py)));
+        Ok((curves.frequencies.into_pyarray(py), all.collect()))
+    }
+
+    /// Name, frequency and modulus of the receptance at each resonance of the track.
+    fn resonances(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, f64)>> {
+        self.compute(py, |case| {
+            let mut resonances = case.track.resonances();
+            resonances.extend(case.p2());
+            resonances.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
+            resonances
+                .iter()
+                .map(|resonance| {
+                    (
+                        resonance.kind.to_string(),
+                        resonance.angular_frequency / std::f64::consts::TAU,
+                        resonance.receptance.norm(),
+                    )
+                })
+                .collect()
+        })
+    }
+
+    /// Nominal frequency, decay rate and whether it is an upper bound, for each one-third octave.
+    fn decay_rate(&self, py: Python<'_>, direction: &str) -> PyResult<Vec<(f64, f64, bool)>> {
+        let track = self
+            .case
+            .track_in(self::direction(direction)?)
+            .map_err(of_case)?;
+        let Some(structure) = track.structure.filter(|_| track.support.is_some()) else {
+            return Err(wrong(
+                "a decay rate needs a track whose supports are known: a rail without support hardly decays",
+            ));
+        };
+        self.compute(py, move |_| {
+            DecayRate::of_track(&*structure)
+                .iter()
+                .map(|rate| (rate.nominal_frequency, rate.decay_rate, rate.upper_bound))
+                .collect()
+        })
+    }
+
+    /// Creepages, and key, name and tractive ratio of each law.
+    fn creep_curve<'py>(
+        &self,
+        py: Python<'py>,
+        creepages: Option<PyReadonlyArray1<'py, f64>>,
+    ) -> PyResult<(Real<'py>, Vec<(&'static str, &'static str, Real<'py>)>)> {
+        let creepages = creepages.map(|creepages| owned(&creepages));
+        let curves = self.compute(py, move |case| {
+            let theories = RollingTheories::new(case)?;
+            let creepages = creepages.unwrap_or_else(|| theories.default_creepages());
+            CreepCurves::new(&theories, creepages, || ())
+        })?;
+        let curves = curves.map_err(of_case)?;
+        let laws = curves.laws.into_iter();
+        let laws = laws.map(|law| (law.key, law.label, law.tractive_ratios.into_pyarray(py)));
+        Ok((curves.creepages.into_pyarray(py), laws.collect()))
+    }
+
+    /// Wavelengths over the semi-axis; and input, output, name and response of each pair.
+    fn frequency_response<'py>(
+        &self,
+        py: Python<'py>,
+        ratios: Option<PyReadonlyArray1<'py, f64>>,
+    ) -> PyResult<(
+        Real<'py>,
+        Vec<(&'static str, &'static str, &'static str, Complex<'py>)>,
+    )> {
+        let ratios = ratios.map(|ratios| owned(&ratios));
+        let response = self.compute(py, move |case| {
+            let theories = RollingTheories::new(case)?;
+            let ratios = ratios.unwrap_or_else(FrequencyResponse::default_ratios);
+            FrequencyResponse::new(&theories, ratios, || ())
+        })?;
+        let response = response.map_err(of_case)?;
+        let inputs = response.inputs().into_iter();
+        let all = inputs.flat_map(|(input, outputs)| {
+            outputs.all().map(|(output, name, values)| {
+                (input, output, name, values.to_vec().into_pyarray(py))
+            })
+        });
+        let all = all.collect();
+        Ok((response.ratios.into_pyarray(py), all))
+    }
+
+    /// The contact patch by the keys of `riffel contact --json`.
+    fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let laws = self.case.creep_laws().map_err(of_case)?;
+        let KalkerCoefficients { c11, c22, c23, c33 } = laws.kalker;
+        let hertz = self.case.hertz;
+        let contact = PyDict::new(py);
+        for (key, value) in [
+            ("semi_axis_longitudinal_m", hertz.semi_axis_longitudinal()),
+            ("semi_axis_lateral_m", hertz.semi_axis_lateral()),
+            ("approach_m", hertz.approach()),
+            ("peak_pressure_pa", hertz.peak_pressure()),
+            ("stiffness_n_per_m", hertz.stiffness()),
+        ] {
+            contact.set_item(key, value)?;
+        }
+        let kalker = PyDict::new(py);
+        for (key, value) in [("c11", c11), ("c22", c22), ("c23", c23), ("c33", c33)] {
+            kalker.set_item(key, value)?;
+        }
+        contact.set_item("kalker", kalker)?;
+        Ok(contact)
+    }
+}

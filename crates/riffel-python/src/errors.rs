@@ -1,0 +1,56 @@
+//! Errors as Python knows them, with the sentences of the program.
+
+use pyo3::create_exception;
+use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use riffel_case::CaseError;
+
+create_exception!(
+    riffel,
+    ConvergenceError,
+    PyRuntimeError,
+    "An iteration did not reach its tolerance."
+);
+create_exception!(
+    riffel,
+    ReceptanceError,
+    PyValueError,
+    "A receptance given from Python raised, or did not return one finite complex number for each frequency."
+);
+
+/// An error of a case: `ValueError`, unless a file is missing or an iteration stopped.
+pub(crate) fn of_case(error: CaseError) -> PyErr {
+    let message = error.in_words();
+    match error {
+        CaseError::Read { reason, .. } if reason.kind() == std::io::ErrorKind::NotFound => {
+            PyFileNotFoundError::new_err(message)
+        }
+        CaseError::Read { .. } => PyOSError::new_err(message),
+        CaseError::Data {
+            path,
+            message: sentence,
+            ..
+        } if sentence.contains("cannot read") && !path.exists() => {
+            PyFileNotFoundError::new_err(message)
+        }
+        CaseError::NotConverged(_) => ConvergenceError::new_err(message),
+        CaseError::Physics {
+            error: riffel::Error::NotConverged { .. },
+            ..
+        } => ConvergenceError::new_err(message),
+        _ => PyValueError::new_err(message),
+    }
+}
+
+/// An error of the physics.
+pub(crate) fn of_physics(error: riffel::Error) -> PyErr {
+    match error {
+        riffel::Error::NotConverged { .. } => ConvergenceError::new_err(error.to_string()),
+        _ => PyValueError::new_err(error.to_string()),
+    }
+}
+
+/// A sentence as `ValueError`.
+pub(crate) fn wrong(sentence: impl Into<String>) -> PyErr {
+    PyValueError::new_err(sentence.into())
+}

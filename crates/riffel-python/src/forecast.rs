@@ -1,0 +1,206 @@
+//! A spectrum under traffic, and what would help.
+
+use std::path::PathBuf;
+
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use riffel::forecast::{Forecast, SpeedDistribution};
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::what_if::Comparison;
+use riffel_case::{CaseError, Variant};
+
+use crate::case::Case;
+use crate::errors::{of_case, of_physics};
+use crate::roughness::{level_limit, spectrum};
+use crate::tables;
+
+/// A traffic file, its keys, or the wheel of the case at speeds of a mean and a standard deviation.
+#[derive(FromPyObject)]
+pub(crate) enum GivenTraffic<'py> {
+    File(PathBuf),
+    Keys(Bound<'py, PyDict>),
+    Speeds((f64, f64)),
+}
+
+impl GivenTraffic<'_> {
+    fn traffic(&self) -> PyResult<Traffic> {
+        match self {
+            Self::File(path) => Traffic::read(path).map_err(of_case),
+            Self::Keys(keys) => {
+                Traffic::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case)
+            }
+            Self::Speeds((mean, deviation)) => {
+                let speeds = SpeedDistribution::normal(*mean, *deviation);
+                Ok(Traffic::of_case(speeds.map_err(of_physics)?))
+            }
+        }
+    }
+}
+
+type Real<'py> = Bound<'py, PyArray1<f64>>;
+
+/// The bands of a forecast with all that is said of them.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn forecast<'py>(
+    py: Python<'py>,
+    case: &Case,
+    wavelengths: PyReadonlyArray1<'py, f64>,
+    levels: PyReadonlyArray1<'py, f64>,
+    traffic: GivenTraffic<'py>,
+    passages: Option<PyReadonlyArray1<'py, f64>>,
+    mgt: Option<PyReadonlyArray1<'py, f64>>,
+    months: Option<PyReadonlyArray1<'py, f64>>,
+    limit: &str,
+) -> PyResult<Bound<'py, PyDict>> {
+    let owned = |values: &PyReadonlyArray1<'_, f64>| -> Vec<f64> {
+        values.as_array().iter().copied().collect()
+    };
+    let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
+    let limit = level_limit(limit)?;
+    let traffic = traffic.traffic()?;
+    let on = case.compute(py, move |case| {
+        traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
+    })?;
+    let on = on.map_err(of_case)?;
+    let forecast = Forecast::new(&spectrum, on.growth.clone()).map_err(of_physics)?;
+    let passages = match (passages, mgt, months) {
+        (Some(passages), None, None) => owned(&passages),
+        (None, Some(mgt), None) => owned(&mgt)
+            .iter()
+            .map(|&mgt| on.growth.passages(mgt))
+            .collect(),
+        (None, None, months) => {
+            let per_month = on.passages_per_month().ok_or_else(|| {
+                crate::errors::wrong(
+                    "months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt",
+                )
+            })?;
+            let months = months.map_or_else(|| vec![12.0], |months| owned(&months));
+            months.iter().map(|months| per_month * months).collect()
+        }
+        _ => {
+            return Err(crate::errors::wrong(
+                "give only one of passages, mgt and months",
+            ));
+        }
+    };
+    let bands = forecast.bands();
+    let column = |value: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| -> Real<'py> {
+        bands.iter().map(value).collect::<Vec<_>>().into_pyarray(py)
+    };
+    let crossings = forecast.passages_to(&limit);
+    let crossing = |band: &riffel::forecast::ForecastBand| {
+        crossings.iter().find(|crossing| crossing.0 == band)
+    };
+    let mut grown = Vec::with_capacity(passages.len() * bands.len());
+    for &passages in &passages {
+        grown.extend(bands.iter().map(|band| band.level(passages)));
+    }
+    let grown: Bound<'py, PyArray2<f64>> = grown
+        .into_pyarray(py)
+        .reshape([passages.len(), bands.len()])?;
+    let linear = forecast.linear_range(bands);
+    let result = PyDict::new(py);
+    let mgt: Vec<f64> = passages
+        .iter()
+        .map(|&passages| on.growth.mgt(passages))
+        .collect();
+    result.set_item("passages", passages.into_pyarray(py))?;
+    result.set_item("mgt", mgt.into_pyarray(py))?;
+    result.set_item("level", grown)?;
+    result.set_item("wavelength", column(&|band| band.now.band.wavelength()))?;
+    result.set_item(
+        "nominal",
+        column(&|band| band.now.band.nominal_millimetres()),
+    )?;
+    result.set_item("now", column(&|band| band.now.level))?;
+    result.set_item("growth_rate", column(&|band| forecast.growth_rate(band)))?;
+    result.set_item(
+        "limit",
+        column(&|band| crossing(band).map_or(f64::NAN, |found| found.1)),
+    )?;
+    result.set_item(
+        "passages_to_limit",
+        column(&|band| {
+            crossing(band)
+                .and_then(|found| found.2)
+                .unwrap_or(f64::INFINITY)
+        }),
+    )?;
+    result.set_item("grinding_interval", forecast.grinding_interval(&limit))?;
+    result.set_item("passages_per_day", on.passages_per_day)?;
+    result.set_item("linear_force_ratio", linear.force_ratio)?;
+    result.set_item("linear_passages", linear.passages)?;
+    result.set_item("remarks", on.remarks)?;
+    Ok(result)
+}
+
+/// A file of changes, or its keys.
+#[derive(FromPyObject)]
+pub(crate) enum GivenVariant<'py> {
+    File(PathBuf),
+    Keys(Bound<'py, PyDict>),
+}
+
+/// The case and its variants side by side.
+#[pyfunction]
+pub(crate) fn compare<'py>(
+    py: Python<'py>,
+    case: &Case,
+    variants: Vec<GivenVariant<'py>>,
+    traffic: GivenTraffic<'py>,
+    measured: Option<(PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>,
+    limit: &str,
+) -> PyResult<(Real<'py>, Real<'py>, Vec<Bound<'py, PyDict>>)> {
+    let variants = variants.iter().map(|variant| match variant {
+        GivenVariant::File(path) => Variant::read(path).map_err(of_case),
+        GivenVariant::Keys(keys) => {
+            Variant::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case)
+        }
+    });
+    let variants = variants.collect::<PyResult<Vec<_>>>()?;
+    let traffic = traffic.traffic()?;
+    let measured = measured.map(|(wavelengths, levels)| {
+        let owned = |values: PyReadonlyArray1<'_, f64>| -> Vec<f64> {
+            values.as_array().iter().copied().collect()
+        };
+        spectrum(&owned(wavelengths), &owned(levels))
+    });
+    let measured = measured.transpose()?;
+    let limit = level_limit(limit)?;
+    let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
+        Comparison::compute(
+            case,
+            &variants,
+            &traffic,
+            measured.as_ref(),
+            Some(&limit),
+            &|_| (),
+        )
+    })?;
+    let comparison = comparison.map_err(of_case)?;
+    let bands = comparison.bands.iter();
+    let wavelengths: Vec<f64> = bands.clone().map(|band| band.wavelength()).collect();
+    let nominal: Vec<f64> = bands.map(|band| band.nominal_millimetres()).collect();
+    let outcomes = comparison.outcomes.into_iter().map(|outcome| {
+        let rates = (0..wavelengths.len()).map(|band| outcome.growth.band_rate(band));
+        let result = PyDict::new(py);
+        result.set_item("growth_rate", rates.collect::<Vec<_>>().into_pyarray(py))?;
+        result.set_item("title", outcome.title)?;
+        result.set_item("fastest_wavelength", outcome.fastest.wavelength)?;
+        result.set_item("fastest_growth_rate", outcome.fastest.rate)?;
+        result.set_item("fastest_at_edge", outcome.fastest.at_edge)?;
+        result.set_item("ridge_frequency", outcome.ridge_frequency)?;
+        result.set_item("passages_to_limit", outcome.passages_to_limit)?;
+        result.set_item("remarks", outcome.remarks)?;
+        Ok(result)
+    });
+    let outcomes = outcomes.collect::<PyResult<Vec<_>>>()?;
+    Ok((
+        wavelengths.into_pyarray(py),
+        nominal.into_pyarray(py),
+        outcomes,
+    ))
+}

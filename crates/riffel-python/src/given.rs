@@ -1,0 +1,202 @@
+//! Receptances that come from Python.
+
+use std::f64::consts::TAU;
+use std::sync::{Arc, Mutex};
+
+use num_complex::Complex64;
+use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use riffel::{Frequencies, MeasuredReceptance, Receptance, SplitComplex};
+use riffel_case::{GivenReceptance, UniversalFunction};
+
+use crate::errors::{ReceptanceError, of_case, of_physics};
+
+/// A Python callable of an array of frequencies \[Hz\] that returns receptances \[m/N\].
+///
+/// The interpreter is attached for the calls alone. The first failure is kept for whoever began the computation;
+/// until it is taken, the receptance is not a number and nothing is called.
+pub(crate) struct CallableReceptance {
+    callable: Py<PyAny>,
+    /// Of the track or of the wheel.
+    what: &'static str,
+    failure: Mutex<Option<PyErr>>,
+}
+
+impl CallableReceptance {
+    /// The failure of a computation that asked this receptance.
+    pub(crate) fn take_failure(&self) -> Option<PyErr> {
+        self.failure.lock().ok()?.take()
+    }
+
+    /// Whether it is that of the track, or of the wheel.
+    pub(crate) fn is_of(&self, what: &str) -> bool {
+        self.what == what
+    }
+
+    fn has_failed(&self) -> bool {
+        self.failure.lock().is_ok_and(|failure| failure.is_some())
+    }
+
+    /// Receptances at angular frequencies \[rad/s\].
+    fn ask(&self, angular: &[f64], mut set: impl FnMut(usize, Complex64)) {
+        let nothing = Complex64::new(f64::NAN, f64::NAN);
+        let answer = match self.has_failed() {
+            true => None,
+            // None while the interpreter shuts down, when nobody waits for the result.
+            false => Python::try_attach(|py| self.call(py, angular)),
+        };
+        match answer {
+            Some(Ok(values)) => {
+                for (index, value) in values.into_iter().enumerate() {
+                    set(index, value);
+                }
+                return;
+            }
+            Some(Err(error)) => {
+                if let Ok(mut failure) = self.failure.lock() {
+                    failure.get_or_insert(error);
+                }
+            }
+            None => {}
+        }
+        for index in 0..angular.len() {
+            set(index, nothing);
+        }
+    }
+
+    fn call(&self, py: Python<'_>, angular: &[f64]) -> PyResult<Vec<Complex64>> {
+        let what = self.what;
+        let fail = |sentence: String| ReceptanceError::new_err(sentence);
+        let frequencies: Vec<f64> = angular.iter().map(|w| w / TAU).collect();
+        let argument = PyArray1::from_slice(py, &frequencies);
+        let returned = self.callable.call1(py, (argument,)).map_err(|error| {
+            let name = error.get_type(py).name();
+            let name = name.map_or_else(|_| "an error".to_owned(), |name| name.to_string());
+            let raised = fail(format!(
+                "the receptance of the {what} raised {name}: {}",
+                error.value(py)
+            ));
+            raised.set_cause(py, Some(error));
+            raised
+        })?;
+        let array = py
+            .import("numpy")?
+            .call_method1("asarray", (&returned, "complex128"))
+            .map_err(|error| {
+                let raised = fail(format!(
+                    "the receptance of the {what} must return complex numbers, one for each frequency"
+                ));
+                raised.set_cause(py, Some(error));
+                raised
+            })?;
+        let wrong_shape = |shape: &[usize]| {
+            fail(format!(
+                "the receptance of the {what} returned an array of shape {shape:?}, but must return one complex \
+                 number for each of the {} frequencies",
+                frequencies.len()
+            ))
+        };
+        let values: PyReadonlyArray1<'_, Complex64> = array.extract().map_err(|_| {
+            let shape: Vec<usize> = array
+                .getattr("shape")
+                .and_then(|shape| shape.extract())
+                .unwrap_or_default();
+            wrong_shape(&shape)
+        })?;
+        if values.len() != frequencies.len() {
+            return Err(wrong_shape(values.shape()));
+        }
+        let values: Vec<Complex64> = values.as_array().iter().copied().collect();
+        match values.iter().position(|value| !value.is_finite()) {
+            Some(index) => Err(fail(format!(
+                "the receptance of the {what} is {} at {} Hz, but must be finite",
+                values[index], frequencies[index]
+            ))),
+            None => Ok(values),
+        }
+    }
+}
+
+impl Receptance for CallableReceptance {
+    fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
+        let mut value = Complex64::ZERO;
+        self.ask(&[angular_frequency], |_, found| value = found);
+        value
+    }
+
+    fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
+        self.ask(&frequencies.angular, |index, value| {
+            (receptances.re[index], receptances.im[index]) = (value.re, value.im);
+        });
+    }
+
+    fn worth_tabulating(&self) -> bool {
+        true
+    }
+}
+
+/// Checked function of a universal file, as its frequencies and receptances are asked for by a case.
+#[pyclass(frozen, module = "riffel._riffel")]
+pub(crate) struct Universal(GivenReceptance);
+
+#[pymethods]
+impl Universal {
+    #[new]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        title: String,
+        function_type: i32,
+        load_case: i32,
+        directions: (i32, i32),
+        abscissa_kind: i32,
+        numerator: (i32, String),
+        denominator: (i32, String),
+        frequencies: PyReadonlyArray1<'_, f64>,
+        values: PyReadonlyArray1<'_, Complex64>,
+    ) -> PyResult<Self> {
+        let function = UniversalFunction {
+            title,
+            function_type,
+            load_case,
+            response_direction: directions.0,
+            reference_direction: directions.1,
+            abscissa_kind,
+            numerator,
+            denominator,
+            frequencies: frequencies.as_array().iter().copied().collect(),
+            values: values.as_array().iter().copied().collect(),
+        };
+        GivenReceptance::of_universal(&function)
+            .map(Self)
+            .map_err(of_case)
+    }
+}
+
+/// A callable, or a table (frequencies, receptances); with the callable where it is one, to ask for its failures.
+pub(crate) fn extract(
+    given: &Bound<'_, PyAny>,
+    what: &'static str,
+) -> PyResult<(GivenReceptance, Option<Arc<CallableReceptance>>)> {
+    if given.is_callable() {
+        let callable = Arc::new(CallableReceptance {
+            callable: given.clone().unbind(),
+            what,
+            failure: Mutex::new(None),
+        });
+        return Ok((GivenReceptance::new(callable.clone()), Some(callable)));
+    }
+    if let Ok(universal) = given.cast::<Universal>() {
+        return Ok((universal.get().0.clone(), None));
+    }
+    let table: (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, Complex64>) =
+        given.extract().map_err(|_| {
+            PyTypeError::new_err(format!(
+                "the receptance of the {what} must be a callable or a pair of arrays"
+            ))
+        })?;
+    let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
+    let values = table.1.as_array().iter().copied().collect();
+    let measured = MeasuredReceptance::new(&angular, values).map_err(of_physics)?;
+    Ok((GivenReceptance::measured(measured), None))
+}

@@ -1,0 +1,44 @@
+//! The Python package `riffel`: cases, maps and curves as arrays, without a formula of its own.
+//!
+//! `python/riffel` turns what stands here into `xarray` and checks what comes from users.
+
+// What goes to Python is tuples of arrays, named where they are unpacked.
+#![allow(clippy::type_complexity)]
+
+mod case;
+mod errors;
+mod forecast;
+mod given;
+mod interrupt;
+mod presets;
+mod quantity;
+mod roughness;
+mod study;
+mod tables;
+
+/// The extension `riffel._riffel`.
+#[pyo3::pymodule]
+mod _riffel {
+    #[pymodule_export]
+    use crate::case::Case;
+    #[pymodule_export]
+    use crate::errors::{ConvergenceError, ReceptanceError};
+    #[pymodule_export]
+    use crate::forecast::{compare, forecast};
+    #[pymodule_export]
+    use crate::given::Universal;
+    #[pymodule_export]
+    use crate::presets::presets;
+    #[pymodule_export]
+    use crate::quantity::si;
+    #[pymodule_export]
+    use crate::roughness::{
+        analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra,
+        energy_mean, level, limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness,
+        remove_spikes, roll_over, synthesise, third_octaves,
+    };
+    #[pymodule_export]
+    use crate::study::{Study, merge_study, sobol_indices, study_summary};
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

@@ -1,0 +1,36 @@
+"""Ctrl-C while something long is computed."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from conftest import ROOT
+
+SCRIPT = """
+import numpy as np, riffel
+case = riffel.Case.from_toml("cases/bhaskar-track.toml", {"track.model": "moving-beam"})
+print("begun", flush=True)
+try:
+    case.growth_map(wavelength=np.linspace(0.02, 0.08, 100_000), speed=np.linspace(5.0, 60.0, 1000))
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_a_signal_ends_the_wait() -> None:
+    command = [sys.executable, "-c", SCRIPT]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as process:
+        assert process.stdout is not None
+        try:
+            assert process.stdout.readline() == "begun\n"
+            # The map takes minutes.
+            time.sleep(0.3)
+            process.send_signal(signal.SIGINT)
+            assert process.stdout.readline() == "interrupted\n"
+        finally:
+            process.kill()

@@ -1,0 +1,176 @@
+"""Roughness and forecasts from arrays."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import riffel
+from riffel import roughness
+
+
+@pytest.fixture(scope="module")
+def wave() -> Any:
+    """40 m of 10 µm at 50 mm."""
+    position = 1e-3 * np.arange(40_000)
+    return 10e-6 * np.sin(2.0 * np.pi * position / 0.05)
+
+
+def test_the_level_of_a_wave(wave: Any) -> None:
+    found = roughness.spectrum(wave, spacing="1 mm")
+    # A sinusoid of 10 µm: 10 lg(100/2); the Hann window keeps 0.03 dB in the band.
+    assert found.max().item() == pytest.approx(10.0 * np.log10(50.0), abs=0.03)
+    assert found["nominal_mm"][found.argmax("wavelength")].item() == 50.0
+    assert np.allclose(roughness.level(roughness.mean_square(found)), found, atol=1e-12)
+
+
+def test_analysis_is_that_of_the_program(tmp_path: Path, program: Callable[..., Any]) -> None:
+    made = roughness.synthesise()
+    name = str(next(iter(made)))
+    table = np.column_stack([made["position"], *(made[rail] for rail in made)])
+    header = ",".join(["position [m]", *(f"{rail} [m]" for rail in made)])
+    path = tmp_path / "profile.csv"
+    np.savetxt(path, table, delimiter=",", header=header, comments="", fmt="%.17g")
+    written = program("roughness", str(path), "--json", "--limit", "grassie-1999")
+    file = roughness.read(path)
+    assert file.profile is not None
+    found = roughness.analyse(file.profile[name], limit="grassie-1999")
+    rail = next(rail for rail in written["rails"] if rail["name"] == name)
+    assert rail["removed"] == {"spikes": found.spikes, "pits": found.pits}
+    levels = [band["level_db"] for band in rail["spectrum"]]
+    # Positions of a file are even to rounding; an array is cut at the same gaps.
+    assert np.allclose(found.spectrum, levels, atol=1e-6)
+
+
+def test_gaps_are_gaps(wave: Any) -> None:
+    broken = wave.copy()
+    broken[20_000:20_100] = np.nan
+    whole, parted = roughness.analyse(wave, spacing=1e-3), roughness.analyse(broken, spacing=1e-3)
+    assert np.isclose(parted.bands["rms"][1], whole.bands["rms"][1], rtol=0.05)
+    assert parted.bands["length"][0].item() == pytest.approx(39.9, abs=1e-9)
+    with pytest.raises(ValueError, match="heights has gaps"):
+        roughness.remove_spikes(broken, spacing=1e-3)
+    with pytest.raises(ValueError, match="heights holds gaps only"):
+        roughness.analyse(np.full(10, np.nan), spacing=1e-3)
+
+
+def test_grinding_and_limits(wave: Any) -> None:
+    found = roughness.analyse(wave, spacing=1e-3, limit="grassie-1999")
+    assert found.grind.sizes["section"] == 1
+    assert found.grind["ratio"].item() > 1.0
+    assert found.blocks["rms"].dims == ("block", "band")
+    limits = roughness.limits()
+    assert {"iso-3095-2013", "grassie-1999"} <= set(limits)
+    assert all(table.attrs["source"] for table in limits.values())
+    with pytest.raises(ValueError, match="no limit table has this name"):
+        roughness.compare_with_limit(found.spectrum, "none")
+
+
+@pytest.mark.parametrize(
+    ("heights", "spacing", "sentence"),
+    [
+        (np.zeros(10), None, "spacing is missing"),
+        (np.zeros(10), 0.0, "spacing is 0.0"),
+        (np.zeros(10), "1 kg", "not a length"),
+        (np.zeros((2, 5)), 1e-3, "heights has 2 dimensions"),
+        (np.array([1, np.inf]), 1e-3, r"heights\[1\] is infinite"),
+        (np.zeros(10), 1e-3, "at least 1 m"),
+        ([], 1e-3, "heights is empty"),
+        (xr.DataArray(np.zeros(3), dims="time"), 1e-3, r"has the dimensions \('time',\)"),
+    ],
+)
+def test_bad_profiles(heights: Any, spacing: Any, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        roughness.analyse(heights, spacing=spacing)
+
+
+def test_pieces() -> None:
+    values = np.array([3.0, 1.0, 4.0, 1.0, 5.0])
+    assert roughness.moving_peak_to_peak(values, 2).tolist() == [2.0, 3.0, 3.0, 4.0]
+    with pytest.raises(ValueError, match="window is 0"):
+        roughness.moving_rms(values, 0)
+    position = 1e-3 * np.arange(20_000)
+    long, short = 1e-5 * np.sin(2 * np.pi * position / 0.2), 1e-5 * np.sin(2 * np.pi * position / 0.05)
+    kept = roughness.band_pass(long + short, shortest="30 mm", longest="100 mm", spacing=1e-3)
+    # Away from the ends what is left of the other wave is that of a Butterworth filter.
+    assert np.abs(kept - short)[2000:-2000].max() < 1e-7
+    pit = np.zeros(3000)
+    pit[1500:1510] = -50e-6
+    rolled, pits = roughness.roll_over(pit, spacing=1e-3)
+    assert len(pits) == 1
+    # A wheel of 375 mm sinks d²/8R = 36 µm into 10 mm; the pit is 11 mm from edge to edge.
+    assert rolled.min() == pytest.approx(-(11e-3**2) / (8 * 0.375), rel=0.2)
+    with pytest.raises(ValueError, match="do not resolve"):
+        roughness.band_pass(pit, shortest=1e-3, longest=2e-3, spacing=1e-3)
+
+
+def test_dominant_wavelengths_of_profile_and_spectra(wave: Any) -> None:
+    noise = np.random.default_rng(1).normal(scale=1e-6, size=wave.size)
+    peaks = roughness.dominant_wavelengths(wave + noise, spacing=1e-3)
+    assert peaks["wavelength"][0].item() == pytest.approx(0.05, rel=0.02)
+    levels = [roughness.levels([0.02, 0.025, 0.0315, 0.04, 0.05, 0.063], [0, 0, 12, 0, 0, 0])]
+    assert roughness.dominant_wavelengths(levels)["wavelength"].size <= 1
+
+
+def test_forecast_is_that_of_the_program(nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]) -> None:
+    table = tmp_path / "spectrum.csv"
+    wavelengths, levels = [20, 25, 31.5, 40, 50, 63, 80], [2.0, 4.0, 6.0, 5.0, 3.0, 1.0, 0.0]
+    rows = [f"{wavelength},{level}" for wavelength, level in zip(wavelengths, levels, strict=True)]
+    table.write_text("wavelength [mm],level [dB]\n" + "\n".join(rows) + "\n")
+    written = program(
+        "forecast", "cases/nominal.toml", "--spectrum", str(table), "--traffic", "cases/traffic.toml", "--json",
+        "--passages", "1e6",
+    )  # fmt: skip
+    now = roughness.levels(1e-3 * np.array(wavelengths), levels)
+    found = nominal.forecast(now, traffic="cases/traffic.toml", passages=[1e6])
+    text = json.dumps(written)
+    for value in found["level"].values.ravel():
+        assert repr(float(value)) in text
+    in_months = nominal.forecast(now, traffic="cases/traffic.toml", months=[1.0, 6.0])
+    assert in_months.sizes["passages"] == 2
+    keys = {"vehicle": [{"name": "metro", "share": 1, "speed": {"mean": "60 km/h", "standard_deviation": "5 km/h"}}]}
+    assert nominal.forecast(now, traffic=keys, mgt=1.0)["mgt"].item() == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        ({}, "passages, mgt or months is missing"),
+        ({"passages": 1e6, "mgt": 3.0}, "passages and mgt exclude each other"),
+        ({"passages": -1.0}, r"passages is -1.0"),
+        ({"passages": 1e6, "limit": "grassie-1999"}, "must be a table of one-third-octave levels"),
+        ({"passages": 1e6, "traffic": "cases/traffic.toml", "speed": 30.0}, "traffic and speed exclude each other"),
+        ({"months": 1.0}, "months needs traffic"),
+        ({"passages": 1e6, "traffic": {"vehicle": [{"name": "x", "share": 0.5}]}}, "vehicle"),
+    ],
+)
+def test_bad_forecasts(nominal: riffel.Case, arguments: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        nominal.forecast(roughness.levels([0.04], [1.0]), **arguments)
+
+
+def test_bad_spectra(nominal: riffel.Case) -> None:
+    for levels, sentence in (
+        (np.ones(3), "spectrum is of type ndarray"),
+        (xr.DataArray([1.0], dims="x"), r"spectrum has the dimensions \('x',\)"),
+        (xr.DataArray([1.0], {"wavelength": [0.04]}, ("wavelength",), attrs={"units": "m"}), 'spectrum has units "m"'),
+        (xr.DataArray([1.0], {"wavelength": [0.0365]}, ("wavelength",)), "wavelength of a one-third octave is 0.0365"),
+        (xr.DataArray([np.nan], {"wavelength": [0.04]}, ("wavelength",)), r"spectrum\[0\] is nan"),
+        (xr.DataArray([1.0], {"wavelength": [1.0]}, ("wavelength",)), "no band of the spectrum"),
+    ):
+        with pytest.raises(ValueError, match=sentence):
+            nominal.forecast(levels, passages=1e6)  # type: ignore[arg-type]
+
+
+def test_compare(nominal: riffel.Case) -> None:
+    both = nominal.compare([{"title": "slower", "speed": {"factor": 0.5}}], speed=30.0)
+    # Half the speed at the same frequency is half the wavelength.
+    assert both["fastest_wavelength"][1].item() < both["fastest_wavelength"][0].item()
+    with pytest.raises(ValueError, match="changes nothing"):
+        nominal.compare([{}], speed=30.0)

@@ -1,0 +1,431 @@
+//! What is computed for each sample.
+
+mod band;
+mod point_quantity;
+
+use riffel::{Complex64, Ridge, RidgePoint, RowEvaluator};
+use riffel_case::{Case, CaseError, Source};
+
+use crate::file::{MapQuantity, OutputsFile};
+
+pub use band::Band;
+use band::bands;
+
+/// An array of results: one value, or a table of values, for each sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Dimensions after the sample, the last fastest.
+    pub dimensions: Vec<Dimension>,
+    /// Whether its values are complex.
+    pub complex: bool,
+    /// SI unit, `1` for none.
+    pub unit: &'static str,
+    /// What it is.
+    pub description: String,
+}
+
+/// A dimension of the results besides the sample.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Speeds of the map.
+    Speed,
+    /// Wavelengths of the map.
+    Wavelength,
+    /// Bands of wavelength.
+    Band,
+}
+
+impl Dimension {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Speed => "speed",
+            Self::Wavelength => "wavelength",
+            Self::Band => "band",
+        }
+    }
+}
+
+/// What is computed for each sample of a study.
+#[derive(Debug, Clone)]
+pub struct Outputs {
+    file: OutputsFile,
+    /// Wavelengths of the map \[m\].
+    wavelengths: Vec<f64>,
+    /// Speeds of the map \[m/s\].
+    speeds: Vec<f64>,
+    bands: Vec<Band>,
+    variables: Vec<Variable>,
+    /// Numbers of each variable in one sample.
+    lengths: Vec<usize>,
+}
+
+/// The name of the output that may be missing where nothing grows.
+const RIDGE_FREQUENCY: &str = "ridge_frequency";
+
+impl Outputs {
+    /// What a plan asks for on the window of its case.
+    pub(crate) fn new(source: &Source, file: &OutputsFile, case: &Case) -> Result<Self, CaseError> {
+        let mut outputs = Self {
+            file: file.clone(),
+            wavelengths: case.wavelength.values(),
+            speeds: case.speed.values(),
+            bands: bands(source, file, case)?,
+            variables: Vec::new(),
+            lengths: Vec::new(),
+        };
+        for (index, point) in file.point.iter().enumerate() {
+            let key = |name: &str| format!("outputs.point[{index}].{name}");
+            for (name, value) in [
+                ("wavelength", point.wavelength.si()),
+                ("speed", point.speed.si()),
+            ] {
+                if value <= 0.0 {
+                    let rule = format!("is {value}, but must be greater than zero");
+                    return Err(source.invalid(&key(name), &rule, ""));
+                }
+            }
+            if point.quantities.is_empty() {
+                return Err(source.invalid(
+                    &key("quantities"),
+                    "is empty, but must name a quantity",
+                    "",
+                ));
+            }
+            if let Some(name) = &point.name
+                && (name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'))
+            {
+                let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
+                return Err(source.invalid(&key("name"), &rule, ""));
+            }
+        }
+        outputs.variables = outputs.describe();
+        if outputs.variables.is_empty() {
+            let help = "ask for something, as in ridge = true";
+            return Err(source.invalid("outputs", "is empty: nothing would be computed", help));
+        }
+        for (index, variable) in outputs.variables.iter().enumerate() {
+            if outputs.variables[..index]
+                .iter()
+                .any(|other| other.name == variable.name)
+            {
+                let rule = format!("asks for {} twice", variable.name);
+                return Err(source.invalid("outputs", &rule, "give each point a name of its own"));
+            }
+        }
+        outputs.lengths = outputs
+            .variables
+            .iter()
+            .map(|variable| outputs.length(variable))
+            .collect();
+        Ok(outputs)
+    }
+
+    /// The arrays, in their order.
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// Numbers of an array in one sample; a complex value counts as two.
+    pub fn length(&self, variable: &Variable) -> usize {
+        let values: usize = variable
+            .dimensions
+            .iter()
+            .map(|&dimension| self.size(dimension))
+            .product();
+        values * if variable.complex { 2 } else { 1 }
+    }
+
+    /// Length of a dimension.
+    pub fn size(&self, dimension: Dimension) -> usize {
+        match dimension {
+            Dimension::Speed => self.speeds.len(),
+            Dimension::Wavelength => self.wavelengths.len(),
+            Dimension::Band => self.bands.len(),
+        }
+    }
+
+    /// Wavelengths of the map \[m\].
+    pub fn wavelengths(&self) -> &[f64] {
+        &self.wavelengths
+    }
+
+    /// Speeds of the map \[m/s\].
+    pub fn speeds(&self) -> &[f64] {
+        &self.speeds
+    }
+
+    /// Bands of wavelength.
+    pub fn bands(&self) -> &[Band] {
+        &self.bands
+    }
+
+    /// The dimensions that the arrays have.
+    pub fn dimensions(&self) -> Vec<Dimension> {
+        let all = [Dimension::Speed, Dimension::Wavelength, Dimension::Band];
+        let used = |dimension: &Dimension| {
+            self.variables
+                .iter()
+                .any(|v| v.dimensions.contains(dimension))
+        };
+        all.into_iter().filter(used).collect()
+    }
+
+    /// Whether an array has the axes of the map, or bands of them.
+    pub(crate) fn has_axes(&self) -> bool {
+        !self.dimensions().is_empty()
+    }
+
+    /// Whether the whole window is computed.
+    fn uses_window(&self) -> bool {
+        let file = &self.file;
+        file.ridge || self.has_axes()
+    }
+
+    fn describe(&self) -> Vec<Variable> {
+        use Dimension::{Band, Speed, Wavelength};
+        let file = &self.file;
+        let mut variables = Vec::new();
+        let mut add = |name: &str, dimensions: &[Dimension], unit, description: &str| {
+            variables.push(Variable {
+                name: name.to_owned(),
+                dimensions: dimensions.to_vec(),
+                complex: false,
+                unit,
+                description: description.to_owned(),
+            });
+        };
+        if file.ridge {
+            add(
+                RIDGE_FREQUENCY,
+                &[],
+                "Hz",
+                "frequency that the ridge follows, missing where nothing grows inside the window",
+            );
+            add(
+                "highest_growth_rate",
+                &[],
+                "1",
+                "highest growth rate per passage in the window",
+            );
+            add(
+                "highest_growth_wavelength",
+                &[],
+                "m",
+                "wavelength of the highest growth rate",
+            );
+            add(
+                "highest_growth_speed",
+                &[],
+                "m/s",
+                "speed of the highest growth rate",
+            );
+            add(
+                "highest_growth_frequency",
+                &[],
+                "Hz",
+                "frequency of the highest growth rate",
+            );
+            add(
+                "highest_growth_at_edge",
+                &[],
+                "1",
+                "1 where the highest growth sits at the shortest or longest wavelength of the window, else 0",
+            );
+        }
+        if file.ridge_over_speed {
+            add(
+                "ridge_wavelength",
+                &[Speed],
+                "m",
+                "wavelength of highest growth at each speed",
+            );
+            add(
+                "ridge_growth_rate",
+                &[Speed],
+                "1",
+                "highest growth rate per passage at each speed",
+            );
+            add(
+                "ridge_at_edge",
+                &[Speed],
+                "1",
+                "1 where the ridge sits at an end of the window, else 0",
+            );
+        }
+        if file.growth_by_wavelength {
+            add(
+                "mean_growth_rate",
+                &[Wavelength],
+                "1",
+                "growth rate per passage in the mean over the speeds of the window",
+            );
+        }
+        if !self.bands.is_empty() {
+            add(
+                "band_growth_rate",
+                &[Band],
+                "1",
+                "highest growth rate per passage of the wavelengths of a band, in the mean over the speeds",
+            );
+        }
+        for quantity in &file.map {
+            match quantity {
+                MapQuantity::GrowthRate => {
+                    add(
+                        "growth_rate",
+                        &[Speed, Wavelength],
+                        "1",
+                        "growth rate per passage",
+                    );
+                }
+                MapQuantity::NormalizedDissipation => add(
+                    "normalized_dissipation",
+                    &[Speed, Wavelength],
+                    "1",
+                    "W1/(mu P0 V xi0), growth where its real part is negative",
+                ),
+            }
+        }
+        if let Some(variable) = variables
+            .iter_mut()
+            .find(|v| v.name == "normalized_dissipation")
+        {
+            variable.complex = true;
+        }
+        for (index, point) in file.point.iter().enumerate() {
+            let name = point
+                .name
+                .clone()
+                .unwrap_or_else(|| format!("point_{}", index + 1));
+            for &quantity in &point.quantities {
+                let words = quantity.words();
+                variables.push(Variable {
+                    name: format!("{name}_{}", words.name),
+                    dimensions: Vec::new(),
+                    complex: words.complex,
+                    unit: words.unit,
+                    description: format!(
+                        "{} at {} and {}",
+                        words.description, point.wavelength, point.speed
+                    ),
+                });
+            }
+        }
+        variables
+    }
+
+    /// The case with overrides, if everything asked for can be computed on it.
+    pub(crate) fn on(&self, case: &Case, overrides: &[String]) -> Result<Case, CaseError> {
+        let case = case.with(&[overrides])?;
+        if self.uses_window() {
+            case.check_window()?;
+        }
+        for point in &self.file.point {
+            let frequency = point.speed.si() / point.wavelength.si();
+            case.check_frequencies(frequency, frequency)?;
+        }
+        Ok(case)
+    }
+
+    /// All values on a case in the order of the variables, the parts of a complex value one after the other; or
+    /// why there are none.
+    pub(crate) fn evaluate(&self, case: &Case) -> Result<Vec<f64>, String> {
+        let mut values = Vec::with_capacity(self.lengths.iter().sum());
+        if self.uses_window() {
+            self.evaluate_window(case, &mut values);
+        }
+        for point in &self.file.point {
+            let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
+            let case = case
+                .covering(wavelength, wavelength)
+                .map_err(|error| crate::plan::sentence(&error))?;
+            let state = case.feedback.at(wavelength, speed);
+            for &quantity in &point.quantities {
+                let value = quantity.value(&case, &state);
+                values.push(value.re);
+                if quantity.words().complex {
+                    values.push(value.im);
+                }
+            }
+        }
+        self.check_finite(&values)?;
+        Ok(values)
+    }
+
+    fn evaluate_window(&self, case: &Case, values: &mut Vec<f64>) {
+        let file = &self.file;
+        let (wavelength, speed) = (case.wavelength, case.speed);
+        let feedback = &case.feedback;
+        let rate = feedback.growth_rate_per_dissipation();
+        let mut evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), &speed.values());
+        let mut row = vec![Complex64::ZERO; wavelength.points()];
+        let (mut ridge, mut map) = (Vec::new(), Vec::new());
+        let with_mean = file.growth_by_wavelength || !self.bands.is_empty();
+        let mut mean = vec![0.0; if with_mean { row.len() } else { 0 }];
+        for index in 0..speed.points() {
+            let speed = speed.value(index);
+            evaluator.evaluate(speed, &mut row);
+            if file.ridge || file.ridge_over_speed {
+                ridge.push(RidgePoint::of_row(feedback, wavelength, speed, &row));
+            }
+            for (mean, value) in mean.iter_mut().zip(&row) {
+                *mean += rate * value.re;
+            }
+            if !file.map.is_empty() {
+                map.extend_from_slice(&row);
+            }
+        }
+        mean.iter_mut()
+            .for_each(|mean| *mean /= speed.points() as f64);
+        let ridge = Ridge { points: ridge };
+        let flag = |is: bool| if is { 1.0 } else { 0.0 };
+        if file.ridge {
+            values.push(ridge.best_fit_frequency().unwrap_or(f64::NAN));
+            // A window has speeds.
+            if let Some(highest) = ridge.highest() {
+                values.extend([
+                    highest.growth_rate,
+                    highest.wavelength,
+                    highest.speed,
+                    highest.frequency,
+                    flag(highest.at_edge),
+                ]);
+            }
+        }
+        if file.ridge_over_speed {
+            values.extend(ridge.points.iter().map(|point| point.wavelength));
+            values.extend(ridge.points.iter().map(|point| point.growth_rate));
+            values.extend(ridge.points.iter().map(|point| flag(point.at_edge)));
+        }
+        if file.growth_by_wavelength {
+            values.extend(&mean);
+        }
+        values.extend(self.bands.iter().map(|band| {
+            let lines = mean[band.lines.clone()].iter().copied();
+            lines.fold(f64::NEG_INFINITY, f64::max)
+        }));
+        for quantity in &file.map {
+            match quantity {
+                MapQuantity::GrowthRate => values.extend(map.iter().map(|value| rate * value.re)),
+                MapQuantity::NormalizedDissipation => {
+                    values.extend(map.iter().flat_map(|value| [value.re, value.im]));
+                }
+            }
+        }
+    }
+
+    fn check_finite(&self, values: &[f64]) -> Result<(), String> {
+        let mut rest = values;
+        for (variable, &length) in self.variables.iter().zip(&self.lengths) {
+            let (own, others) = rest.split_at(length);
+            rest = others;
+            if variable.name != RIDGE_FREQUENCY && !own.iter().all(|value| value.is_finite()) {
+                return Err(format!("{} is not a finite number", variable.name));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,111 @@
+//! Whether the case takes the values of a plan, before anything runs.
+
+use riffel_case::{Case, CaseError, Source};
+
+use super::Plan;
+use crate::distribution::Distribution;
+use crate::parameter::{Parameter, Spread};
+
+/// Most values of one list that are tried; beyond it the ends and evenly spaced ones between.
+const MOST_TRIED: usize = 100;
+/// The share next to an end that stands for it.
+const NEXT_TO_AN_END: f64 = 1e-9;
+/// The share at which an infinite tail is looked at: one sample in a thousand lies beyond.
+const TAIL: f64 = 1e-3;
+
+/// Try every list and the ends of every distribution with all other parameters in their middle.
+///
+/// A refused value is an error of the plan. An infinite tail that the case refuses is a remark: its samples will
+/// fail one by one.
+pub(super) fn check(source: &Source, plan: &mut Plan, case: &Case) -> Result<(), CaseError> {
+    let middle: Vec<String> = plan
+        .parameters
+        .iter()
+        .map(|p| p.assignment(&p.value(0.5)))
+        .collect();
+    let mut remarks = Vec::new();
+    for (index, parameter) in plan.parameters.iter().enumerate() {
+        for (share, place) in trials(parameter) {
+            let value = parameter.value(share);
+            let mut overrides = middle.clone();
+            overrides[index] = parameter.assignment(&value);
+            let Err(error) = plan.outputs.on(case, &overrides) else {
+                continue;
+            };
+            // The end itself reads better than the number next to it, where it is refused as well.
+            overrides[index] = parameter.assignment(&parameter.value(share.round()));
+            let at_end = plan
+                .outputs
+                .on(case, &overrides)
+                .err()
+                .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
+            let sentence = sentence(&at_end.unwrap_or(error));
+            match place {
+                Some(place) => {
+                    return Err(source.refuse(&format!("parameter[{index}].{place}"), &sentence));
+                }
+                None => remarks.push(format!(
+                    "one value of {} in a thousand is beyond {value}, where the case says: {sentence}; such \
+                     samples fail (cut the distribution off by min and max)",
+                    parameter.key.key
+                )),
+            }
+        }
+    }
+    plan.remarks.extend(remarks);
+    Ok(())
+}
+
+/// Shares to try, each with the key of the plan that is at fault if it is refused; none for a tail.
+fn trials(parameter: &Parameter) -> Vec<(f64, Option<String>)> {
+    let ends = |table: &str| {
+        vec![
+            (NEXT_TO_AN_END, Some(format!("{table}.min"))),
+            (1.0 - NEXT_TO_AN_END, Some(format!("{table}.max"))),
+        ]
+    };
+    match &parameter.spread {
+        Spread::Values(values) => {
+            let count = values.len();
+            let tried = count.min(MOST_TRIED);
+            (0..tried)
+                .map(|k| match tried {
+                    1 => 0,
+                    tried => k * (count - 1) / (tried - 1),
+                })
+                .map(|level| {
+                    let share = (level as f64 + 0.5) / count as f64;
+                    (share, Some(format!("values[{level}]")))
+                })
+                .collect()
+        }
+        Spread::Distribution(Distribution::Uniform { .. }) => ends("uniform"),
+        Spread::Distribution(Distribution::Triangular { .. }) => ends("triangular"),
+        Spread::Distribution(Distribution::Normal { min, max, .. }) => {
+            tails("normal", "mean", (min.is_finite(), max.is_finite()))
+        }
+        Spread::Distribution(Distribution::Lognormal { min, max, .. }) => {
+            tails("lognormal", "median", (*min > 0.0, max.is_finite()))
+        }
+    }
+}
+
+fn tails(table: &str, middle: &str, cut: (bool, bool)) -> Vec<(f64, Option<String>)> {
+    let side = |cut: bool, end: &str, share: f64, tail: f64| match cut {
+        true => (share, Some(format!("{table}.{end}"))),
+        false => (tail, None),
+    };
+    vec![
+        (0.5, Some(format!("{table}.{middle}"))),
+        side(cut.0, "min", NEXT_TO_AN_END, TAIL),
+        side(cut.1, "max", 1.0 - NEXT_TO_AN_END, 1.0 - TAIL),
+    ]
+}
+
+/// What the case says, without the override that the user did not write.
+pub(crate) fn sentence(error: &CaseError) -> String {
+    match error {
+        CaseError::Override { message, .. } => message.clone(),
+        error => error.to_string(),
+    }
+}

@@ -1,0 +1,280 @@
+//! The values of a parameter, as written.
+
+use riffel_case::quantity::Kind;
+use riffel_case::{CaseError, CaseKey, Source};
+use toml::Value;
+
+use super::file::{LognormalFile, NormalFile, ParameterFile, RangeFile, Spacing};
+use crate::distribution::Distribution;
+use crate::parameter::{ParameterValue, Spread};
+
+/// Most values of a list or range.
+const MOST_VALUES: u64 = 1_000_000;
+
+/// Where in a plan a value stands, and what its key takes.
+struct Place<'a> {
+    source: &'a Source,
+    /// `parameter[2]`.
+    at: String,
+    kind: Kind,
+}
+
+/// The values of the parameter of a number.
+pub(super) fn of(
+    source: &Source,
+    index: usize,
+    written: &ParameterFile,
+    key: &'static CaseKey,
+) -> Result<Spread, CaseError> {
+    let at = format!("parameter[{index}]");
+    let given = [
+        ("values", written.values.is_some()),
+        ("range", written.range.is_some()),
+        ("uniform", written.uniform.is_some()),
+        ("normal", written.normal.is_some()),
+        ("lognormal", written.lognormal.is_some()),
+        ("triangular", written.triangular.is_some()),
+    ];
+    let given: Vec<&str> = given
+        .iter()
+        .filter(|(_, is)| *is)
+        .map(|(name, _)| *name)
+        .collect();
+    let &[way] = &given[..] else {
+        let help = "give just one of values, range, uniform, normal, lognormal and triangular";
+        return Err(match given[..] {
+            [] => source.missing(&format!("{at}.values"), help),
+            [one, other, ..] => {
+                let rule = format!("and `{at}.{one}` exclude each other");
+                source.invalid(&format!("{at}.{other}"), &rule, help)
+            }
+            [_] => unreachable!("one way is handled above"),
+        });
+    };
+    let Some(kind) = key.quantity else {
+        let Some(values) = &written.values else {
+            return Err(source.invalid(
+                &format!("{at}.{way}"),
+                &format!(
+                    "is for quantities, but `{}` takes a choice, a name or a whole number",
+                    key.key
+                ),
+                "give its values one by one: values = [...]",
+            ));
+        };
+        let texts = values.iter().map(|value| match value {
+            Value::String(text) => text.clone(),
+            other => other.to_string(),
+        });
+        return list(source, &at, texts.map(ParameterValue::Text).collect());
+    };
+    let place = Place { source, at, kind };
+    if let Some(values) = &written.values {
+        let numbers = values
+            .iter()
+            .enumerate()
+            .map(|(index, value)| place.number(&format!("values[{index}]"), value))
+            .collect::<Result<Vec<f64>, CaseError>>()?;
+        return list(
+            source,
+            &place.at,
+            numbers.into_iter().map(ParameterValue::Number).collect(),
+        );
+    }
+    if let Some(range) = &written.range {
+        return place.range(range);
+    }
+    let distribution = if let Some(uniform) = &written.uniform {
+        let (min, max) = place.ends("uniform", &uniform.min, &uniform.max)?;
+        Distribution::Uniform { min, max }
+    } else if let Some(normal) = &written.normal {
+        place.normal(normal)?
+    } else if let Some(lognormal) = &written.lognormal {
+        place.lognormal(lognormal)?
+    } else if let Some(triangular) = &written.triangular {
+        let (min, max) = place.ends("triangular", &triangular.min, &triangular.max)?;
+        let mode = place.number("triangular.mode", &triangular.mode)?;
+        if !(min..=max).contains(&mode) {
+            let rule =
+                format!("is {mode}, but must be between the min of {min} and the max of {max}");
+            return Err(place.wrong("triangular.mode", &rule));
+        }
+        Distribution::Triangular { min, mode, max }
+    } else {
+        unreachable!("one way is given")
+    };
+    Ok(Spread::Distribution(distribution))
+}
+
+/// A list that is not empty and names nothing twice.
+fn list(source: &Source, at: &str, values: Vec<ParameterValue>) -> Result<Spread, CaseError> {
+    let key = format!("{at}.values");
+    if values.is_empty() {
+        return Err(source.invalid(&key, "is empty, but must hold a value", ""));
+    }
+    for (index, value) in values.iter().enumerate() {
+        if values[..index].contains(value) {
+            let rule = format!("holds {value} twice");
+            return Err(source.invalid(&key, &rule, ""));
+        }
+    }
+    Ok(Spread::Values(values))
+}
+
+impl Place<'_> {
+    fn wrong(&self, key: &str, rule: &str) -> CaseError {
+        self.source.invalid(&format!("{}.{key}", self.at), rule, "")
+    }
+
+    fn number(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
+        let read = match value {
+            Value::Integer(number) => self.kind.read(&number.to_string()),
+            Value::Float(number) => self.kind.read(&number.to_string()),
+            Value::String(text) => self.kind.read(text),
+            _ => {
+                let rule = format!(
+                    "is no number, but must be {}, as in \"{}\"",
+                    self.kind.name, self.kind.example
+                );
+                return Err(self.wrong(key, &rule));
+            }
+        };
+        read.map_err(|error| self.wrong(key, &error.to_string()))
+    }
+
+    fn optional(&self, key: &str, value: Option<&Value>, left_out: f64) -> Result<f64, CaseError> {
+        value.map_or(Ok(left_out), |value| self.number(key, value))
+    }
+
+    fn ends(&self, table: &str, min: &Value, max: &Value) -> Result<(f64, f64), CaseError> {
+        let low = self.number(&format!("{table}.min"), min)?;
+        let high = self.number(&format!("{table}.max"), max)?;
+        if low >= high {
+            let rule = format!("is {high}, but must be above the min of {low}");
+            return Err(self.wrong(&format!("{table}.max"), &rule));
+        }
+        Ok((low, high))
+    }
+
+    fn positive(&self, key: &str, value: f64) -> Result<f64, CaseError> {
+        if value > 0.0 {
+            return Ok(value);
+        }
+        Err(self.wrong(key, &format!("is {value}, but must be greater than zero")))
+    }
+
+    fn range(&self, range: &RangeFile) -> Result<Spread, CaseError> {
+        let (min, max) = self.ends("range", &range.min, &range.max)?;
+        if !(2..=MOST_VALUES).contains(&range.points) {
+            let rule = format!(
+                "is {}, but must be between 2 and {MOST_VALUES}",
+                range.points
+            );
+            return Err(self.wrong("range.points", &rule));
+        }
+        if range.spacing == Spacing::Log {
+            self.positive("range.min", min)?;
+        }
+        let last = range.points - 1;
+        let value = |index: u64| {
+            let share = index as f64 / last as f64;
+            match (index, range.spacing) {
+                (0, _) => min,
+                (index, _) if index == last => max,
+                (_, Spacing::Linear) => min + (max - min) * share,
+                (_, Spacing::Log) => min * (max / min).powf(share),
+            }
+        };
+        let values = (0..range.points).map(|index| ParameterValue::Number(value(index)));
+        Ok(Spread::Values(values.collect()))
+    }
+
+    fn normal(&self, normal: &NormalFile) -> Result<Distribution, CaseError> {
+        let mean = self.number("normal.mean", &normal.mean)?;
+        let deviation = self.number("normal.standard_deviation", &normal.standard_deviation)?;
+        let standard_deviation = self.positive("normal.standard_deviation", deviation)?;
+        let min = self.optional("normal.min", normal.min.as_ref(), f64::NEG_INFINITY)?;
+        let max = self.optional("normal.max", normal.max.as_ref(), f64::INFINITY)?;
+        let far = |end: f64| (end - mean) / standard_deviation;
+        self.cut("normal", min, max, [far(min), far(max)])?;
+        Ok(Distribution::Normal {
+            mean,
+            standard_deviation,
+            min,
+            max,
+        })
+    }
+
+    fn lognormal(&self, lognormal: &LognormalFile) -> Result<Distribution, CaseError> {
+        let key = |name: &str| format!("lognormal.{name}");
+        let min = self.optional(&key("min"), lognormal.min.as_ref(), 0.0)?;
+        let max = self.optional(&key("max"), lognormal.max.as_ref(), f64::INFINITY)?;
+        if min < 0.0 {
+            return Err(self.wrong(&key("min"), &format!("is {min}, but must be zero or more")));
+        }
+        let distribution = match lognormal {
+            LognormalFile {
+                mean: Some(mean),
+                standard_deviation: Some(deviation),
+                median: None,
+                factor: None,
+                ..
+            } => {
+                let mean = self.positive(&key("mean"), self.number(&key("mean"), mean)?)?;
+                let name = key("standard_deviation");
+                let deviation = self.positive(&name, self.number(&name, deviation)?)?;
+                Distribution::lognormal_of_moments(mean, deviation, (min, max))
+            }
+            LognormalFile {
+                mean: None,
+                standard_deviation: None,
+                median: Some(median),
+                factor: Some(factor),
+                ..
+            } => {
+                let median = self.positive(&key("median"), self.number(&key("median"), median)?)?;
+                let factor = factor.si();
+                if factor <= 1.0 {
+                    let rule = format!("is {factor}, but must be above 1");
+                    return Err(self.wrong(&key("factor"), &rule));
+                }
+                Distribution::Lognormal {
+                    log_mean: median.ln(),
+                    log_deviation: factor.ln(),
+                    min,
+                    max,
+                }
+            }
+            _ => {
+                let rule = "needs mean and standard_deviation, or median and factor";
+                return Err(self.wrong("lognormal", rule));
+            }
+        };
+        if let Distribution::Lognormal {
+            log_mean,
+            log_deviation,
+            ..
+        } = distribution
+        {
+            let far = |end: f64| (end.ln() - log_mean) / log_deviation;
+            self.cut("lognormal", min, max, [far(min), far(max)])?;
+        }
+        Ok(distribution)
+    }
+
+    /// `Ok` if something is left between the ends; `scores` are the ends in standard deviations.
+    fn cut(&self, table: &str, min: f64, max: f64, scores: [f64; 2]) -> Result<(), CaseError> {
+        /// Beyond this the probabilities have no digits left.
+        const FARTHEST: f64 = 30.0;
+        if min >= max {
+            let rule = format!("is {max}, but must be above the min of {min}");
+            return Err(self.wrong(&format!("{table}.max"), &rule));
+        }
+        if scores[0] > FARTHEST || scores[1] < -FARTHEST {
+            let rule =
+                "leaves nothing between its ends: they are more than 30 standard deviations away";
+            return Err(self.wrong(table, rule));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,55 @@
+//! Files that are there whole or not at all.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+
+use crate::StudyError;
+
+/// What the names of half-written files begin with.
+pub(super) const PREFIX: &str = ".riffel-";
+
+/// Write a file under another name in its folder, which is made if need be, and rename it.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
+    let put = || {
+        let folder = path.parent().unwrap_or_else(|| Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(PREFIX);
+        // A temporary file is for its owner alone; this one becomes a file like any other.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = match builder.tempfile_in(folder) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                fs::create_dir_all(folder)?;
+                builder.tempfile_in(folder)?
+            }
+            file => file?,
+        };
+        file.write_all(bytes)?;
+        file.as_file().sync_data()?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    };
+    put().map_err(|reason| StudyError::Write {
+        path: path.to_owned(),
+        reason,
+    })
+}
+
+/// Remove half-written files below a folder.
+pub(super) fn sweep(folder: &Path) -> Result<(), StudyError> {
+    let wrong = |reason| StudyError::Write {
+        path: folder.to_owned(),
+        reason,
+    };
+    for entry in fs::read_dir(folder).map_err(wrong)? {
+        let entry = entry.map_err(wrong)?;
+        let path = entry.path();
+        if entry.file_type().map_err(wrong)?.is_dir() {
+            sweep(&path)?;
+        } else if entry.file_name().to_string_lossy().starts_with(PREFIX) {
+            fs::remove_file(&path).map_err(wrong)?;
+        }
+    }
+    Ok(())
+}
