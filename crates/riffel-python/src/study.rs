@@ -102,15 +102,6 @@ impl Study {
         matches!(self.study.plan.design, Design::Saltelli(_))
     }
 
-    /// Those chunks that belong to a shard.
-    fn shard_of(&self, chunks: Vec<u64>, shard: &str) -> PyResult<Vec<u64>> {
-        let shard = parse_shard(shard)?;
-        Ok(chunks
-            .into_iter()
-            .filter(|chunk| shard.contains(*chunk))
-            .collect())
-    }
-
     /// Key, unit and description of each parameter, and whether it is a number.
     fn parameters(&self) -> Vec<(String, Option<&'static str>, String, bool)> {
         self.study
@@ -153,10 +144,10 @@ impl Study {
             .map_err(of_study)
     }
 
-    /// Chunks that are missing or damaged, in order.
-    fn pending(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<u64>> {
-        let study = self.study.clone();
-        let pending = move || ResultFolder::begin(&study, &folder)?.pending();
+    /// Chunks of a shard that are missing or damaged, in order.
+    fn pending(&self, py: Python<'_>, folder: PathBuf, shard: &str) -> PyResult<Vec<u64>> {
+        let (study, shard) = (self.study.clone(), parse_shard(shard)?);
+        let pending = move || ResultFolder::begin(&study, &folder)?.pending(shard);
         interruptible(py, pending)?.map_err(of_study)
     }
 
@@ -186,15 +177,8 @@ impl Study {
         shard: &str,
         progress: Option<Bound<'_, PyAny>>,
     ) -> PyResult<()> {
-        let shard = parse_shard(shard)?;
         let study = self.study.clone();
-        let (path, opened) = (folder.clone(), study.clone());
-        let chunks: Vec<u64> = interruptible(py, move || {
-            let pending = ResultFolder::begin(&opened, &path)?.pending()?;
-            let own = pending.into_iter().filter(|chunk| shard.contains(*chunk));
-            Ok(own.collect())
-        })?
-        .map_err(of_study)?;
+        let chunks = self.pending(py, folder.clone(), shard)?;
         let samples = |chunk: &u64| {
             let range = self.study.samples_of(*chunk);
             range.end - range.start

@@ -83,7 +83,7 @@ def run(
     if not client.scheduler_info()["workers"]:
         raise RuntimeError("the cluster has no workers: wait for them with client.wait_for_workers(1)")
     study.begin(str(folder))
-    chunks = study.shard_of(study.pending(str(folder)), shard)
+    chunks = study.pending(str(folder), shard)
     _Run(study, folder, client, chunks, progress, patience, attempts).finish()
 
 
@@ -260,7 +260,7 @@ class _Run:
 
     def _check_written(self, chunks: Iterable[int]) -> None:
         """What workers say they wrote must be here."""
-        if set(chunks).intersection(self.study.pending(self.folder)):
+        if set(chunks).intersection(self.study.pending(self.folder, "1/1")):
             raise RuntimeError(
                 f"workers have written chunks that are not in {self.folder} here: it must be a folder that all machines of "
                 "the cluster share"
