@@ -39,8 +39,13 @@ impl Contestant {
         Ok(rolland)
     }
 
-    /// The Python package of Riffel, built from these sources as users build it, on a number of threads.
-    pub(crate) fn riffel_of_python(folder: &Path, threads: usize) -> Result<Self, Failure> {
+    /// A script that uses the Python package of Riffel, built from these sources as users build it, on a
+    /// number of threads.
+    pub(crate) fn riffel_of_python(
+        folder: &Path,
+        script: &str,
+        threads: usize,
+    ) -> Result<Self, Failure> {
         let python = environment(folder, "peers-riffel", || Ok("python3".into()))?;
         install(&python, &folder.join(RIFFEL_REQUIREMENTS))?;
         run(Command::new(&python)
@@ -51,7 +56,7 @@ impl Contestant {
             .env("PATH", scripts_first(&python)?))?;
         Self::start(
             Command::new(python)
-                .arg(folder.join("peers/map_riffel.py"))
+                .arg(folder.join("peers").join(script))
                 .env("RAYON_NUM_THREADS", threads.to_string()),
         )
     }

@@ -265,7 +265,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     report_tracks(&mut text, &mut one)?;
     contact::report(&mut text, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
-    study::report(&mut text, &mut one, &mut two)?;
+    study::report(&mut text, folder, &mut one, &mut two)?;
 
     writeln!(text, "\n## Cost against size, free beam, one thread\n")?;
     writeln!(

@@ -18,7 +18,7 @@ pub(crate) fn report(text: &mut String, folder: &Path) -> Result<(), Failure> {
     )?;
     for (threads, name) in [(1, "one"), (2, "two")] {
         let mut rust = Contestant::riffel(threads)?;
-        let mut python = Contestant::riffel_of_python(folder, threads)?;
+        let mut python = Contestant::riffel_of_python(folder, "map_riffel.py", threads)?;
         let mut times = [const { Vec::new() }; 3];
         for _ in 0..ROUNDS {
             let (seconds, sum) = rust.time("map free", SIDE)?;

@@ -2,13 +2,13 @@
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel_study::{ResultFolder, Shard, Stop, Study};
 
 use crate::contestant::{Contestant, Failure};
-use crate::median;
+use crate::{check_agreement, median};
 
 /// Samples of the comparison of threads.
 const SAMPLES: usize = 100_000;
@@ -22,6 +22,8 @@ const SIZES: [(usize, usize); 5] = [
     (100_000, 3),
     (1_000_000, 1),
 ];
+/// Samples of the comparison with a cluster, with its rounds.
+const CLUSTER: (usize, usize) = (30_000, 5);
 /// Threads of a node of the extrapolation.
 const NODE: f64 = 64.0;
 
@@ -78,6 +80,7 @@ pub(crate) fn contest(samples: usize) -> Result<(f64, f64), Failure> {
 /// The section of the report.
 pub(crate) fn report(
     text: &mut String,
+    folder: &Path,
     one: &mut Contestant,
     two: &mut Contestant,
 ) -> Result<(), Failure> {
@@ -137,6 +140,34 @@ pub(crate) fn report(
          10⁹, start of the jobs, file system and merging apart. {ROUNDS} rounds on one thread and on two.",
         second * 1e6f64.powf(exponent) * 2.0 / (nodes * NODE),
         second * 1e6f64.powf(exponent) * 1e3 * 2.0 / (nodes * NODE) / 60.0,
+    )?;
+    cluster(text, folder, two)
+}
+
+/// Two workers of Dask beside two threads.
+fn cluster(text: &mut String, folder: &Path, two: &mut Contestant) -> Result<(), Failure> {
+    let (samples, rounds) = CLUSTER;
+    let place = scratch();
+    fs::create_dir_all(&place)?;
+    fs::write(place.join("nominal.toml"), riffel_case::NOMINAL_CASE)?;
+    fs::write(place.join("study.toml"), plan(samples))?;
+    let mut dask = Contestant::riffel_of_python(folder, "study_dask.py", 2)?;
+    let task = format!("study {}", place.join("study.toml").display());
+    let (mut threads, mut workers) = (Vec::new(), Vec::new());
+    for _ in 0..rounds {
+        let own = two.once("study free", samples)?;
+        let there = dask.once(&task, samples)?;
+        check_agreement("studies on threads and on workers", (there.1, own.1), 1e-12)?;
+        threads.push(own.0);
+        workers.push(there.0);
+    }
+    fs::remove_dir_all(&place)?;
+    let [threads, workers] = [threads, workers].map(median);
+    writeln!(
+        text,
+        "\n{samples} samples take {threads:.1} s on two threads and {workers:.1} s on two workers of a local cluster of Dask, \
+         processes of one thread beside a scheduler that shares the same two cores: an efficiency of {:.0} %. {rounds} rounds.",
+        100.0 * threads / workers
     )?;
     Ok(())
 }
