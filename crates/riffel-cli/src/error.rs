@@ -48,6 +48,13 @@ pub(crate) enum CliError {
         message: String,
     },
 
+    #[error("{error}")]
+    #[diagnostic(help("choose another port, or --port 0 for any that is free"))]
+    Listen { error: riffel_web::ServeError },
+
+    #[error("{error}")]
+    Serve { error: riffel_web::ServeError },
+
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] riffel_plot::PlotError),
 

@@ -20,7 +20,10 @@ use arguments::{Arguments, Command};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    staging::clean_up_on_interrupt();
+    // The page ends its own work.
+    if !matches!(arguments.command, Command::Serve(_)) {
+        staging::clean_up_on_interrupt();
+    }
     match run(arguments.command) {
         Ok(code) => code,
         Err(report) => {
@@ -44,6 +47,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Forecast(arguments) => command::forecast::run(&arguments)?,
         Command::Compare(arguments) => command::compare::run(&arguments)?,
+        Command::Serve(arguments) => command::serve::run(&arguments)?,
         Command::Schema(arguments) => command::schema::run(&arguments),
         Command::Validate => return command::validate::run(),
     }

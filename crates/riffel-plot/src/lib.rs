@@ -67,6 +67,7 @@ mod text;
 pub use axis::Scale;
 pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
+pub use html::plotly_js;
 pub use line_figure::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 pub use map_figure::{MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};

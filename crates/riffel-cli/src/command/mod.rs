@@ -13,4 +13,5 @@ pub(crate) mod receptance;
 pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;
+pub(crate) mod serve;
 pub(crate) mod validate;

@@ -28,6 +28,18 @@ impl GrowthMap {
         speed: Axis,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
+        Self::compute_while(feedback, wavelength, speed, || true, progress)
+    }
+
+    /// [`compute`](Self::compute) for as long as the result is `wanted`, which is asked before every tile,
+    /// from any thread. A map that is no longer wanted is filled up with zeros at once.
+    pub fn compute_while(
+        feedback: &FeedbackLoop,
+        wavelength: Axis,
+        speed: Axis,
+        wanted: impl Fn() -> bool + Sync,
+        progress: impl Fn(usize) + Sync,
+    ) -> Self {
         let evaluator = RowEvaluator::for_map(feedback, wavelength, speed);
         let tiles_a_row = wavelength.points().div_ceil(TILE);
         let mut tiles = Vec::new();
@@ -36,6 +48,9 @@ impl GrowthMap {
             .with_min_len(tiles_a_row)
             .map_with(evaluator, |evaluator, index| {
                 let (row, tile) = (index / tiles_a_row, index % tiles_a_row);
+                if !wanted() {
+                    return [Complex64::ZERO; TILE];
+                }
                 let values = evaluator.evaluate_tile(speed.value(row), tile);
                 if tile + 1 == tiles_a_row {
                     progress(1);
