@@ -17,7 +17,8 @@ use crate::file::{CaseFile, DissipationPhase, Rotation};
 use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::Source;
 use crate::track::{Direction, Track};
-use crate::{CaseError, measurement, validity};
+use crate::validity::{self, Window};
+use crate::{CaseError, measurement};
 
 /// Most points along one axis of a map.
 const MOST_AXIS_POINTS: u64 = 100_000;
@@ -31,10 +32,17 @@ pub(crate) struct Builder {
     /// Folder to which file names in the case are relative; without one the case may not name any.
     folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
+    /// What wavelengths and speeds of the file are a window of.
+    pub(crate) window: Window,
 }
 
 impl Builder {
-    pub(crate) fn new(source: Source, folder: Option<PathBuf>, mut file: CaseFile) -> Self {
+    pub(crate) fn new(
+        source: Source,
+        folder: Option<PathBuf>,
+        mut file: CaseFile,
+        window: Window,
+    ) -> Self {
         let wheel = &mut file.wheel;
         wheel.inertia.get_or_insert_with(|| {
             let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
@@ -44,6 +52,7 @@ impl Builder {
             source,
             folder,
             file,
+            window,
         }
     }
 
@@ -100,8 +109,8 @@ impl Builder {
         };
         let mut remarks = self.source.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
-        let window = [wavelength, speed];
-        remarks.extend(validity::remarks(&self, &track, &feedback, hertz, window));
+        let axes = [wavelength, speed];
+        remarks.extend(validity::remarks(&self, &track, &feedback, hertz, axes));
         Ok(Case {
             file: self.file.clone(),
             builder: self,

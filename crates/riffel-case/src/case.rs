@@ -12,6 +12,7 @@ use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
+use crate::validity::Window;
 
 /// A case ready to compute.
 #[derive(Clone)]
@@ -79,18 +80,22 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
         source.apply(overrides)?;
-        Self::of_source(source, folder)
+        Self::of_source(source, folder, Window::Map)
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
-    fn of_source(written: Source, folder: Option<&Path>) -> Result<Self, CaseError> {
+    fn of_source(
+        written: Source,
+        folder: Option<&Path>,
+        window: Window,
+    ) -> Result<Self, CaseError> {
         let mut source = written.clone();
         source.fill_in()?;
         let file: CaseFile = source.deserialize()?;
         if folder.is_none() && file.track.measurement.is_some() {
             return Err(Builder::names_a_file(&source));
         }
-        Builder::new(source, folder.map(Path::to_owned), file).build(written)
+        Builder::new(source, folder.map(Path::to_owned), file, window).build(written)
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it
@@ -99,11 +104,20 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn with(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
+        self.with_window(sets, Window::Map)
+    }
+
+    /// [`with`](Self::with), where wavelengths and speeds are those of a vehicle and no map's.
+    pub(crate) fn of_vehicle(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
+        self.with_window(sets, Window::Traffic)
+    }
+
+    fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {
         let mut source = self.written.clone();
         for overrides in sets {
             source.apply(overrides)?;
         }
-        Self::of_source(source, self.builder.folder())
+        Self::of_source(source, self.builder.folder(), window)
     }
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that

@@ -88,3 +88,15 @@ pub enum CaseError {
         nearest: String,
     },
 }
+
+impl CaseError {
+    /// A file of data that cannot be used as a whole, and why not.
+    pub fn data(path: impl Into<PathBuf>, message: impl Into<String>) -> Self {
+        Self::Data {
+            path: path.into(),
+            line: None,
+            message: message.into(),
+            help: None,
+        }
+    }
+}

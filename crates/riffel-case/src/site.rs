@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::CaseError;
-use crate::source::Source;
+use crate::source::{Source, read_text};
 
 /// What a report says of its site; every key is optional.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize)]
@@ -46,13 +46,7 @@ impl Site {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the site: {reason}"),
-            help: None,
-        })?;
-        Self::parse(&path.display().to_string(), &text)
+        Self::parse(&path.display().to_string(), &read_text(path, "site")?)
     }
 
     /// Read it from TOML; `name` is the one shown in errors.

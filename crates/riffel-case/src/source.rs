@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
 
 use miette::{NamedSource, SourceSpan};
@@ -11,6 +12,12 @@ use toml::{Table, Value};
 
 use crate::CaseError;
 use crate::preset::PresetKind;
+
+/// The text of a file, which is `what` in errors.
+pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, CaseError> {
+    std::fs::read_to_string(path)
+        .map_err(|reason| CaseError::data(path, format!("cannot read the {what}: {reason}")))
+}
 
 /// A case file as TOML, each key with the place where it was set.
 #[derive(Clone)]

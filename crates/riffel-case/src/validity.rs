@@ -30,7 +30,25 @@ const EVEN_SUPPORT_UP_TO: f64 = 0.5;
 /// contact is 1 %.
 const CLOSED_FORM_UP_TO: f64 = 0.05;
 
-/// Sentences on the validity of the models over the window of the map.
+/// What the window of wavelengths and speeds of a case is, which sentences name.
+#[derive(Clone, Copy)]
+pub(crate) enum Window {
+    /// The growth map, as the case file says.
+    Map,
+    /// Bands of the spectrum at the speeds of a vehicle.
+    Traffic,
+}
+
+impl Window {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Map => "map",
+            Self::Traffic => "traffic",
+        }
+    }
+}
+
+/// Sentences on the validity of the models over the window.
 pub(crate) fn remarks(
     builder: &Builder,
     track: &Track,
@@ -40,20 +58,21 @@ pub(crate) fn remarks(
 ) -> Vec<String> {
     let mut remarks = Vec::new();
     let file = &builder.file;
+    let window = builder.window.name();
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
     let measured = file.track.model == TrackModel::Measured;
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
         remarks.push(format!(
-            "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (the map begins at \
-             {lowest:.0} Hz) pads, sleepers and ballast change its receptance"
+            "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (lowest of the \
+             {window}: {lowest:.0} Hz) pads, sleepers and ballast change its receptance"
         ));
     }
     let bends_only = builder.beam_model() == BeamModel::EulerBernoulli;
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
         remarks.push(format!(
             "the rail bends without shear: its receptance is some 9° off at {EULER_BEAM_UP_TO_HZ} Hz, 24° \
-             and 14 % at 1500 Hz (the map ends at {highest:.0} Hz)"
+             and 14 % at 1500 Hz (highest of the {window}: {highest:.0} Hz)"
         ));
     }
     if bends_only && file.track.model.is_periodic() {
@@ -68,7 +87,7 @@ pub(crate) fn remarks(
     {
         remarks.push(format!(
             "supports are spread evenly along the rail: the pinned-pinned resonance near {pinned:.0} Hz is \
-             missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (the map ends at {highest:.0} Hz; \
+             missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (highest of the {window}: {highest:.0} Hz; \
              choose a model that ends in -periodic)"
         ));
     }
@@ -103,7 +122,7 @@ pub(crate) fn remarks(
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
         remarks.push(format!(
-            "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the map"
+            "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the {window}"
         ));
     }
     // Outside the frequencies of a measurement there is nothing to look at.

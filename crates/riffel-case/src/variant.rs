@@ -8,7 +8,7 @@ use toml::{Table, Value};
 
 use crate::CaseError;
 use crate::quantity::{Quantity, Ratio, Speed};
-use crate::source::Source;
+use crate::source::{Source, read_text};
 
 /// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
 ///
@@ -62,12 +62,7 @@ impl Variant {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule. Keys of the case are checked with the case.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the file of changes: {reason}"),
-            help: None,
-        })?;
+        let text = read_text(path, "file of changes")?;
         let mut variant = Self::parse(&path.display().to_string(), &text)?;
         if variant.title.is_empty() {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -76,12 +76,7 @@ impl Comparison {
             let forecast = spectrum
                 .map(|spectrum| Forecast::new(spectrum, on.growth.clone()))
                 .transpose()
-                .map_err(|error| CaseError::Data {
-                    path: "spectrum".into(),
-                    line: None,
-                    message: error.to_string(),
-                    help: None,
-                })?;
+                .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
             let passages_to_limit = forecast
                 .as_ref()
                 .zip(limit)

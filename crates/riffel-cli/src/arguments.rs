@@ -1,6 +1,7 @@
 //! The command line.
 
 mod forecast;
+mod roughness;
 
 use std::path::{Path, PathBuf};
 
@@ -11,6 +12,7 @@ use riffel_case::{Case, CaseError};
 use crate::error::CliError;
 
 pub(crate) use forecast::{Compare, Forecast, Horizon, Spectra};
+pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
 #[derive(Parser)]
@@ -303,192 +305,6 @@ pub(crate) struct Contact {
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results"
-)]
-pub(crate) struct Roughness {
-    /// Longitudinal profile, or table of one-third-octave levels: text in columns.
-    #[arg(value_name = "FILE", required_unless_present = "synthesise")]
-    pub(crate) path: Option<PathBuf>,
-
-    /// Reader profile that says how the file is laid out [default: found from its first lines].
-    #[arg(long, value_name = "TOML")]
-    pub(crate) format: Option<PathBuf>,
-
-    /// Save how the file was read as a reader profile.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) save_format: Option<PathBuf>,
-
-    /// Step between samples of a file without positions, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) spacing: Option<Quantity<Length>>,
-
-    /// Longest wavelength of the spectrum [default: a quarter of the record, at most 2 m].
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) longest: Option<Quantity<Length>>,
-
-    /// Window of the moving RMS and peak-to-peak value [default: ten of the longest wavelength of each
-    /// band, at least 1 m].
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) window: Option<Quantity<Length>>,
-
-    /// Length of the blocks whose RMS is tabled.
-    #[arg(long, value_name = "LENGTH", default_value = "10 m")]
-    pub(crate) block: Quantity<Length>,
-
-    /// Good length below which two sections are ground as one.
-    #[arg(long, value_name = "LENGTH", default_value = "5 m")]
-    pub(crate) merge: Quantity<Length>,
-
-    /// Limit table, by name or as a TOML file; may be repeated [default: iso-3095-2013, grassie-1999].
-    #[arg(long, value_name = "LIMIT")]
-    pub(crate) limit: Vec<String>,
-
-    /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(long = "where", value_name = "COLUMN=VALUE")]
-    pub(crate) choose: Vec<String>,
-
-    /// Group the spectra of a table by a column and compare the groups.
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) by: Option<String>,
-
-    /// Make a profile to a recipe instead of reading one [default recipe: built in]; written to --output or
-    /// to standard output.
-    #[arg(long, value_name = "RECIPE", num_args = 0..=1, conflicts_with = "path")]
-    pub(crate) synthesise: Option<Option<PathBuf>>,
-
-    /// Folder for the results, made if need be [default: FILE-roughness]; with --synthesise the file.
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-/// A measured rail held against a case: what `diagnose` and `report` have in common.
-#[derive(Args)]
-pub(crate) struct DiagnosisArguments {
-    /// Longitudinal profile, or table of one-third-octave levels.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) roughness: PathBuf,
-
-    /// Reader profile that says how profiles are laid out [default: found from their first lines].
-    #[arg(long, value_name = "TOML")]
-    pub(crate) format: Option<PathBuf>,
-
-    /// Step between samples of files without positions, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) spacing: Option<Quantity<Length>>,
-
-    /// An earlier record of the same rail; may be repeated, the oldest first.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) earlier: Vec<PathBuf>,
-
-    /// Dates of all records, YYYY-MM-DD, separated by commas, the oldest first and that of --roughness last.
-    #[arg(
-        long,
-        value_name = "DATES",
-        value_delimiter = ',',
-        requires = "earlier"
-    )]
-    pub(crate) dates: Vec<jiff::civil::Date>,
-
-    /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(long = "where", value_name = "COLUMN=VALUE")]
-    pub(crate) choose: Vec<String>,
-
-    /// Column of a table that tells its records apart in time [default: date, if there is one].
-    #[arg(long, value_name = "COLUMN")]
-    pub(crate) by: Option<String>,
-
-    /// Speeds of the traffic, as \"80 km/h\" or a range \"60 km/h..90 km/h\"; may be repeated [default: those
-    /// of the map of the case].
-    #[arg(long, value_name = "SPEED")]
-    pub(crate) speed: Vec<String>,
-
-    /// Traffic file, for the speeds of its vehicles where no --speed is given, and for the forecast of a report.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) traffic: Option<PathBuf>,
-
-    /// Frequency of a torsional mode of the wheelset; may be repeated.
-    #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) torsion: Vec<Quantity<Frequency>>,
-
-    /// Frequency of a bending mode of the wheelset; may be repeated.
-    #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) bending: Vec<Quantity<Frequency>>,
-
-    /// The record was taken from a vehicle, whose wheels are in it, and not with a trolley.
-    #[arg(long)]
-    pub(crate) from_vehicle: bool,
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
-        Shares compare the candidates of one list, each taken to be equally likely beforehand; they are no \
-        probability that a finding is right."
-)]
-pub(crate) struct Diagnose {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    #[command(flatten)]
-    pub(crate) record: DiagnosisArguments,
-
-    /// Folder for figure and tables, made if need be [default: CASE-diagnosis].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Example: riffel report case.toml --roughness profile.csv --traffic traffic.toml --with soft-pads.toml --site site.toml -o report.html"
-)]
-pub(crate) struct Report {
-    /// Case file, for growth map and diagnosis [default: none, and the report goes without them].
-    #[arg(value_name = "CASE")]
-    pub(crate) case: Option<PathBuf>,
-
-    /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE", requires = "case")]
-    pub(crate) overrides: Vec<String>,
-
-    #[command(flatten)]
-    pub(crate) record: DiagnosisArguments,
-
-    /// Limit table, by name or as a TOML file; may be repeated [default: iso-3095-2013, grassie-1999].
-    #[arg(long, value_name = "LIMIT")]
-    pub(crate) limit: Vec<String>,
-
-    /// File of changes to the case, as for riffel compare; may be repeated.
-    #[arg(long = "with", value_name = "TOML", requires = "case")]
-    pub(crate) variants: Vec<PathBuf>,
-
-    /// Months that the forecast looks ahead.
-    #[arg(long, value_name = "M", requires = "traffic")]
-    pub(crate) months: Option<f64>,
-
-    /// Title [default: that of the site, or \"Rail roughness and corrugation\"].
-    #[arg(long, value_name = "WORDS")]
-    pub(crate) title: Option<String>,
-
-    /// TOML file with the table `site`: title, railway, line, track, place, measured_on, instrument, author,
-    /// date, remarks.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) site: Option<PathBuf>,
-
-    /// Page to write.
-    #[arg(short, long, value_name = "HTML", default_value = "report.html")]
-    pub(crate) output: PathBuf,
 }
 
 #[derive(Args)]

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity};
-use crate::source::Source;
+use crate::source::{Source, read_text};
 use crate::unit::{Exponents, Unit};
 
 /// How to read a file of roughness: what `--format` takes and `--save-format` writes.
@@ -98,6 +98,13 @@ impl DecimalMark {
         }
     }
 
+    pub(super) const fn other(self) -> Self {
+        match self {
+            Self::Point => Self::Comma,
+            Self::Comma => Self::Point,
+        }
+    }
+
     /// In words.
     pub const fn words(self) -> &'static str {
         match self {
@@ -123,13 +130,10 @@ impl ReaderFormat {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the reader profile: {reason}"),
-            help: None,
-        })?;
-        Self::parse(&path.display().to_string(), &text)
+        Self::parse(
+            &path.display().to_string(),
+            &read_text(path, "reader profile")?,
+        )
     }
 
     /// Read a reader profile from TOML; `name` is the one shown in errors.

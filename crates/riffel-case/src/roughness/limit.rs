@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity, Ratio};
-use crate::source::Source;
+use crate::source::{Source, read_text};
 
 /// The limit tables, built into the program.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../limits");
@@ -81,22 +81,17 @@ impl LimitTable {
             return Ok(table.clone());
         }
         let path = Path::new(name);
-        let refuse = |message: String| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message,
-            help: None,
-        };
         if path.extension().is_none_or(|extension| extension != "toml") {
             let names: Vec<&str> = known.iter().map(|table| table.name.as_str()).collect();
-            return Err(refuse(format!(
-                "no limit table has this name; there are {}, or a file that ends in .toml",
-                names.join(", ")
-            )));
+            return Err(CaseError::data(
+                path,
+                format!(
+                    "no limit table has this name; there are {}, or a file that ends in .toml",
+                    names.join(", ")
+                ),
+            ));
         }
-        let text = std::fs::read_to_string(path)
-            .map_err(|reason| refuse(format!("cannot read the limit table: {reason}")))?;
-        Self::parse(name, &text)
+        Self::parse(name, &read_text(path, "limit table")?)
     }
 
     /// All tables that come with Riffel, by name.

@@ -86,11 +86,25 @@ impl RoughnessFile {
                         help: Some(HELP.to_owned()),
                     }
                 })?;
-                if table.header.as_deref().is_some_and(spectra::is_header) {
+                if table.mixed_marks {
+                    let message = format!(
+                        "numbers have a {} from here on, but a {} above",
+                        table.decimal.words(),
+                        table.decimal.other().words()
+                    );
+                    return Err(Refusal::new(Some(table.header_lines + 1), message));
+                }
+                if let Some(header) = table
+                    .header
+                    .as_deref()
+                    .filter(|names| spectra::is_header(names))
+                {
                     let comma = table.decimal == DecimalMark::Comma;
-                    let body = from_line(bytes, table.header_lines.saturating_sub(1));
+                    let above = table.header_lines;
+                    let body = from_line(bytes, above);
                     progress(bytes.len());
-                    return spectra::read(body, table.delimiter.byte(), comma).map(Self::Spectra);
+                    return spectra::read(body, above, header, table.delimiter.byte(), comma)
+                        .map(Self::Spectra);
                 }
                 let format = table.format(spacing).map_err(|message| Refusal {
                     line: None,
@@ -328,6 +342,27 @@ mod tests {
             wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"),
             "{wrong}"
         );
+        // However many rows there are of either mark.
+        let turns: String = (0..2000)
+            .map(|row| {
+                let line = format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row));
+                if row < 900 {
+                    line
+                } else {
+                    line.replace('.', ",")
+                }
+            })
+            .collect();
+        let wrong = parse(turns.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.starts_with("line 901: numbers have a decimal comma from here on"),
+            "{wrong}"
+        );
+        let wrong = refusal(&|rows| rows[1500] = "11.500,-1e9".to_owned());
+        assert!(
+            wrong.starts_with("line 1501: rail column 2: a height of -1000 m"),
+            "{wrong}"
+        );
         assert_eq!(parse(b"", None).unwrap_err(), "the file is empty");
         assert!(
             parse(b"\x7fELF\x02\x01\x00\x00", None)
@@ -378,6 +413,16 @@ mod tests {
                 .unwrap_err()
                 .starts_with("line 3: 20 mm is there twice")
         );
+        // Lines are those of the file, whatever stands above the table and between it and its header.
+        let below = "a title\n\n# wavelength_mm,level_db\n\n20,-4.0\n25,-2.0\n19.953,-3.0\n";
+        assert!(
+            parse(below.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 7: 20 mm is there twice")
+        );
+        let odd = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-2.0\nA,31.5\nA,40,1\n";
+        let wrong = parse(odd.as_bytes(), None).unwrap_err();
+        assert_eq!(wrong, "line 4: has 2 columns, the header has 3");
         let none = "wavelength_mm,level_db\n20,-4.0\n22.4,-3.0\n25,1\n";
         assert!(
             parse(none.as_bytes(), None)

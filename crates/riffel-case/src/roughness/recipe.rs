@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity};
-use crate::source::Source;
+use crate::source::{Source, read_text};
 
 /// `cases/roughness-recipe.toml`, commented: what `--synthesise` makes when it is given no recipe.
 pub const DEFAULT_RECIPE: &str = include_str!("../../../../cases/roughness-recipe.toml");
@@ -98,13 +98,7 @@ impl RecipeFile {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the recipe: {reason}"),
-            help: None,
-        })?;
-        Self::parse(&path.display().to_string(), &text)
+        Self::parse(&path.display().to_string(), &read_text(path, "recipe")?)
     }
 
     /// Read a recipe from TOML; `name` is the one shown in errors. Every rail has its own noise, all

@@ -15,6 +15,8 @@ const SHORTEST: f64 = 1.0;
 const CLIPPED_RUN: usize = 4;
 /// Share of samples that may be clipped.
 const MOST_CLIPPED: f64 = 0.01;
+/// Largest height of a rail over the zero of the instrument, drift included \[m\].
+const LARGEST_HEIGHT: f64 = 100.0;
 /// Samples in which the smallest step of the sensor is looked for.
 const SAMPLE: usize = 100_000;
 
@@ -90,7 +92,7 @@ impl Record {
         if count < 2 {
             return Err(Refusal::new(
                 None,
-                format!("{count} rows of numbers are no profile"),
+                "the file has less than two rows of numbers, which are no profile",
             ));
         }
         let mut columns = rows.columns.iter();
@@ -279,6 +281,17 @@ impl RailReader<'_> {
             };
             let from = Some(self.rows.line(0));
             return Err(Refusal::new(from, format!("rail {}: {what}", self.name)));
+        }
+        if self.scale * low.abs().max(high.abs()) > LARGEST_HEIGHT {
+            let too_large = |height: &f64| self.scale * height.abs() > LARGEST_HEIGHT;
+            let row = self.heights.iter().position(too_large).unwrap_or(0);
+            let message = format!(
+                "rail {}: a height of {} m is none of a rail; look at the unit, or at what the file writes where \
+                 there is no height",
+                self.name,
+                self.scale * self.heights[row]
+            );
+            return Err(Refusal::new(Some(self.rows.line(row)), message));
         }
         let (mut samples, mut first) = (0, None);
         let quantum = self.quantum();

@@ -205,10 +205,7 @@ impl Cells {
             .take(40)
             .collect();
         let column = cell + 1;
-        let other = match self.decimal {
-            DecimalMark::Point => DecimalMark::Comma,
-            DecimalMark::Comma => DecimalMark::Point,
-        };
+        let other = self.decimal.other();
         if number::parse(text, other.byte()).is_some() {
             let (other, own) = (other.words(), self.decimal.words());
             return format!(

@@ -26,6 +26,8 @@ pub(super) struct Table {
     pub(super) decimal: DecimalMark,
     /// Lines before the first row of numbers.
     pub(super) header_lines: usize,
+    /// Whether rows above the first have the other decimal mark.
+    pub(super) mixed_marks: bool,
     /// Names of the columns, if a line above the numbers has them.
     pub(super) header: Option<Vec<String>>,
     /// Cells of a row.
@@ -68,6 +70,7 @@ impl Table {
         let count = most_frequent(later.iter().map(|(_, cells)| cells.len()))?;
         let shaped: Vec<_> = later.iter().filter(|row| row.1.len() == count).collect();
         let number = |cell: &[u8]| number::parse(cell, decimal.byte());
+        let other = |cell: &[u8]| number::parse(cell, decimal.other().byte());
         let numeric: Vec<bool> = (0..count)
             .map(|column| {
                 let numbers = shaped.iter().filter(|row| number(row.1[column]).is_some());
@@ -91,6 +94,11 @@ impl Table {
         let data: Vec<_> = rows[first..].iter().filter(|row| is_data(&row.1)).collect();
         let share = data.len() as f64 / (rows.len() - first) as f64;
         let header_lines = rows[first].0;
+        // One such line may be a title.
+        let with_other_mark = rows[..first].iter().filter(|(_, cells)| {
+            cells.len() == count && (0..count).all(|at| !numeric[at] || other(cells[at]).is_some())
+        });
+        let mixed_marks = with_other_mark.count() > 1;
         let sample = data
             .iter()
             .map(|row| {
@@ -109,6 +117,7 @@ impl Table {
             delimiter,
             decimal,
             header_lines,
+            mixed_marks,
             header: header(&all[..header_lines], delimiter, count),
             count,
             numeric,
@@ -263,7 +272,7 @@ impl Table {
     }
 }
 
-const POSITION: [&str; 19] = [
+const POSITION: [&str; 18] = [
     "position",
     "pos",
     "chainage",
@@ -277,7 +286,6 @@ const POSITION: [&str; 19] = [
     "mileage",
     "weg",
     "strecke",
-    "station",
     "pk",
     "x",
     "s",

@@ -22,6 +22,14 @@ pub struct LabelledSpectrum {
 }
 
 impl LabelledSpectrum {
+    /// The spectrum of one rail of a profile.
+    pub fn of_rail(name: &str, spectrum: Spectrum) -> Self {
+        Self {
+            labels: vec![("rail".to_owned(), name.to_owned())],
+            spectrum,
+        }
+    }
+
     /// What a column holds.
     pub fn label(&self, column: &str) -> Option<&str> {
         let same = |label: &&(String, String)| label.0 == column;
@@ -43,9 +51,12 @@ fn column(names: &[String], words: &[&str]) -> Option<usize> {
     names.iter().position(named)
 }
 
-/// Read a table with one row for each band; rows whose other columns agree make a spectrum.
+/// Read the rows of a table, one for each band; those whose other columns agree make a spectrum. `above` lines
+/// stand before the first.
 pub(super) fn read(
     bytes: &[u8],
+    above: usize,
+    header: &[String],
     delimiter: u8,
     decimal_comma: bool,
 ) -> Result<Vec<LabelledSpectrum>, Refusal> {
@@ -53,34 +64,36 @@ pub(super) fn read(
         .delimiter(delimiter)
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
+        .has_headers(false)
         .from_reader(bytes);
-    let broken = |error: &csv::Error| {
-        let line = error.position().map(|position| position.line() as usize);
-        Refusal::new(line, error.to_string())
-    };
-    let header: Vec<String> = reader
-        .headers()
-        .map_err(|error| broken(&error))?
-        .iter()
-        .map(str::to_owned)
-        .collect();
+    let line_of = |position: Option<&csv::Position>| position.map(|at| above + at.line() as usize);
     let missing = || {
         Refusal::new(
-            Some(1),
+            Some(above),
             "there is no column of wavelengths, or none of levels",
         )
     };
-    let wavelength = column(&header, &WAVELENGTH).ok_or_else(missing)?;
+    let wavelength = column(header, &WAVELENGTH).ok_or_else(missing)?;
     // The column of wavelengths is none of levels, whatever else its name says.
     let level = (0..header.len())
         .find(|&index| index != wavelength && column(&header[index..=index], &LEVEL).is_some())
         .ok_or_else(missing)?;
-    let metres = unit(&header[wavelength])?;
+    let metres = unit(&header[wavelength]).map_err(|message| Refusal::new(Some(above), message))?;
     let mut spectra: BTreeMap<usize, Vec<(ThirdOctave, f64)>> = BTreeMap::new();
     let mut known: Vec<Vec<String>> = Vec::new();
     for record in reader.records() {
-        let record = record.map_err(|error| broken(&error))?;
-        let line = record.position().map(|position| position.line() as usize);
+        let record = record.map_err(|error| {
+            Refusal::new(line_of(error.position()), not_a_row(&error, header.len()))
+        })?;
+        let line = line_of(record.position());
+        if record.len() != header.len() {
+            let message = format!(
+                "has {} columns, the header has {}",
+                record.len(),
+                header.len()
+            );
+            return Err(Refusal::new(line, message));
+        }
         let number = |index: usize| {
             let cell = &record[index];
             let text = if decimal_comma {
@@ -156,17 +169,27 @@ pub(super) fn read(
         .collect()
 }
 
-/// Unit of the wavelength from the name of its column: metres unless it says otherwise.
-fn unit(name: &str) -> Result<f64, Refusal> {
+/// Why a line is no row, without the line that the reader counts from the first row.
+fn not_a_row(error: &csv::Error, columns: usize) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { len, .. } => {
+            format!("has {len} columns, the header has {columns}")
+        }
+        csv::ErrorKind::Utf8 { .. } => "is not text in UTF-8".to_owned(),
+        _ => error.to_string(),
+    }
+}
+
+/// Unit of the wavelength from the name of its column, which must say it.
+fn unit(name: &str) -> Result<f64, String> {
     let tokens = tokens(name);
     let has = |unit: &str| tokens.iter().any(|token| token == unit);
     match (has("mm"), has("cm"), has("m")) {
         (true, _, _) => Ok(1e-3),
         (_, true, _) => Ok(1e-2),
         (_, _, true) => Ok(1.0),
-        _ => Err(Refusal::new(
-            Some(1),
-            format!("column `{name}` has no unit; call it wavelength_m or wavelength_mm"),
+        _ => Err(format!(
+            "column `{name}` has no unit; call it wavelength_m or wavelength_mm"
         )),
     }
 }

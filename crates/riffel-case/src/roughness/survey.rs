@@ -7,7 +7,7 @@ use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum};
 
-use super::{LabelledSpectrum, ReaderFormat, RoughnessFile};
+use super::{LabelledSpectrum, RoughnessFile};
 use crate::CaseError;
 
 /// Spectra of a file: those of a table, or one for each rail of a profile.
@@ -21,39 +21,57 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// Read a file as [`RoughnessFile::read`]; profiles are processed as `riffel roughness` does, see
-    /// [`RailAnalysis`].
+    /// Spectra of a file, with what was put right in it.
     ///
     /// # Errors
-    /// [`CaseError::Data`] with the line and the rule.
-    pub fn read(path: &Path, format: Option<&ReaderFormat>) -> Result<Self, CaseError> {
-        let file = RoughnessFile::read(path, format, None, &|_| {})?;
-        let (records, warnings) = match file {
-            RoughnessFile::Spectra(records) => (records, Vec::new()),
-            RoughnessFile::Profile(record) => {
-                let mut rails = Vec::new();
-                for rail in record.rails {
-                    let analysis =
-                        RailAnalysis::new(rail.stretches, &AnalysisSettings::default(), &|| {});
-                    let analysis = analysis
-                        .map_err(|error| refuse(path, format!("{}: {error}", rail.name)))?;
-                    rails.push(LabelledSpectrum {
-                        labels: vec![("rail".to_owned(), rail.name)],
-                        spectrum: analysis.spectrum,
-                    });
-                }
-                (rails, record.warnings)
-            }
-        };
-        let survey = Self {
+    /// [`CaseError::Data`] where there is none.
+    pub fn new(
+        path: &Path,
+        records: Vec<LabelledSpectrum>,
+        warnings: Vec<String>,
+    ) -> Result<Self, CaseError> {
+        if records.is_empty() {
+            return Err(CaseError::data(path, "there is no spectrum in the file"));
+        }
+        Ok(Self {
             path: path.to_owned(),
             records,
             warnings,
+        })
+    }
+
+    /// What was read of a file; profiles are processed after EN 15610, see [`RailAnalysis`].
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] where a profile has no spectrum.
+    pub fn of(path: &Path, file: RoughnessFile) -> Result<Self, CaseError> {
+        let record = match file {
+            RoughnessFile::Spectra(records) => return Self::new(path, records, Vec::new()),
+            RoughnessFile::Profile(record) => record,
         };
-        if survey.records.is_empty() {
-            return Err(survey.refuse("there is no spectrum in the file".to_owned()));
+        // Levels alone.
+        let settings = AnalysisSettings {
+            bands: Vec::new(),
+            ..AnalysisSettings::default()
+        };
+        let mut rails = Vec::new();
+        for rail in record.rails {
+            let analysis = RailAnalysis::new(rail.stretches, &settings, &|| {})
+                .map_err(|error| CaseError::data(path, format!("{}: {error}", rail.name)))?;
+            rails.push(LabelledSpectrum::of_rail(&rail.name, analysis.spectrum));
         }
-        Ok(survey)
+        Self::new(path, rails, record.warnings)
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The columns by which records can be chosen: those besides wavelength and level.
+    pub fn columns(&self) -> impl Iterator<Item = &str> {
+        let labels = self.records[0].labels.iter();
+        labels.map(|(column, _)| column.as_str())
     }
 
     /// The records whose columns have the values of all choices `COLUMN=VALUE`.
@@ -67,13 +85,40 @@ impl Survey {
                 return Err(self.refuse(message));
             };
             self.check_column(column)?;
-            self.records
-                .retain(|record| record.label(column) == Some(value));
-            if self.records.is_empty() {
+            let chosen = |record: &LabelledSpectrum| record.label(column) == Some(value);
+            if !self.records.iter().any(chosen) {
                 return Err(self.refuse(format!("no spectrum has {choice}")));
             }
+            self.records.retain(chosen);
         }
         Ok(self)
+    }
+
+    /// The records by the values of a column, in the order of the file; one group named "all" without one.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a column that is not there.
+    pub fn groups(&self, by: Option<&str>) -> Result<Vec<(String, Self)>, CaseError> {
+        let Some(column) = by else {
+            return Ok(vec![("all".to_owned(), self.clone())]);
+        };
+        self.check_column(column)?;
+        let mut groups: Vec<(String, Self)> = Vec::new();
+        for record in &self.records {
+            let name = record.label(column).unwrap_or_default();
+            match groups.iter_mut().find(|group| group.0 == name) {
+                Some((_, survey)) => survey.records.push(record.clone()),
+                None => groups.push((
+                    name.to_owned(),
+                    Self {
+                        path: self.path.clone(),
+                        records: vec![record.clone()],
+                        warnings: Vec::new(),
+                    },
+                )),
+            }
+        }
+        Ok(groups)
     }
 
     /// The records by the dates in a column, the earliest first.
@@ -81,25 +126,17 @@ impl Survey {
     /// # Errors
     /// [`CaseError::Data`] for a column that is not there or holds something else than dates.
     pub fn by_date(&self, column: &str) -> Result<Vec<(Date, Self)>, CaseError> {
-        self.check_column(column)?;
         let mut dates: Vec<(Date, Self)> = Vec::new();
-        for record in &self.records {
-            let written = record.label(column).unwrap_or_default();
+        for (written, mut survey) in self.groups(Some(column))? {
             let date: Date = written.parse().map_err(|_| {
                 self.refuse(format!(
                     "column `{column}` is \"{written}\", but must be a date as in 2026-01-31"
                 ))
             })?;
+            // One date may be written in several ways.
             match dates.iter_mut().find(|(other, _)| *other == date) {
-                Some((_, survey)) => survey.records.push(record.clone()),
-                None => dates.push((
-                    date,
-                    Self {
-                        path: self.path.clone(),
-                        records: vec![record.clone()],
-                        warnings: Vec::new(),
-                    },
-                )),
+                Some((_, same)) => same.records.append(&mut survey.records),
+                None => dates.push((date, survey)),
             }
         }
         dates.sort_by_key(|(date, _)| *date);
@@ -167,30 +204,22 @@ impl Survey {
     }
 
     fn check_column(&self, column: &str) -> Result<(), CaseError> {
-        let columns: Vec<&str> = self.records[0]
-            .labels
-            .iter()
-            .map(|(column, _)| column.as_str())
-            .collect();
-        if columns.contains(&column) {
+        if self.columns().any(|known| known == column) {
             return Ok(());
         }
-        let there = columns.join(", ");
-        Err(self.refuse(format!(
-            "no column \"{column}\" to choose by; there are {there}"
-        )))
+        let there: Vec<&str> = self.columns().collect();
+        Err(self.refuse(match &there[..] {
+            [] => format!(
+                "no column \"{column}\" to choose by; there are wavelengths and levels alone"
+            ),
+            there => format!(
+                "no column \"{column}\" to choose by; there are {}",
+                there.join(", ")
+            ),
+        }))
     }
 
     fn refuse(&self, message: String) -> CaseError {
-        refuse(&self.path, message)
-    }
-}
-
-fn refuse(path: &Path, message: String) -> CaseError {
-    CaseError::Data {
-        path: path.to_owned(),
-        line: None,
-        message,
-        help: None,
+        CaseError::data(&self.path, message)
     }
 }

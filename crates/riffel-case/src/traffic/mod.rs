@@ -12,7 +12,7 @@ use riffel::roughness::ThirdOctave;
 pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 
 use crate::quantity::{Dimension, Quantity, Ratio};
-use crate::source::Source;
+use crate::source::{Source, read_text};
 use crate::variant::assignments;
 use crate::{Case, CaseError, Variant};
 
@@ -60,13 +60,10 @@ impl Traffic {
     /// [`CaseError`] with the key, the value and the rule. Values that go into the case are checked with it, by
     /// [`on`](Self::on).
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the traffic file: {reason}"),
-            help: None,
-        })?;
-        Self::parse(&path.display().to_string(), &text)
+        Self::parse(
+            &path.display().to_string(),
+            &read_text(path, "traffic file")?,
+        )
     }
 
     /// Read traffic from TOML; `name` is shown in errors.
@@ -233,7 +230,7 @@ impl Traffic {
         let window = window(&lines, &speeds);
         let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
         let sets = [&own_assignments[..], &variant.overrides, &window];
-        let wheel = case.with(&sets).map_err(|error| match error {
+        let wheel = case.of_vehicle(&sets).map_err(|error| match error {
             CaseError::Override {
                 assignment,
                 message,

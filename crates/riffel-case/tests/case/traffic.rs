@@ -1,7 +1,7 @@
 //! Traffic files, files of changes and surveys as users write them.
 
 use riffel::forecast::SpeedDistribution;
-use riffel_case::roughness::Survey;
+use riffel_case::roughness::{RoughnessFile, Survey};
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::what_if::Comparison;
 use riffel_case::{Case, CaseError, NOMINAL_CASE, TRAFFIC, Variant};
@@ -264,7 +264,8 @@ fn survey(text: &str) -> Survey {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.csv");
     std::fs::write(&path, text).unwrap();
-    Survey::read(&path, None).unwrap()
+    let file = RoughnessFile::read(&path, None, None, &|_| {}).unwrap();
+    Survey::of(&path, file).unwrap()
 }
 
 /// Sections pair whatever the order of the rows; the number of the spectrum and the date do not count.

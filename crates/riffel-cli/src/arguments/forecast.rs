@@ -6,7 +6,7 @@ use clap::Args;
 use jiff::civil::Date;
 use riffel_case::quantity::{Quantity, Speed};
 
-use super::CaseArguments;
+use super::{CaseArguments, Layout};
 
 #[derive(Args)]
 #[command(
@@ -69,9 +69,8 @@ pub(crate) struct Spectra {
     #[arg(long, value_name = "FILE")]
     pub(crate) spectrum: PathBuf,
 
-    /// Reader profile of the files, as for riffel roughness.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) format: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
     #[arg(long = "where", value_name = "COLUMN=VALUE")]
@@ -124,6 +123,9 @@ pub(crate) struct Compare {
     /// Measured rail, to say when each variant reaches the limit.
     #[arg(long, value_name = "FILE")]
     pub(crate) spectrum: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
     #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]

@@ -141,6 +141,42 @@ fn what_is_missing_is_said_once() {
     assert!(!page.contains("Growth map</h2>"));
 }
 
+/// Forecast and what-if take the spectra that the other sections show: the same rows of a table, and at the
+/// latest date of these; the same profile, whatever it takes to read it.
+#[test]
+fn all_sections_are_of_the_same_record() {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/reference/sbb-track-noise");
+    let outlook = "--traffic cases/traffic.toml --with cases/soft-pads.toml";
+    // ACCON measured in 2014 and never again.
+    let table = "validation/reference/sbb-track-noise/rail_roughness.csv --where laboratory=ACCON";
+    let outcome = sandbox.riffel(&format!(
+        "report cases/nominal.toml --roughness {table} {outlook} -o table.html"
+    ));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("table.html")).unwrap();
+    assert!(
+        headings(&page)
+            .iter()
+            .any(|name| name.ends_with("Forecast"))
+    );
+    // Heights alone.
+    made(&sandbox);
+    let profile = fs::read_to_string(sandbox.path("profile.csv")).unwrap();
+    let heights: Vec<&str> = profile
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.split(',').nth(1))
+        .collect();
+    fs::write(sandbox.path("heights.txt"), heights.join("\n")).unwrap();
+    let outcome = sandbox.riffel(&format!(
+        "report cases/nominal.toml --roughness heights.txt --spacing \"1 mm\" {outlook} -o heights.html"
+    ));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("heights.html")).unwrap();
+    assert!(headings(&page).iter().any(|name| name.ends_with("What-if")));
+}
+
 #[test]
 fn bad_input_is_refused_and_leaves_nothing() {
     let sandbox = Sandbox::new();

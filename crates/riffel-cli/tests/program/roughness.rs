@@ -206,7 +206,13 @@ fn bad_files_are_refused_and_leave_nothing() {
         fs::remove_file(sandbox.path(name)).unwrap();
     }
     fs::write(sandbox.path("wave.csv"), wave()).unwrap();
+    fs::write(
+        sandbox.path("levels.csv"),
+        "wavelength_mm,level_db\n20,-4\n25,-3\n",
+    )
+    .unwrap();
     for arguments in [
+        "roughness levels.csv --longest \"1 m\"",
         "roughness",
         "roughness missing.csv",
         "roughness wave.csv --longest \"6 m\"",
@@ -216,9 +222,22 @@ fn bad_files_are_refused_and_leave_nothing() {
         "roughness wave.csv --format missing.toml",
         "roughness wave.csv --window \"0 m\"",
         "roughness --synthesise missing.toml",
+        "roughness wave.csv --merge=\"-1 m\"",
     ] {
         let outcome = sandbox.riffel(arguments);
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
     }
-    assert_eq!(sandbox.list("."), ["cases", "wave.csv"]);
+    // What would change nothing is not taken in silence.
+    for command in [
+        "roughness wave.csv",
+        "diagnose cases/nominal.toml --roughness wave.csv",
+        "report --roughness wave.csv",
+    ] {
+        for argument in ["--where rail=left", "--by date"] {
+            let outcome = sandbox.riffel(&format!("{command} {argument} -o out"));
+            assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);
+            assert!(outcome.text.contains("left out"), "{}", outcome.text);
+        }
+    }
+    assert_eq!(sandbox.list("."), ["cases", "levels.csv", "wave.csv"]);
 }

@@ -252,7 +252,6 @@ pub(super) fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnosis::{CoursePoint, TimeUnit};
 
     fn peak(wavelength: f64) -> DominantWavelength {
         DominantWavelength {
@@ -268,16 +267,7 @@ mod tests {
     }
 
     fn course(levels: &[f64]) -> Course {
-        let points = levels
-            .iter()
-            .enumerate()
-            .map(|(index, &level)| CoursePoint {
-                label: index.to_string(),
-                time: index as f64,
-                level,
-                scatter: Some(0.5),
-            });
-        Course::new(points.collect(), TimeUnit::Record).unwrap()
+        crate::diagnosis::course::tests::course(levels, Some(0.5))
     }
 
     fn ranked(wavelength: f64, course: Option<&Course>) -> Vec<Candidate> {

@@ -131,7 +131,7 @@ impl Course {
         (self.slope.abs() > self.slope_scatter).then(|| 3.0 * scatter / self.slope.abs())
     }
 
-    /// The course in words: "falls from -4.2 to -10.7 dB over 4 records, −3.9 ± 1.2 dB a year".
+    /// The course in words: "-4.2, -8.4, -10.7 dB re 1 µm: falls every time, -3.2 ± 0.6 dB a year".
     pub fn words(&self) -> String {
         let levels: Vec<String> = self
             .points
@@ -156,10 +156,11 @@ impl Course {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
-    fn course(levels: &[f64], scatter: Option<f64>) -> Course {
+    /// Levels of one record after the other.
+    pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> Course {
         let points = levels
             .iter()
             .enumerate()

@@ -1,5 +1,6 @@
 //! Dominant wavelengths of a profile.
 
+use super::median_line::{extrapolation, median_line};
 use super::normal;
 use crate::Error;
 use crate::roughness::{PowerSpectrum, Profile, level};
@@ -299,47 +300,6 @@ fn set_trend(bands: &mut [FineBand]) {
             // The trend scatters, too, most at the ends of the spectrum.
             band.freedom /= 1.0 + extrapolation(&neighbours, points[index].0);
         }
-    }
-}
-
-/// Variance of the line through some points at x, over the variance of one of them: that of least squares,
-/// times π/2 for a median.
-fn extrapolation(points: &[(f64, f64)], x: f64) -> f64 {
-    let count = points.len() as f64;
-    let mean = points.iter().map(|point| point.0).sum::<f64>() / count;
-    let squares: f64 = points.iter().map(|point| (point.0 - mean).powi(2)).sum();
-    std::f64::consts::FRAC_PI_2 * (count.recip() + (x - mean).powi(2) / squares)
-}
-
-/// The line of Theil and Sen through some points, at x; None for less than four points.
-pub(super) fn median_line(points: &[(f64, f64)], x: f64) -> Option<f64> {
-    if points.len() < 4 {
-        return None;
-    }
-    let mut slopes: Vec<f64> = points
-        .iter()
-        .enumerate()
-        .flat_map(|(index, a)| {
-            points[index + 1..]
-                .iter()
-                .map(move |b| (b.1 - a.1) / (b.0 - a.0))
-        })
-        .collect();
-    let slope = median(&mut slopes);
-    let mut levels: Vec<f64> = points
-        .iter()
-        .map(|point| point.1 + slope * (x - point.0))
-        .collect();
-    Some(median(&mut levels))
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    if values.len() % 2 == 1 {
-        values[middle]
-    } else {
-        0.5 * (values[middle - 1] + values[middle])
     }
 }
 

@@ -1,6 +1,7 @@
 //! Dominant wavelengths of one-third-octave spectra.
 
-use super::dominant::{DominantWavelength, median_line};
+use super::DominantWavelength;
+use super::median_line::median_line;
 use super::normal;
 use crate::roughness::{Spectrum, ThirdOctave};
 

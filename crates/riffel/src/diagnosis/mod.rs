@@ -22,6 +22,7 @@ mod growth_density;
 mod levels;
 mod measurement;
 mod mechanism;
+mod median_line;
 mod normal;
 mod prediction;
 mod traffic_speeds;

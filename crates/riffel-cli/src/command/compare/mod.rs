@@ -11,6 +11,7 @@ use riffel_case::what_if::{Comparison, FastestLine, Outcome};
 use riffel_case::{Case, Variant};
 
 use super::forecast::{DAYS_PER_MONTH, level_limit, number, outside, per_million, when};
+use super::roughness::survey;
 use crate::arguments::{Compare, positive};
 use crate::error::CliError;
 use crate::output::{Progress, json, print, print_remarks, table};
@@ -27,7 +28,11 @@ pub(super) struct Report {
 }
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
-    let report = Report::new(arguments)?;
+    let survey = match &arguments.spectrum {
+        Some(path) => Some(survey(path, &arguments.layout)?),
+        None => None,
+    };
+    let report = Report::new(arguments, survey)?;
     let document = json(&document::document(&report));
     if arguments.json {
         print(&document);
@@ -56,7 +61,8 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
 }
 
 impl Report {
-    pub(super) fn new(arguments: &Compare) -> miette::Result<Self> {
+    /// The comparison; `survey` holds all spectra of `--spectrum`.
+    pub(super) fn new(arguments: &Compare, survey: Option<Survey>) -> miette::Result<Self> {
         let case = arguments.case.read()?;
         let variants: Result<Vec<Variant>, _> = arguments
             .variants
@@ -77,10 +83,10 @@ impl Report {
             None => speeds(&case, arguments).map(|speeds| in_words(&speeds))?,
         };
         let (table, limit) = level_limit(&arguments.limit)?;
-        let spectrum = match &arguments.spectrum {
-            Some(path) => Some(Survey::read(path, None)?.choose(&arguments.choose)?.mean()),
-            None => None,
-        };
+        let spectrum = survey
+            .map(|survey| survey.choose(&arguments.choose))
+            .transpose()?
+            .map(|survey| survey.mean());
         if let (Some(spectrum), Some(path)) = (&spectrum, &arguments.spectrum) {
             let bands = riffel_case::traffic::bands_of(&case);
             if !bands.iter().any(|band| spectrum.level(*band).is_some()) {

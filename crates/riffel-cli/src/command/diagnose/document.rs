@@ -3,7 +3,8 @@
 use riffel::diagnosis::Candidate;
 use serde::Serialize;
 
-use super::finding::{Diagnosis, Finding};
+use super::diagnosis::Diagnosis;
+use super::finding::Finding;
 
 #[derive(Serialize)]
 pub(crate) struct Document {

@@ -2,7 +2,7 @@
 
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
 
-use super::finding::Diagnosis;
+use super::diagnosis::Diagnosis;
 use super::record::Curves;
 
 /// Spectra with the dominant wavelengths marked.

@@ -1,5 +1,6 @@
 //! `riffel diagnose`
 
+mod diagnosis;
 mod document;
 pub(crate) mod figure;
 mod finding;
@@ -10,17 +11,20 @@ use riffel_case::Case;
 use riffel_case::quantity::{Quantity, Speed};
 use riffel_case::traffic::Traffic;
 
+use super::roughness::read;
 use crate::arguments::{Diagnose, DiagnosisArguments, positive};
 use crate::error::CliError;
 use crate::output::{json, print, print_remarks};
 use crate::staging::Staging;
 
+pub(crate) use diagnosis::Diagnosis;
 pub(crate) use document::{Document, SHARE};
-pub(crate) use finding::{Diagnosis, capital, row};
+pub(crate) use finding::{capital, row};
 
 pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let case = arguments.case.read()?;
-    let diagnosis = Diagnosis::of(&case, &arguments.record)?;
+    let record = read(&arguments.record.roughness, &arguments.record.layout)?;
+    let diagnosis = Diagnosis::of(&case, &record, &arguments.record)?;
     let file = arguments.record.roughness.display().to_string();
     let document = json(&Document::new(&file, &diagnosis));
     if arguments.json {

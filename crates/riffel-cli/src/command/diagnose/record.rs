@@ -8,12 +8,11 @@ use riffel::diagnosis::{
 };
 use riffel::roughness::{PIT_DEPTH, Profile, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS};
 use riffel_case::CaseError;
-use riffel_case::roughness::{LabelledSpectrum, ReaderFormat, RoughnessFile};
+use riffel_case::roughness::{LabelledSpectrum, Record, RoughnessFile, Survey};
 
-use crate::arguments::{DiagnosisArguments, positive};
-use crate::command::roughness::choice::{columns, groups, refuse};
+use crate::arguments::DiagnosisArguments;
 use crate::command::roughness::profile::counted;
-use crate::command::roughness::with_progress;
+use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
 
 /// A dominant wavelength with what goes with it.
@@ -44,109 +43,67 @@ pub(crate) struct Records {
 }
 
 impl Records {
-    pub(crate) fn read(arguments: &DiagnosisArguments) -> miette::Result<Self> {
-        arguments
-            .spacing
-            .map(|spacing| positive("--spacing", spacing))
-            .transpose()?;
-        if !arguments.dates.is_empty() && arguments.dates.len() != arguments.earlier.len() + 1 {
-            Err(CliError::Argument {
-                argument: "--dates",
-                value: arguments
-                    .dates
-                    .iter()
-                    .map(Date::to_string)
-                    .collect::<Vec<_>>()
-                    .join(","),
-                rule: format!(
-                    "{} dates, one for each --earlier and one for --roughness",
-                    arguments.earlier.len() + 1
-                ),
-            })?;
-        }
-        let format = arguments.format.as_deref();
-        let format = format.map(ReaderFormat::read).transpose()?;
-        let read = |path: &Path| -> Result<RoughnessFile, CaseError> {
-            let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-            with_progress("reading", size, |advance| {
-                RoughnessFile::read(path, format.as_ref(), arguments.spacing, advance)
-            })
-        };
-        let path = &arguments.roughness;
-        match read(path)? {
-            RoughnessFile::Profile(record) => {
-                let mut earlier = Vec::new();
-                for path in &arguments.earlier {
-                    let RoughnessFile::Profile(record) = read(path)? else {
-                        let message = "is a table of levels, but --roughness is a profile; both must be the same";
-                        Err(refuse(path, message.to_owned()))?
-                    };
-                    earlier.push((path.as_path(), record));
-                }
-                Self::of_profiles(path, record, earlier, arguments)
-            }
-            RoughnessFile::Spectra(spectra) => {
-                let mut earlier = Vec::new();
-                for path in &arguments.earlier {
-                    let RoughnessFile::Spectra(spectra) = read(path)? else {
-                        let message = "is a profile, but --roughness is a table of levels; both must be the same";
-                        Err(refuse(path, message.to_owned()))?
-                    };
-                    earlier.push((path.as_path(), spectra));
-                }
-                Self::of_tables(path, spectra, earlier, arguments)
-            }
+    /// The record that was read, with the earlier ones, which are read here.
+    pub(crate) fn of(file: &RoughnessFile, arguments: &DiagnosisArguments) -> miette::Result<Self> {
+        check_dates(arguments)?;
+        let earlier: Vec<(&Path, RoughnessFile)> = arguments
+            .earlier
+            .iter()
+            .map(|path| Ok((path.as_path(), read(path, &arguments.layout)?)))
+            .collect::<miette::Result<_>>()?;
+        match file {
+            RoughnessFile::Profile(record) => Self::of_profiles(record, &earlier, arguments),
+            RoughnessFile::Spectra(spectra) => Self::of_tables(spectra, earlier, arguments),
         }
     }
 
     fn of_profiles(
-        path: &Path,
-        record: riffel_case::roughness::Record,
-        earlier: Vec<(&Path, riffel_case::roughness::Record)>,
+        record: &Record,
+        earlier: &[(&Path, RoughnessFile)],
         arguments: &DiagnosisArguments,
     ) -> miette::Result<Self> {
+        let path = &arguments.roughness;
+        choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
         let mut warnings = record.warnings.clone();
-        let names: Vec<String> = record.rails.iter().map(|rail| rail.name.clone()).collect();
-        let (mut unrolled, mut rails) = (Vec::new(), Vec::new());
-        for rail in record.rails {
-            let [plain, rolled] = cleaned(rail.stretches);
-            unrolled.extend(plain);
-            rails.push(rolled);
-        }
         let fine = |path: &Path, stretches: &[Profile]| {
-            FineSpectrum::of_record(stretches).map_err(|error| refuse(path, error.to_string()))
+            FineSpectrum::of_record(stretches)
+                .map_err(|error| CaseError::data(path, error.to_string()))
         };
-        let all: Vec<Profile> = rails.iter().flatten().cloned().collect();
-        let spectrum = fine(path, &all)?;
-        let by_rail: Vec<FineSpectrum> = rails
-            .iter()
-            .map(|rail| fine(path, rail))
-            .collect::<Result<_, _>>()?;
         let mut past = Vec::new();
-        for (path, record) in earlier {
-            warnings.extend(
-                record
-                    .warnings
-                    .iter()
-                    .map(|warning| format!("{}: {warning}", path.display())),
-            );
-            let rails = record.rails.into_iter();
-            let stretches: Vec<Profile> = rails
-                .flat_map(|rail| {
-                    let [_, rolled] = cleaned(rail.stretches);
-                    rolled
-                })
-                .collect();
-            past.push((path, fine(path, &stretches)?));
+        for (path, file) in earlier {
+            let RoughnessFile::Profile(record) = file else {
+                Err(CaseError::data(
+                    *path,
+                    "is a table of levels, but --roughness is a profile; both must be the same",
+                ))?
+            };
+            let remarks = record.warnings.iter();
+            warnings.extend(remarks.map(|warning| format!("{}: {warning}", path.display())));
+            let [_, rolled] = cleaned(record);
+            past.push((*path, fine(path, &rolled)?));
         }
+        let [unrolled, rolled] = cleaned(record);
+        let spectrum = fine(path, &rolled)?;
+        let peaks = on_rail_and_wheel(&fine(path, &unrolled)?, &spectrum);
+        drop(unrolled);
+        // Rails on their own say something where there are several, and something stands out.
+        let by_rail: Vec<(String, FineSpectrum)> = if record.rails.len() > 1 && !peaks.is_empty() {
+            let mut rest = &rolled[..];
+            let rails = record.rails.iter().map(|rail| {
+                let own = rest.split_off(..rail.stretches.len()).unwrap_or_default();
+                Ok((rail.name.clone(), fine(path, own)?))
+            });
+            rails.collect::<Result<_, CaseError>>()?
+        } else {
+            Vec::new()
+        };
         let labels: Vec<String> = if arguments.dates.is_empty() {
-            let files = past.iter().map(|past| past.0).chain([path]);
+            let files = past.iter().map(|past| past.0).chain([path.as_path()]);
             files.map(|file| file.display().to_string()).collect()
         } else {
             arguments.dates.iter().map(Date::to_string).collect()
         };
         let (times, unit) = times(labels.len(), &arguments.dates);
-        let peaks = on_rail_and_wheel(&fine(path, &unrolled)?, &spectrum);
         let measured = peaks.into_iter().map(|peak| {
             let records = past.iter().map(|past| &past.1).chain([&spectrum]);
             let points = records
@@ -162,14 +119,10 @@ impl Records {
                     }
                 });
             let course = Course::new(points.collect(), unit).ok();
-            let rails = if names.len() > 1 {
-                let levels = by_rail
-                    .iter()
-                    .map(|rail| rail.level_between(peak.from, peak.to).0);
-                names.iter().cloned().zip(levels).collect()
-            } else {
-                Vec::new()
-            };
+            let rails = by_rail
+                .iter()
+                .map(|(name, rail)| (name.clone(), rail.level_between(peak.from, peak.to).0))
+                .collect();
             Measured {
                 peak,
                 course,
@@ -181,8 +134,8 @@ impl Records {
             measured: measured.collect(),
             words: format!(
                 "profile, {} of {:.1} m, {} segments of {:.2} m averaged{}",
-                counted(names.len(), "rail"),
-                all.iter().map(Profile::length).sum::<f64>() / names.len().max(1) as f64,
+                counted(record.rails.len(), "rail"),
+                record.length(),
                 spectrum.segments(),
                 spectrum.segment_length(),
                 match past.len() {
@@ -196,38 +149,38 @@ impl Records {
     }
 
     fn of_tables(
-        path: &Path,
-        spectra: Vec<LabelledSpectrum>,
-        earlier: Vec<(&Path, Vec<LabelledSpectrum>)>,
+        spectra: &[LabelledSpectrum],
+        earlier: Vec<(&Path, RoughnessFile)>,
         arguments: &DiagnosisArguments,
     ) -> miette::Result<Self> {
-        let has_dates = columns(&spectra).iter().any(|column| column == "date");
-        let by = arguments.by.as_deref();
-        let by = by.or_else(|| (has_dates && earlier.is_empty()).then_some("date"));
-        let mut records: Vec<(String, Vec<LabelledSpectrum>)> = Vec::new();
-        for (path, spectra) in earlier {
-            let spectra = groups(path, spectra, &arguments.choose, None)?;
-            records.extend(
-                spectra
-                    .into_iter()
-                    .map(|(_, spectra)| (path.display().to_string(), spectra)),
-            );
-        }
-        let past = records.len();
-        let present = groups(path, spectra, &arguments.choose, by.filter(|_| past == 0))?;
-        records.extend(present.into_iter().map(|(name, spectra)| {
-            let name = if past > 0 {
-                path.display().to_string()
-            } else {
-                name
+        let path = &arguments.roughness;
+        let chosen = |path: &Path, spectra: Vec<LabelledSpectrum>| {
+            Survey::new(path, spectra, Vec::new())?.choose(&arguments.choose)
+        };
+        let mut records: Vec<(String, Survey)> = Vec::new();
+        for (path, file) in earlier {
+            let RoughnessFile::Spectra(spectra) = file else {
+                Err(CaseError::data(
+                    path,
+                    "is a profile, but --roughness is a table of levels; both must be the same",
+                ))?
             };
-            (name, spectra)
-        }));
+            records.push((path.display().to_string(), chosen(path, spectra)?));
+        }
+        let present = chosen(path, spectra.to_vec())?;
+        if records.is_empty() {
+            let has_dates = present.columns().any(|column| column == "date");
+            let by = arguments.by.as_deref();
+            records = present.groups(by.or_else(|| has_dates.then_some("date")))?;
+        } else {
+            records.push((path.display().to_string(), present));
+        }
         // Dates of the spectra, where each has one.
         let dated: Option<Vec<Date>> = records
             .iter()
-            .map(|(_, spectra)| {
-                let mut dates: Vec<&str> = spectra
+            .map(|(_, survey)| {
+                let mut dates: Vec<&str> = survey
+                    .records
                     .iter()
                     .map(|spectrum| spectrum.label("date"))
                     .collect::<Option<_>>()?;
@@ -244,10 +197,7 @@ impl Records {
         let (times, unit) = times(records.len(), &dates);
         let groups: Vec<(String, Vec<Spectrum>)> = records
             .into_iter()
-            .map(|(name, spectra)| {
-                let spectra = spectra.into_iter().map(|labelled| labelled.spectrum);
-                (name, spectra.collect())
-            })
+            .map(|(name, survey)| (name, survey.spectra()))
             .collect();
         // A band counts where it stands out of one record or more; the record where it does most describes it.
         let mut peaks: Vec<DominantWavelength> = Vec::new();
@@ -318,8 +268,24 @@ impl Records {
     }
 }
 
-/// The profile without spikes, and the same with the wheel rolled over it, as EN 15610 asks.
-fn cleaned(mut stretches: Vec<Profile>) -> [Vec<Profile>; 2] {
+/// A date for each record, or none at all.
+fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
+    let (dates, records) = (&arguments.dates, arguments.earlier.len() + 1);
+    if dates.is_empty() || dates.len() == records {
+        return Ok(());
+    }
+    let written: Vec<String> = dates.iter().map(Date::to_string).collect();
+    Err(CliError::Argument {
+        argument: "--dates",
+        value: written.join(","),
+        rule: format!("{records} dates, one for each --earlier and one for --roughness"),
+    })
+}
+
+/// The stretches of all rails without spikes, and the same with the wheel rolled over them, as EN 15610 asks.
+fn cleaned(record: &Record) -> [Vec<Profile>; 2] {
+    let rails = record.rails.iter();
+    let mut stretches: Vec<Profile> = rails.flat_map(|rail| rail.stretches.clone()).collect();
     for stretch in &mut stretches {
         stretch.remove_spikes(SpikeCriterion::EN_15610);
     }

@@ -1,23 +1,24 @@
 //! `riffel forecast`
 
+mod dated;
 mod document;
 mod figure;
 mod wear;
-
-use std::path::PathBuf;
 
 use jiff::ToSpan;
 use jiff::civil::Date;
 use riffel::forecast::{Forecast, ForecastBand};
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::roughness::{Limit, LimitTable, ReaderFormat, Survey};
+use riffel_case::roughness::{Limit, LimitTable, Survey};
 use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
 
-use crate::arguments::{Forecast as Arguments, Horizon, Spectra};
+use crate::arguments::{Forecast as Arguments, Horizon};
+use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::output::{Progress, json, print, print_remarks, table};
 use crate::staging::Staging;
+use dated::Dated;
 use wear::WearReport;
 
 pub(crate) use figure::{rate_panel, zero};
@@ -51,7 +52,8 @@ pub(super) struct Crossing<'a> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
-    let report = Report::new(arguments)?;
+    let spectra = &arguments.spectra;
+    let report = Report::new(arguments, survey(&spectra.spectrum, &spectra.layout)?)?;
     let document = json(&document::document(&report, arguments));
     if arguments.json {
         print(&document);
@@ -76,11 +78,12 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
 }
 
 impl Report {
-    pub(super) fn new(arguments: &Arguments) -> miette::Result<Self> {
+    /// The forecast of what was measured; `survey` holds all spectra of `--spectrum`.
+    pub(super) fn new(arguments: &Arguments, survey: Survey) -> miette::Result<Self> {
         let case = arguments.case.read()?;
         let traffic = Traffic::read(&arguments.traffic)?;
         let (table, limit) = level_limit(&arguments.limit)?;
-        let dated = Dated::read(&arguments.spectra)?;
+        let dated = Dated::new(&arguments.spectra, survey)?;
         let progress = Progress::new("growth under traffic", traffic.file.vehicle.len());
         let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|by| {
             progress.advance(by);
@@ -275,73 +278,6 @@ impl Report {
             })
             .map(|band| band.nominal_millimetres())
             .collect()
-    }
-}
-
-/// The survey of now and the one before, with the days between if they are dated.
-pub(super) struct Dated {
-    pub(super) now: Survey,
-    pub(super) earlier: Option<Survey>,
-    pub(super) date: Option<Date>,
-    pub(super) days: Option<f64>,
-}
-
-impl Dated {
-    fn read(spectra: &Spectra) -> miette::Result<Self> {
-        let format = spectra
-            .format
-            .as_deref()
-            .map(ReaderFormat::read)
-            .transpose()?;
-        let read = |path: &PathBuf| Survey::read(path, format.as_ref());
-        let now = read(&spectra.spectrum)?;
-        let now_chosen = now.clone().choose(&spectra.choose)?;
-        let earlier = match (&spectra.earlier, &spectra.earlier_choose[..]) {
-            (Some(path), choices) => Some(read(path)?.choose(choices)?),
-            (None, choices @ [_, ..]) => Some(now.choose(choices)?),
-            (None, []) => None,
-        };
-        let Some(column) = &spectra.date_column else {
-            return Ok(Self {
-                now: now_chosen,
-                earlier,
-                date: None,
-                days: None,
-            });
-        };
-        // The latest date of what is now, the earliest of what was before.
-        let mut dates = now_chosen.by_date(column)?;
-        let earliest = match &earlier {
-            Some(earlier) => Some(earlier.by_date(column)?.swap_remove(0)),
-            None if dates.len() > 1 => Some(dates[0].clone()),
-            None => None,
-        };
-        let (date, now) = dates.swap_remove(dates.len() - 1);
-        let days = match &earliest {
-            Some((before, _)) => {
-                let span = date.since(*before).map_err(|error| CliError::Argument {
-                    argument: "--date-column",
-                    value: column.clone(),
-                    rule: format!("dates that can be compared: {error}"),
-                })?;
-                let days = f64::from(span.get_days());
-                if days <= 0.0 {
-                    Err(CliError::Argument {
-                        argument: "--earlier",
-                        value: before.to_string(),
-                        rule: format!("earlier than {date}, the date of the spectrum"),
-                    })?;
-                }
-                Some(days)
-            }
-            None => None,
-        };
-        Ok(Self {
-            now,
-            earlier: earliest.map(|(_, survey)| survey),
-            date: Some(date),
-            days,
-        })
     }
 }
 

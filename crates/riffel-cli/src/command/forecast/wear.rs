@@ -5,7 +5,7 @@ use riffel_case::traffic::TrafficOnCase;
 use riffel_case::{Case, CaseError};
 use serde::Serialize;
 
-use super::Dated;
+use super::dated::Dated;
 use crate::arguments::Spectra;
 use crate::error::CliError;
 use crate::output::table;
@@ -81,12 +81,7 @@ impl WearReport {
             rule: "given, or else --date-column and a traffic file that says how much traffic there is"
                 .to_owned(),
         })?;
-        let wrong = |error: riffel::Error| CaseError::Data {
-            path: spectra.spectrum.clone(),
-            line: None,
-            message: error.to_string(),
-            help: None,
-        };
+        let wrong = |error: riffel::Error| CaseError::data(&spectra.spectrum, error.to_string());
         let change = dated.now.change_since(earlier, passages).map_err(wrong)?;
         let fit = WearFit::new(&change, &on.growth).map_err(wrong)?;
         Ok(Some(Self {

@@ -6,14 +6,14 @@ mod outlook;
 mod page;
 mod roughness;
 
-use riffel_case::roughness::{Limit, LimitTable, ReaderFormat, RoughnessFile};
+use riffel_case::roughness::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_case::{Case, Site};
 
-use crate::arguments::{CaseArguments, Report, Roughness};
+use crate::arguments::{CaseArguments, Report, Statistics};
 use crate::command::diagnose::Diagnosis;
 use crate::command::roughness::profile::Report as ProfileReport;
 use crate::command::roughness::spectra::Means;
-use crate::command::roughness::{choice, limits, with_progress};
+use crate::command::roughness::{choose_nothing, limits, read};
 use crate::output::print;
 use crate::staging::write_file;
 use fingerprint::Inputs;
@@ -27,11 +27,12 @@ const TITLE: &str = "Rail roughness and corrugation";
 struct Measured {
     sections: Vec<Section>,
     brief: Vec<String>,
-    warnings: Vec<String>,
     /// What the file was understood as.
     understood: String,
     /// The latest date of a table of spectra.
     date: Option<String>,
+    /// The spectra, with what is to be said of them.
+    survey: Survey,
 }
 
 pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
@@ -43,14 +44,21 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         .map(|path| Case::read(path, &arguments.overrides))
         .transpose()?;
     let limits = limits(&arguments.limit)?;
+    let path = &arguments.record.roughness;
+    let file = read(path, &arguments.record.layout)?;
+    // The diagnosis looks at the heights, which the statistics use up.
+    let diagnosis = match &case {
+        Some(case) => Some(Diagnosis::of(case, &file, &arguments.record)?),
+        None => None,
+    };
     let Measured {
         mut sections,
         mut brief,
-        mut warnings,
         understood,
         date,
-    } = measured(arguments, &limits)?;
-    let path = &arguments.record.roughness;
+        survey,
+    } = measured(file, arguments, &limits)?;
+    let mut warnings = survey.warnings.clone();
     let mut inputs = Inputs::default();
     inputs.add("roughness", path, &understood)?;
     for earlier in &arguments.record.earlier {
@@ -58,10 +66,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     }
 
     const NO_CASE: &str = "no case was given.";
-    match &case {
-        Some(case) => {
+    match case.as_ref().zip(diagnosis) {
+        Some((case, diagnosis)) => {
             let file = path.display().to_string();
-            let diagnosis = Diagnosis::of(case, &arguments.record)?;
             sections.push(mechanism::growth_map(case, &diagnosis)?);
             sections.push(mechanism::diagnosis(&file, &diagnosis)?);
             if diagnosis.findings.is_empty() {
@@ -77,7 +84,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             warnings.extend(diagnosis.warnings);
             warnings.extend(case.remarks.iter().cloned());
             let speed = diagnosis.speeds.mean();
-            for outlook in outlooks(arguments, &limits, date.as_deref(), speed)? {
+            for outlook in outlooks(arguments, &limits, survey, date.as_deref(), speed)? {
                 sections.push(outlook.section);
                 brief.extend(outlook.brief);
                 warnings.extend(outlook.warnings);
@@ -109,7 +116,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     for variant in &arguments.variants {
         inputs.add("variant", variant, "changes to the case")?;
     }
-    if let Some(format) = &arguments.record.format {
+    if let Some(format) = &arguments.record.layout.format {
         inputs.add("reader profile", format, "how profiles are laid out")?;
     }
     for name in arguments
@@ -147,21 +154,19 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     Ok(())
 }
 
-/// Read the roughness and judge it as `riffel roughness` does.
-fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measured> {
+/// Judge the roughness as `riffel roughness` does.
+fn measured(
+    file: RoughnessFile,
+    arguments: &Report,
+    limits: &[LimitTable],
+) -> miette::Result<Measured> {
     let record = &arguments.record;
     let path = &record.roughness;
-    let format = record.format.as_deref();
-    let format = format.map(ReaderFormat::read).transpose()?;
-    let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-    let file = with_progress("reading", size, |advance| {
-        RoughnessFile::read(path, format.as_ref(), record.spacing, advance)
-    })?;
     Ok(match file {
         RoughnessFile::Profile(profile) => {
+            choose_nothing(path, &record.choose, record.by.as_deref())?;
             let strips = roughness::strips(&profile)?;
-            let report =
-                ProfileReport::new(path, profile, limits, &roughness_arguments(arguments)?)?;
+            let report = ProfileReport::new(path, profile, limits, &Statistics::default())?;
             let mut brief: Vec<String> = report.verdicts.iter().map(roughness::sentence).collect();
             brief.push(escape(&roughness::total(&report)));
             Measured {
@@ -172,18 +177,19 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
                     roughness::grind(&report),
                 ],
                 brief,
-                warnings: report.warnings.clone(),
                 understood: report.understood().trim().to_owned(),
                 date: None,
+                survey: report.survey(path)?,
             }
         }
         RoughnessFile::Spectra(spectra) => {
             const TABLE: &str = "the record is a table of levels; it needs a profile.";
-            let dated = choice::columns(&spectra).iter().any(|name| name == "date");
+            let survey = Survey::new(path, spectra, Vec::new())?.choose(&record.choose)?;
+            let dated = survey.columns().any(|column| column == "date");
             let by = record.by.as_deref().or_else(|| dated.then_some("date"));
-            let dates = spectra.iter().filter_map(|spectrum| spectrum.label("date"));
-            let date = dates.max().map(str::to_owned);
-            let means = Means::new(path, spectra, limits, &record.choose, by)?;
+            let dates = survey.records.iter();
+            let date = dates.filter_map(|spectrum| spectrum.label("date")).max();
+            let means = Means::new(&survey, limits, by)?;
             Measured {
                 sections: vec![
                     Section::LeftOut("Profile", TABLE),
@@ -192,7 +198,6 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
                     Section::LeftOut("What to grind", TABLE),
                 ],
                 brief: means.verdicts.iter().map(roughness::sentence).collect(),
-                warnings: Vec::new(),
                 understood: format!(
                     "{} one-third-octave spectra{}",
                     means.counts.iter().sum::<usize>(),
@@ -201,7 +206,8 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
                         choose => format!(", those with {}", choose.join(", ")),
                     }
                 ),
-                date,
+                date: date.map(str::to_owned),
+                survey,
             }
         }
     })
@@ -211,6 +217,7 @@ fn measured(arguments: &Report, limits: &[LimitTable]) -> miette::Result<Measure
 fn outlooks(
     arguments: &Report,
     limits: &[LimitTable],
+    survey: Survey,
     date: Option<&str>,
     speed: f64,
 ) -> miette::Result<Vec<Outlook>> {
@@ -230,10 +237,9 @@ fn outlooks(
         LimitTable::find(name).is_ok_and(|table| matches!(table.limit, Limit::Levels(_)))
     });
     // A table of several dates is now at its latest.
-    let mut choose = arguments.record.choose.clone();
-    choose.extend(date.map(|date| format!("date={date}")));
+    let choose: Vec<String> = date.iter().map(|date| format!("date={date}")).collect();
     let now = Now {
-        choose,
+        survey: survey.choose(&choose)?,
         date: match date {
             Some(date) => date.parse().ok(),
             None => arguments.record.dates.last().copied(),
@@ -252,31 +258,6 @@ fn outlooks(
         outlook::what_if(of_case(), &now, arguments)?
     };
     Ok(vec![forecast, what_if])
-}
-
-/// The arguments of `riffel roughness` with its defaults.
-fn roughness_arguments(arguments: &Report) -> miette::Result<Roughness> {
-    let record = &arguments.record;
-    let length = |words: &str| {
-        let parsed = words.parse();
-        parsed.map_err(|error: riffel_case::quantity::QuantityError| miette::miette!("{error}"))
-    };
-    Ok(Roughness {
-        path: Some(record.roughness.clone()),
-        format: record.format.clone(),
-        save_format: None,
-        spacing: record.spacing,
-        longest: None,
-        window: None,
-        block: length("10 m")?,
-        merge: length("5 m")?,
-        limit: arguments.limit.clone(),
-        choose: record.choose.clone(),
-        by: record.by.clone(),
-        synthesise: None,
-        output: None,
-        json: false,
-    })
 }
 
 /// Files, limit tables and presets with their origin, and what made the report.

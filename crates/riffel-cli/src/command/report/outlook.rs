@@ -2,17 +2,21 @@
 
 use std::path::PathBuf;
 
+use riffel_case::roughness::Survey;
 use riffel_plot::LineFigure;
 
 use super::page::{Section, escape, figure, list, table};
-use crate::arguments::{CaseArguments, Compare, Forecast, Horizon, Report as Arguments, Spectra};
+use crate::arguments::{
+    CaseArguments, Compare, Forecast, Horizon, Layout, Report as Arguments, Spectra,
+};
 use crate::command::forecast::{number, per_million, when};
 use crate::command::{compare, forecast};
 use crate::error::CliError;
 
-/// What the record says of now: its file, and the column and value that choose the spectra.
+/// What the record says of now.
 pub(super) struct Now {
-    pub(super) choose: Vec<String>,
+    /// Its spectra.
+    pub(super) survey: Survey,
     pub(super) date: Option<jiff::civil::Date>,
     /// Limit of the levels.
     pub(super) limit: String,
@@ -34,12 +38,12 @@ pub(super) fn forecast(
     now: &Now,
     arguments: &Arguments,
 ) -> miette::Result<Outlook> {
-    let report = forecast::Report::new(&Forecast {
+    let forecast = Forecast {
         case,
         spectra: Spectra {
             spectrum: arguments.record.roughness.clone(),
-            format: arguments.record.format.clone(),
-            choose: now.choose.clone(),
+            layout: Layout::default(),
+            choose: Vec::new(),
             date_column: None,
             earlier: None,
             earlier_choose: Vec::new(),
@@ -55,7 +59,8 @@ pub(super) fn forecast(
         date: now.date,
         output: None,
         json: false,
-    })?;
+    };
+    let report = forecast::Report::new(&forecast, now.survey.clone())?;
     let limits = report.forecast.passages_to(&report.limit);
     let rows: Vec<Vec<String>> = report
         .forecast
@@ -126,7 +131,7 @@ pub(super) fn what_if(
     arguments: &Arguments,
 ) -> miette::Result<Outlook> {
     let traffic = arguments.record.traffic.clone();
-    let report = compare::Report::new(&Compare {
+    let compare = Compare {
         case,
         variants: arguments.variants.clone(),
         speed: traffic
@@ -135,11 +140,13 @@ pub(super) fn what_if(
         speed_deviation: None,
         traffic,
         spectrum: Some(arguments.record.roughness.clone()),
-        choose: now.choose.clone(),
+        layout: Layout::default(),
+        choose: Vec::new(),
         limit: now.limit.clone(),
         output: None,
         json: false,
-    })?;
+    };
+    let report = compare::Report::new(&compare, Some(now.survey.clone()))?;
     let base = report.comparison.base();
     let rows: Vec<Vec<String>> = report
         .comparison

@@ -1,6 +1,5 @@
 //! `riffel roughness`
 
-pub(crate) mod choice;
 pub(crate) mod document;
 pub(crate) mod figure;
 pub(crate) mod profile;
@@ -11,9 +10,10 @@ pub(crate) mod verdict;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile};
+use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 
-use crate::arguments::{Roughness, positive};
+use crate::arguments::{Layout, Roughness, positive};
+use crate::error::CliError;
 use crate::output::Progress;
 
 pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
@@ -23,24 +23,70 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     // The parser asks for a file unless a profile is made.
     let path = arguments.path.as_deref().unwrap_or_else(|| Path::new(""));
     for (argument, value) in [
-        ("--longest", arguments.longest),
-        ("--window", arguments.window),
-        ("--block", Some(arguments.block)),
-        ("--spacing", arguments.spacing),
+        ("--longest", arguments.statistics.longest),
+        ("--window", arguments.statistics.window),
+        ("--block", Some(arguments.statistics.block)),
     ] {
         value.map(|value| positive(argument, value)).transpose()?;
     }
+    let merge = arguments.statistics.merge;
+    if merge.si() < 0.0 {
+        Err(CliError::Argument {
+            argument: "--merge",
+            value: merge.to_string(),
+            rule: "zero or greater".to_owned(),
+        })?;
+    }
     let limits = limits(&arguments.limit)?;
-    let format = arguments.format.as_deref();
+    match read(path, &arguments.layout)? {
+        RoughnessFile::Profile(record) => {
+            choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
+            profile::run(path, record, &limits, arguments)
+        }
+        RoughnessFile::Spectra(spectra) => {
+            let survey = Survey::new(path, spectra, Vec::new())?;
+            spectra::run(survey, &limits, arguments)
+        }
+    }
+}
+
+/// Read a file, with a bar of how far it is.
+pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
+    if let Some(spacing) = layout.spacing {
+        positive("--spacing", spacing)?;
+    }
+    let format = layout.format.as_deref();
     let format = format.map(ReaderFormat::read).transpose()?;
     let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
     let file = with_progress("reading", size, |advance| {
-        RoughnessFile::read(path, format.as_ref(), arguments.spacing, advance)
-    })?;
-    match file {
-        RoughnessFile::Profile(record) => profile::run(path, record, &limits, arguments),
-        RoughnessFile::Spectra(spectra) => spectra::run(path, spectra, &limits, arguments),
+        RoughnessFile::read(path, format.as_ref(), layout.spacing, advance)
+    });
+    Ok(file?)
+}
+
+/// A choice among spectra means nothing for a profile.
+pub(crate) fn choose_nothing(
+    path: &Path,
+    choose: &[String],
+    by: Option<&str>,
+) -> Result<(), CliError> {
+    let choice = choose.first().map(|choice| ("--where", choice.as_str()));
+    match choice.or(by.map(|by| ("--by", by))) {
+        None => Ok(()),
+        Some((argument, value)) => Err(CliError::Argument {
+            argument,
+            value: value.to_owned(),
+            rule: format!(
+                "left out: it is for tables of spectra, and {} is a profile",
+                path.display()
+            ),
+        }),
     }
+}
+
+/// The spectra of a file, those of a profile computed.
+pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
+    Ok(Survey::of(path, read(path, layout)?)?)
 }
 
 /// The limit tables asked for, or all that come with Riffel.

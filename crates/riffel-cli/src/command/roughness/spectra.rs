@@ -1,16 +1,16 @@
 //! Spectra that were computed elsewhere: means, limits, change from group to group.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_case::roughness::{LabelledSpectrum, LimitTable};
+use riffel_case::CaseError;
+use riffel_case::roughness::{LimitTable, Survey};
 
-use super::choice::{groups, refuse};
 use super::document::{Document, GroupDocument, Removed, levels};
 use super::verdict::Verdict;
 use super::{figure, folder};
 use crate::arguments::Roughness;
+use crate::error::CliError;
 use crate::output::{json, print, table};
 use crate::staging::Staging;
 
@@ -33,24 +33,22 @@ pub(crate) struct Means {
 
 impl Means {
     pub(crate) fn new(
-        path: &Path,
-        spectra: Vec<LabelledSpectrum>,
+        survey: &Survey,
         limits: &[LimitTable],
-        choose: &[String],
         by: Option<&str>,
-    ) -> miette::Result<Self> {
-        let groups: Vec<(String, Vec<Spectrum>)> = groups(path, spectra, choose, by)?
+    ) -> Result<Self, CaseError> {
+        let groups: Vec<(String, Vec<Spectrum>)> = survey
+            .groups(by)?
             .into_iter()
-            .map(|(name, spectra)| {
+            .map(|(name, group)| {
                 let name = match by {
                     Some(column) => format!("{column} {name}"),
                     None => name,
                 };
-                let spectra = spectra.into_iter().map(|labelled| labelled.spectrum);
-                (name, spectra.collect())
+                (name, group.spectra())
             })
             .collect();
-        let all: Vec<Spectrum> = groups.iter().flat_map(|group| group.1.clone()).collect();
+        let all = survey.spectra();
         let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
         let means: Option<Vec<Group>> = groups
             .into_iter()
@@ -64,7 +62,10 @@ impl Means {
             Spectrum::energy_mean(&all),
             Spectrum::arithmetic_mean(&all),
         ) else {
-            return Err(refuse(path, "there is no spectrum in the file".to_owned()).into());
+            return Err(CaseError::data(
+                survey.path(),
+                "there is no spectrum in the file",
+            ));
         };
         // Each group is judged by its own energy mean.
         let verdicts = groups.iter().flat_map(|(name, energy, _)| {
@@ -84,12 +85,28 @@ impl Means {
 }
 
 pub(super) fn run(
-    path: &Path,
-    spectra: Vec<LabelledSpectrum>,
+    survey: Survey,
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
-    let by = arguments.by.as_deref();
+    let of_profiles = [
+        ("--longest", arguments.statistics.longest),
+        ("--window", arguments.statistics.window),
+    ];
+    for (argument, value) in of_profiles {
+        if let Some(value) = value {
+            Err(CliError::Argument {
+                argument,
+                value: value.to_string(),
+                rule: format!(
+                    "left out: it is for profiles, and {} is a table of spectra",
+                    survey.path().display()
+                ),
+            })?;
+        }
+    }
+    let survey = survey.choose(&arguments.choose)?;
+    let path = survey.path();
     let Means {
         groups: means,
         counts,
@@ -97,7 +114,7 @@ pub(super) fn run(
         arithmetic,
         verdicts,
         findings,
-    } = Means::new(path, spectra, limits, &arguments.choose, by)?;
+    } = Means::new(&survey, limits, arguments.by.as_deref())?;
     let document = Document {
         file: path.display().to_string(),
         sample_spacing_m: None,

@@ -17,12 +17,9 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     };
     let mut columns = Vec::new();
     for (_, recipe) in &file.rails {
-        let heights = recipe.heights().map_err(|error| CaseError::Data {
-            path: recipe_name(arguments),
-            line: None,
-            message: error.to_string(),
-            help: None,
-        })?;
+        let heights = recipe
+            .heights()
+            .map_err(|error| CaseError::data(recipe_name(arguments), error.to_string()))?;
         columns.push(heights);
     }
     let spacing = file.rails.first().map_or(0.0, |rail| rail.1.spacing);

@@ -1,6 +1,8 @@
 //! A measured profile: levels, bands, limits, what to grind.
 
-use std::io::{self, Write};
+mod tables;
+mod words;
+
 use std::path::Path;
 
 use riffel::roughness::{
@@ -8,18 +10,18 @@ use riffel::roughness::{
     WavelengthBand, grind_sections,
 };
 use riffel_case::CaseError;
-use riffel_case::roughness::{Limit, LimitTable, Rail, Record};
+use riffel_case::roughness::{LabelledSpectrum, Limit, LimitTable, Rail, Record, Survey};
+
+pub(crate) use words::{band_row, counted, grind_row, name};
 
 use super::document::{Document, RailDocument, Removed, bands, grind, levels};
 use super::verdict::Verdict;
 use super::{figure, folder, with_progress};
-use crate::arguments::Roughness;
+use crate::arguments::{Roughness, Statistics};
 use crate::error::CliError;
-use crate::output::{json, print, print_remarks, table};
+use crate::output::{json, print, print_remarks};
 use crate::staging::{Staging, write_file};
 
-/// Longest wavelength of the spectrum \[m\] where nothing is asked for.
-const LONGEST: f64 = 2.0;
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
 
@@ -42,7 +44,7 @@ pub(super) fn run(
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
-    let report = Report::new(path, record, limits, arguments)?;
+    let report = Report::new(path, record, limits, &arguments.statistics)?;
     if let Some(format) = &arguments.save_format {
         write_file(format, &report.record.format.toml(), true)?;
     }
@@ -92,7 +94,7 @@ impl Report {
         path: &Path,
         mut record: Record,
         limits: &[LimitTable],
-        arguments: &Roughness,
+        arguments: &Statistics,
     ) -> miette::Result<Self> {
         let longest_stretch = record
             .rails
@@ -111,17 +113,20 @@ impl Report {
                 argument: "--longest",
                 value: asked.to_string(),
                 rule: format!(
-                    "at most a quarter of the longest stretch without gaps, {longest_stretch:.3} m"
+                    "at most {:.3} m, a quarter of the longest stretch without gaps",
+                    0.25 * (longest_stretch + record.spacing)
                 ),
             })?;
         }
-        let settings = AnalysisSettings {
-            longest_wavelength: arguments.longest.map_or(LONGEST, |longest| longest.si()),
+        let mut settings = AnalysisSettings {
             window: arguments.window.map(|window| window.si()),
             block: arguments.block.si(),
             limit: rms_limit(limits)?,
             ..AnalysisSettings::default()
         };
+        if let Some(longest) = arguments.longest {
+            settings.longest_wavelength = longest.si();
+        }
         let lengths: Vec<f64> = record.rails.iter().map(Rail::length).collect();
         // The heights are not needed twice.
         let stretches: Vec<Vec<Profile>> = record
@@ -136,12 +141,7 @@ impl Report {
                 .map(|rail| RailAnalysis::new(rail, &settings, &|| advance(1)))
                 .collect::<Result<_, _>>()
         })
-        .map_err(|error| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: error.to_string(),
-            help: None,
-        })?;
+        .map_err(|error| CaseError::data(path, error.to_string()))?;
         let spectra: Vec<Spectrum> = rails.iter().map(|rail| rail.spectrum.clone()).collect();
         let spectrum = Spectrum::energy_mean(&spectra)
             .ok_or_else(|| miette::miette!("there is no rail in the file"))?;
@@ -165,6 +165,14 @@ impl Report {
             warnings,
             length,
         })
+    }
+
+    /// The levels of the rails, to be forecast.
+    pub(crate) fn survey(&self, path: &Path) -> Result<Survey, CaseError> {
+        let rails = self.rails.iter();
+        let records =
+            rails.map(|(name, rail)| LabelledSpectrum::of_rail(name, rail.spectrum.clone()));
+        Survey::new(path, records.collect(), self.warnings.clone())
     }
 
     pub(crate) fn removed(&self) -> Removed {
@@ -205,182 +213,6 @@ impl Report {
             warnings: self.warnings.clone(),
         }
     }
-
-    /// What was understood of the file.
-    pub(crate) fn understood(&self) -> String {
-        let format = &self.record.format;
-        let header = match format.header_lines {
-            0 => "no header".to_owned(),
-            1 => "a header of one line".to_owned(),
-            lines => format!("a header of {lines} lines"),
-        };
-        let position = match &format.position {
-            Some(column) => {
-                let order = if self.record.falling { ", falling" } else { "" };
-                format!(
-                    "position in column {} [{}]{order}",
-                    column.column, column.unit
-                )
-            }
-            None => "no position".to_owned(),
-        };
-        let rails: Vec<String> = format
-            .rails
-            .iter()
-            .zip(&self.record.rails)
-            .map(|(column, rail)| {
-                format!(
-                    "{} in column {} [{}]",
-                    rail.name, column.column, column.unit
-                )
-            })
-            .collect();
-        format!(
-            "read as: {}, {}, {header}; {position}; {}\n",
-            format.delimiter.words(),
-            format.decimal.words(),
-            rails.join(", ")
-        )
-    }
-
-    fn readable(&self, path: &Path) -> String {
-        let removed = self.removed();
-        let mut text = format!("{}\n{}", path.display(), self.understood());
-        text += &format!(
-            "{:.3} m to {:.3} m, {:.3} m of rail sampled every {:.4} mm; {} and {} removed\n",
-            self.record.from,
-            self.record.to,
-            self.length,
-            1e3 * self.record.spacing,
-            counted(removed.spikes, "spike"),
-            counted(removed.pits, "pit"),
-        );
-        let mut rows = table(&[
-            "band mm",
-            "rms µm",
-            "highest moving rms µm",
-            "highest peak-to-peak µm",
-            "window m",
-            "limit µm",
-            "over limit",
-        ]);
-        for band in &self.bands {
-            rows.add_row(band_row(band));
-        }
-        text += &format!("{rows}\n");
-        for verdict in &self.verdicts {
-            text += &format!("{}\n", verdict.sentence);
-        }
-        text + &self.grind_in_words()
-    }
-
-    fn grind_in_words(&self) -> String {
-        /// Sections that a terminal shows; the file has all.
-        const SHOWN: usize = 20;
-        if self.bands.iter().all(|band| band.limit.is_none()) {
-            return String::new();
-        }
-        if self.sections.is_empty() {
-            return "nothing to grind: no band is over its limit anywhere\n".to_owned();
-        }
-        let mut rows = table(&[
-            "grind",
-            "from m",
-            "to m",
-            "length m",
-            "worst band mm",
-            "rms/limit",
-        ]);
-        for (index, section) in self.sections.iter().take(SHOWN).enumerate() {
-            rows.add_row(grind_row(index, section));
-        }
-        let total: f64 = self.sections.iter().map(GrindSection::length).sum();
-        let more = match self.sections.len().saturating_sub(SHOWN) {
-            0 => String::new(),
-            more => format!("{more} more in grind.csv; "),
-        };
-        let share = 100.0 * total / self.length;
-        format!("{rows}\n{more}in all {total:.2} m to grind, {share:.1} % of the length\n")
-    }
-
-    fn spectrum_table(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut header = vec!["wavelength_m".to_owned(), "level_db".to_owned()];
-        header.extend(
-            self.rails
-                .iter()
-                .map(|(name, _)| format!("{name} level_db")),
-        );
-        writer.write_record(&header)?;
-        for level in self.spectrum.levels() {
-            let mut row = vec![Some(level.band.wavelength()), Some(level.level)];
-            row.extend(
-                self.rails
-                    .iter()
-                    .map(|(_, rail)| rail.spectrum.level(level.band)),
-            );
-            writer.serialize(row)?;
-        }
-        writer.flush()
-    }
-
-    fn block_table(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut header = ["rail", "from_m", "to_m"].map(str::to_owned).to_vec();
-        header.extend(WavelengthBand::GRINDING.map(|band| format!("rms_m {} mm", name(&band))));
-        writer.write_record(&header)?;
-        for (name, rail) in &self.rails {
-            for block in &rail.blocks {
-                writer.serialize((name, block.from, block.to, &block.rms))?;
-            }
-        }
-        writer.flush()
-    }
-
-    fn grind_table(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["from_m", "to_m", "worst_band_mm", "rms_over_limit"])?;
-        for section in &self.sections {
-            writer.serialize((section.from, section.to, name(&section.band), section.ratio))?;
-        }
-        writer.flush()
-    }
-}
-
-/// A band in the table of a reader: name, RMS values \[µm\], window \[m\], limit and share.
-pub(crate) fn band_row(band: &BandSummary) -> [String; 7] {
-    [
-        name(&band.band),
-        format!("{:.2}", 1e6 * band.rms),
-        format!("{:.2}", 1e6 * band.moving_rms_max),
-        format!("{:.1}", 1e6 * band.peak_to_peak_max),
-        format!("{:.1}", band.window),
-        band.limit
-            .map_or_else(String::new, |limit| format!("{:.0}", 1e6 * limit)),
-        band.share_over_limit
-            .map_or_else(String::new, |share| format!("{:.1} %", 100.0 * share)),
-    ]
-}
-
-/// A section in the table of a reader: number, places and length \[m\], worst band and its ratio.
-pub(crate) fn grind_row(index: usize, section: &GrindSection) -> [String; 6] {
-    [
-        format!("{}", index + 1),
-        format!("{:.2}", section.from),
-        format!("{:.2}", section.to),
-        format!("{:.2}", section.length()),
-        name(&section.band),
-        format!("{:.2}", section.ratio),
-    ]
-}
-
-pub(crate) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
-
-/// A band in millimetres.
-pub(crate) fn name(band: &WavelengthBand) -> String {
-    format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
 }
 
 /// Bands over all rails: mean squares and shares weighted by length, the largest extremes.
