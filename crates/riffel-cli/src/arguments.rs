@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_case::{Case, CaseError};
+use riffel_figures::paper::Model;
 
 use crate::error::CliError;
 
@@ -336,6 +337,16 @@ pub(crate) enum ModelArgument {
     SpringDashpot,
     /// By the exact theory of non-steady rolling.
     NonSteady,
+}
+
+impl From<ModelArgument> for Model {
+    fn from(argument: ModelArgument) -> Self {
+        match argument {
+            ModelArgument::QuasiStatic => Self::QuasiStatic,
+            ModelArgument::SpringDashpot => Self::SpringDashpot,
+            ModelArgument::NonSteady => Self::NonSteady,
+        }
+    }
 }
 
 #[derive(Args)]

@@ -55,12 +55,10 @@ pub(crate) enum CliError {
     #[error("{error}")]
     Serve { error: riffel_web::ServeError },
 
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Figure(#[from] riffel_figures::FigureError),
+
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] riffel_plot::PlotError),
-
-    #[error("cannot write the table of the figure: {0}")]
-    Table(String),
-
-    #[error("cannot write the gridded file: {0}")]
-    Grid(String),
 }

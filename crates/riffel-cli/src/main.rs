@@ -4,13 +4,9 @@ mod arguments;
 mod bay;
 mod command;
 mod error;
-mod growth_table;
-mod map_figure;
 mod observations;
 mod output;
-mod paper;
 mod staging;
-mod track_in_words;
 
 use std::process::ExitCode;
 

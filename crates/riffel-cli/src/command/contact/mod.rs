@@ -8,11 +8,11 @@ mod patch_figure;
 
 use riffel::KalkerCoefficients;
 use riffel_case::Case;
+use riffel_figures::polach;
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
-use crate::map_figure::polach;
 use crate::output::{Progress, print, print_json, print_remarks, table};
 use crate::staging::Staging;
 use creep_curves::CreepCurves;
