@@ -349,7 +349,7 @@ export class MapView {
 export function drawBar(place, view, title) {
   const colors = theme();
   const strongest = view.scale;
-  const ends = (value) => power(value);
+  const ends = (value) => (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5 ? power(value) : number(value, 2));
   place.replaceChildren();
   const steps = document.createElement('div');
   steps.className = 'steps';

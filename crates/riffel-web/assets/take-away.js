@@ -23,6 +23,10 @@ export function startTakeAway({ state, open, refuse, announce }) {
       const answer = await (await askOnce('/api/case', { case: { keys: state.keys } })).json();
       save(new Blob([answer.toml], { type: 'application/toml' }), `${fileName(state)}.toml`);
     },
+    ...Object.fromEntries(['csv', 'png', 'svg', 'html'].map((kind) => [kind, async () => {
+      const answer = await askOnce(`/api/export/${kind}`, { case: { keys: state.keys } });
+      save(await answer.blob(), `${fileName(state)}-map.${kind}`);
+    }])),
     nominal: async () => open({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }),
   };
   menu.addEventListener('click', async (event) => {

@@ -116,6 +116,15 @@ impl From<riffel_plot::PlotError> for Fault {
     }
 }
 
+impl From<riffel_figures::FigureError> for Fault {
+    fn from(error: riffel_figures::FigureError) -> Self {
+        match error {
+            riffel_figures::FigureError::Case(error) => error.into(),
+            error => Self::bad(error.to_string()),
+        }
+    }
+}
+
 impl IntoResponse for Fault {
     fn into_response(self) -> Response {
         let (status, retry_after) = (self.status, self.retry_after_s);

@@ -40,6 +40,8 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/map", post(api::map::post))
         .route("/api/point", post(api::point::post))
         .route("/api/compare", post(api::compare::post))
+        .route("/api/figure", post(api::figure::post))
+        .route("/api/export/{kind}", post(api::export::post))
         .fallback(nothing_here)
         .layer(axum::middleware::from_fn(guard::guard))
         .with_state(page)

@@ -2,6 +2,8 @@
 
 pub(crate) mod case;
 pub(crate) mod compare;
+pub(crate) mod export;
+pub(crate) mod figure;
 pub(crate) mod map;
 pub(crate) mod point;
 pub(crate) mod vocabulary;
