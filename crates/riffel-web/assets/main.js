@@ -6,10 +6,11 @@ import { drawForce, drawGrowth, drawReceptance } from './curves.js';
 import { Form } from './form.js';
 import { get, pack, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
+import { startMeasure } from './measure.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { Fault, Line, framed, json, traffic } from './server.js';
-import { startTakeAway } from './take-away.js';
+import { save, startTakeAway } from './take-away.js';
 import { chooseLanguage, currentLanguage, nameOf, number, passages, power, t, translate } from './words.js';
 
 const $ = (id) => document.getElementById(id);
@@ -266,9 +267,10 @@ const listeners = [];
 const shared = {
   state, form, open, refuse, trouble, announce, nameOf, get,
   listen: (listener) => listeners.push(listener),
-  movePoint, view,
+  save,
 };
 startCompare(shared);
+startMeasure(shared);
 startPaper(shared);
 startTakeAway(shared);
 translate();

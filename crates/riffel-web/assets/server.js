@@ -92,6 +92,31 @@ export class Line {
   }
 }
 
+/** Send a file as it is, with a report of how far it is; `abort` breaks off. */
+export function send(path, file, progress) {
+  const request = new XMLHttpRequest();
+  const done = new Promise((resolve, reject) => {
+    request.upload.onprogress = (event) => event.lengthComputable && progress(event.loaded / event.total);
+    request.onload = () => {
+      let answer;
+      try {
+        answer = JSON.parse(request.responseText);
+      } catch {
+        answer = { message: `${request.status}` };
+      }
+      if (request.status === 200) resolve(answer);
+      else reject(new Fault(answer, request.status));
+    };
+    request.onerror = () => reject(new Fault({ message: 'gone' }, 0));
+    request.onabort = () => reject(new DOMException('aborted', 'AbortError'));
+  });
+  request.open('POST', path);
+  request.setRequestHeader('X-Riffel-Page', page);
+  request.setRequestHeader('Content-Type', /\.csv$/i.test(file.name) ? 'text/csv' : 'text/plain');
+  request.send(file);
+  return { done, abort: () => request.abort() };
+}
+
 export const json = (response) => response.json();
 
 /** Head and values of a framed answer. */

@@ -3,7 +3,7 @@
 import { askOnce } from './server.js';
 import { t, t2 } from './words.js';
 
-function save(blob, name) {
+export function save(blob, name) {
   const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);

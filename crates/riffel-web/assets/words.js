@@ -41,7 +41,8 @@ const WORDS = {
     drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', reading: 'reading', cancel: 'Cancel',
     limits_all: 'All levels are within', limit_over: 'above', band: 'band', level: 'level', limit: 'limit', over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast', on_map: 'marked on the map',
     removed: 'The file was read from a private temporary folder and is removed already.',
-    speed_of_traffic: 'Speed of traffic', passages: 'Axle passages', months: 'after', excess: 'above the smooth spectrum',
+    speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', months: 'in months:', excess: 'above the trend',
+    nothing_dominant: 'No wavelength stands out.', level_axis: 'level [dB re 1 µm]',
   },
   de: {
     explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
@@ -83,7 +84,8 @@ const WORDS = {
     drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', reading: 'lese', cancel: 'Abbrechen',
     limits_all: 'Alle Pegel liegen innerhalb von', limit_over: 'über', band: 'Band', level: 'Pegel', limit: 'Grenze', over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose', on_map: 'auf der Karte markiert',
     removed: 'Die Datei wurde aus einem privaten temporären Ordner gelesen und ist schon gelöscht.',
-    speed_of_traffic: 'Geschwindigkeit des Verkehrs', passages: 'Achsüberrollungen', months: 'nach', excess: 'über dem glatten Spektrum',
+    speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', months: 'in Monaten:', excess: 'über dem Trend',
+    nothing_dominant: 'Keine Wellenlänge ragt heraus.', level_axis: 'Pegel [dB re 1 µm]',
   },
 };
 

@@ -26,6 +26,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "keys.js": "text/javascript; charset=utf-8",
     "main.js": "text/javascript; charset=utf-8",
     "map-view.js": "text/javascript; charset=utf-8",
+    "measure.js": "text/javascript; charset=utf-8",
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",
     "server.js": "text/javascript; charset=utf-8",

@@ -76,6 +76,15 @@ impl Fault {
         }
     }
 
+    /// The same fault in other words.
+    pub(crate) fn in_words(self, words: impl Fn(&str) -> String) -> Self {
+        Self {
+            message: words(&self.message),
+            help: self.help.as_deref().map(words),
+            ..self
+        }
+    }
+
     /// A defect of the program.
     pub(crate) fn defect(message: &str) -> Self {
         Self::refused(

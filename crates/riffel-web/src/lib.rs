@@ -10,9 +10,11 @@ mod assets;
 mod fault;
 mod framed;
 mod guard;
+mod program;
 mod queue;
 mod request;
 mod server;
+mod uploads;
 
 use axum::Router;
 use axum::http::StatusCode;
@@ -20,14 +22,21 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 
 use fault::Fault;
+use program::Program;
 use queue::Queue;
+use uploads::Uploads;
 
 pub use server::{Options, ServeError, serve};
 
 /// What all requests share.
 #[derive(Clone)]
 pub(crate) struct Page {
+    /// Work of milliseconds to seconds.
     queue: Queue,
+    /// Work on files, one at a time, which must not hold up the sliders.
+    long: Queue,
+    uploads: Uploads,
+    program: Program,
 }
 
 /// The page as a service.
@@ -42,6 +51,9 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/compare", post(api::compare::post))
         .route("/api/figure", post(api::figure::post))
         .route("/api/export/{kind}", post(api::export::post))
+        .route("/api/roughness", post(api::roughness::post))
+        .route("/api/measure", post(api::roughness::measure))
+        .route("/api/report", post(api::roughness::report))
         .fallback(nothing_here)
         .layer(axum::middleware::from_fn(guard::guard))
         .with_state(page)

@@ -16,6 +16,10 @@ const MOST_WAITING: usize = 128;
 /// Time for one request, waiting included.
 const TIME_LIMIT: Duration = Duration::from_secs(60);
 
+/// The same for work on files, which takes longer.
+const MOST_FILES_WAITING: usize = 8;
+const FILE_TIME_LIMIT: Duration = Duration::from_secs(600);
+
 /// Pages whose newest request is remembered.
 const MOST_PAGES: usize = 1024;
 
@@ -87,6 +91,11 @@ impl Queue {
     /// A queue in front of a number of workers.
     pub(crate) fn new(workers: usize) -> Self {
         Self::with_limits(workers, MOST_WAITING, TIME_LIMIT)
+    }
+
+    /// A queue for work on files, one after the other.
+    pub(crate) fn for_files() -> Self {
+        Self::with_limits(1, MOST_FILES_WAITING, FILE_TIME_LIMIT)
     }
 
     pub(crate) fn with_limits(workers: usize, most_waiting: usize, time_limit: Duration) -> Self {

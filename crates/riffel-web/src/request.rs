@@ -38,6 +38,13 @@ const PAGE: &str = "x-riffel-page";
 pub(crate) struct Asker(Option<String>);
 
 impl Asker {
+    /// The name of the page, which owns its file.
+    pub(crate) fn owner(&self) -> Result<String, Fault> {
+        self.0.clone().ok_or_else(|| {
+            Fault::bad("a request about a file must say which page it comes from (X-Riffel-Page)")
+        })
+    }
+
     /// Name of one kind of answer for this page, of which only the newest is wanted.
     pub(crate) fn subject(&self, kind: &str) -> Option<String> {
         self.0.as_ref().map(|page| format!("{kind} of {page}"))

@@ -2,6 +2,7 @@
 
 use std::io;
 use std::net::{IpAddr, SocketAddr};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -13,11 +14,13 @@ use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
+use crate::program::Program;
 use crate::queue::Queue;
+use crate::uploads::Uploads;
 use crate::{Page, router};
 
 /// Where to listen.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Options {
     /// Address; 127.0.0.1 keeps the page on this machine.
     pub address: IpAddr,
@@ -25,6 +28,8 @@ pub struct Options {
     pub port: u16,
     /// Show the page in the browser of the user.
     pub open: bool,
+    /// The program `riffel`, which reads the files that pages send.
+    pub program: PathBuf,
 }
 
 /// Why the page cannot be served.
@@ -39,6 +44,10 @@ pub enum ServeError {
         /// Why not.
         reason: io::Error,
     },
+
+    /// There is no place for files.
+    #[error("cannot make a private temporary folder: {0}")]
+    Folder(io::Error),
 
     /// The machine refuses threads, timers or signals.
     #[error("cannot start the server: {0}")]
@@ -76,10 +85,14 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
     let mut signals = Signals::new().map_err(ServeError::Start)?;
 
     let workers = std::thread::available_parallelism().map_or(2, usize::from);
-    let queue = Queue::new(workers);
-    let service = TowerToHyperService::new(router(Page {
-        queue: queue.clone(),
-    }));
+    let page = Page {
+        queue: Queue::new(workers),
+        long: Queue::for_files(),
+        uploads: Uploads::new().map_err(ServeError::Folder)?,
+        program: Program(options.program),
+    };
+    let queues = [page.queue.clone(), page.long.clone()];
+    let service = TowerToHyperService::new(router(page));
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);
     let connections = Arc::new(Semaphore::new(MOST_CONNECTIONS));
@@ -115,7 +128,9 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
             drop(place);
         });
     }
-    queue.close();
+    for queue in queues {
+        queue.close();
+    }
     // A connection that does not end is cut.
     let _ = tokio::time::timeout(ENDING_TIME, graceful.shutdown()).await;
     Ok(())

@@ -11,6 +11,7 @@ pub(crate) fn run(arguments: &Serve) -> miette::Result<()> {
         address: arguments.address,
         port: arguments.port,
         open: arguments.open,
+        program: std::env::current_exe().map_err(|reason| CliError::Program { reason })?,
     };
     if !options.address.is_loopback() {
         eprintln!(

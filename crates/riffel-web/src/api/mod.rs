@@ -6,4 +6,5 @@ pub(crate) mod export;
 pub(crate) mod figure;
 pub(crate) mod map;
 pub(crate) mod point;
+pub(crate) mod roughness;
 pub(crate) mod vocabulary;
