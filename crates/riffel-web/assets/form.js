@@ -258,7 +258,7 @@ export class Form {
   // Errors -------------------------------------------------------------------------------------------
 
   /** Show a fault at its field, or at the table that it stands in; true if there is a place for it. */
-  refuse(fault) {
+  refuse(fault, show = false) {
     this.clear();
     let key = fault.key ?? '';
     while (key && !this.fields.has(key)) {
@@ -272,6 +272,7 @@ export class Form {
     field.input.setAttribute('aria-invalid', 'true');
     field.input.closest('details').open = true;
     field.input.closest('.row').classList.add('wrong');
+    if (show) field.input.closest('.row').scrollIntoView({ block: 'center' });
     return true;
   }
 

@@ -163,13 +163,13 @@ function speedHandle() {
   speedSlider.input.setAttribute('aria-valuetext', speedSlider.output.textContent);
 }
 
-/** A fault stands at its field; one without a field stands above the map. */
-function refuse(fault) {
-  const placed = form.refuse(fault);
+/** A fault stands at its field; one without a field, or of a file that was to be opened, above the map. */
+function refuse(fault, ofFile = false) {
+  const placed = form.refuse(fault, ofFile);
   const message = fault.status === 0 ? t('gone') : fault.help ? `${fault.message}\n${fault.help}` : fault.message;
-  trouble(placed ? '' : message);
+  trouble(placed && !ofFile ? '' : message);
   announce(message);
-  $('map').classList.add('stale');
+  $('map').classList.toggle('stale', !ofFile);
 }
 
 function trouble(message) {

@@ -55,7 +55,7 @@ export function startTakeAway({ state, open, refuse, announce }) {
       announce(t('comments_gone', file.name));
     } catch (fault) {
       fault.message = t2('file_fault', file.name, fault.line) + fault.message;
-      refuse(fault);
+      refuse(fault, true);
     }
   }
 

@@ -14,6 +14,8 @@ mod program;
 mod queue;
 mod request;
 mod server;
+#[cfg(test)]
+mod tests;
 mod uploads;
 
 use axum::Router;
