@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "init",
     "point",
     "map",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 14] = [
     "forecast",
     "compare",
     "figures",
+    "serve",
     "presets",
     "schema",
     "validate",

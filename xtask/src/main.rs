@@ -1,5 +1,6 @@
 //! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
 
+mod browser;
 mod decay_rate;
 mod generate;
 mod marked;
@@ -22,8 +23,11 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything there is: formatting, lints, tests, documentation, generated files.
+    /// Everything there is: formatting, lints, tests, documentation, the page in a browser,
+    /// generated files.
     Test,
+    /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
+    Browser,
     /// Write the generated files of the book, or check that they are current.
     Generate {
         /// Change nothing; fail if a file is not current.
@@ -40,6 +44,7 @@ type Outcome = Result<(), String>;
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Task::Test => test(),
+        Task::Browser => browser::test_alone(),
         Task::Generate { check } => generate::run(check),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
     };
@@ -81,6 +86,7 @@ fn test() -> Outcome {
         &["doc", "--workspace", "--no-deps", "--quiet"],
         &[("RUSTDOCFLAGS", "--deny warnings")],
     )?;
+    browser::test()?;
     generate::run(true)
 }
 

@@ -213,14 +213,18 @@ export class Form {
   }
 
   #showSlider(key, { input, output, note, place }) {
-    const value = this.complete && si(this.complete, key);
+    const [unit, factor] = this.fields.get(key).shown;
+    // What was written last goes before what the program last answered: it may be a step behind.
+    const written = get(this.keys, key);
+    const parts = written === undefined ? null : split(written, '');
+    const own = parts && (parts.unit === unit ? parts.number * factor : parts.unit === '' ? parts.number : undefined);
+    const value = own ?? (this.complete && si(this.complete, key));
     const model = this.complete?.track?.model ?? '';
     const off =
-      (key === 'track.pad.stiffness' && (model === 'free-beam' || !value) && t('no_pads')) ||
+      (key === 'track.pad.stiffness' && (model === 'free-beam' || !(this.complete && si(this.complete, key))) && t('no_pads')) ||
       (key === 'wheel.inertia' && this.complete && this.complete.wheel.rotation !== 'inertia' && t('no_turning')) || '';
     input.disabled = Boolean(off);
     note.textContent = off;
-    const [unit, factor] = this.fields.get(key).shown;
     if (value === undefined || value === null) {
       output.textContent = '–';
       return;
