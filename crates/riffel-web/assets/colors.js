@@ -42,6 +42,9 @@ export function differenceSteps(dark) {
 
 export const css = ([r, g, b]) => `rgb(${r},${g},${b})`;
 
+/** Size of the letters of the page [px]. */
+export const letterSize = () => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 /** The colours of the page at present, by the names of page.css. */
 export function theme() {
   const style = getComputedStyle(document.documentElement);

@@ -1,6 +1,6 @@
 // Curves by plotly.js, in the colours and words of the page.
 
-import { theme } from './colors.js';
+import { letterSize, theme } from './colors.js';
 import { currentLanguage, power, t } from './words.js';
 
 /** plotly.js is large: it loads while the page already stands. */
@@ -27,17 +27,17 @@ export const palette = () => {
 export function axis(title, more = {}) {
   const { soft, grid, line } = theme();
   return {
-    title: { text: title, font: { size: 11, color: soft }, standoff: 6 }, ticks: 'inside', ticklen: 4, tickcolor: soft, showline: true, linewidth: 1,
-    linecolor: line, mirror: true, gridcolor: grid, zeroline: false, tickfont: { size: 10.5, color: soft }, automargin: true, ...more,
+    title: { text: title, font: { size: 0.85 * letterSize(), color: soft }, standoff: 6 }, ticks: 'inside', ticklen: 4, tickcolor: soft, showline: true, linewidth: 1,
+    linecolor: line, mirror: true, gridcolor: grid, zeroline: false, tickfont: { size: 0.8 * letterSize(), color: soft }, automargin: true, ...more,
   };
 }
 
 export function layout(more = {}) {
   const { ink, sheet, font, line } = theme();
   return {
-    margin: { l: 52, r: 10, t: 8, b: 38 }, paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', font: { family: font, size: 11, color: ink },
-    hovermode: 'closest', hoverlabel: { bgcolor: sheet, bordercolor: line, font: { color: ink, size: 11 } }, dragmode: 'zoom',
-    legend: { orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: { size: 10.5 } }, showlegend: false,
+    margin: { l: 4 * letterSize(), r: 10, t: 8, b: 3 * letterSize() }, paper_bgcolor: 'rgba(0,0,0,0)', plot_bgcolor: 'rgba(0,0,0,0)', font: { family: font, size: 0.85 * letterSize(), color: ink },
+    hovermode: 'closest', hoverlabel: { bgcolor: sheet, bordercolor: line, font: { color: ink, size: 0.85 * letterSize() } }, dragmode: 'zoom',
+    legend: { orientation: 'h', x: 0, y: 1.02, yanchor: 'bottom', font: { size: 0.82 * letterSize() } }, showlegend: false,
     separators: currentLanguage() === 'de' ? ',.' : '.,', ...more,
   };
 }
@@ -71,7 +71,7 @@ export async function drawReceptance(place, { spectrum, state }) {
     line(f, wheel, t('wheel'), orange, { line: { dash: 'dash' } }),
     line([f[0], f.at(-1)], [contact, contact], t('contact'), green, { line: { dash: 'dot' } }),
   ];
-  await draw(place, traces, layout({ xaxis: hertz(), yaxis: axis('|H| [nm/N]', decades([...rail, ...wheel])), showlegend: true, margin: { l: 52, r: 10, t: 24, b: 38 }, shapes: [upright(state.frequency_hz, theme().soft)] }));
+  await draw(place, traces, layout({ xaxis: hertz(), yaxis: axis('|H| [nm/N]', decades([...rail, ...wheel])), showlegend: true, margin: { l: 4 * letterSize(), r: 10, t: 2 * letterSize(), b: 3 * letterSize() }, shapes: [upright(state.frequency_hz, theme().soft)] }));
 }
 
 export async function drawForce(place, { spectrum, state }) {

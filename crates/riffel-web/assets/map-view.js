@@ -1,11 +1,12 @@
 // A growth map on a canvas: bands of colour, zero contour, ridge, rays of constant frequency and a cursor.
 // plotly.js takes 40 to 130 ms to draw a map of 241 × 221 points as heatmap or contours; this takes a few.
 
-import { css, differenceSteps, growthSteps, theme } from './colors.js';
+import { css, differenceSteps, growthSteps, letterSize, theme } from './colors.js';
 import { number, power, t } from './words.js';
 
-const MARGIN = { left: 52, right: 14, top: 10, bottom: 40 };
-const FONT = 11;
+/** Margins around the map in letters, which grow with the screen; and the size of letters in the same measure. */
+const MARGIN = { left: 4, right: 1.1, top: 0.8, bottom: 3.1 };
+const LETTERS = 0.85;
 /** Pixels coloured at most: beyond, the picture is stretched a little. */
 const MOST_PIXELS = 1.6e6;
 
@@ -65,9 +66,11 @@ export class MapView {
         canvas.height = Math.round(height * ratio);
       }
     }
+    const em = letterSize();
+    this.font = LETTERS * em;
     this.box = {
-      left: MARGIN.left, top: MARGIN.top,
-      width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom,
+      left: MARGIN.left * em, top: MARGIN.top * em,
+      width: width - (MARGIN.left + MARGIN.right) * em, height: height - (MARGIN.top + MARGIN.bottom) * em,
     };
     this.ratio = ratio;
     this.colors = theme();
@@ -159,7 +162,7 @@ export class MapView {
 
   #drawAxes(context, colors) {
     const { box, map } = this;
-    context.font = `${FONT}px ${colors.font}`;
+    context.font = `${this.font}px ${colors.font}`;
     context.lineWidth = 1;
     context.strokeStyle = colors.soft;
     context.strokeRect(box.left + 0.5, box.top + 0.5, box.width - 1, box.height - 1);
@@ -167,7 +170,7 @@ export class MapView {
     context.textAlign = 'center';
     context.textBaseline = 'top';
     const bottom = box.top + box.height;
-    for (const mm of ticks(1e3 * map.wavelength.min, 1e3 * map.wavelength.max, box.width / 70)) {
+    for (const mm of ticks(1e3 * map.wavelength.min, 1e3 * map.wavelength.max, box.width / (6.4 * this.font))) {
       const x = Math.round(this.x(mm / 1e3)) + 0.5;
       line(context, x, bottom, x, bottom - 5);
       line(context, x, box.top, x, box.top + 5);
@@ -175,7 +178,7 @@ export class MapView {
     }
     context.textAlign = 'right';
     context.textBaseline = 'middle';
-    for (const kmh of ticks(3.6 * map.speed.min, 3.6 * map.speed.max, box.height / 42)) {
+    for (const kmh of ticks(3.6 * map.speed.min, 3.6 * map.speed.max, box.height / (3.8 * this.font))) {
       const y = Math.round(this.y(kmh / 3.6)) + 0.5;
       line(context, box.left, y, box.left + 5, y);
       line(context, box.left + box.width, y, box.left + box.width - 5, y);
@@ -184,7 +187,7 @@ export class MapView {
     context.fillStyle = colors.ink;
     context.textAlign = 'center';
     context.textBaseline = 'bottom';
-    context.fillText(`${t('wavelength')} λ [mm]`, box.left + box.width / 2, bottom + MARGIN.bottom - 4);
+    context.fillText(`${t('wavelength')} λ [mm]`, box.left + box.width / 2, bottom + (MARGIN.bottom - 0.3) * letterSize());
     context.save();
     context.translate(4, box.top + box.height / 2);
     context.rotate(-Math.PI / 2);
@@ -226,19 +229,19 @@ export class MapView {
       if (end <= begin) return;
       const wavelength = begin + share * (end - begin);
       const words = `${number(hertz, 3)} Hz`;
-      context.font = `${bold ? '600 ' : ''}${FONT}px ${colors.font}`;
+      context.font = `${bold ? '600 ' : ''}${this.font}px ${colors.font}`;
       const half = context.measureText(words).width / 2 + 3;
       const x = Math.min(box.left + box.width - half - 2, Math.max(box.left + half + 2, this.x(wavelength) - aside));
       const y = Math.min(box.top + box.height - 10, Math.max(box.top + 10, this.y(hertz * wavelength) - aside / 2));
       context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
-      context.fillRect(x - half, y - 8, 2 * half, 16);
+      context.fillRect(x - half, y - 0.75 * this.font, 2 * half, 1.5 * this.font);
       context.fillStyle = style;
       context.textAlign = 'center';
       context.textBaseline = 'middle';
       context.fillText(words, x, y + 0.5);
     };
     for (const hertz of rays) name(hertz, colors.soft, false, 0.95);
-    if (best) name(best, colors.warm, true, 0.86, 34);
+    if (best) name(best, colors.warm, true, 0.86, 3.1 * this.font);
   }
 
   #drawRidge(context, colors) {
@@ -248,7 +251,7 @@ export class MapView {
     for (let k = 0; k < ridge.speed_m_per_s.length; k += step) {
       const [x, y] = [this.x(ridge.wavelength_m[k]), this.y(ridge.speed_m_per_s[k])];
       context.beginPath();
-      context.arc(x, y, 2.4, 0, 2 * Math.PI);
+      context.arc(x, y, 0.22 * this.font, 0, 2 * Math.PI);
       context.lineWidth = 0.8;
       if (ridge.at_edge[k]) {
         context.strokeStyle = colors.dark ? '#e8ecf0' : '#000';
@@ -274,7 +277,7 @@ export class MapView {
         context.strokeStyle = colors.warm;
         context.lineWidth = 1.5;
         line(context, x, box.top, x, box.top + box.height);
-        context.font = `600 ${FONT}px ${colors.font}`;
+        context.font = `600 ${this.font}px ${colors.font}`;
         context.fillStyle = colors.warm;
         context.textAlign = 'left';
         context.textBaseline = 'top';

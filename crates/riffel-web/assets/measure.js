@@ -1,5 +1,6 @@
 // Measure: a file of a measured rail, held against limits and against the case.
 
+import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { MapView, drawBar } from './map-view.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
@@ -179,7 +180,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     await draw(spectrum, traces, layout({
       // Long waves to the left, as on every roughness spectrum.
       xaxis: axis(`${t('wavelength')} λ [mm]`, { type: 'log', tickvals: ticks, range: [Math.log10(Math.max(...all)), Math.log10(Math.min(...all))] }),
-      yaxis: axis(t('level_axis')), shapes: marks, showlegend: true, margin: { l: 52, r: 10, t: 26, b: 38 },
+      yaxis: axis(t('level_axis')), shapes: marks, showlegend: true, margin: { l: 4 * letterSize(), r: 10, t: 2.2 * letterSize(), b: 3 * letterSize() },
     }));
   }
 

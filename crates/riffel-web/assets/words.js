@@ -4,10 +4,10 @@ const WORDS = {
   en: {
     explore: 'Explore', compare: 'Compare', measure: 'Measure', paper: 'Paper', take_away: 'Take away',
     tagline: 'which corrugation grows, how fast, and why',
-    case: 'Case', handles: 'Handles', all_keys: 'All keys', theme: 'Light or dark', language: 'Language',
+    case: 'Case', handles: 'Handles', theme: 'Light or dark', language: 'Language',
     growth_map: 'Growth map', wavelength: 'wavelength', speed: 'speed', frequency: 'frequency',
     growth_rate: 'growth rate per passage', nothing_grows: 'nothing grows in this window', no_difference: 'no difference',
-    hold: 'Hold scale', hold_help: 'Keep the colour scale while values change', follow: 'Follow pointer',
+    hold: 'Hold scale', hold_help: 'Keep the colour scale while values change',
     to_highest: 'Highest growth', loop: 'The loop at the cursor', growth_curve: 'Growth over wavelength',
     receptance: 'Receptance', force: 'Normal force P₁/P₀', rail: 'rail', wheel: 'wheel', contact: 'contact',
     grows_here: 'grows', decays_here: 'decays', time: 'time factor exp(+iωt), Δ upward on the rail; to the left is antiphase',
@@ -29,28 +29,28 @@ const WORDS = {
     from_preset: 'from preset or default', none: '—', sources: 'Sources', measured: 'measured', typical: 'typical', assumed: 'assumed',
     keep: 'Keep this variant', drop: 'Drop it', kept: 'Kept', now: 'Now', difference: 'Difference, now − kept',
     nothing_kept: 'Keep a variant, then change the case: both maps, their difference and a table appear here.',
-    changed: 'Changed', compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the ridge', 'passages to double', 'creepage', 'contact stiffness'],
-    less: 'less growth', more: 'more growth', key: 'key',
+    compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the ridge', 'passages to double', 'creepage', 'contact stiffness'],
+    less: 'less growth', more: 'more growth',
     copy_link: 'Copy link', copied: 'copied', save_toml: 'Case as TOML', save_csv: 'Map as CSV', save_png: 'Map as PNG', save_svg: 'Map as SVG', save_html: 'Map as page (HTML)',
     save_report: 'Report (HTML)', open_toml: 'Open a case file…', start_over: 'Start over with the nominal case',
     file_fault: (name, line) => (line ? `${name}, line ${line}: ` : `${name}: `), comments_gone: (name) => `${name} is open.`,
     paper_intro: 'Figures 2–8 of Afferrante & Ciavarella (2009), computed now.', contact_model: 'Contact', quasi: 'quasi-static, as printed', dashpot: 'spring and dashpot', non_steady: 'non-steady',
-    computing: 'computing…', skip: 'Skip to the map', point: 'Cursor',
+    computing: 'computing…', skip: 'Skip to the map',
     map_label: (p) => `Growth map over wavelength and speed. Cursor at ${p}. Arrow keys move it, Home goes to the highest growth.`,
-    unit_hint: 'another unit may be written here',
-    drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', reading: 'reading', cancel: 'Cancel',
-    limits_all: 'All levels are within', limit_over: 'above', band: 'band', level: 'level', limit: 'limit', over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast', on_map: 'marked on the map',
-    removed: 'The file was read from a private temporary folder and is removed already.',
+
+    drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
+    over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
+
     speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', months: 'in months:', excess: 'above the trend',
     nothing_dominant: 'No wavelength stands out.', level_axis: 'level [dB re 1 µm]',
   },
   de: {
     explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
     tagline: 'welche Riffeln wachsen, wie schnell und warum',
-    case: 'Fall', handles: 'Regler', all_keys: 'Alle Größen', theme: 'Hell oder dunkel', language: 'Sprache',
+    case: 'Fall', handles: 'Regler', theme: 'Hell oder dunkel', language: 'Sprache',
     growth_map: 'Wachstumskarte', wavelength: 'Wellenlänge', speed: 'Geschwindigkeit', frequency: 'Frequenz',
     growth_rate: 'Wachstumsrate je Überrollung', nothing_grows: 'in diesem Fenster wächst nichts', no_difference: 'kein Unterschied',
-    hold: 'Skala halten', hold_help: 'Die Farbskala behalten, während sich Werte ändern', follow: 'Zeiger folgen',
+    hold: 'Skala halten', hold_help: 'Die Farbskala behalten, während sich Werte ändern',
     to_highest: 'Stärkstes Wachstum', loop: 'Die Schleife am Zeiger', growth_curve: 'Wachstum über der Wellenlänge',
     receptance: 'Rezeptanz', force: 'Normalkraft P₁/P₀', rail: 'Schiene', wheel: 'Rad', contact: 'Kontakt',
     grows_here: 'wächst', decays_here: 'klingt ab', time: 'Zeitfaktor exp(+iωt), Δ auf der Schiene nach oben; links ist Gegenphase',
@@ -72,18 +72,18 @@ const WORDS = {
     from_preset: 'aus Vorgabe', none: '—', sources: 'Quellen', measured: 'gemessen', typical: 'typisch', assumed: 'angenommen',
     keep: 'Diese Variante merken', drop: 'Verwerfen', kept: 'Gemerkt', now: 'Jetzt', difference: 'Unterschied, jetzt − gemerkt',
     nothing_kept: 'Eine Variante merken und den Fall ändern: hier erscheinen beide Karten, ihr Unterschied und eine Tabelle.',
-    changed: 'Geändert', compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des Grats', 'Überrollungen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
-    less: 'weniger Wachstum', more: 'mehr Wachstum', key: 'Größe',
+    compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des Grats', 'Überrollungen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
+    less: 'weniger Wachstum', more: 'mehr Wachstum',
     copy_link: 'Link kopieren', copied: 'kopiert', save_toml: 'Fall als TOML', save_csv: 'Karte als CSV', save_png: 'Karte als PNG', save_svg: 'Karte als SVG', save_html: 'Karte als Seite (HTML)',
     save_report: 'Bericht (HTML)', open_toml: 'Falldatei öffnen…', start_over: 'Neu beginnen mit dem Nennfall',
     file_fault: (name, line) => (line ? `${name}, Zeile ${line}: ` : `${name}: `), comments_gone: (name) => `${name} ist geöffnet.`,
     paper_intro: 'Bilder 2–8 aus Afferrante & Ciavarella (2009), jetzt berechnet.', contact_model: 'Kontakt', quasi: 'quasistatisch, wie gedruckt', dashpot: 'Feder und Dämpfer', non_steady: 'instationär',
-    computing: 'rechnet…', skip: 'Zur Karte springen', point: 'Zeiger',
+    computing: 'rechnet…', skip: 'Zur Karte springen',
     map_label: (p) => `Wachstumskarte über Wellenlänge und Geschwindigkeit. Zeiger bei ${p}. Pfeiltasten bewegen ihn, Pos1 geht zum stärksten Wachstum.`,
-    unit_hint: 'hier darf auch eine andere Einheit stehen',
-    drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', reading: 'lese', cancel: 'Abbrechen',
-    limits_all: 'Alle Pegel liegen innerhalb von', limit_over: 'über', band: 'Band', level: 'Pegel', limit: 'Grenze', over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose', on_map: 'auf der Karte markiert',
-    removed: 'Die Datei wurde aus einem privaten temporären Ordner gelesen und ist schon gelöscht.',
+
+    drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
+    over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
+
     speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', months: 'in Monaten:', excess: 'über dem Trend',
     nothing_dominant: 'Keine Wellenlänge ragt heraus.', level_axis: 'Pegel [dB re 1 µm]',
   },
@@ -163,7 +163,7 @@ export function number(value, digits = 3) {
   if (size >= 6 || size < -4) return power(value);
   const decimals = Math.max(0, digits - 1 - size);
   const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
-  return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 });
+  return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
 
 const RAISED = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
