@@ -1,15 +1,17 @@
 """The page in a real browser."""
 
 import json
+import os
 import pathlib
 import signal
 import statistics
+import subprocess
 import urllib.request
 
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
-from conftest import ROOT, Served
+from conftest import PROGRAM, ROOT, Served
 
 NOMINAL = (ROOT / "cases/nominal.toml").read_text()
 VIEWS = ["explore", "compare", "measure", "paper"]
@@ -351,6 +353,43 @@ def test_a_fast_hand_is_not_left_behind(page):
     # What is shown is the last that was asked.
     shown = page.page.evaluate("() => window.riffel.state.head.complete.contact.tractive_ratio")
     assert shown == 0.5
+
+
+def test_a_busy_program_is_asked_again(open_page):
+    page = open_page()
+    turned_away = []
+
+    def busy(route):
+        if turned_away:
+            return route.continue_()
+        turned_away.append(route.request.url)
+        return route.fulfill(status=503, headers={"Retry-After": "1"}, content_type="application/json", body='{"message": "busy"}')
+
+    page.page.route("**/api/map", busy)
+    drag(page, "contact-friction", 0.6)
+    page.page.wait_for_timeout(200)
+    page.settle()
+    assert len(turned_away) == 1
+    assert page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.6
+    assert not page.page.locator("#trouble").is_visible()
+    page.close(complaints=1)
+
+
+def test_other_machines_are_let_in_with_a_warning_only(tmp_path):
+    program = subprocess.Popen(
+        [PROGRAM, "serve", "--port", "0", "--address", "0.0.0.0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        text=True, env={**os.environ, "TMPDIR": str(tmp_path)},
+    )
+    assert program.stdout.readline().startswith("http://127.0.0.1:")
+    program.terminate()
+    assert "warning: other machines can reach this page" in program.communicate(timeout=20)[1]
+
+
+def test_a_port_that_is_taken_is_told(served):
+    port = served.url.rsplit(":", 1)[1].strip("/")
+    outcome = subprocess.run([PROGRAM, "serve", "--port", port], capture_output=True, text=True, timeout=20)
+    assert outcome.returncode == 2
+    assert f"cannot listen on 127.0.0.1:{port}" in outcome.stderr and "--port 0" in outcome.stderr
 
 
 def test_nobody_else_may_ask(served):

@@ -47,7 +47,7 @@ pub(crate) async fn post(
 ) -> Result<impl IntoResponse, Fault> {
     let bytes = page
         .queue
-        .run(asker.subject("file"), move |wanted| {
+        .run(asker.subject(kind.content_type()), move |wanted| {
             let case = question.case.read()?;
             let map = GrowthMap::compute_while(
                 &case.feedback,
