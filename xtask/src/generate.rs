@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::{Outcome, decay_rate, place_of_wear, presets, root};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "init",
     "point",
     "map",
@@ -19,6 +19,7 @@ const COMMANDS: [&str; 15] = [
     "compare",
     "study",
     "figures",
+    "serve",
     "presets",
     "schema",
     "validate",

@@ -1,5 +1,6 @@
 //! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
 
+mod browser;
 mod decay_rate;
 mod generate;
 mod marked;
@@ -23,8 +24,11 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Everything there is: formatting, lints, tests, documentation, the Python package, generated files.
+    /// Everything there is: formatting, lints, tests, documentation, the Python package, the page in a
+    /// browser, generated files.
     Test,
+    /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
+    Browser,
     /// The Python package alone: wheel, tests, types.
     Python,
     /// Write the generated files of the book, or check that they are current.
@@ -43,6 +47,7 @@ type Outcome = Result<(), String>;
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Task::Test => test(),
+        Task::Browser => browser::test_alone(),
         Task::Python => python::test_alone(),
         Task::Generate { check } => generate::run(check),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
@@ -86,6 +91,7 @@ fn test() -> Outcome {
         &[("RUSTDOCFLAGS", "--deny warnings")],
     )?;
     python::test()?;
+    browser::test()?;
     generate::run(true)
 }
 

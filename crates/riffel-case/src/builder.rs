@@ -30,8 +30,8 @@ const MOST_MAP_POINTS: u64 = 100_000_000;
 #[derive(Clone)]
 pub(crate) struct Builder {
     pub(crate) source: Source,
-    /// Folder to which file names in the case are relative.
-    folder: PathBuf,
+    /// Folder to which file names in the case are relative; without one the case may not name any.
+    folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
     /// Structures in place of those of the file.
     pub(crate) given: Given,
@@ -42,7 +42,7 @@ pub(crate) struct Builder {
 impl Builder {
     pub(crate) fn new(
         source: Source,
-        folder: PathBuf,
+        folder: Option<PathBuf>,
         mut file: CaseFile,
         given: Given,
         window: Window,
@@ -61,8 +61,17 @@ impl Builder {
         }
     }
 
-    pub(crate) fn folder(&self) -> &Path {
-        &self.folder
+    pub(crate) fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// The error of a case that names a file and may not.
+    pub(crate) fn names_a_file(source: &Source) -> CaseError {
+        source.invalid(
+            "track.measurement.file",
+            "is a file, and this case may not name any",
+            "use it in a case file with the program, `riffel map CASE`",
+        )
     }
 
     /// The case; `written` are its keys before presets.

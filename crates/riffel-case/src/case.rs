@@ -52,7 +52,7 @@ impl Case {
             reason,
         })?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        Self::build(&path.display().to_string(), folder, &text, overrides)
+        Self::build(&path.display().to_string(), Some(folder), &text, overrides)
     }
 
     /// Read a case from TOML; `name` is the one shown in errors. Files that the case names are relative
@@ -61,12 +61,21 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        Self::build(name, Path::new(""), text, overrides)
+        Self::build(name, Some(Path::new("")), text, overrides)
+    }
+
+    /// Read a case from TOML that somebody else has sent: it may name presets, but no files, and none is
+    /// opened.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn parse_sealed(name: &str, text: &str) -> Result<Self, CaseError> {
+        Self::build(name, None, text, &[])
     }
 
     fn build(
         name: &str,
-        folder: &Path,
+        folder: Option<&Path>,
         text: &str,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
@@ -75,16 +84,20 @@ impl Case {
         Self::of_source(source, folder, Given::default(), Window::Map)
     }
 
+    /// `folder` is the one to which files are relative; without it the case may not name any.
     fn of_source(
         written: Source,
-        folder: &Path,
+        folder: Option<&Path>,
         given: Given,
         window: Window,
     ) -> Result<Self, CaseError> {
         let mut source = written.clone();
         source.fill_in()?;
-        let file = source.deserialize()?;
-        Builder::new(source, folder.to_owned(), file, given, window).build(written)
+        let file: CaseFile = source.deserialize()?;
+        if folder.is_none() && file.track.measurement.is_some() {
+            return Err(Builder::names_a_file(&source));
+        }
+        Builder::new(source, folder.map(Path::to_owned), file, given, window).build(written)
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_case::{Case, CaseError};
+use riffel_figures::paper::Model;
 
 use crate::error::CliError;
 
@@ -56,6 +57,8 @@ pub(crate) enum Command {
     Study(Study),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
+    /// The page: the whole model in a browser on this machine.
+    Serve(Serve),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
     /// Print the JSON schema of the case file, of the traffic file or of the plan of a study.
@@ -347,6 +350,32 @@ pub(crate) enum ModelArgument {
     SpringDashpot,
     /// By the exact theory of non-steady rolling.
     NonSteady,
+}
+
+impl From<ModelArgument> for Model {
+    fn from(argument: ModelArgument) -> Self {
+        match argument {
+            ModelArgument::QuasiStatic => Self::QuasiStatic,
+            ModelArgument::SpringDashpot => Self::SpringDashpot,
+            ModelArgument::NonSteady => Self::NonSteady,
+        }
+    }
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel serve --open")]
+pub(crate) struct Serve {
+    /// Port to listen on; 0 takes any that is free.
+    #[arg(long, value_name = "N", default_value_t = 8311)]
+    pub(crate) port: u16,
+
+    /// Show the page in the browser.
+    #[arg(long)]
+    pub(crate) open: bool,
+
+    /// Address to listen on. Any but 127.0.0.1 lets other machines use this one: there is no password.
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
+    pub(crate) address: std::net::IpAddr,
 }
 
 #[derive(Args)]

@@ -4,12 +4,11 @@ use std::io::{self, Write};
 
 use riffel::{Axis, Bay, BayMaps, LoopState, Ridge};
 use riffel_case::Case;
+use riffel_figures::{SIGN, Shown, map_csv, map_netcdf, panel, parameters, ridge_csv};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::growth_table::{map_csv, map_netcdf, ridge_csv};
-use crate::map_figure::{SIGN, Shown, panel, parameters};
 use crate::output::Progress;
 use crate::staging::Staging;
 

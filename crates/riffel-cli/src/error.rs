@@ -48,12 +48,20 @@ pub(crate) enum CliError {
         message: String,
     },
 
+    #[error("{error}")]
+    #[diagnostic(help("choose another port, or --port 0 for any that is free"))]
+    Listen { error: riffel_web::ServeError },
+
+    #[error("the program does not know where it is: {reason}")]
+    Program { reason: io::Error },
+
+    #[error("{error}")]
+    Serve { error: riffel_web::ServeError },
+
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Figure(#[from] riffel_figures::FigureError),
+
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] riffel_plot::PlotError),
-
-    #[error("cannot write the table of the figure: {0}")]
-    Table(String),
-
-    #[error("cannot write the gridded file: {0}")]
-    Grid(String),
 }

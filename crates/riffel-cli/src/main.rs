@@ -4,13 +4,9 @@ mod arguments;
 mod bay;
 mod command;
 mod error;
-mod growth_table;
-mod map_figure;
 mod observations;
 mod output;
-mod paper;
 mod staging;
-mod track_in_words;
 
 use std::process::ExitCode;
 
@@ -20,7 +16,10 @@ use arguments::{Arguments, Command};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    staging::clean_up_on_interrupt();
+    // The page ends its own work.
+    if !matches!(arguments.command, Command::Serve(_)) {
+        staging::clean_up_on_interrupt();
+    }
     match run(arguments.command) {
         Ok(code) => code,
         Err(report) => {
@@ -44,6 +43,7 @@ fn run(command: Command) -> miette::Result<ExitCode> {
         Command::Roughness(arguments) => command::roughness::run(&arguments)?,
         Command::Forecast(arguments) => command::forecast::run(&arguments)?,
         Command::Compare(arguments) => command::compare::run(&arguments)?,
+        Command::Serve(arguments) => command::serve::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),
         Command::Schema(arguments) => command::schema::run(&arguments),
         Command::Validate => return command::validate::run(),

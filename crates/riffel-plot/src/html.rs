@@ -94,12 +94,21 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePane
 /// The script element that holds plotly.js, the first of those the crate `plotly` carries; MathJax
 /// follows it there.
 fn plotly_script() -> String {
-    const END: &str = "</script>";
     let mut scripts = Plot::offline_js_sources();
     if let Some(end) = scripts.find(END) {
         scripts.truncate(end + END.len());
     }
     scripts
+}
+
+const END: &str = "</script>";
+
+/// The text of plotly.js, for a page that is served with its script beside it.
+pub fn plotly_js() -> String {
+    let mut script = plotly_script();
+    script.truncate(script.len() - END.len());
+    let begin = script.find('>').map_or(0, |end| end + 1);
+    script.split_off(begin)
 }
 
 /// A value of a map with at most five significant digits, null if it is not finite: shorter pages.
@@ -165,6 +174,16 @@ mod tests {
         assert!(script.starts_with("<script") && script.ends_with("</script>"));
         assert!(script.contains("plotly.js v") && !script.contains("MathJax="));
         assert!(script.len() > 3_000_000 && script.len() < 6_000_000);
+    }
+
+    #[test]
+    fn the_text_of_plotly_has_no_element_around_it() {
+        let script = plotly_js();
+        assert!(script.trim_start().starts_with("/**") && !script.ends_with('>'));
+        assert_eq!(
+            plotly_script().len() - script.len(),
+            "<script type=\"text/javascript\">".len() + END.len()
+        );
     }
 
     #[test]

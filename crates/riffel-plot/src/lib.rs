@@ -70,6 +70,7 @@ pub use axis::Scale;
 pub use bar_figure::{Bar, BarArrangement, BarFigure, BarPanel, BarSeries};
 pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
+pub use html::plotly_js;
 pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 pub use map_figure::{MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};

@@ -141,7 +141,11 @@ impl Builder {
     fn measured(&self) -> Result<Track, CaseError> {
         let measurement =
             self.required("track.measurement", self.file.track.measurement.as_ref())?;
-        let measured = measurement::read(measurement, &self.folder).map_err(|error| {
+        let folder = self
+            .folder
+            .as_ref()
+            .ok_or_else(|| Self::names_a_file(&self.source))?;
+        let measured = measurement::read(measurement, folder).map_err(|error| {
             let key = match error.key {
                 "" => "track.measurement".to_owned(),
                 key => format!("track.measurement.{key}"),

@@ -1,17 +1,22 @@
 //! `riffel figures`
 
+use riffel_figures::paper;
+
 use crate::arguments::Figures;
+use crate::error::CliError;
 use crate::output::{Progress, print};
-use crate::paper;
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let mut staging = Staging::new(&arguments.output)?;
     let progress = Progress::new("figures of the paper", paper::FIGURES.len());
-    let model = paper::Model::from(arguments.model);
+    let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
-        let figure = make(model)?;
-        staging.write_picture(&format!("figure-{number}"), &figure.svg)?;
+        let figure = make(model).map_err(CliError::from)?;
+        staging.write_picture(
+            &format!("figure-{number}"),
+            &figure.svg().map_err(CliError::from)?,
+        )?;
         staging.write(&format!("figure-{number}.csv"), figure.csv)?;
         progress.advance(1);
     }

@@ -4,18 +4,16 @@ use std::path::Path;
 
 use riffel::{GrowthMap, Ridge, RidgePoint};
 use riffel_case::Case;
-use riffel_plot::{MapFigure, Observation};
+use riffel_figures::{map_csv, map_figure, map_netcdf, ridge_csv};
+use riffel_plot::Observation;
 use serde::Serialize;
 
 use crate::arguments::{Map, covering, positive};
 use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
-use crate::growth_table::{map_csv, map_netcdf, ridge_csv};
-use crate::map_figure::{SIGN, Shown, panel, parameters};
 use crate::observations;
 use crate::output::{Progress, json, print, print_remarks, table};
 use crate::staging::Staging;
-use crate::track_in_words::place;
 
 /// Rows of the table on the terminal.
 const TABLE_ROWS: usize = 9;
@@ -166,14 +164,7 @@ fn write_files(
     observations: Vec<Observation>,
     summary: &str,
 ) -> Result<Staging, CliError> {
-    let title = case.file.title.as_deref().unwrap_or("Growth map");
-    let mut panel = panel(case, map, ridge, Shown::Normalized);
-    panel.observations = observations;
-    let figure = MapFigure {
-        title: title.to_owned(),
-        caption: format!("{}{} {SIGN}", parameters(case), place(case)),
-        panels: vec![panel],
-    };
+    let figure = map_figure(case, map, ridge, observations);
     staging.write_picture("map", &figure.svg()?)?;
     staging.write("map.html", figure.html()?)?;
     let progress = Progress::new("writing map.csv", case.speed.points());
@@ -181,7 +172,7 @@ fn write_files(
         map_csv(map, file, |rows| progress.advance(rows))
     })?;
     drop(progress);
-    map_netcdf(map, title, &staging.path("map.nc"))?;
+    map_netcdf(map, &figure.title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
     staging.write("summary.json", summary)?;
     Ok(staging)

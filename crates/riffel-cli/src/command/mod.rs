@@ -13,5 +13,6 @@ pub(crate) mod receptance;
 pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;
+pub(crate) mod serve;
 pub(crate) mod study;
 pub(crate) mod validate;

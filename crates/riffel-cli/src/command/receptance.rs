@@ -5,12 +5,12 @@ use std::io::{self, Write};
 
 use riffel::{Complex64, DecayRate, Resonance};
 use riffel_case::{Case, Direction, ReceptanceCurve, ReceptanceCurves, Track};
+use riffel_figures::parameters;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
 
 use crate::arguments::{DirectionArgument, Receptance, positive};
 use crate::error::CliError;
-use crate::map_figure::parameters;
 use crate::output::{print, print_json, print_remarks, table};
 use crate::staging::Staging;
 

@@ -28,9 +28,28 @@ impl GrowthMap {
         speed: Axis,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
+        Self::compute_while(feedback, wavelength, speed, || true, progress)
+    }
+
+    /// [`compute`](Self::compute) for as long as the result is `wanted`, which is asked before every tile,
+    /// from any thread. A map that is no longer wanted is filled up with zeros at once.
+    pub fn compute_while(
+        feedback: &FeedbackLoop,
+        wavelength: Axis,
+        speed: Axis,
+        wanted: impl Fn() -> bool + Sync,
+        progress: impl Fn(usize) + Sync,
+    ) -> Self {
         let mut tiles = Vec::new();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
-        Self::compute_tiles(feedback, &wavelengths, &speeds, &mut tiles, progress);
+        Self::tiles_while(
+            feedback,
+            &wavelengths,
+            &speeds,
+            &mut tiles,
+            wanted,
+            progress,
+        );
         Self {
             wavelength,
             speed,
@@ -51,6 +70,17 @@ impl GrowthMap {
         tiles: &mut Vec<[Complex64; TILE]>,
         progress: impl Fn(usize) + Sync,
     ) {
+        Self::tiles_while(feedback, wavelengths, speeds, tiles, || true, progress);
+    }
+
+    fn tiles_while(
+        feedback: &FeedbackLoop,
+        wavelengths: &[f64],
+        speeds: &[f64],
+        tiles: &mut Vec<[Complex64; TILE]>,
+        wanted: impl Fn() -> bool + Sync,
+        progress: impl Fn(usize) + Sync,
+    ) {
         let evaluator = RowEvaluator::for_map(feedback, wavelengths, speeds);
         let tiles_a_row = wavelengths.len().div_ceil(TILE);
         (0..speeds.len() * tiles_a_row)
@@ -58,6 +88,9 @@ impl GrowthMap {
             .with_min_len(tiles_a_row)
             .map_with(evaluator, |evaluator, index| {
                 let (row, tile) = (index / tiles_a_row, index % tiles_a_row);
+                if !wanted() {
+                    return [Complex64::ZERO; TILE];
+                }
                 let values = evaluator.evaluate_tile(speeds[row], tile);
                 if tile + 1 == tiles_a_row {
                     progress(1);

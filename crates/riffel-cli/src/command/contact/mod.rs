@@ -7,11 +7,11 @@ mod patch_figure;
 
 use riffel::KalkerCoefficients;
 use riffel_case::{Case, CaseError, CreepCurves, FrequencyResponse, RollingTheories};
+use riffel_figures::polach;
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
-use crate::map_figure::polach;
 use crate::output::{Progress, print, print_json, print_remarks, table};
 use crate::staging::Staging;
 use document::document;

@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use riffel::diagnosis::MechanismKind;
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
+use riffel_figures::{SIGN, Shown, panel, parameters};
 use riffel_plot::{LineFigure, MapFigure, Observation};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::command::diagnose::{Diagnosis, SHARE, capital, figure as figures, row};
 use crate::error::CliError;
-use crate::map_figure::{SIGN, Shown, panel, parameters};
 use crate::output::Progress;
 
 /// Share from which a candidate's reasons are printed, and how many are at least.

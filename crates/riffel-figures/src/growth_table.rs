@@ -6,14 +6,13 @@ use std::path::Path;
 use netcdf3::{DataSet, FileWriter, Version};
 use riffel::{GrowthMap, Ridge};
 
-use crate::error::CliError;
+use crate::FigureError;
 
 /// One row for each point of the map; `progress` is told of each speed that is written.
-pub(crate) fn map_csv(
-    map: &GrowthMap,
-    file: &mut impl Write,
-    progress: impl Fn(usize),
-) -> io::Result<()> {
+///
+/// # Errors
+/// Those of the file.
+pub fn map_csv(map: &GrowthMap, file: &mut impl Write, progress: impl Fn(usize)) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record([
         "wavelength_m",
@@ -34,7 +33,10 @@ pub(crate) fn map_csv(
 }
 
 /// One row for each speed.
-pub(crate) fn ridge_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
+///
+/// # Errors
+/// Those of the file.
+pub fn ridge_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record([
         "speed_m_per_s",
@@ -59,8 +61,11 @@ pub(crate) fn ridge_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> 
 
 /// The map on its grid as NetCDF-3 with coordinates, units and long names: what `xarray.open_dataset`,
 /// MATLAB's `ncread` and Panoply open.
-pub(crate) fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), CliError> {
-    let wrong = |error: &dyn std::fmt::Debug| CliError::Grid(format!("{error:?}"));
+///
+/// # Errors
+/// [`FigureError::Grid`].
+pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), FigureError> {
+    let wrong = |error: &dyn std::fmt::Debug| FigureError::Grid(format!("{error:?}"));
     let rate = map.growth_rate_per_dissipation();
     let grid = ["speed", "wavelength"];
     // Name, dimensions, unit, long name.

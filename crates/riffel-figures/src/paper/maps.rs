@@ -4,9 +4,9 @@ use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_plot::{MapFigure, MapPanel};
 
-use super::{Model, PaperFigure};
-use crate::error::CliError;
-use crate::map_figure::{SIGN, Shown, panel, parameters};
+use super::{Drawing, Model, PaperFigure};
+use crate::FigureError;
+use crate::map::{SIGN, Shown, panel, parameters};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
@@ -18,14 +18,14 @@ const WINDOW: [&str; 3] = [
     "map.wavelength.points=121",
 ];
 
-pub(super) fn figure_4(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_4(model: Model) -> Result<PaperFigure, FigureError> {
     maps(
         model.title("Figure 4. Real part of the dissipation, free Euler beam"),
         |overrides| model.nominal(overrides),
     )
 }
 
-pub(super) fn figure_5(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_5(model: Model) -> Result<PaperFigure, FigureError> {
     maps(
         model.title("Figure 5. Real part of the dissipation, track of Bhaskar et al."),
         |overrides| model.bhaskar_track(overrides),
@@ -34,8 +34,8 @@ pub(super) fn figure_5(model: Model) -> miette::Result<PaperFigure> {
 
 fn maps(
     title: String,
-    case: impl Fn(&[String]) -> miette::Result<Case>,
-) -> miette::Result<PaperFigure> {
+    case: impl Fn(&[String]) -> Result<Case, FigureError>,
+) -> Result<PaperFigure, FigureError> {
     let mut panels = Vec::new();
     let mut caption = String::new();
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -53,7 +53,7 @@ fn maps(
             caption = format!("Parameters of ({letter}): {} {SIGN}", parameters(&case));
         }
         rows(&case, ratio, &map, &mut writer)
-            .map_err(|error| CliError::Table(error.to_string()))?;
+            .map_err(|error| FigureError::Table(error.to_string()))?;
     }
     let figure = MapFigure {
         title,
@@ -61,10 +61,10 @@ fn maps(
         panels,
     };
     Ok(PaperFigure {
-        svg: figure.svg().map_err(CliError::from)?,
+        drawing: Drawing::Maps(figure),
         csv: writer
             .into_inner()
-            .map_err(|error| CliError::Table(error.to_string()))?,
+            .map_err(|error| FigureError::Table(error.to_string()))?,
     })
 }
 

@@ -9,7 +9,8 @@ use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::map_figure::parameters;
+use crate::FigureError;
+use crate::map::parameters;
 
 /// Speed of Fig. 8 \[m/s\].
 const SPEED: f64 = 30.0;
@@ -37,16 +38,16 @@ const INERTIAS: [(&str, Turning, LineStyle); 5] = [
 ];
 
 /// The nominal case at a tractive ratio.
-fn at_tractive_ratio(model: Model, ratio: f64) -> miette::Result<Case> {
+fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, FigureError> {
     model.nominal(&[format!("contact.tractive_ratio={ratio}")])
 }
 
 /// The case with another rotation of the wheel; its contact stays as it is.
-fn turning(case: &Case, turning: Turning) -> miette::Result<Case> {
+fn turning(case: &Case, turning: Turning) -> Result<Case, FigureError> {
     let rotation: Arc<dyn WheelRotation> = match turning {
         Turning::Inertia(inertia) => {
             let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
-            Arc::new(rigid.map_err(|error| miette::miette!("{error}"))?)
+            Arc::new(rigid?)
         }
         Turning::Freely => Arc::new(ConstantTangentialForce),
         Turning::Evenly => Arc::new(ConstantCreepage),
@@ -57,17 +58,17 @@ fn turning(case: &Case, turning: Turning) -> miette::Result<Case> {
 }
 
 /// The ridge of the nominal window over speeds of 5–40 m/s.
-fn ridge(case: &Case) -> miette::Result<Vec<RidgePoint>> {
+fn ridge(case: &Case) -> Result<Vec<RidgePoint>, FigureError> {
     Ok(search(case, 5.0, 40.0, 141)?.points)
 }
 
-fn search(case: &Case, from: f64, to: f64, points: usize) -> miette::Result<Ridge> {
-    let speed = Axis::new(from, to, points).map_err(|error| miette::miette!("{error}"))?;
+fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge, FigureError> {
+    let speed = Axis::new(from, to, points)?;
     Ok(Ridge::search(&case.feedback, case.wavelength, speed))
 }
 
 /// The smallest Re Ŵ₁ at the speed of Fig. 8.
-fn minimum(case: &Case) -> miette::Result<f64> {
+fn minimum(case: &Case) -> Result<f64, FigureError> {
     Ok(search(case, SPEED, SPEED + 1.0, 2)?.points[0].normalized_dissipation)
 }
 
@@ -97,7 +98,7 @@ fn over_speed(subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
 }
 
 /// A value for each inertia over speed.
-fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> miette::Result<Vec<Series>> {
+fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>, FigureError> {
     INERTIAS
         .iter()
         .map(|&(label, inertia, style)| {
@@ -107,7 +108,7 @@ fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> miette::Result
         .collect()
 }
 
-pub(super) fn figure_6(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_6(model: Model) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
@@ -118,13 +119,13 @@ pub(super) fn figure_6(model: Model) -> miette::Result<PaperFigure> {
                 point.normalized_dissipation
             }))
         })
-        .collect::<miette::Result<Vec<Series>>>()?;
+        .collect::<Result<Vec<Series>, FigureError>>()?;
     // A minimum at the edge of the window is no line of growth.
     let wavelengths = over_inertia(&nominal, |point| match point.at_edge {
         true => f64::NAN,
         false => 1e3 * point.wavelength,
     })?;
-    lines(&LineFigure {
+    lines(LineFigure {
         title: model.title("Figure 6. Highest growth over speed"),
         caption: format!(
             "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window. {}",
@@ -138,9 +139,9 @@ pub(super) fn figure_6(model: Model) -> miette::Result<PaperFigure> {
     })
 }
 
-pub(super) fn figure_7(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_7(model: Model) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
-    lines(&LineFigure {
+    lines(LineFigure {
         title: model.title("Figure 7. Highest growth over speed for different inertia"),
         caption: format!(
             "Minima over wavelengths of 20–80 mm. {}",
@@ -155,7 +156,7 @@ pub(super) fn figure_7(model: Model) -> miette::Result<PaperFigure> {
     })
 }
 
-pub(super) fn figure_8(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_8(model: Model) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
@@ -165,10 +166,10 @@ pub(super) fn figure_8(model: Model) -> miette::Result<PaperFigure> {
     let inertias: Vec<f64> = (0..=80)
         .map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0))
         .collect();
-    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> miette::Result<Case>| {
+    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case, FigureError>| {
         let y = x.iter().map(|&value| minimum(&case(value)?));
-        Ok::<_, miette::Report>(Series {
-            y: y.collect::<miette::Result<_>>()?,
+        Ok::<_, FigureError>(Series {
+            y: y.collect::<Result<_, FigureError>>()?,
             x,
             ..Series::default()
         })
@@ -181,7 +182,7 @@ pub(super) fn figure_8(model: Model) -> miette::Result<PaperFigure> {
         series: vec![series],
         ..LinePanel::default()
     };
-    lines(&LineFigure {
+    lines(LineFigure {
         title: model.title(&format!("Figure 8. Highest growth at {SPEED} m/s")),
         caption: format!(
             "Minima over wavelengths of 20–80 mm. {}{}",

@@ -5,7 +5,8 @@ use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
-use crate::map_figure::parameters;
+use crate::FigureError;
+use crate::map::parameters;
 use crate::track_in_words::track;
 
 /// Speed of both figures \[m/s\].
@@ -43,7 +44,7 @@ fn panel(subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> 
     }
 }
 
-pub(super) fn figure_2(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_2(model: Model) -> Result<PaperFigure, FigureError> {
     let moving = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let bhaskar = model.bhaskar_track(&[])?;
     let curves = |value: fn(Complex64) -> f64| {
@@ -62,7 +63,7 @@ pub(super) fn figure_2(model: Model) -> miette::Result<PaperFigure> {
             ),
         ]
     };
-    lines(&LineFigure {
+    lines(LineFigure {
         title: model.title("Figure 2. Vertical direct receptance"),
         caption: format!(
             "Load at {SPEED} m/s, exp(+iωt), displacement and force downward. Solid: {}. Dashed: {}.",
@@ -82,12 +83,12 @@ pub(super) fn figure_2(model: Model) -> miette::Result<PaperFigure> {
     })
 }
 
-pub(super) fn figure_3(model: Model) -> miette::Result<PaperFigure> {
+pub(super) fn figure_3(model: Model) -> Result<PaperFigure, FigureError> {
     let case = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude / mean;
     let spring = per_mean * case.feedback.contact_stiffness;
-    lines(&LineFigure {
+    lines(LineFigure {
         title: model.title("Figure 3. Normal force"),
         caption: format!("V = {SPEED} m/s, equation (24). {}", parameters(&case)),
         panels: vec![

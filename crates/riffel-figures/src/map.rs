@@ -3,13 +3,13 @@
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
-use riffel_plot::{MapPanel, RidgeMark, constant_frequency_rays};
+use riffel_plot::{MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays};
 
-use crate::track_in_words::{rail, track};
+use crate::track_in_words::{place, rail, track};
 
 /// What a map shows.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Shown {
+pub enum Shown {
     /// Re Ŵ₁, equation (20).
     Normalized,
     /// Re W₁ in watts, as in Figs. 4 and 5 of the paper.
@@ -34,7 +34,7 @@ impl Shown {
 }
 
 /// A panel with the map, its ridge, the best-fit ray and rays of constant frequency.
-pub(crate) fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPanel {
+pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPanel {
     let rate = map.growth_rate_per_dissipation();
     let columns = drawn(map.wavelength().points());
     let rows = drawn(map.speed().points());
@@ -84,8 +84,29 @@ fn drawn(points: usize) -> Vec<usize> {
         .collect()
 }
 
+/// The map of a case as a figure, with its ridge, its parameters below and what was observed.
+pub fn map_figure(
+    case: &Case,
+    map: &GrowthMap,
+    ridge: &Ridge,
+    observations: Vec<Observation>,
+) -> MapFigure {
+    let mut panel = panel(case, map, ridge, Shown::Normalized);
+    panel.observations = observations;
+    MapFigure {
+        title: map_title(case).to_owned(),
+        caption: format!("{}{} {SIGN}", parameters(case), place(case)),
+        panels: vec![panel],
+    }
+}
+
+/// The title of a map: that of its case.
+fn map_title(case: &Case) -> &str {
+    case.file.title.as_deref().unwrap_or("Growth map")
+}
+
 /// The sign convention of every map.
-pub(crate) const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
+pub const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
     the profile; time factor exp(+iωt), braking positive.";
 
 /// A value that a complete case always has.
@@ -94,7 +115,7 @@ fn si(value: Option<f64>) -> f64 {
 }
 
 /// The parameters of Polach's law in words, where the case has any.
-pub(crate) fn polach(case: &Case) -> String {
+pub fn polach(case: &Case) -> String {
     let Some(polach) = &case.file.contact.polach else {
         return String::new();
     };
@@ -115,7 +136,7 @@ pub(crate) fn polach(case: &Case) -> String {
 }
 
 /// The parameters of a case in one sentence.
-pub(crate) fn parameters(case: &Case) -> String {
+pub fn parameters(case: &Case) -> String {
     let file = &case.file;
     let steady = case.steady;
     let rotation = match file.wheel.rotation {

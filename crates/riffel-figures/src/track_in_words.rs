@@ -90,7 +90,7 @@ pub(crate) fn track(case: &Case) -> String {
 }
 
 /// Where the wheel stands on discrete supports, as a sentence; nothing on others.
-pub(crate) fn place(case: &Case) -> String {
+pub fn place(case: &Case) -> String {
     let track = &case.file.track;
     if !track.model.is_periodic() {
         return String::new();

@@ -1,0 +1,113 @@
+// Compare: a variant that was kept beside the case at hand.
+
+import { get } from './keys.js';
+import { MapView, drawBar, toMap } from './map-view.js';
+import { Line, framed } from './server.js';
+import { nameOf, number, passages, power, t, translate } from './words.js';
+
+const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+
+/** Keys with their values, dotted. */
+const flat = (table, path = '') =>
+  Object.entries(table ?? {}).flatMap(([key, value]) => (value !== null && typeof value === 'object' ? flat(value, `${path}${key}.`) : [[path + key, value]]));
+
+export function startCompare({ state, listen, refuse, trouble }) {
+  const place = document.getElementById('view-compare');
+  const line = new Line('/api/compare', framed);
+  let kept = null;
+  let shown = null;
+
+  const keep = element('button', { type: 'button', className: 'plain', id: 'keep' });
+  keep.dataset.t = 'keep';
+  const drop = element('button', { type: 'button', className: 'plain', hidden: true });
+  drop.dataset.t = 'drop';
+  const hint = element('p', { className: 'why' });
+  hint.dataset.t = 'nothing_kept';
+  const bar = element('div', { className: 'panel wide strip' }, element('div', { className: 'buttons' }, keep, drop), hint);
+  const panels = ['kept', 'now', 'difference'].map((name) => {
+    const heading = element('h2');
+    heading.dataset.t = name;
+    const map = element('div', { className: 'map' });
+    const legend = element('div', { className: 'bar' });
+    const panel = element('article', { className: 'panel', hidden: true, id: `compare-${name}` }, element('header', {}, heading), map, element('footer', {}, legend));
+    return { name, panel, legend, view: new MapView(map, { kind: name === 'difference' ? 'difference' : 'growth', label: name }) };
+  });
+  const table = element('table', { className: 'comparison' });
+  const tablePanel = element('article', { className: 'panel wide', hidden: true }, table);
+  place.append(bar, ...panels.map(({ panel }) => panel), tablePanel);
+
+  keep.addEventListener('click', () => {
+    kept = structuredClone(state.keys);
+    ask();
+  });
+  drop.addEventListener('click', () => {
+    kept = shown = null;
+    show();
+  });
+
+  function ask() {
+    if (!kept || state.view !== 'compare') return;
+    line.ask({ kept: { keys: kept }, case: { keys: structuredClone(state.keys) } }, (answer) => {
+      shown = answer;
+      trouble('');
+      show();
+    }, refuse);
+  }
+
+  function show() {
+    const there = Boolean(kept && shown);
+    for (const { panel } of panels) panel.hidden = !there;
+    tablePanel.hidden = drop.hidden = !there;
+    hint.hidden = there;
+    if (!there) return;
+    const { head, values } = shown;
+    const before = toMap(head.kept, values);
+    const after = toMap(head.case, values, before.values.length);
+    // How fast something decays that grows in neither case is of no interest.
+    const between = (value, k) => (value > 0 || before.values[k] > 0 ? Math.max(value, 0) - Math.max(before.values[k], 0) : 0);
+    const difference = { ...after, ridge: null, bestFit: null, values: after.values.map(between) };
+    difference.strongest = difference.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    // Both maps in one scale, or they could not be compared.
+    const scale = Math.max(before.strongest, after.strongest) || null;
+    [before, after, difference].forEach((map, k) => {
+      const { view, legend, name } = panels[k];
+      view.held = k < 2 ? scale : null;
+      view.label = t(name);
+      view.show(map);
+      drawBar(legend, view, k < 2 ? t('growth_rate') : `${t('less')} / ${t('more')}`);
+    });
+    rows(head.kept, head.case);
+  }
+
+  function rows(before, after) {
+    const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
+    const columns = (head) => {
+      const high = head.highest;
+      return [
+        of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => `${number(1e3 * v)} mm`), of(high?.speed_m_per_s, (v) => `${number(3.6 * v)} km/h`),
+        of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`), of(high?.growth_rate_per_passage, (v) => passages(Math.LN2 / v)),
+        `${number(100 * head.derived.creepage)} %`, `${number(1e-6 * head.derived.contact_stiffness_n_per_m)} MN/m`,
+      ];
+    };
+    const [left, right] = [columns(before), columns(after)];
+    const [a, b] = [new Map(flat(before.complete)), new Map(flat(after.complete))];
+    const changed = [...new Set([...a.keys(), ...b.keys()])].filter((key) => key !== 'title' && a.get(key) !== b.get(key));
+    const written = (keys, whole, key) => String(get(keys, key) ?? whole.get(key) ?? '–');
+    const row = (name, one, other) => element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: one }), element('td', { textContent: other }));
+    const head = element('thead', {}, element('tr', {}, element('td'), ...['kept', 'now'].map((name) => element('th', { scope: 'col', textContent: t(name) }))));
+    const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, left[k], right[k])));
+    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, written(kept, a, key), written(state.keys, b, key))));
+    table.replaceChildren(head, body, changes);
+  }
+
+  listen((what) => {
+    if (what === 'words') {
+      translate(place);
+      if (shown) show();
+    } else if (what === 'case' || what === 'view') ask();
+  });
+}

@@ -1,0 +1,60 @@
+// The keys of a case: one object with the tables of the case file in it, quantities as "50 kN".
+
+export const get = (keys, path) => path.split('.').reduce((table, part) => table?.[part], keys);
+
+/** Set a key, or remove it with the tables that it leaves empty. */
+export function set(keys, path, value) {
+  const [first, ...rest] = path.split('.');
+  if (!rest.length) {
+    if (value === undefined) delete keys[first];
+    else keys[first] = value;
+    return;
+  }
+  if (typeof keys[first] !== 'object') {
+    if (value === undefined) return;
+    keys[first] = {};
+  }
+  set(keys[first], rest.join('.'), value);
+  if (!Object.keys(keys[first]).length) delete keys[first];
+}
+
+/** Units in which a quantity is shown where the case does not write it: schema unit → unit and factor. */
+const SHOWN = {
+  m: ['mm', 1e-3], Pa: ['GPa', 1e9], m4: ['cm4', 1e-8], m2: ['cm2', 1e-4], N: ['kN', 1e3], 'N/m': ['MN/m', 1e6],
+  'N s/m': ['kN s/m', 1e3], 'm/s': ['km/h', 1 / 3.6],
+};
+const SHOWN_KEY = {
+  'track.support_spacing': ['m', 1], 'track.position': ['m', 1], 'corrugation.amplitude': ['µm', 1e-6],
+};
+
+/** Unit and factor to SI in which a key is shown. */
+export const shownUnit = (key, unit) => SHOWN_KEY[key] ?? SHOWN[unit] ?? [unit, 1];
+
+/** Number and unit of a written quantity; a bare number is in SI. */
+export function split(value, unit) {
+  const [, number, written] = /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*(.*?)\s*$/.exec(String(value)) ?? [];
+  return number === undefined ? null : { number: Number(number), unit: written || unit, text: number };
+}
+
+/** A number with at most five digits, without the noise of binary fractions. */
+export const short = (number) => String(Number(number.toPrecision(5)));
+
+/** The SI value of a key of the complete case, in which every unit is that of the schema. */
+export function si(complete, key) {
+  const value = get(complete, key);
+  return value === undefined ? undefined : Number.parseFloat(value);
+}
+
+// The address bar holds the case and where one looks: JSON as base64 of the alphabet for addresses.
+
+export function pack(state) {
+  const bytes = new TextEncoder().encode(JSON.stringify(state));
+  let text = '';
+  for (const byte of bytes) text += String.fromCharCode(byte);
+  return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+}
+
+export function unpack(text) {
+  const bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+  return JSON.parse(new TextDecoder().decode(bytes));
+}

@@ -1,0 +1,413 @@
+// A growth map on a canvas: bands of colour, zero contour, ridge, rays of constant frequency and a cursor.
+// plotly.js takes 40 to 130 ms to draw a map of 241 × 221 points as heatmap or contours; this takes a few.
+
+import { css, differenceSteps, growthSteps, letterSize, theme } from './colors.js';
+import { number, power, t } from './words.js';
+
+/** Margins around the map in letters, which grow with the screen; and the size of letters in the same measure. */
+const MARGIN = { left: 4, right: 1.1, top: 0.8, bottom: 3.1 };
+const LETTERS = 0.85;
+/** Pixels coloured at most: beyond, the picture is stretched a little. */
+const MOST_PIXELS = 1.6e6;
+
+/** Round numbers between two values, some of a wanted count. */
+export function ticks(low, high, count) {
+  const step = 10 ** Math.floor(Math.log10((high - low) / count));
+  const factor = [1, 2, 5, 10].find((factor) => (high - low) / (step * factor) <= count) ?? 10;
+  const size = step * factor;
+  const values = [];
+  for (let k = Math.ceil(low / size - 1e-9); k * size <= high * (1 + 1e-9); k++) values.push(k * size);
+  return values;
+}
+
+export class MapView {
+  /** `place` is an element of the page; `onPoint(wavelength, speed, pinned)` is told of the cursor. */
+  constructor(place, { onPoint, label, kind = 'growth' } = {}) {
+    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], bands: [], held: null, following: true });
+    this.field = document.createElement('canvas');
+    this.marksOver = document.createElement('canvas');
+    this.marksOver.tabIndex = onPoint ? 0 : -1;
+    this.marksOver.setAttribute('role', 'img');
+    if (label) this.marksOver.setAttribute('aria-label', label);
+    place.append(this.field, this.marksOver);
+    this.pixels = document.createElement('canvas');
+    new ResizeObserver(() => this.draw()).observe(place);
+    if (onPoint) this.#listen();
+  }
+
+  /** Show a map: axes in SI and growth rates, one row of wavelengths for each speed. */
+  show(map) {
+    this.map = map;
+    this.draw();
+  }
+
+  set label(words) {
+    this.marksOver.setAttribute('aria-label', words);
+  }
+
+  /** Move the cursor to a wavelength [m] and speed [m/s]. */
+  moveTo(point) {
+    this.point = point;
+    this.#drawOver();
+  }
+
+  /** Largest magnitude of the values: that of the map, or the one held. */
+  get scale() {
+    return this.held ?? this.map?.strongest ?? 0;
+  }
+
+  draw() {
+    const { width, height } = this.place.getBoundingClientRect();
+    if (!this.map || width < 80 || height < 80) return;
+    const ratio = window.devicePixelRatio || 1;
+    for (const canvas of [this.field, this.marksOver]) {
+      if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+        canvas.width = Math.round(width * ratio);
+        canvas.height = Math.round(height * ratio);
+      }
+    }
+    const em = letterSize();
+    this.font = LETTERS * em;
+    this.box = {
+      left: MARGIN.left * em, top: MARGIN.top * em,
+      width: width - (MARGIN.left + MARGIN.right) * em, height: height - (MARGIN.top + MARGIN.bottom) * em,
+    };
+    this.ratio = ratio;
+    this.colors = theme();
+    this.#drawField();
+    this.#drawOver();
+  }
+
+  // Colours ------------------------------------------------------------------------------------------
+
+  #drawField() {
+    const { box, ratio, colors } = this;
+    const context = this.field.getContext('2d');
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, this.field.width, this.field.height);
+    this.#colorPixels();
+    context.imageSmoothingEnabled = true;
+    context.drawImage(this.pixels, box.left, box.top, box.width, box.height);
+    this.#drawAxes(context, colors);
+    this.#drawRays(context, colors);
+    this.#drawRidge(context, colors);
+  }
+
+  /** Value between the points of the grid, band and colour, pixel by pixel. */
+  #colorPixels() {
+    const { box, ratio, map, colors } = this;
+    const shrink = Math.min(1, Math.sqrt(MOST_PIXELS / (box.width * box.height * ratio * ratio)));
+    const width = Math.max(2, Math.round(box.width * ratio * shrink));
+    const height = Math.max(2, Math.round(box.height * ratio * shrink));
+    Object.assign(this.pixels, { width, height });
+    const context = this.pixels.getContext('2d');
+    const image = context.createImageData(width, height);
+    const out = new Uint32Array(image.data.buffer);
+    const rgba = ([r, g, b]) => (255 << 24) | (b << 16) | (g << 8) | r;
+    const grows = this.kind === 'growth' ? growthSteps(colors.dark) : differenceSteps(colors.dark).more;
+    const falls = this.kind === 'growth' ? null : differenceSteps(colors.dark).less;
+    const more = Uint32Array.from(grows, rgba);
+    const less = falls && Uint32Array.from(falls, rgba);
+    const none = rgba(colors.dark ? [30, 34, 39] : [255, 255, 255]);
+    const edge = rgba(colors.dark ? [150, 160, 172] : [64, 70, 78]);
+    const count = more.length;
+    const perBand = this.scale > 0 ? count / this.scale : 0;
+    const { columns, rows, values } = map;
+    // Places of the pixels in the grid, once for all rows.
+    const left = new Uint16Array(width);
+    const share = new Float32Array(width);
+    for (let x = 0; x < width; x++) {
+      const place = ((x + 0.5) / width) * (columns - 1);
+      left[x] = Math.min(columns - 2, Math.floor(place));
+      share[x] = place - left[x];
+    }
+    const row = new Float32Array(columns);
+    const above = new Uint8Array(width);
+    for (let y = 0; y < height; y++) {
+      const place = (1 - (y + 0.5) / height) * (rows - 1);
+      const lower = Math.min(rows - 2, Math.floor(place));
+      const part = place - lower;
+      const from = lower * columns;
+      for (let i = 0; i < columns; i++) row[i] = values[from + i] * (1 - part) + values[from + columns + i] * part;
+      let before = 0;
+      for (let x = 0; x < width; x++) {
+        const i = left[x];
+        const value = row[i] + (row[i + 1] - row[i]) * share[x];
+        const sign = value > 0 ? 1 : 2;
+        let color;
+        if (value > 0) color = more[Math.min(count - 1, (value * perBand) | 0)];
+        else if (less && value < 0) color = less[Math.min(count - 1, (-value * perBand) | 0)];
+        else color = none;
+        // Where the sign changes, from left to right or from the row above, runs the zero contour.
+        if ((before && before !== sign) || (y && above[x] !== sign)) color = edge;
+        before = sign;
+        above[x] = sign;
+        out[y * width + x] = color;
+      }
+    }
+    context.putImageData(image, 0, 0);
+  }
+
+  // Lines --------------------------------------------------------------------------------------------
+
+  x(wavelength) {
+    const { min, max } = this.map.wavelength;
+    return this.box.left + (this.box.width * (wavelength - min)) / (max - min);
+  }
+
+  y(speed) {
+    const { min, max } = this.map.speed;
+    return this.box.top + this.box.height * (1 - (speed - min) / (max - min));
+  }
+
+  #drawAxes(context, colors) {
+    const { box, map } = this;
+    context.font = `${this.font}px ${colors.font}`;
+    context.lineWidth = 1;
+    context.strokeStyle = colors.soft;
+    context.strokeRect(box.left + 0.5, box.top + 0.5, box.width - 1, box.height - 1);
+    context.fillStyle = colors.soft;
+    context.textAlign = 'center';
+    context.textBaseline = 'top';
+    const bottom = box.top + box.height;
+    for (const mm of ticks(1e3 * map.wavelength.min, 1e3 * map.wavelength.max, box.width / (6.4 * this.font))) {
+      const x = Math.round(this.x(mm / 1e3)) + 0.5;
+      line(context, x, bottom, x, bottom - 5);
+      line(context, x, box.top, x, box.top + 5);
+      context.fillText(number(mm, 3), x, bottom + 5);
+    }
+    context.textAlign = 'right';
+    context.textBaseline = 'middle';
+    for (const kmh of ticks(3.6 * map.speed.min, 3.6 * map.speed.max, box.height / (3.8 * this.font))) {
+      const y = Math.round(this.y(kmh / 3.6)) + 0.5;
+      line(context, box.left, y, box.left + 5, y);
+      line(context, box.left + box.width, y, box.left + box.width - 5, y);
+      context.fillText(number(kmh, 3), box.left - 6, y);
+    }
+    context.fillStyle = colors.ink;
+    context.textAlign = 'center';
+    context.textBaseline = 'bottom';
+    context.fillText(`${t('wavelength')} λ [mm]`, box.left + box.width / 2, bottom + (MARGIN.bottom - 0.3) * letterSize());
+    context.save();
+    context.translate(4, box.top + box.height / 2);
+    context.rotate(-Math.PI / 2);
+    context.textBaseline = 'top';
+    context.fillText(`${t('speed')} V [km/h]`, 0, 0);
+    context.restore();
+  }
+
+  /** Clip to the map while drawing. */
+  #within(context, draw) {
+    const { box } = this;
+    context.save();
+    context.beginPath();
+    context.rect(box.left, box.top, box.width, box.height);
+    context.clip();
+    draw();
+    context.restore();
+  }
+
+  #drawRays(context, colors) {
+    const { map, box } = this;
+    const best = map.bestFit;
+    const rays = (map.rays ?? []).filter((hertz) => !best || Math.abs(Math.log(hertz / best)) > 0.12);
+    const ray = (hertz, style, width, dash) => {
+      context.strokeStyle = style;
+      context.lineWidth = width;
+      context.setLineDash(dash);
+      line(context, this.x(map.wavelength.min), this.y(hertz * map.wavelength.min), this.x(map.wavelength.max), this.y(hertz * map.wavelength.max));
+      context.setLineDash([]);
+    };
+    this.#within(context, () => {
+      for (const hertz of rays) ray(hertz, colors.dark ? 'rgba(190,200,210,.45)' : 'rgba(90,98,108,.5)', 1, []);
+      if (best) ray(best, colors.warm, 2, [7, 5]);
+    });
+    // The name of a ray stands where it leaves the map, at the upper or the right edge.
+    const name = (hertz, style, bold, share, aside = 0) => {
+      const end = Math.min(map.wavelength.max, map.speed.max / hertz);
+      const begin = Math.max(map.wavelength.min, map.speed.min / hertz);
+      if (end <= begin) return;
+      const wavelength = begin + share * (end - begin);
+      const words = `${number(hertz, 3)} Hz`;
+      context.font = `${bold ? '600 ' : ''}${this.font}px ${colors.font}`;
+      const half = context.measureText(words).width / 2 + 3;
+      const x = Math.min(box.left + box.width - half - 2, Math.max(box.left + half + 2, this.x(wavelength) - aside));
+      const y = Math.min(box.top + box.height - 10, Math.max(box.top + 10, this.y(hertz * wavelength) - aside / 2));
+      context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
+      context.fillRect(x - half, y - 0.75 * this.font, 2 * half, 1.5 * this.font);
+      context.fillStyle = style;
+      context.textAlign = 'center';
+      context.textBaseline = 'middle';
+      context.fillText(words, x, y + 0.5);
+    };
+    for (const hertz of rays) name(hertz, colors.soft, false, 0.95);
+    if (best) name(best, colors.warm, true, 0.86, 3.1 * this.font);
+  }
+
+  #drawRidge(context, colors) {
+    const ridge = this.map.ridge;
+    if (!ridge) return;
+    const step = Math.max(1, Math.round(ridge.speed_m_per_s.length / 55));
+    for (let k = 0; k < ridge.speed_m_per_s.length; k += step) {
+      const [x, y] = [this.x(ridge.wavelength_m[k]), this.y(ridge.speed_m_per_s[k])];
+      context.beginPath();
+      context.arc(x, y, 0.22 * this.font, 0, 2 * Math.PI);
+      context.lineWidth = 0.8;
+      if (ridge.at_edge[k]) {
+        context.strokeStyle = colors.dark ? '#e8ecf0' : '#000';
+        context.stroke();
+      } else {
+        context.fillStyle = colors.dark ? '#0d0f12' : '#000';
+        context.strokeStyle = colors.dark ? '#e8ecf0' : '#fff';
+        context.fill();
+        context.stroke();
+      }
+    }
+  }
+
+  #drawOver() {
+    if (!this.box || !this.map) return;
+    const { box, ratio, colors } = this;
+    const context = this.marksOver.getContext('2d');
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, this.marksOver.width, this.marksOver.height);
+    this.#within(context, () => {
+      for (const { wavelength, label } of this.marks) {
+        const x = Math.round(this.x(wavelength)) + 0.5;
+        context.strokeStyle = colors.warm;
+        context.lineWidth = 1.5;
+        line(context, x, box.top, x, box.top + box.height);
+        context.font = `600 ${this.font}px ${colors.font}`;
+        context.fillStyle = colors.warm;
+        context.textAlign = 'left';
+        context.textBaseline = 'top';
+        context.fillText(label, x + 4, box.top + 6);
+      }
+    });
+    if (!this.point) return;
+    const [x, y] = [this.x(this.point.wavelength), this.y(this.point.speed)];
+    if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top - 1 || y > box.top + box.height + 1) return;
+    for (const [style, width] of [[colors.dark ? '#000' : '#fff', 4], [colors.ink, 1]]) {
+      context.strokeStyle = style;
+      context.lineWidth = width;
+      context.globalAlpha = width > 1 ? 0.6 : 0.55;
+      line(context, x, box.top, x, box.top + box.height);
+      line(context, box.left, y, box.left + box.width, y);
+      context.globalAlpha = 1;
+      context.lineWidth = width > 1 ? 4.5 : 2;
+      context.beginPath();
+      context.arc(x, y, 7, 0, 2 * Math.PI);
+      context.stroke();
+    }
+  }
+
+  // The cursor ---------------------------------------------------------------------------------------
+
+  /** Wavelength and speed under a place of the page. */
+  #at(event) {
+    const frame = this.marksOver.getBoundingClientRect();
+    const { box, map } = this;
+    const right = (event.clientX - frame.left - box.left) / box.width;
+    const up = 1 - (event.clientY - frame.top - box.top) / box.height;
+    if (right < -0.02 || right > 1.02 || up < -0.03 || up > 1.03) return null;
+    const on = ({ min, max }, share) => min + (max - min) * Math.min(1, Math.max(0, share));
+    return { wavelength: on(map.wavelength, right), speed: on(map.speed, up) };
+  }
+
+  #listen() {
+    const over = this.marksOver;
+    over.addEventListener('pointermove', (event) => {
+      if (!this.map || !(this.following || event.buttons)) return;
+      const point = this.#at(event);
+      if (point) this.onPoint(point, false);
+    });
+    over.addEventListener('pointerdown', (event) => {
+      if (!this.map) return;
+      const point = this.#at(event);
+      if (!point) return;
+      over.setPointerCapture(event.pointerId);
+      this.onPoint(point, true);
+    });
+    // Arrows step by a fortieth of the window, with Shift by a grid point; Home goes to the highest growth.
+    over.addEventListener('keydown', (event) => {
+      if (!this.map || !this.point) return;
+      const { wavelength, speed, highest } = this.map;
+      const share = event.shiftKey ? 1 / 240 : 1 / 40;
+      const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+      const keep = (value, { min, max }) => Math.min(max, Math.max(min, value));
+      if (by) {
+        this.onPoint({
+          wavelength: keep(this.point.wavelength + by[0] * share * (wavelength.max - wavelength.min), wavelength),
+          speed: keep(this.point.speed + by[1] * share * (speed.max - speed.min), speed),
+        }, true);
+      } else if (event.key === 'Home' && highest) {
+        this.onPoint({ wavelength: highest.wavelength_m, speed: highest.speed_m_per_s }, true);
+      } else return;
+      event.preventDefault();
+    });
+  }
+}
+
+/** The colour bar of a map: steps, values, name. */
+export function drawBar(place, view, title) {
+  const colors = theme();
+  const strongest = view.scale;
+  const ends = (value) => (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5 ? power(value) : number(value, 2));
+  place.replaceChildren();
+  const steps = document.createElement('div');
+  steps.className = 'steps';
+  const list = view.kind === 'growth'
+    ? growthSteps(colors.dark)
+    : [...differenceSteps(colors.dark).less.toReversed(), ...differenceSteps(colors.dark).more];
+  for (const step of list) {
+    const cell = document.createElement('i');
+    cell.style.background = css(step);
+    steps.append(cell);
+  }
+  const word = (text, className) => {
+    const span = document.createElement('span');
+    span.textContent = text;
+    span.className = className;
+    return span;
+  };
+  if (!(strongest > 0)) {
+    place.append(word(view.kind === 'growth' ? t('nothing_grows') : t('no_difference'), 'name'));
+    return;
+  }
+  place.append(word(title, 'name'), word(view.kind === 'growth' ? '0' : ends(-strongest), 'end'), steps, word(ends(strongest), 'end'));
+}
+
+function line(context, x1, y1, x2, y2) {
+  context.beginPath();
+  context.moveTo(x1, y1);
+  context.lineTo(x2, y2);
+  context.stroke();
+}
+
+/** A framed answer as a map: growth rates and axes. */
+export function toMap(head, values, offset = 0) {
+  const { wavelength_m: wavelength, speed_m_per_s: speed } = head.window;
+  const [columns, rows] = [wavelength.points, speed.points];
+  const rate = head.growth_rate_per_dissipation;
+  const growth = new Float32Array(columns * rows);
+  let strongest = 0;
+  for (let k = 0; k < growth.length; k++) {
+    const value = values[offset + k] * rate;
+    growth[k] = value;
+    if (value > strongest) strongest = value;
+  }
+  return {
+    wavelength, speed, columns, rows, strongest, values: growth, ridge: head.ridge, bestFit: head.best_fit_frequency_hz,
+    rays: head.rays_hz, highest: head.highest, rate,
+  };
+}
+
+/** The growth rate of a map between its points. */
+export function valueAt(map, { wavelength, speed }) {
+  const place = (value, { min, max }, points) => Math.min(points - 1.000001, Math.max(0, ((value - min) / (max - min)) * (points - 1)));
+  const [x, y] = [place(wavelength, map.wavelength, map.columns), place(speed, map.speed, map.rows)];
+  const [i, j] = [Math.floor(x), Math.floor(y)];
+  const at = (i, j) => map.values[j * map.columns + i];
+  const mix = (a, b, share) => a + (b - a) * share;
+  return mix(mix(at(i, j), at(i + 1, j), x - i), mix(at(i, j + 1), at(i + 1, j + 1), x - i), y - j);
+}

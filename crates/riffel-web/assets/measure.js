@@ -1,0 +1,207 @@
+// Measure: a file of a measured rail, held against limits and against the case.
+
+import { letterSize } from './colors.js';
+import { axis, draw, layout, palette } from './curves.js';
+import { MapView, drawBar } from './map-view.js';
+import { Fault, Line, askOnce, json, send } from './server.js';
+import { number, t, translate } from './words.js';
+
+const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+const worded = (tag, word, properties = {}) => {
+  const made = element(tag, properties);
+  made.dataset.t = word;
+  return made;
+};
+
+export function startMeasure({ state, listen, refuse, trouble, announce, save }) {
+  const place = document.getElementById('view-measure');
+  const line = new Line('/api/measure', json);
+  let file = null;
+  let coming = null;
+  let answer = null;
+
+  // What is asked --------------------------------------------------------------------------------------
+
+  const input = element('input', { type: 'file', id: 'record', className: 'away', accept: '.csv,.txt,.tsv,.dat,.asc,text/plain,text/csv' });
+  const choose = worded('label', 'choose', { htmlFor: 'record', className: 'plain' });
+  const hint = worded('span', 'drop_file', { className: 'drop-hint' });
+  const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
+  const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
+  const status = element('span', { className: 'aside', id: 'record-state' });
+  const field = (id, word, value, unit) => {
+    const made = element('input', { type: 'text', inputMode: 'decimal', id, value, className: 'figure', size: 6, autocomplete: 'off' });
+    made.addEventListener('change', ask);
+    return [made, element('span', { className: 'setting' }, worded('label', word, { htmlFor: id }), made, element('span', { className: 'unit', textContent: unit }))];
+  };
+  const [from, fromRow] = field('traffic-from', 'speed_from', '60', 'km/h');
+  const [to, toRow] = field('traffic-to', 'speed_to', '100', 'km/h');
+  const [daily, dailyRow] = field('traffic-daily', 'passages_daily', '6000', '1/d');
+  const [months, monthsRow] = field('traffic-months', 'months_ahead', '12', '');
+  const report = worded('button', 'save_report', { type: 'button', className: 'plain', hidden: true, id: 'report' });
+  const drop = element('div', { className: 'panel wide drop', id: 'drop' },
+    element('div', { className: 'buttons' }, input, choose, hint, bar, stop, status),
+    element('div', { className: 'settings' }, fromRow, toRow, dailyRow, monthsRow, report));
+
+  // What is answered -----------------------------------------------------------------------------------
+
+  const panel = (word, className, ...children) => element('article', { className: `panel ${className}`, hidden: true }, element('header', {}, worded('h2', word)), ...children);
+  const verdicts = element('ul', { className: 'sentences', lang: 'en' });
+  const spectrum = element('div', { className: 'curve tall', id: 'spectrum' });
+  const dominant = element('div', { className: 'findings', lang: 'en' });
+  const outlook = element('ul', { className: 'sentences', lang: 'en' });
+  const map = element('div', { className: 'map' });
+  const legend = element('div', { className: 'bar' });
+  const notes = element('ul', { lang: 'en' });
+  const panels = [
+    panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
+    panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
+  ];
+  place.append(drop, ...panels);
+  const view = new MapView(map, { label: t('growth_map') });
+
+  // The file -------------------------------------------------------------------------------------------
+
+  function take(chosen) {
+    coming?.abort();
+    file = chosen;
+    answer = null;
+    show();
+    bar.hidden = stop.hidden = false;
+    hint.hidden = true;
+    status.textContent = chosen.name;
+    coming = send('/api/roughness', chosen, (share) => {
+      bar.value = share;
+      status.textContent = `${chosen.name}, ${t('uploading')} ${number(100 * share, 3)} %`;
+    });
+    coming.done.then(() => {
+      coming = null;
+      status.textContent = `${chosen.name}, ${number(chosen.size / 1e6, 3)} MB`;
+      ask();
+    }, (fault) => {
+      coming = null;
+      file = null;
+      status.textContent = '';
+      hint.hidden = false;
+      if (fault instanceof Fault) refuse(fault);
+    }).finally(() => (bar.hidden = stop.hidden = true));
+  }
+  stop.addEventListener('click', () => coming?.abort());
+  input.addEventListener('change', () => {
+    if (input.files[0]) take(input.files[0]);
+    input.value = '';
+  });
+  addEventListener('drop', (event) => {
+    const dropped = [...(event.dataTransfer?.files ?? [])].find((file) => !file.name.endsWith('.toml'));
+    if (dropped && state.view === 'measure') take(dropped);
+  });
+  addEventListener('dragover', () => drop.classList.add('over'));
+  for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => drop.classList.remove('over'));
+
+  const value = (input) => Number(input.value.replace(',', '.'));
+  const question = () => ({
+    case: { keys: structuredClone(state.keys) }, name: file.name, slowest_m_per_s: value(from) / 3.6, fastest_m_per_s: value(to) / 3.6,
+    passages_per_day: value(daily), months: value(months),
+  });
+
+  function ask() {
+    if (!file || coming || state.view !== 'measure') return;
+    status.textContent = `${file.name}, ${t('computing')}`;
+    line.ask(question(), (given) => {
+      answer = given;
+      trouble('');
+      status.textContent = `${file.name}, ${number(file.size / 1e6, 3)} MB`;
+      show();
+      announce(answer.roughness.verdicts.map(({ sentence }) => sentence).join(' '));
+    }, (fault) => {
+      status.textContent = file.name;
+      refuse(fault);
+    });
+  }
+  report.addEventListener('click', async () => {
+    report.disabled = true;
+    try {
+      save(await (await askOnce('/api/report', question())).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
+    } catch (fault) {
+      refuse(fault);
+    }
+    report.disabled = false;
+  });
+
+  // Showing it -----------------------------------------------------------------------------------------
+
+  const item = (text, className = '') => element('li', { textContent: text, className });
+
+  function show() {
+    for (const one of panels) one.hidden = !answer;
+    report.hidden = !answer;
+    if (!answer) return;
+    const { roughness, diagnosis, forecast } = answer;
+    verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
+    dominant.replaceChildren(...(diagnosis.fault ? [element('p', { textContent: diagnosis.fault.message })] : diagnosis.dominant_wavelengths.map(finding)));
+    if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: '' }));
+    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : forecast.findings.map((sentence) => item(sentence))));
+    const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
+    notes.replaceChildren(...remarks.map((remark) => item(remark)));
+    panels.at(-1).hidden = !remarks.length;
+    drawSpectrum();
+    drawMap();
+  }
+
+  function finding(one) {
+    const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}` }));
+    const shares = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => {
+      const row = element('div', { className: 'share', title: [...candidate.reasons_for, ...candidate.reasons_against, candidate.source].join('\n') },
+        element('span', { textContent: candidate.mechanism }), element('meter', { value: candidate.share, max: 1, ariaLabel: candidate.mechanism }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));
+      return row;
+    });
+    return element('section', {}, heading, element('p', { textContent: one.summary.replace(/^./, (c) => c.toUpperCase()) }), ...shares);
+  }
+
+  async function drawSpectrum() {
+    const { roughness, forecast, limits, diagnosis } = answer;
+    const colors = palette();
+    const curve = (points, name, color, dash = 'solid') => ({
+      type: 'scatter', mode: 'lines', x: points.map(([wavelength]) => 1e3 * wavelength), y: points.map(([, level]) => level), name,
+      line: { color, width: dash === 'solid' ? 1.8 : 1.4, dash }, hovertemplate: `%{x:.3~g} mm · %{y:.1f} dB<extra>${name.replaceAll('<', '&lt;')}</extra>`,
+    });
+    const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
+    const traces = [
+      curve(levels(roughness.spectrum), t('now'), colors[0]),
+      ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), `${t('months')} ${number(forecast.horizon.months)}`, colors[1])]),
+      ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
+    ];
+    const ticks = [2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000];
+    const all = traces.flatMap(({ x }) => x).filter((x) => x > 0);
+    const marks = (diagnosis.dominant_wavelengths ?? []).map(({ wavelength_m }) => ({ type: 'line', xref: 'x', yref: 'paper', x0: 1e3 * wavelength_m, x1: 1e3 * wavelength_m, y0: 0, y1: 1, line: { color: colors[2], width: 1 } }));
+    await draw(spectrum, traces, layout({
+      // Long waves to the left, as on every roughness spectrum.
+      xaxis: axis(`${t('wavelength')} λ [mm]`, { type: 'log', tickvals: ticks, range: [Math.log10(Math.max(...all)), Math.log10(Math.min(...all))] }),
+      yaxis: axis(t('level_axis')), shapes: marks, showlegend: true, margin: { l: 4 * letterSize(), r: 10, t: 2.2 * letterSize(), b: 3 * letterSize() },
+    }));
+  }
+
+  function drawMap() {
+    if (!state.map || !answer) return;
+    view.marks = (answer.diagnosis.dominant_wavelengths ?? []).map(({ wavelength_m }) => ({ wavelength: wavelength_m, label: `${number(1e3 * wavelength_m)} mm` }));
+    view.show(state.map);
+    drawBar(legend, view, t('growth_rate'));
+  }
+
+  listen((what) => {
+    if (what === 'words') {
+      translate(place);
+      show();
+    } else if (what === 'view') {
+      if (answer) show();
+      else ask();
+    } else if (what === 'map') {
+      // The case has no error.
+      drawMap();
+      ask();
+    }
+  });
+}

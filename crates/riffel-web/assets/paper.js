@@ -1,0 +1,122 @@
+// Paper: Figures 2–8 of Afferrante & Ciavarella (2009), computed when they are looked at.
+
+import { axis, decades, draw, layout, palette } from './curves.js';
+import { MapView, drawBar } from './map-view.js';
+import { askOnce } from './server.js';
+import { translate } from './words.js';
+
+const NUMBERS = [2, 3, 4, 5, 6, 7, 8];
+const element = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+
+export function startPaper({ state, listen, refuse }) {
+  const place = document.getElementById('view-paper');
+  const choice = element('select', { id: 'paper-contact' });
+  for (const [value, word] of [['quasi-static', 'quasi'], ['spring-dashpot', 'dashpot'], ['non-steady', 'non_steady']]) {
+    const option = element('option', { value });
+    option.dataset.t = word;
+    choice.append(option);
+  }
+  const label = element('label', { htmlFor: choice.id });
+  label.dataset.t = 'contact_model';
+  const intro = element('p', { className: 'why' });
+  intro.dataset.t = 'paper_intro';
+  place.append(element('div', { className: 'panel wide strip' }, element('span', { className: 'choice' }, label, choice), intro));
+  const figures = NUMBERS.map((number) => {
+    const heading = element('h2', { textContent: `${number}` });
+    const panels = element('div', { className: 'pair' });
+    const caption = element('p', { className: 'fine', lang: 'en' });
+    const waiting = element('p', { className: 'waiting' });
+    waiting.dataset.t = 'computing';
+    const panel = element('article', { className: 'panel half', id: `figure-${number}` }, element('header', {}, heading), waiting, panels, caption);
+    place.append(panel);
+    return { number, heading, panels, caption, waiting, shown: null };
+  });
+
+  const watch = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (isIntersecting) show(figures.find(({ number }) => target.id === `figure-${number}`));
+    }
+  }, { rootMargin: '200px' });
+  for (const { number } of figures) watch.observe(document.getElementById(`figure-${number}`));
+  choice.addEventListener('change', () => {
+    for (const figure of figures) figure.shown = null;
+    for (const { number } of figures) {
+      // Seen or not is told anew.
+      const panel = document.getElementById(`figure-${number}`);
+      watch.unobserve(panel);
+      watch.observe(panel);
+    }
+  });
+
+  async function show(figure) {
+    if (figure.shown === choice.value || state.view !== 'paper') return;
+    const contact = (figure.shown = choice.value);
+    figure.waiting.hidden = false;
+    try {
+      figure.data = await (await askOnce('/api/figure', { number: figure.number, contact })).json();
+      if (figure.shown === contact) await drawFigure(figure);
+    } catch (fault) {
+      figure.shown = null;
+      refuse(fault);
+    }
+  }
+
+  async function drawFigure({ data, heading, panels, caption, waiting }) {
+    heading.textContent = data.title;
+    caption.textContent = data.caption;
+    waiting.hidden = true;
+    panels.replaceChildren();
+    for (const map of data.maps ?? []) drawMap(map, panels);
+    for (const lines of data.lines ?? []) await drawLines(lines, panels);
+  }
+
+  function drawMap(panel, panels) {
+    const map = element('div', { className: 'map' });
+    const bar = element('div', { className: 'bar' });
+    panels.append(element('figure', {}, element('figcaption', { textContent: panel.subtitle }), map, bar));
+    const range = (values) => ({ min: values[0], max: values.at(-1), points: values.length });
+    const view = new MapView(map, { label: `${panel.subtitle}, ${panel.value_label}` });
+    const values = Float32Array.from(panel.values, (value) => -value);
+    view.show({
+      wavelength: range(panel.wavelength_m), speed: range(panel.speed_m_per_s), columns: panel.wavelength_m.length, rows: panel.speed_m_per_s.length,
+      values, strongest: values.reduce((most, value) => Math.max(most, value), 0), ridge: panel.ridge, bestFit: panel.best_fit_frequency_hz, rays: panel.rays_hz,
+    });
+    drawBar(bar, view, `−${panel.value_label}`);
+  }
+
+  async function drawLines(panel, panels) {
+    const curve = element('div', { className: 'curve' });
+    panels.append(element('figure', {}, element('figcaption', { textContent: panel.subtitle }), curve));
+    const colors = palette();
+    const traces = panel.series.map((series, k) => ({
+      type: 'scatter', mode: series.style === 'markers' ? 'markers' : 'lines', x: series.x, y: series.y, name: series.label, showlegend: Boolean(series.label),
+      line: { color: colors[k % colors.length], width: 1.6, dash: series.style === 'markers' ? 'solid' : series.style },
+      hovertemplate: `%{x:.4~g} · %{y:.4~g}<extra>${series.label}</extra>`,
+    }));
+    const along = (label, scale, range, values) => axis(label, {
+      ...(scale === 'log' ? decades(values) : {}), ...(range ? { range: scale === 'log' ? range.map(Math.log10) : range } : {}),
+    });
+    const all = (part) => panel.series.flatMap((series) => series[part]).filter((value) => value !== null);
+    await draw(curve, traces, layout({
+      xaxis: along(panel.x_label, panel.x_scale, panel.x_range, all('x')), yaxis: along(panel.y_label, panel.y_scale, panel.y_range, all('y')),
+      showlegend: traces.some(({ showlegend }) => showlegend), legend: { orientation: 'h', x: 0, y: -0.24, yanchor: 'top', font: { size: 10.5 } },
+    }));
+  }
+
+  listen((what) => {
+    if (what === 'words') {
+      translate(place);
+      for (const figure of figures) if (figure.data) drawFigure(figure);
+    } else if (what === 'view' && state.view === 'paper') {
+      for (const { number } of figures) {
+        const panel = document.getElementById(`figure-${number}`);
+        watch.unobserve(panel);
+        watch.observe(panel);
+      }
+    }
+  });
+}

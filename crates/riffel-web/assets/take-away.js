@@ -1,0 +1,68 @@
+// Take away: the case as a link or a file, and back from a file.
+
+import { askOnce } from './server.js';
+import { t, t2 } from './words.js';
+
+export function save(blob, name) {
+  const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
+
+export function startTakeAway({ state, open, refuse, announce }) {
+  const menu = document.getElementById('take-away');
+  const actions = {
+    link: async (button) => {
+      await navigator.clipboard.writeText(location.href);
+      button.textContent = t('copied');
+      setTimeout(() => (button.textContent = t('copy_link')), 1500);
+    },
+    toml: async () => {
+      const answer = await (await askOnce('/api/case', { case: { keys: state.keys } })).json();
+      save(new Blob([answer.toml], { type: 'application/toml' }), `${fileName(state)}.toml`);
+    },
+    ...Object.fromEntries(['csv', 'png', 'svg', 'html'].map((kind) => [kind, async () => {
+      const answer = await askOnce(`/api/export/${kind}`, { case: { keys: state.keys } });
+      save(await answer.blob(), `${fileName(state)}-map.${kind}`);
+    }])),
+    nominal: async () => open({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }),
+  };
+  menu.addEventListener('click', async (event) => {
+    const button = event.target.closest('[data-take]');
+    if (!button) return;
+    try {
+      await actions[button.dataset.take](button);
+    } catch (fault) {
+      refuse(fault);
+    }
+    if (button.dataset.take !== 'link') menu.hidePopover();
+  });
+
+  document.getElementById('open-toml').addEventListener('change', async (event) => {
+    const [file] = event.target.files;
+    if (file) await openFile(file);
+    event.target.value = '';
+    menu.hidePopover();
+  });
+
+  /** A case file fills the form; one with an error says at which field and line. */
+  async function openFile(file) {
+    try {
+      const answer = await (await askOnce('/api/case', { case: { toml: await file.text() } })).json();
+      open({ case: answer.keys, point: null, tab: state.view });
+      announce(t('comments_gone', file.name));
+    } catch (fault) {
+      fault.message = t2('file_fault', file.name, fault.line) + fault.message;
+      refuse(fault, true);
+    }
+  }
+
+  addEventListener('dragover', (event) => event.preventDefault());
+  addEventListener('drop', (event) => {
+    event.preventDefault();
+    const file = [...(event.dataTransfer?.files ?? [])].find((file) => file.name.endsWith('.toml'));
+    if (file) openFile(file);
+  });
+}

@@ -1,0 +1,185 @@
+// Words of the page in English and German, and numbers as engineers write them.
+
+const WORDS = {
+  en: {
+    explore: 'Explore', compare: 'Compare', measure: 'Measure', paper: 'Paper', take_away: 'Take away',
+    tagline: 'which corrugation grows, how fast, and why',
+    case: 'Case', handles: 'Handles', theme: 'Light or dark', language: 'Language',
+    growth_map: 'Growth map', wavelength: 'wavelength', speed: 'speed', frequency: 'frequency',
+    growth_rate: 'growth rate per passage', nothing_grows: 'nothing grows in this window', no_difference: 'no difference',
+    hold: 'Hold scale', hold_help: 'Keep the colour scale while values change',
+    to_highest: 'Highest growth', loop: 'The loop at the cursor', growth_curve: 'Growth over wavelength',
+    receptance: 'Receptance', force: 'Normal force P₁/P₀', rail: 'rail', wheel: 'wheel', contact: 'contact',
+    grows_here: 'grows', decays_here: 'decays', time: 'time factor exp(+iωt), Δ upward on the rail; to the left is antiphase',
+    profile: 'profile Δ', normal: 'normal force P₁', tangential: 'tangential force Q₁', angular: 'angular velocity Ω₁',
+    dissipation: 'dissipation W₁ at the rail', amplitude: 'amplitude', phase: 'phase', quantity: 'oscillation',
+    direction_only: 'directions are true, lengths are not; amplitudes in the table',
+    parts: 'Wheel and rail part: |P₁| exceeds P₀ at this amplitude. Signs and rates hold for small amplitudes.',
+    sentence: (p) => `${p.lambda} mm at ${p.kmh} km/h is ${p.hertz} Hz. The normal force ${p.force}. The rail dissipates ${p.where}, so ${p.verdict}`,
+    leads: (d) => `leads the profile by ${d}°`, lags: (d) => `lags the profile by ${d}°`, inphase: 'is in phase with the profile',
+    troughs: (d) => `mostly in the troughs (${d}° from the crests)`, crests: (d) => `mostly on the crests (${d}° from them)`,
+    doubles: (n) => `the troughs deepen: corrugation grows and doubles in ${n} passages.`,
+    halves: (n) => `the crests wear off: corrugation decays and halves in ${n} passages.`,
+    highest: (p) => `Highest growth at ${p.lambda} mm and ${p.kmh} km/h, ${p.hertz} Hz: doubles in ${p.n} passages.`,
+    highest_edge: (p) => `Growth is highest at the edge of the window, ${p.lambda} mm and ${p.kmh} km/h.`,
+    ridge_follows: (hz) => `The ridge follows ${hz} Hz.`,
+    no_growth: 'Nothing grows in this window.', notes: 'Notes', stale: 'the map is that of the last case without an error',
+    gone: 'The program does not answer. Is riffel serve still running?',
+    no_pads: 'this track model has no pads', no_turning: 'not used: the wheel turns in a limit',
+    from_preset: 'from preset or default', none: '—', sources: 'Sources', measured: 'measured', typical: 'typical', assumed: 'assumed',
+    keep: 'Keep this variant', drop: 'Drop it', kept: 'Kept', now: 'Now', difference: 'Difference, now − kept',
+    nothing_kept: 'Keep a variant, then change the case: both maps, their difference and a table appear here.',
+    compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the ridge', 'passages to double', 'creepage', 'contact stiffness'],
+    less: 'less growth', more: 'more growth',
+    copy_link: 'Copy link', copied: 'copied', save_toml: 'Case as TOML', save_csv: 'Map as CSV', save_png: 'Map as PNG', save_svg: 'Map as SVG', save_html: 'Map as page (HTML)',
+    save_report: 'Report (HTML)', open_toml: 'Open a case file…', start_over: 'Start over with the nominal case',
+    file_fault: (name, line) => (line ? `${name}, line ${line}: ` : `${name}: `), comments_gone: (name) => `${name} is open.`,
+    paper_intro: 'Figures 2–8 of Afferrante & Ciavarella (2009), computed now.', contact_model: 'Contact', quasi: 'quasi-static, as printed', dashpot: 'spring and dashpot', non_steady: 'non-steady',
+    computing: 'computing…', skip: 'Skip to the map',
+    map_label: (p) => `Growth map over wavelength and speed. Cursor at ${p}. Arrow keys move it, Home goes to the highest growth.`,
+
+    drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
+    over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
+
+    speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', months: 'in months:', excess: 'above the trend',
+    nothing_dominant: 'No wavelength stands out.', level_axis: 'level [dB re 1 µm]',
+  },
+  de: {
+    explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
+    tagline: 'welche Riffeln wachsen, wie schnell und warum',
+    case: 'Fall', handles: 'Regler', theme: 'Hell oder dunkel', language: 'Sprache',
+    growth_map: 'Wachstumskarte', wavelength: 'Wellenlänge', speed: 'Geschwindigkeit', frequency: 'Frequenz',
+    growth_rate: 'Wachstumsrate je Überrollung', nothing_grows: 'in diesem Fenster wächst nichts', no_difference: 'kein Unterschied',
+    hold: 'Skala halten', hold_help: 'Die Farbskala behalten, während sich Werte ändern',
+    to_highest: 'Stärkstes Wachstum', loop: 'Die Schleife am Zeiger', growth_curve: 'Wachstum über der Wellenlänge',
+    receptance: 'Rezeptanz', force: 'Normalkraft P₁/P₀', rail: 'Schiene', wheel: 'Rad', contact: 'Kontakt',
+    grows_here: 'wächst', decays_here: 'klingt ab', time: 'Zeitfaktor exp(+iωt), Δ auf der Schiene nach oben; links ist Gegenphase',
+    profile: 'Profil Δ', normal: 'Normalkraft P₁', tangential: 'Tangentialkraft Q₁', angular: 'Winkelgeschwindigkeit Ω₁',
+    dissipation: 'Dissipation W₁ an der Schiene', amplitude: 'Amplitude', phase: 'Phase', quantity: 'Schwingung',
+    direction_only: 'Richtungen sind wahr, Längen nicht; Amplituden in der Tabelle',
+    parts: 'Rad und Schiene trennen sich: |P₁| übersteigt P₀ bei dieser Amplitude. Vorzeichen und Raten gelten für kleine Amplituden.',
+    sentence: (p) => `${p.lambda} mm bei ${p.kmh} km/h sind ${p.hertz} Hz. Die Normalkraft ${p.force}. Die Schiene dissipiert ${p.where}: ${p.verdict}`,
+    leads: (d) => `eilt dem Profil um ${d}° vor`, lags: (d) => `eilt dem Profil um ${d}° nach`, inphase: 'ist in Phase mit dem Profil',
+    troughs: (d) => `vor allem in den Tälern (${d}° von den Bergen)`, crests: (d) => `vor allem auf den Bergen (${d}° von ihnen)`,
+    doubles: (n) => `Die Täler werden tiefer, die Riffel wächst und verdoppelt sich in ${n} Überrollungen.`,
+    halves: (n) => `Die Berge verschleißen, die Riffel klingt ab und halbiert sich in ${n} Überrollungen.`,
+    highest: (p) => `Stärkstes Wachstum bei ${p.lambda} mm und ${p.kmh} km/h, ${p.hertz} Hz: verdoppelt sich in ${p.n} Überrollungen.`,
+    highest_edge: (p) => `Am stärksten ist das Wachstum am Rand des Fensters, bei ${p.lambda} mm und ${p.kmh} km/h.`,
+    ridge_follows: (hz) => `Der Grat folgt ${hz} Hz.`,
+    no_growth: 'In diesem Fenster wächst nichts.', notes: 'Hinweise', stale: 'die Karte ist die des letzten Falls ohne Fehler',
+    gone: 'Das Programm antwortet nicht. Läuft riffel serve noch?',
+    no_pads: 'dieses Gleismodell hat keine Zwischenlagen', no_turning: 'ohne Wirkung: das Rad dreht in einem Grenzfall',
+    from_preset: 'aus Vorgabe', none: '—', sources: 'Quellen', measured: 'gemessen', typical: 'typisch', assumed: 'angenommen',
+    keep: 'Diese Variante merken', drop: 'Verwerfen', kept: 'Gemerkt', now: 'Jetzt', difference: 'Unterschied, jetzt − gemerkt',
+    nothing_kept: 'Eine Variante merken und den Fall ändern: hier erscheinen beide Karten, ihr Unterschied und eine Tabelle.',
+    compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des Grats', 'Überrollungen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
+    less: 'weniger Wachstum', more: 'mehr Wachstum',
+    copy_link: 'Link kopieren', copied: 'kopiert', save_toml: 'Fall als TOML', save_csv: 'Karte als CSV', save_png: 'Karte als PNG', save_svg: 'Karte als SVG', save_html: 'Karte als Seite (HTML)',
+    save_report: 'Bericht (HTML)', open_toml: 'Falldatei öffnen…', start_over: 'Neu beginnen mit dem Nennfall',
+    file_fault: (name, line) => (line ? `${name}, Zeile ${line}: ` : `${name}: `), comments_gone: (name) => `${name} ist geöffnet.`,
+    paper_intro: 'Bilder 2–8 aus Afferrante & Ciavarella (2009), jetzt berechnet.', contact_model: 'Kontakt', quasi: 'quasistatisch, wie gedruckt', dashpot: 'Feder und Dämpfer', non_steady: 'instationär',
+    computing: 'rechnet…', skip: 'Zur Karte springen',
+    map_label: (p) => `Wachstumskarte über Wellenlänge und Geschwindigkeit. Zeiger bei ${p}. Pfeiltasten bewegen ihn, Pos1 geht zum stärksten Wachstum.`,
+
+    drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
+    over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
+
+    speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', months: 'in Monaten:', excess: 'über dem Trend',
+    nothing_dominant: 'Keine Wellenlänge ragt heraus.', level_axis: 'Pegel [dB re 1 µm]',
+  },
+};
+
+/** Names of tables and keys; what is not here is named by its key. German in the second place. */
+const NAMES = {
+  title: ['title', 'Titel'], vehicle: ['vehicle preset', 'Fahrzeug'], steel: ['Steel', 'Stahl'], wheel: ['Wheel', 'Rad'],
+  rail: ['Rail', 'Schiene'], track: ['Track', 'Gleis'], contact: ['Contact', 'Kontakt'], corrugation: ['Corrugation', 'Riffel'],
+  wear: ['Wear', 'Verschleiß'], map: ['Window of the map', 'Fenster der Karte'], general: ['General', 'Allgemein'],
+  'steel.youngs_modulus': ["Young's modulus E", 'Elastizitätsmodul E'], 'steel.poisson_ratio': ["Poisson's ratio ν", 'Querkontraktion ν'],
+  'wheel.rolling_radius': ['rolling radius R', 'Laufkreisradius R'], 'wheel.mass': ['unsprung mass m_w', 'unabgefederte Masse m_w'],
+  'wheel.inertia': ['wheel inertia I_w', 'Trägheit des Rades I_w'], 'wheel.rotation': ['rotation', 'Drehung'],
+  'rail.section': ['section', 'Profil'], 'rail.mass_per_length': ['mass per length m', 'Masse je Länge m'],
+  'rail.second_moment': ['second moment I', 'Flächenmoment I'], 'rail.lateral_second_moment': ['lateral second moment', 'Flächenmoment quer'],
+  'rail.beam': ['beam', 'Balken'], 'rail.area': ['area A', 'Fläche A'], 'rail.shear_coefficient': ['shear coefficient κ', 'Schubbeiwert κ'],
+  'rail.lateral_shear_coefficient': ['lateral shear coefficient', 'Schubbeiwert quer'], 'rail.shear_modulus': ['shear modulus G', 'Schubmodul G'],
+  'rail.density': ['density ρ', 'Dichte ρ'], 'rail.loss_factor': ['loss factor η', 'Verlustfaktor η'],
+  'track.model': ['model', 'Modell'], 'track.preset': ['preset', 'Vorgabe'], 'track.support_spacing': ['support spacing', 'Stützpunktabstand'],
+  'track.pad': ['Rail pad', 'Zwischenlage'], 'track.sleeper': ['Sleeper', 'Schwelle'], 'track.ballast': ['Ballast', 'Schotter'],
+  'track.rail_damping': ['rail damping', 'Dämpfung der Schiene'], 'track.position': ['position of the wheel', 'Ort des Rades'],
+  'contact.transverse_radius': ['transverse radius R_r', 'Querradius R_r'], 'contact.normal_load': ['normal load P₀', 'Radlast P₀'],
+  'contact.friction': ['friction μ', 'Reibung μ'], 'contact.tractive_ratio': ['tractive ratio τ', 'Kraftschlussausnutzung τ'],
+  'contact.creepage': ['creepage ξ₀', 'Schlupf ξ₀'], 'contact.dissipation_phase': ['dissipation phase', 'Phase der Dissipation'],
+  'contact.creep_law': ['creep law', 'Kraftschlussgesetz'], 'contact.response': ['response', 'Antwort'], 'contact.hertz': ['ellipse', 'Ellipse'],
+  'contact.grid': ['grid', 'Gitter'], 'contact.polach': ["Polach's law", 'Gesetz von Polach'],
+  'contact.polach.limit_friction_ratio': ['limit friction ratio A', 'Reibungsverhältnis A'], 'contact.polach.friction_decay': ['friction decay B', 'Reibungsabfall B'],
+  'contact.polach.speed': ['speed V', 'Geschwindigkeit V'], 'contact.polach.adhesion_reduction': ['adhesion reduction k_A', 'Minderung Haften k_A'], 'contact.polach.slip_reduction': ['slip reduction k_S', 'Minderung Gleiten k_S'],
+  'corrugation.amplitude': ['amplitude Δ', 'Amplitude Δ'], 'wear.coefficient': ['wear coefficient k_w', 'Verschleißbeiwert k_w'], 'wear.density': ['density ρ', 'Dichte ρ'],
+  'map.wavelength': ['Wavelengths', 'Wellenlängen'], 'map.speed': ['Speeds', 'Geschwindigkeiten'],
+  'track.pad.stiffness/slider': ['pad stiffness k', 'Steifigkeit der Zwischenlage k'],
+  preset: ['preset', 'Vorgabe'], stiffness: ['stiffness k', 'Steifigkeit k'], damping: ['damping c', 'Dämpfung c'], loss_factor: ['loss factor η', 'Verlustfaktor η'],
+  lateral_stiffness: ['lateral stiffness', 'Steifigkeit quer'], longitudinal_stiffness: ['longitudinal stiffness', 'Steifigkeit längs'], mass: ['mass', 'Masse'],
+  min: ['from', 'von'], max: ['to', 'bis'], points: ['points', 'Punkte'],
+};
+
+const known = (language) => language in WORDS;
+let language = [localStorage.getItem('riffel-language'), navigator.language?.slice(0, 2)].find((name) => name && known(name)) ?? 'en';
+
+export const currentLanguage = () => language;
+
+export function chooseLanguage(name) {
+  if (!known(name)) return;
+  language = name;
+  localStorage.setItem('riffel-language', name);
+  translate();
+}
+
+/** A word or, for those that take values, a sentence. */
+export function t(key, values) {
+  const word = WORDS[language][key] ?? WORDS.en[key] ?? key;
+  return typeof word === 'function' ? word(values) : word;
+}
+
+/** For words that take two values. */
+export const t2 = (key, a, b) => WORDS[language][key](a, b);
+
+/** Name of a key of the case. */
+export function nameOf(key) {
+  const names = NAMES[key] ?? NAMES[key.split('.').at(-1)];
+  return names ? names[language === 'de' ? 1 : 0] : key.split('.').at(-1).replaceAll('_', ' ');
+}
+
+/** Put the words of the present language into the page: data-t for text, data-t-label for labels. */
+export function translate(root = document) {
+  document.documentElement.lang = language;
+  for (const element of root.querySelectorAll('[data-t]')) element.textContent = t(element.dataset.t);
+  for (const element of root.querySelectorAll('[data-t-label]')) element.setAttribute('aria-label', t(element.dataset.tLabel));
+  for (const element of root.querySelectorAll('[data-t-title]')) element.title = t(element.dataset.tTitle);
+  for (const element of root.querySelectorAll('[data-name]')) element.textContent = nameOf(element.dataset.name);
+}
+
+/** A number with so many significant digits, in the manner of the language. */
+export function number(value, digits = 3) {
+  if (!Number.isFinite(value)) return '–';
+  const size = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)));
+  if (size >= 6 || size < -4) return power(value);
+  const decimals = Math.max(0, digits - 1 - size);
+  const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
+  return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
+}
+
+const RAISED = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
+
+/** A number with a power of ten. */
+export function power(value, digits = 2) {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const [mantissa, exponent] = value.toExponential(digits - 1).split('e');
+  const raised = [...String(Number(exponent))].map((c) => RAISED[c]).join('');
+  return `${Number(mantissa).toLocaleString(language, { minimumFractionDigits: digits - 1 }).replace('-', '−')}·10${raised}`;
+}
+
+/** A count of passages in words: 4.6 million. */
+export function passages(count) {
+  if (!Number.isFinite(count)) return '–';
+  const [unit, word] = [[1e9, { en: 'billion', de: 'Milliarden' }], [1e6, { en: 'million', de: 'Millionen' }], [1, { en: '', de: '' }]].find(([unit]) => count >= unit) ?? [1, { en: '', de: '' }];
+  return `${number(count / unit, 2)} ${word[language]}`.trim();
+}

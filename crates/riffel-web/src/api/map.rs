@@ -1,0 +1,192 @@
+//! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
+
+use axum::extract::State;
+use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge, RidgePoint};
+use riffel_case::Case;
+use riffel_plot::constant_frequency_rays;
+use serde::{Deserialize, Serialize};
+
+use crate::Page;
+use crate::fault::Fault;
+use crate::framed::Framed;
+use crate::queue::Wanted;
+use crate::request::{Asked, Asker, CaseText};
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+}
+
+/// Everything about a map but its values.
+#[derive(Serialize)]
+pub(crate) struct Head {
+    title: Option<String>,
+    window: Window,
+    growth_rate_per_dissipation: f64,
+    ridge: RidgeColumns,
+    best_fit_frequency_hz: Option<f64>,
+    highest: Option<Highest>,
+    rays_hz: Vec<f64>,
+    derived: Derived,
+    /// Every key, with presets and defaults.
+    complete: riffel_case::file::CaseFile,
+    remarks: Vec<String>,
+}
+
+/// The axes, equally spaced, both ends included.
+#[derive(Serialize)]
+pub(crate) struct Window {
+    wavelength_m: Range,
+    speed_m_per_s: Range,
+}
+
+#[derive(Serialize)]
+struct Range {
+    min: f64,
+    max: f64,
+    points: usize,
+}
+
+impl From<Axis> for Range {
+    fn from(axis: Axis) -> Self {
+        Self {
+            min: axis.min(),
+            max: axis.max(),
+            points: axis.points(),
+        }
+    }
+}
+
+/// One entry for each speed that grows.
+#[derive(Serialize)]
+struct RidgeColumns {
+    speed_m_per_s: Vec<f64>,
+    wavelength_m: Vec<f64>,
+    growth_rate_per_passage: Vec<f64>,
+    at_edge: Vec<bool>,
+}
+
+/// Where growth is highest.
+#[derive(Serialize)]
+pub(crate) struct Highest {
+    speed_m_per_s: f64,
+    wavelength_m: f64,
+    frequency_hz: f64,
+    growth_rate_per_passage: f64,
+    at_edge: bool,
+}
+
+impl From<&RidgePoint> for Highest {
+    fn from(point: &RidgePoint) -> Self {
+        Self {
+            speed_m_per_s: point.speed,
+            wavelength_m: point.wavelength,
+            frequency_hz: point.frequency,
+            growth_rate_per_passage: point.growth_rate,
+            at_edge: point.at_edge,
+        }
+    }
+}
+
+/// What follows from the case.
+#[derive(Serialize)]
+pub(crate) struct Derived {
+    semi_axis_longitudinal_m: f64,
+    semi_axis_lateral_m: f64,
+    contact_stiffness_n_per_m: f64,
+    creepage: f64,
+    tractive_ratio: f64,
+    inertia_kg_m2: Option<f64>,
+    pinned_pinned_hz: Option<f64>,
+}
+
+impl Derived {
+    pub(crate) fn of(case: &Case) -> Self {
+        Self {
+            semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
+            semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
+            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
+            creepage: case.steady.creepage,
+            tractive_ratio: case.steady.tractive_ratio(),
+            inertia_kg_m2: case.file.wheel.inertia.map(|inertia| inertia.si()),
+            pinned_pinned_hz: case.track.pinned_pinned.map(|w| w / std::f64::consts::TAU),
+        }
+    }
+}
+
+/// A map and what is drawn on it.
+pub(crate) struct Computed {
+    pub(crate) head: Head,
+    pub(crate) values: Vec<f32>,
+}
+
+impl Computed {
+    /// The map of a loop of the case in a window.
+    pub(crate) fn new(
+        case: &Case,
+        feedback: &FeedbackLoop,
+        wavelength: Axis,
+        speed: Axis,
+        wanted: &Wanted,
+    ) -> Self {
+        let map = GrowthMap::compute_while(feedback, wavelength, speed, || wanted.still(), |_| ());
+        let ridge = Ridge::of_map(feedback, &map);
+        let growing: Vec<&RidgePoint> = ridge
+            .points
+            .iter()
+            .filter(|point| point.growth_rate > 0.0)
+            .collect();
+        let column = |value: fn(&RidgePoint) -> f64| growing.iter().map(|&p| value(p)).collect();
+        Self {
+            head: Head {
+                title: case.file.title.clone(),
+                window: Window {
+                    wavelength_m: wavelength.into(),
+                    speed_m_per_s: speed.into(),
+                },
+                growth_rate_per_dissipation: map.growth_rate_per_dissipation(),
+                ridge: RidgeColumns {
+                    speed_m_per_s: column(|point| point.speed),
+                    wavelength_m: column(|point| point.wavelength),
+                    growth_rate_per_passage: column(|point| point.growth_rate),
+                    at_edge: growing.iter().map(|point| point.at_edge).collect(),
+                },
+                best_fit_frequency_hz: ridge.best_fit_frequency(),
+                highest: ridge
+                    .highest()
+                    .filter(|point| point.growth_rate > 0.0)
+                    .map(Highest::from),
+                rays_hz: constant_frequency_rays(
+                    (wavelength.min(), wavelength.max()),
+                    (speed.min(), speed.max()),
+                ),
+                derived: Derived::of(case),
+                complete: case.file.clone(),
+                remarks: case.remarks.clone(),
+            },
+            values: map
+                .rows()
+                .flat_map(|(_, row)| row)
+                .map(|value| value.re as f32)
+                .collect(),
+        }
+    }
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Framed<Head>, Fault> {
+    page.queue
+        .run(asker.subject("map"), move |wanted| {
+            let case = question.case.read()?;
+            let (wavelength, speed) = (case.wavelength, case.speed);
+            let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted);
+            Ok(Framed {
+                head: map.head,
+                values: map.values,
+            })
+        })
+        .await
+}

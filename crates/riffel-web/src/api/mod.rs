@@ -1,0 +1,10 @@
+//! What the page can ask for, one file for each.
+
+pub(crate) mod case;
+pub(crate) mod compare;
+pub(crate) mod export;
+pub(crate) mod figure;
+pub(crate) mod map;
+pub(crate) mod point;
+pub(crate) mod roughness;
+pub(crate) mod vocabulary;

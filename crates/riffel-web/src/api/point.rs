@@ -1,0 +1,206 @@
+//! `POST /api/point`: the loop at one wavelength and speed, and the curves that run through it.
+
+use axum::Json;
+use axum::extract::State;
+use riffel::{Complex64, LoopState, Ridge};
+use riffel_case::Case;
+use serde::{Deserialize, Serialize};
+
+use super::map::Highest;
+use crate::Page;
+use crate::fault::Fault;
+use crate::queue::Wanted;
+use crate::request::{Asked, Asker, CaseText};
+
+/// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
+const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
+/// How many, equally spaced in their logarithm.
+const FREQUENCY_POINTS: usize = 240;
+/// Wavelengths of the growth curve.
+const WAVELENGTH_POINTS: usize = 241;
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+    wavelength_m: f64,
+    speed_m_per_s: f64,
+}
+
+#[derive(Serialize)]
+pub(crate) struct Answer {
+    state: Turn,
+    /// Over frequency at the speed of the point.
+    spectrum: Spectrum,
+    /// Over wavelength at the speed of the point.
+    growth: Growth,
+}
+
+/// One turn of the loop; complex numbers as [re, im].
+#[derive(Serialize)]
+struct Turn {
+    wavelength_m: f64,
+    speed_m_per_s: f64,
+    frequency_hz: f64,
+    /// Of the profile, real and upward on the rail.
+    amplitude_m: f64,
+    rail_receptance_m_per_n: [f64; 2],
+    wheel_receptance_m_per_n: [f64; 2],
+    contact_stiffness_n_per_m: f64,
+    static_normal_force_n: f64,
+    normal_force_n: [f64; 2],
+    tangential_force_n: [f64; 2],
+    angular_velocity_rad_per_s: [f64; 2],
+    dissipation_w: [f64; 2],
+    dissipation_at_rail_w: [f64; 2],
+    mean_dissipation_w: f64,
+    normalized_dissipation: [f64; 2],
+    growth_rate_per_passage: f64,
+}
+
+#[derive(Serialize)]
+struct Spectrum {
+    frequency_hz: Vec<f64>,
+    rail_receptance_m_per_n: Vec<[f64; 2]>,
+    wheel_receptance_m_per_n: Vec<[f64; 2]>,
+    /// Normal force P₁ over the static one.
+    normal_force_ratio: Vec<[f64; 2]>,
+}
+
+#[derive(Serialize)]
+struct Growth {
+    wavelength_m: Vec<f64>,
+    growth_rate_per_passage: Vec<f64>,
+    /// The wavelengths that grow fastest around them.
+    lines: Vec<Highest>,
+}
+
+fn pair(value: Complex64) -> [f64; 2] {
+    [value.re, value.im]
+}
+
+impl Turn {
+    fn new(case: &Case, state: &LoopState) -> Self {
+        Self {
+            wavelength_m: state.wavelength,
+            speed_m_per_s: state.speed,
+            frequency_hz: state.speed / state.wavelength,
+            amplitude_m: case.feedback.amplitude,
+            rail_receptance_m_per_n: pair(state.track_receptance),
+            wheel_receptance_m_per_n: pair(state.wheel_receptance),
+            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
+            static_normal_force_n: case.steady.normal_force,
+            normal_force_n: pair(state.normal_force),
+            tangential_force_n: pair(state.tangential_force),
+            angular_velocity_rad_per_s: pair(state.angular_velocity),
+            dissipation_w: pair(state.dissipation),
+            dissipation_at_rail_w: pair(state.dissipation_at_rail),
+            mean_dissipation_w: state.mean_dissipation,
+            normalized_dissipation: pair(state.normalized_dissipation),
+            growth_rate_per_passage: state.growth_rate,
+        }
+    }
+}
+
+impl Spectrum {
+    fn new(case: &Case, speed: f64) -> Self {
+        let [lowest, highest] = FREQUENCIES;
+        let last = (FREQUENCY_POINTS - 1) as f64;
+        let frequency_hz: Vec<f64> = (0..FREQUENCY_POINTS)
+            .map(|step| lowest * (highest / lowest).powf(step as f64 / last))
+            .collect();
+        let feedback = &case.feedback;
+        let contact = feedback.contact_stiffness.recip();
+        let mut spectrum = Self {
+            rail_receptance_m_per_n: Vec::new(),
+            wheel_receptance_m_per_n: Vec::new(),
+            normal_force_ratio: Vec::new(),
+            frequency_hz,
+        };
+        for frequency in &spectrum.frequency_hz {
+            let w = std::f64::consts::TAU * frequency;
+            let rail = feedback.track.receptance(w, speed);
+            let wheel = feedback.wheel.receptance(w, speed);
+            // Equation (24); the wavelength plays no part in it.
+            let force = feedback.amplitude / (rail + wheel + contact);
+            spectrum.rail_receptance_m_per_n.push(pair(rail));
+            spectrum.wheel_receptance_m_per_n.push(pair(wheel));
+            let ratio = force / case.steady.normal_force;
+            spectrum.normal_force_ratio.push(pair(ratio));
+        }
+        spectrum
+    }
+}
+
+impl Growth {
+    fn new(case: &Case, speed: f64) -> Self {
+        let window = case.wavelength;
+        let last = (WAVELENGTH_POINTS - 1) as f64;
+        let wavelength_m: Vec<f64> = (0..WAVELENGTH_POINTS)
+            .map(|step| window.min() + (window.max() - window.min()) * step as f64 / last)
+            .collect();
+        Self {
+            growth_rate_per_passage: wavelength_m
+                .iter()
+                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
+                .collect(),
+            wavelength_m,
+            lines: Ridge::lines_at(&case.feedback, window, speed)
+                .iter()
+                .map(Highest::from)
+                .collect(),
+        }
+    }
+}
+
+/// The value, moved by rounding at most, if it lies within the window of the map.
+fn within(key: &str, what: &str, value: f64, low: f64, high: f64) -> Result<f64, Fault> {
+    const ROUNDING: f64 = 1e-6;
+    if value >= low * (1.0 - ROUNDING) && value <= high * (1.0 + ROUNDING) {
+        return Ok(value.clamp(low, high));
+    }
+    Err(Fault::of_key(
+        key,
+        format!("the {what} of the point is {value}, but the map reaches from {low} to {high}"),
+        "choose a point on the map",
+    ))
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Json<Answer>, Fault> {
+    page.queue
+        .run(asker.subject("point"), move |wanted: &Wanted| {
+            let case = question.case.read()?;
+            let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
+            let (slowest, fastest) = (case.speed.min(), case.speed.max());
+            let wavelength = within(
+                "map.wavelength",
+                "wavelength",
+                question.wavelength_m,
+                shortest,
+                longest,
+            )?;
+            let speed = within(
+                "map.speed",
+                "speed",
+                question.speed_m_per_s,
+                slowest,
+                fastest,
+            )?;
+            let state = case.feedback.at(wavelength, speed);
+            let spectrum = Spectrum::new(&case, speed);
+            if !wanted.still() {
+                return Err(Fault::busy(
+                    "a newer request has taken the place of this one",
+                ));
+            }
+            Ok(Json(Answer {
+                state: Turn::new(&case, &state),
+                spectrum,
+                growth: Growth::new(&case, speed),
+            }))
+        })
+        .await
+}

@@ -1,0 +1,117 @@
+//! The files of the page, inside the program.
+
+use std::sync::LazyLock;
+
+use axum::extract::Path;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use sha2::{Digest, Sha256};
+
+/// Name, content type and text of the files written here.
+macro_rules! files {
+    ($($name:literal: $kind:literal),* $(,)?) => {
+        [$(($name, $kind, include_str!(concat!("../assets/", $name)))),*]
+    };
+}
+
+const SCRIPT: &str = "text/javascript; charset=utf-8";
+
+static FILES: &[(&str, &str, &str)] = &files! {
+    "page.css": "text/css; charset=utf-8",
+    "icon.svg": "image/svg+xml",
+    "colors.js": "text/javascript; charset=utf-8",
+    "compare.js": "text/javascript; charset=utf-8",
+    "curves.js": "text/javascript; charset=utf-8",
+    "form.js": "text/javascript; charset=utf-8",
+    "keys.js": "text/javascript; charset=utf-8",
+    "main.js": "text/javascript; charset=utf-8",
+    "map-view.js": "text/javascript; charset=utf-8",
+    "measure.js": "text/javascript; charset=utf-8",
+    "paper.js": "text/javascript; charset=utf-8",
+    "phasors.js": "text/javascript; charset=utf-8",
+    "server.js": "text/javascript; charset=utf-8",
+    "take-away.js": "text/javascript; charset=utf-8",
+    "words.js": "text/javascript; charset=utf-8",
+};
+
+const PAGE: &str = include_str!("../assets/page.html");
+
+/// What is computed once: the text of plotly.js, the page, and what their addresses are made of.
+struct Built {
+    plotly: String,
+    /// Address and entity tag of the page.
+    page: String,
+    page_tag: String,
+    version: String,
+    plotly_version: String,
+}
+
+static BUILT: LazyLock<Built> = LazyLock::new(|| {
+    let plotly = riffel_plot::plotly_js();
+    let plotly_version = fingerprint([plotly.as_str()]);
+    let version = fingerprint(FILES.iter().map(|(_, _, text)| *text));
+    let page = PAGE
+        .replace("{assets}", &format!("/assets/{version}"))
+        .replace(
+            "{plotly}",
+            &format!("/assets/{plotly_version}/plotly.min.js"),
+        );
+    Built {
+        page_tag: format!("\"{}\"", fingerprint([page.as_str()])),
+        plotly,
+        page,
+        version,
+        plotly_version,
+    }
+});
+
+/// The first 64 bits of SHA-256 of some texts.
+fn fingerprint<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
+    let mut hash = Sha256::new();
+    for text in texts {
+        hash.update(text.len().to_le_bytes());
+        hash.update(text);
+    }
+    hash.finalize()[..8]
+        .iter()
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
+}
+
+/// The page. Its files carry their content in their address, so it alone is asked for anew.
+pub(crate) async fn page(headers: HeaderMap) -> Response {
+    let built = &*BUILT;
+    let known = headers
+        .get(header::IF_NONE_MATCH)
+        .is_some_and(|tag| tag.as_bytes() == built.page_tag.as_bytes());
+    let tags = [
+        (header::ETAG, built.page_tag.as_str()),
+        (header::CACHE_CONTROL, "no-cache"),
+    ];
+    if known {
+        return (StatusCode::NOT_MODIFIED, tags).into_response();
+    }
+    let kind = [(header::CONTENT_TYPE, "text/html; charset=utf-8")];
+    (tags, kind, built.page.as_str()).into_response()
+}
+
+/// A file of the page. Whatever has another address than the present one is not there.
+pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Response {
+    let built = &*BUILT;
+    let found = if name == "plotly.min.js" && version == built.plotly_version {
+        Some((SCRIPT, built.plotly.as_str()))
+    } else {
+        FILES
+            .iter()
+            .find(|(known, ..)| *known == name && version == built.version)
+            .map(|&(_, kind, text)| (kind, text))
+    };
+    let Some((kind, text)) = found else {
+        return StatusCode::NOT_FOUND.into_response();
+    };
+    let headers = [
+        (header::CONTENT_TYPE, kind),
+        (header::CACHE_CONTROL, "public, max-age=31536000, immutable"),
+    ];
+    (headers, text).into_response()
+}

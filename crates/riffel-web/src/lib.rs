@@ -1,0 +1,71 @@
+//! The page behind `riffel serve`: the whole model in a browser, from one program.
+//!
+//! [`serve`] listens on this machine and answers until it is told to end. Everything that the page loads is
+//! inside the program. Cases come as the keys of a case file and are read by `riffel_case`, so that errors
+//! are those of the program; they may not name files. Work stands in a bounded queue; whatever nobody waits
+//! for any more is dropped.
+
+mod api;
+mod assets;
+mod fault;
+mod framed;
+mod guard;
+mod program;
+mod queue;
+mod request;
+mod server;
+#[cfg(test)]
+mod tests;
+mod uploads;
+
+use axum::Router;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+
+use fault::Fault;
+use program::Program;
+use queue::Queue;
+use uploads::Uploads;
+
+pub use server::{Options, ServeError, serve};
+
+/// What all requests share.
+#[derive(Clone)]
+pub(crate) struct Page {
+    /// Work of milliseconds to seconds.
+    queue: Queue,
+    /// Work on files, one at a time, which must not hold up the sliders.
+    long: Queue,
+    uploads: Uploads,
+    program: Program,
+}
+
+/// The page as a service.
+pub(crate) fn router(page: Page) -> Router {
+    Router::new()
+        .route("/", get(assets::page))
+        .route("/assets/{version}/{name}", get(assets::file))
+        .route("/api/vocabulary", get(api::vocabulary::get))
+        .route("/api/case", post(api::case::post))
+        .route("/api/map", post(api::map::post))
+        .route("/api/point", post(api::point::post))
+        .route("/api/compare", post(api::compare::post))
+        .route("/api/figure", post(api::figure::post))
+        .route("/api/export/{kind}", post(api::export::post))
+        .route("/api/roughness", post(api::roughness::post))
+        .route("/api/measure", post(api::roughness::measure))
+        .route("/api/report", post(api::roughness::report))
+        .fallback(nothing_here)
+        .layer(axum::middleware::from_fn(guard::guard))
+        .with_state(page)
+}
+
+async fn nothing_here() -> Response {
+    Fault::refused(
+        StatusCode::NOT_FOUND,
+        "there is nothing here".to_owned(),
+        "",
+    )
+    .into_response()
+}

@@ -1,0 +1,276 @@
+//! The work that requests ask for: a bounded queue in front of as many workers as the machine has
+//! processors.
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use tokio::sync::Semaphore;
+
+use crate::fault::Fault;
+
+/// Requests that may wait for a worker; one more is turned away.
+const MOST_WAITING: usize = 128;
+
+/// Time for one request, waiting included.
+const TIME_LIMIT: Duration = Duration::from_secs(60);
+
+/// The same for work on files, which takes longer.
+const MOST_FILES_WAITING: usize = 8;
+const FILE_TIME_LIMIT: Duration = Duration::from_secs(600);
+
+/// Pages whose newest request is remembered.
+const MOST_PAGES: usize = 1024;
+
+/// The bounded queue.
+#[derive(Clone)]
+pub(crate) struct Queue {
+    workers: Arc<Semaphore>,
+    waiting: Arc<AtomicUsize>,
+    most_waiting: usize,
+    time_limit: Duration,
+    closing: Arc<AtomicBool>,
+    newest: Arc<Mutex<HashMap<String, Wanted>>>,
+}
+
+/// Whether somebody still waits for a result. Work asks now and then and stops if not.
+#[derive(Clone, Default)]
+pub(crate) struct Wanted(Arc<Flags>);
+
+#[derive(Default)]
+struct Flags {
+    dropped: AtomicBool,
+    closing: Option<Arc<AtomicBool>>,
+    /// Order in which requests came, to forget the oldest.
+    number: u64,
+}
+
+impl Wanted {
+    /// True while the answer is waited for.
+    pub(crate) fn still(&self) -> bool {
+        let closing = self.0.closing.as_ref();
+        !self.0.dropped.load(Ordering::Relaxed)
+            && !closing.is_some_and(|closing| closing.load(Ordering::Relaxed))
+    }
+
+    fn drop_it(&self) {
+        self.0.dropped.store(true, Ordering::Relaxed);
+    }
+
+    /// The result of work that ran to its end, or the reason why it did not.
+    fn or_dropped<T>(&self, result: Result<T, Fault>) -> Result<T, Fault> {
+        if self.still() {
+            return result;
+        }
+        Err(Fault::busy(
+            "a newer request has taken the place of this one",
+        ))
+    }
+}
+
+/// Tells the work that its request is gone: the browser hung up, or time ran out.
+struct Waiting(Wanted);
+
+impl Drop for Waiting {
+    fn drop(&mut self) {
+        self.0.drop_it();
+    }
+}
+
+/// Counts a request among the waiting.
+struct Place(Arc<AtomicUsize>);
+
+impl Drop for Place {
+    fn drop(&mut self) {
+        self.0.fetch_sub(1, Ordering::Relaxed);
+    }
+}
+
+impl Queue {
+    /// A queue in front of a number of workers.
+    pub(crate) fn new(workers: usize) -> Self {
+        Self::with_limits(workers, MOST_WAITING, TIME_LIMIT)
+    }
+
+    /// A queue for work on files, one after the other.
+    pub(crate) fn for_files() -> Self {
+        Self::with_limits(1, MOST_FILES_WAITING, FILE_TIME_LIMIT)
+    }
+
+    pub(crate) fn with_limits(workers: usize, most_waiting: usize, time_limit: Duration) -> Self {
+        Self {
+            workers: Arc::new(Semaphore::new(workers)),
+            waiting: Arc::default(),
+            most_waiting,
+            time_limit,
+            closing: Arc::default(),
+            newest: Arc::default(),
+        }
+    }
+
+    /// End all work that is waiting or under way.
+    pub(crate) fn close(&self) {
+        self.closing.store(true, Ordering::Relaxed);
+    }
+
+    /// Do the work when a worker is free. `subject` names what the answer is for, such as the map of one
+    /// page: a newer request for the same drops the older one.
+    pub(crate) async fn run<T: Send + 'static>(
+        &self,
+        subject: Option<String>,
+        work: impl FnOnce(&Wanted) -> Result<T, Fault> + Send + 'static,
+    ) -> Result<T, Fault> {
+        let wanted = self.register(subject);
+        let waiting = Waiting(wanted.clone());
+        let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(wanted, work)).await;
+        drop(waiting);
+        outcome.unwrap_or_else(|_| {
+            Err(Fault::busy(&format!(
+                "the answer took longer than {} s and was given up",
+                self.time_limit.as_secs_f64()
+            )))
+        })
+    }
+
+    async fn wait_and_work<T: Send + 'static>(
+        &self,
+        wanted: Wanted,
+        work: impl FnOnce(&Wanted) -> Result<T, Fault> + Send + 'static,
+    ) -> Result<T, Fault> {
+        let place = Place(self.waiting.clone());
+        if self.waiting.fetch_add(1, Ordering::Relaxed) >= self.most_waiting {
+            return Err(Fault::busy("too much is being computed at present"));
+        }
+        let worker = self.workers.clone().acquire_owned().await;
+        drop(place);
+        let worker = worker.map_err(|_| Fault::busy("the program is ending"))?;
+        let task = tokio::task::spawn_blocking(move || {
+            // Given back when the work has really ended, not when its request is given up.
+            let _worker = worker;
+            wanted.or_dropped(Ok(()))?;
+            let result = work(&wanted);
+            wanted.or_dropped(result)
+        });
+        task.await
+            .unwrap_or_else(|_| Err(Fault::defect("the computation broke off")))
+    }
+
+    /// A request becomes the newest for its subject, and the one before it is dropped.
+    fn register(&self, subject: Option<String>) -> Wanted {
+        static NUMBER: AtomicU64 = AtomicU64::new(0);
+        let wanted = Wanted(Arc::new(Flags {
+            dropped: AtomicBool::new(false),
+            closing: Some(self.closing.clone()),
+            number: NUMBER.fetch_add(1, Ordering::Relaxed),
+        }));
+        if let Some(subject) = subject {
+            let mut newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+            if newest.len() >= MOST_PAGES && !newest.contains_key(&subject) {
+                let oldest = newest.iter().min_by_key(|(_, wanted)| wanted.0.number);
+                if let Some(oldest) = oldest.map(|(subject, _)| subject.clone()) {
+                    newest.remove(&oldest);
+                }
+            }
+            if let Some(older) = newest.insert(subject, wanted.clone()) {
+                older.drop_it();
+            }
+        }
+        wanted
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn one_more_than_may_wait_is_turned_away() {
+        let queue = Queue::with_limits(1, 2, TIME_LIMIT);
+        let (release, held) = std::sync::mpsc::channel::<()>();
+        let busy = tokio::spawn({
+            let queue = queue.clone();
+            async move { queue.run(None, move |_| Ok(held.recv())).await.is_ok() }
+        });
+        while queue.workers.available_permits() > 0 {
+            tokio::task::yield_now().await;
+        }
+        let wait = || {
+            let queue = queue.clone();
+            tokio::spawn(async move { queue.run(None, |_| Ok(())).await.is_ok() })
+        };
+        let (first, second) = (wait(), wait());
+        while queue.waiting.load(Ordering::Relaxed) < 2 {
+            tokio::task::yield_now().await;
+        }
+        assert!(queue.run(None, |_| Ok(())).await.is_err());
+        release.send(()).unwrap();
+        assert!(busy.await.unwrap() && first.await.unwrap() && second.await.unwrap());
+        assert_eq!(queue.waiting.load(Ordering::Relaxed), 0);
+    }
+
+    #[tokio::test]
+    async fn a_newer_request_drops_the_older_one_of_its_subject() {
+        let queue = Queue::with_limits(2, 2, TIME_LIMIT);
+        let (begun, began) = std::sync::mpsc::channel::<()>();
+        let older = tokio::spawn({
+            let queue = queue.clone();
+            async move {
+                let work = move |wanted: &Wanted| {
+                    begun.send(()).unwrap();
+                    while wanted.still() {
+                        std::thread::yield_now();
+                    }
+                    Ok(())
+                };
+                queue.run(Some("map of a".to_owned()), work).await.is_ok()
+            }
+        });
+        while began.try_recv().is_err() {
+            tokio::task::yield_now().await;
+        }
+        let other = queue.run(Some("map of b".to_owned()), |_| Ok(())).await;
+        assert!(other.is_ok() && !older.is_finished());
+        let newer = queue.run(Some("map of a".to_owned()), |_| Ok(())).await;
+        assert!(newer.is_ok() && !older.await.unwrap());
+    }
+
+    #[tokio::test]
+    async fn what_takes_too_long_is_told_so_and_its_worker_comes_back() {
+        let queue = Queue::with_limits(1, 2, Duration::from_millis(20));
+        let endless = |wanted: &Wanted| {
+            while wanted.still() {
+                std::thread::yield_now();
+            }
+            Ok(())
+        };
+        assert!(queue.run(None, endless).await.is_err());
+        while queue.workers.available_permits() == 0 {
+            tokio::task::yield_now().await;
+        }
+    }
+
+    #[tokio::test]
+    async fn closing_ends_the_work() {
+        let queue = Queue::with_limits(1, 2, TIME_LIMIT);
+        let endless = {
+            let queue = queue.clone();
+            move |wanted: &Wanted| {
+                queue.close();
+                while wanted.still() {
+                    std::thread::yield_now();
+                }
+                Ok(())
+            }
+        };
+        assert!(queue.run(None, endless).await.is_err());
+    }
+
+    #[tokio::test]
+    async fn work_that_panics_is_an_error_of_its_request_alone() {
+        let queue = Queue::with_limits(1, 2, TIME_LIMIT);
+        let broken = queue.run(None, |_| -> Result<(), Fault> { panic!("on purpose") });
+        assert!(broken.await.is_err());
+        assert!(queue.run(None, |_| Ok(())).await.is_ok());
+    }
+}

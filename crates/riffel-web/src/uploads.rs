@@ -1,0 +1,244 @@
+//! Files that came from a page: in a private folder, removed at the end and, after a crash, at the next
+//! start.
+
+use std::fs::{self, File};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use axum::body::Body;
+use axum::http::StatusCode;
+use http_body_util::BodyExt;
+use tempfile::TempDir;
+use tokio::io::AsyncWriteExt;
+use tokio::sync::Semaphore;
+
+use crate::fault::Fault;
+
+/// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
+const LARGEST: u64 = 2 << 30;
+/// Files that are kept, one of each page; one more, and the oldest goes.
+const MOST_FILES: usize = 8;
+/// Files that may come at a time.
+const MOST_COMING: usize = 2;
+/// Time for the next piece of a file.
+const PIECE_TIME: Duration = Duration::from_secs(30);
+
+const PREFIX: &str = "riffel-serve-";
+/// Held locked as long as the folder is in use: who gets the lock may remove it.
+const LOCK: &str = "in-use";
+
+/// The files of all pages.
+#[derive(Clone)]
+pub(crate) struct Uploads(Arc<Inner>);
+
+struct Inner {
+    /// Dropped before the folder, which some systems would not remove with an open file in it.
+    _lock: File,
+    folder: TempDir,
+    coming: Semaphore,
+    files: Mutex<Vec<(String, Arc<Upload>)>>,
+    largest: u64,
+}
+
+/// One file in a folder of its own, removed with the last who uses it.
+pub(crate) struct Upload {
+    folder: TempDir,
+    /// Its name in there, made here.
+    pub(crate) name: String,
+    pub(crate) bytes: u64,
+}
+
+impl Upload {
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
+    }
+}
+
+impl Uploads {
+    /// A new private folder; those that a crash left behind are removed.
+    pub(crate) fn new() -> io::Result<Self> {
+        Self::within(&std::env::temp_dir(), LARGEST)
+    }
+
+    pub(crate) fn within(place: &Path, largest: u64) -> io::Result<Self> {
+        remove_the_forsaken(place);
+        // For its owner alone.
+        let folder = tempfile::Builder::new().prefix(PREFIX).tempdir_in(place)?;
+        let lock = File::create(folder.path().join(LOCK))?;
+        lock.try_lock().map_err(io::Error::from)?;
+        Ok(Self(Arc::new(Inner {
+            _lock: lock,
+            folder,
+            coming: Semaphore::new(MOST_COMING),
+            files: Mutex::default(),
+            largest,
+        })))
+    }
+
+    /// Write what comes to disk, piece by piece, as the file of a page.
+    pub(crate) async fn receive(
+        &self,
+        page: String,
+        kind: &str,
+        announced: Option<u64>,
+        body: Body,
+    ) -> Result<Arc<Upload>, Fault> {
+        let inner = &*self.0;
+        let too_large = || {
+            Fault::refused(
+                StatusCode::PAYLOAD_TOO_LARGE,
+                format!("the file is larger than {} MiB", inner.largest >> 20),
+                "`riffel roughness` reads larger ones",
+            )
+        };
+        if announced.is_some_and(|bytes| bytes > inner.largest) {
+            return Err(too_large());
+        }
+        let Ok(_coming) = inner.coming.try_acquire() else {
+            return Err(Fault::busy("other files are just coming in"));
+        };
+        let disk = |error: io::Error| {
+            Fault::refused(
+                StatusCode::INSUFFICIENT_STORAGE,
+                format!("the file cannot be stored: {error}"),
+                "",
+            )
+        };
+        // The name is made here: nothing of what was sent becomes part of a path.
+        let folder = tempfile::tempdir_in(inner.folder.path()).map_err(disk)?;
+        let name = format!("record.{}", if kind == "txt" { "txt" } else { "csv" });
+        let path = folder.path().join(&name);
+        let mut file = tokio::fs::File::create(&path).await.map_err(disk)?;
+        let mut bytes = 0;
+        let mut body = body;
+        loop {
+            let piece = tokio::time::timeout(PIECE_TIME, body.frame()).await;
+            let piece = piece.map_err(|_| {
+                Fault::refused(
+                    StatusCode::REQUEST_TIMEOUT,
+                    format!("nothing of the file came for {} s", PIECE_TIME.as_secs()),
+                    "",
+                )
+            })?;
+            let Some(piece) = piece else { break };
+            let piece = piece.map_err(|_| Fault::bad("the file broke off on its way"))?;
+            if let Ok(data) = piece.into_data() {
+                bytes += data.len() as u64;
+                if bytes > inner.largest {
+                    return Err(too_large());
+                }
+                file.write_all(&data).await.map_err(disk)?;
+            }
+        }
+        file.flush().await.map_err(disk)?;
+        let upload = Arc::new(Upload {
+            folder,
+            name,
+            bytes,
+        });
+        let mut files = self.files();
+        files.retain(|(other, _)| *other != page);
+        if files.len() >= MOST_FILES {
+            files.remove(0);
+        }
+        files.push((page, upload.clone()));
+        Ok(upload)
+    }
+
+    /// The file of a page.
+    pub(crate) fn of(&self, page: &str) -> Result<Arc<Upload>, Fault> {
+        self.files()
+            .iter()
+            .find(|(other, _)| other == page)
+            .map(|(_, upload)| upload.clone())
+            .ok_or_else(|| {
+                Fault::refused(
+                    StatusCode::GONE,
+                    "the file is no longer here".to_owned(),
+                    "choose it once more",
+                )
+            })
+    }
+
+    fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
+        self.0.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Remove folders whose program is gone. What belongs to others, or cannot be removed, stays.
+fn remove_the_forsaken(place: &Path) {
+    let Ok(entries) = fs::read_dir(place) else {
+        return;
+    };
+    let folders = entries
+        .flatten()
+        .filter(|entry| entry.file_name().to_string_lossy().starts_with(PREFIX))
+        // Of the entry itself, not of what a link points to.
+        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()))
+        .map(|entry| entry.path());
+    for folder in folders {
+        if is_forsaken(&folder) {
+            let _ = fs::remove_dir_all(&folder);
+        }
+    }
+}
+
+/// True if nobody holds the lock of the folder.
+fn is_forsaken(folder: &Path) -> bool {
+    let lock: PathBuf = folder.join(LOCK);
+    File::options()
+        .write(true)
+        .open(lock)
+        .is_ok_and(|lock| lock.try_lock().is_ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_of_a_crash_are_removed_and_those_in_use_are_not() {
+        let place = tempfile::tempdir().unwrap();
+        let running = Uploads::within(place.path(), 1).unwrap();
+        let crashed = place.path().join("riffel-serve-crashed");
+        fs::create_dir(&crashed).unwrap();
+        fs::write(crashed.join(LOCK), "").unwrap();
+        fs::write(crashed.join("record.csv"), "1,2\n").unwrap();
+        let foreign = place.path().join("riffel-serve-foreign");
+        fs::create_dir(&foreign).unwrap();
+
+        let next = Uploads::within(place.path(), 1).unwrap();
+        assert!(!crashed.exists());
+        assert!(foreign.exists(), "without a lock it is not ours");
+        assert!(running.0.folder.path().exists() && next.0.folder.path().exists());
+        drop((running, next));
+        assert_eq!(fs::read_dir(place.path()).unwrap().count(), 1);
+    }
+
+    #[tokio::test]
+    async fn a_file_beyond_the_limit_leaves_nothing_behind() {
+        let place = tempfile::tempdir().unwrap();
+        let uploads = Uploads::within(place.path(), 1000).unwrap();
+        let inside = || fs::read_dir(uploads.0.folder.path()).unwrap().count();
+        let receive = |bytes: usize, announced| {
+            uploads.receive(
+                "a".to_owned(),
+                "csv",
+                announced,
+                Body::from(vec![b'1'; bytes]),
+            )
+        };
+        assert!(receive(1001, None).await.is_err());
+        assert!(receive(10, Some(1001)).await.is_err());
+        assert_eq!(inside(), 1, "the lock alone");
+        let first = receive(1000, None).await.unwrap();
+        assert_eq!((first.bytes, inside()), (1000, 2));
+        drop(first);
+        let second = receive(7, Some(7)).await.unwrap();
+        assert_eq!(inside(), 2, "the newer file took the place of the older");
+        assert_eq!(uploads.of("a").unwrap().bytes, second.bytes);
+        assert!(uploads.of("b").is_err());
+    }
+}

@@ -1,0 +1,146 @@
+"""The program and a browser for the tests of the page.
+
+RIFFEL is the program, CHROMIUM the browser of the system; `cargo xtask test` sets both. Screenshots are kept
+in SCREENSHOTS.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROGRAM = os.environ.get("RIFFEL", str(ROOT / "target/debug/riffel"))
+CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
+SCREENSHOTS = pathlib.Path(os.environ.get("SCREENSHOTS", ROOT / "target/browser-tests/screenshots"))
+# Nothing that Chromium does by itself reaches for a network.
+ARGUMENTS = [
+    "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    "--disable-component-update", "--disable-sync",
+]
+
+
+class Served:
+    """`riffel serve`, with its temporary files in a folder of the test."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.process = subprocess.Popen(
+            [PROGRAM, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+            env={**os.environ, "TMPDIR": str(folder)},
+        )
+        self.url = self.process.stdout.readline().strip()
+        assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", self.url), self.url
+
+    def end(self, signal_=signal.SIGTERM):
+        self.process.send_signal(signal_)
+        return self.process.wait(timeout=20)
+
+
+@pytest.fixture(scope="session")
+def served(tmp_path_factory):
+    served = Served(tmp_path_factory.mktemp("served"))
+    yield served
+    served.end()
+
+
+@pytest.fixture(scope="session")
+def browser():
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+class Page:
+    """A page with what every test asks of it. Complaints of the browser fail the test."""
+
+    def __init__(self, browser, url, **context):
+        self.context = browser.new_context(
+            **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, **context}
+        )
+        self.page = self.context.new_page()
+        self.complaints = []
+        self.foreign = []
+        self.page.on("console", lambda message: message.type == "error" and self.complaints.append(message.text))
+        self.page.on("pageerror", lambda error: self.complaints.append(str(error)))
+        self.page.on("request", lambda request: self.check(request.url, "/".join(url.split("/")[:3])))
+        self.open(url)
+
+    def check(self, asked, own):
+        if not asked.startswith((own, "data:", "blob:")):
+            self.foreign.append(asked)
+
+    def open(self, url):
+        self.page.goto(url)
+        self.settle()
+
+    def settle(self, seconds=60):
+        """Wait until nothing is asked or drawn any more. The policy of the page forbids evaluated conditions."""
+        end = time.monotonic() + seconds
+        quiet = 0
+        while time.monotonic() < end:
+            idle = self.page.evaluate("() => Boolean(window.riffel?.state.at && window.riffel.idle())")
+            quiet = quiet + 1 if idle else 0
+            if quiet >= 3:
+                return
+            self.page.wait_for_timeout(50)
+        raise AssertionError("the page does not come to rest")
+
+    def until(self, condition, seconds=30):
+        end = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < end, "waited in vain"
+            self.page.wait_for_timeout(50)
+
+    def map(self):
+        """The colours of the map, as one number that changes with any of them."""
+        return self.page.evaluate(
+            """() => {
+              const canvas = document.querySelector('#map canvas');
+              const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+              let sum = 0;
+              for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 3 * data[k + 1] + 7 * data[k + 2]) >>> 0;
+              return sum;
+            }"""
+        )
+
+    def text(self, selector):
+        return self.page.locator(selector).inner_text()
+
+    def set(self, key, value):
+        field = self.page.locator(f"#key-{key.replace('.', '-')}")
+        field.evaluate("(field) => (field.closest('details').open = true)")
+        if field.evaluate("(field) => field.tagName") == "SELECT":
+            field.select_option(value)
+        else:
+            field.fill(value)
+            field.press("Tab")
+
+    def keep(self, name, whole=False):
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        self.page.screenshot(path=SCREENSHOTS / f"{name}.png", full_page=whole)
+
+    def close(self, complaints=0):
+        self.context.close()
+        assert self.foreign == [], "the page asked elsewhere"
+        assert len(self.complaints) == complaints, self.complaints
+
+
+@pytest.fixture
+def page(browser, served):
+    page = Page(browser, served.url)
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def open_page(browser, served):
+    """Pages with other settings, which the test closes itself."""
+    return lambda path="", **context: Page(browser, served.url + path, **context)

@@ -1,0 +1,427 @@
+"""The page in a real browser."""
+
+import json
+import os
+import pathlib
+import signal
+import statistics
+import subprocess
+import urllib.request
+
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+
+from conftest import PROGRAM, ROOT, Served
+
+NOMINAL = (ROOT / "cases/nominal.toml").read_text()
+VIEWS = ["explore", "compare", "measure", "paper"]
+
+
+def drag(page, slider, value):
+    page.page.locator(f"#slide-key-{slider}").evaluate(
+        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input')); }", value
+    )
+
+
+def test_the_nominal_map_is_there(page):
+    assert "537 Hz" in page.text("#verdict")
+    assert "corrugation grows" in page.text("#why")
+    assert page.page.locator("#growth .main-svg").count() > 0
+    page.keep("explore", whole=True)
+
+
+def test_a_slider_changes_map_case_and_words(page):
+    before, words = page.map(), page.text("#verdict")
+    drag(page, "contact-friction", 0.15)
+    page.settle()
+    assert page.map() != before or page.text("#verdict") != words
+    assert page.page.locator("#key-contact-friction").input_value() == "0.15"
+    drag(page, "contact-tractive_ratio", 0.9)
+    page.settle()
+    assert page.map() != before
+    assert page.text("#verdict") != words
+
+
+def test_inertia_slider_speaks_in_engineers_units(page):
+    drag(page, "wheel-inertia", 400)
+    page.settle()
+    assert page.page.locator("#key-wheel-inertia").input_value() == "300"
+    assert page.page.locator("#key-wheel-inertia-unit").text_content() == "kg m2"
+
+
+def test_the_cursor_leads_loop_and_curves(page):
+    box = page.page.locator("#map").bounding_box()
+    page.page.mouse.click(box["x"] + 0.3 * box["width"], box["y"] + 0.2 * box["height"])
+    page.settle()
+    assert "decays" in page.text("#why")
+    page.page.click("#to-highest")
+    page.settle()
+    assert "grows" in page.text("#why")
+
+
+def test_by_keyboard_alone(page):
+    keys = page.page.keyboard
+    page.page.locator("body").focus()
+    keys.press("Tab")
+    assert page.page.evaluate("() => document.activeElement.className") == "skip"
+    # Every tab of the page is reached with arrows from the first.
+    keys.press("Tab")
+    assert page.page.evaluate("() => document.activeElement.id") == "tab-explore"
+    for view in [*VIEWS[1:], "explore"]:
+        keys.press("ArrowRight")
+        assert page.page.evaluate("() => document.activeElement.id") == f"tab-{view}"
+        assert page.page.locator(f"#view-{view}").is_visible()
+    # On to the first slider, and step it.
+    for _ in range(30):
+        keys.press("Tab")
+        if page.page.evaluate("() => document.activeElement.id") == "slide-key-contact-friction":
+            break
+    else:
+        pytest.fail("the slider of the friction is not reached")
+    before = page.map(), page.text("#verdict"), page.page.locator("#key-contact-friction").input_value()
+    for _ in range(10):
+        keys.press("ArrowRight")
+    page.settle()
+    assert page.page.locator("#key-contact-friction").input_value() == "0.45"
+    assert (page.map(), page.text("#verdict")) != before[:2]
+    # The cursor of the map follows the arrows, and Home goes to the highest growth.
+    page.page.locator("#map canvas").last.focus()
+    highest = page.page.evaluate("() => window.riffel.state.point")
+    keys.press("ArrowUp")
+    keys.press("ArrowLeft")
+    page.settle()
+    moved = page.page.evaluate("() => window.riffel.state.point")
+    assert moved["speed"] > highest["speed"] and moved["wavelength"] < highest["wavelength"]
+    keys.press("Home")
+    page.settle()
+    again = page.page.evaluate("() => [window.riffel.state.point, window.riffel.state.map.highest]")
+    assert again[0]["speed"] == again[1]["speed_m_per_s"]
+
+
+def open_case(page, text, name="case.toml"):
+    page.page.set_input_files("#open-toml", files=[{"name": name, "mimeType": "text/plain", "buffer": text.encode()}])
+
+
+@pytest.mark.parametrize(
+    ("change", "key", "sentence"),
+    [
+        (("friction = 0.4", "frction = 0.4"), "contact-transverse_radius", "`contact.frction` is not a key Riffel knows"),
+        (('"50 kN"', '"50 kg"'), "contact-normal_load", 'write it as in "50 kN"'),
+        (("tractive_ratio = 0.1", "tractive_ratio = 1.2"), "contact-tractive_ratio", "but must be between 0 and 1"),
+    ],
+)
+def test_a_case_file_with_an_error_says_so_at_its_field(open_page, change, key, sentence):
+    page = open_page()
+    assert change[0] in NOMINAL
+    open_case(page, NOMINAL.replace(*change), "bad.toml")
+    fault = page.page.locator(f"#key-{key}-fault")
+    page.until(fault.is_visible)
+    assert sentence in fault.inner_text()
+    assert "bad.toml, line " in page.text("#trouble")
+    assert page.page.locator(f"#key-{key}").get_attribute("aria-invalid") == "true"
+    page.keep(f"error-{key}")
+    page.close(complaints=1)
+
+
+def test_an_error_that_is_typed_goes_when_it_is_mended(open_page):
+    page = open_page()
+    page.set("contact.normal_load", "-50")
+    fault = page.page.locator("#key-contact-normal_load-fault")
+    page.until(fault.is_visible)
+    assert "greater than zero" in fault.inner_text()
+    page.set("contact.normal_load", "60")
+    page.until(lambda: not fault.is_visible())
+    page.close(complaints=1)
+
+
+def test_a_case_file_fills_the_form(page):
+    open_case(page, (ROOT / "cases/discrete-supports.toml").read_text())
+    page.until(lambda: page.page.locator("#key-track-model").input_value() == "two-layer-periodic")
+    page.settle()
+    assert page.page.locator("#key-title").input_value() != "BR main line, tangent track"
+
+
+def test_a_link_opens_what_was_seen(page, open_page):
+    page.set("contact.friction", "0.27")
+    page.set("track.model", "two-layer")
+    page.page.click("#tab-compare")
+    page.page.wait_for_timeout(600)
+    address = page.page.url
+    other = open_page(address.split("/", 3)[3])
+    assert other.page.locator("#key-contact-friction").input_value() == "0.27"
+    assert other.page.locator("#key-track-model").input_value() == "two-layer"
+    assert other.page.locator("#view-compare").is_visible()
+    assert other.page.evaluate("() => window.riffel.state.point") == page.page.evaluate("() => window.riffel.state.point")
+    other.close()
+
+
+@pytest.mark.parametrize("fragment", ["#", "#nonsense", "#e30", "#" + "A" * 50_000])
+def test_a_broken_link_opens_the_nominal_case(open_page, fragment):
+    page = open_page(fragment)
+    page.settle()
+    page.close(complaints=len(page.complaints))
+    assert all("422" in complaint for complaint in page.complaints)
+
+
+def test_presets_show_their_sources_and_take_the_place_of_values(page):
+    page.set("vehicle", "metro-motor-car")
+    page.settle()
+    assert page.page.locator("#key-wheel-mass").input_value() == ""
+    assert page.page.locator("#key-wheel-mass").get_attribute("placeholder") != ""
+    page.page.locator("#key-vehicle").locator("xpath=../span/button").click()
+    assert len(page.text("#key-vehicle-sources")) > 100
+    page.keep("sources")
+
+
+def test_two_variants_are_compared(page):
+    page.page.click("#tab-compare")
+    page.page.click("#keep")
+    page.page.locator("#compare-difference").wait_for()
+    page.set("contact.friction", "0.2")
+    page.until(lambda: "contact.friction" in page.text("#view-compare"))
+    row = page.text("#view-compare tr:has-text('contact.friction')")
+    assert row.split()[-2:] == ["0.4", "0.2"]
+    page.settle()
+    page.keep("compare", whole=True)
+
+
+def test_the_figures_of_the_paper_are_drawn(page):
+    page.page.click("#tab-paper")
+    for number in range(2, 9):
+        figure = page.page.locator(f"#figure-{number}")
+        figure.scroll_into_view_if_needed()
+        page.until(lambda: f"Figure {number}." in figure.locator("h2").inner_text())
+        page.until(lambda: figure.locator("canvas, .main-svg").count() > 0)
+    page.page.wait_for_timeout(500)
+    page.keep("paper", whole=True)
+
+
+def profile(metres=60):
+    """A rail with corrugation of 40 mm, 20 µm high, on a rough floor."""
+    import math
+    import random
+
+    random.seed(1)
+    rows = ["position_m,height_um"]
+    level = 0.0
+    for k in range(1000 * metres):
+        level = 0.995 * level + random.gauss(0, 0.4)
+        rows.append(f"{k / 1000:.3f},{20 * math.sin(2 * math.pi * k / 40) + level:.3f}")
+    return "\n".join(rows).encode()
+
+
+def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
+    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0, seconds=60)
+    assert "over the limit" in page.text("#view-measure")
+    assert page.page.locator(".findings h3").first.inner_text().startswith("40")
+    page.settle()
+    page.page.wait_for_timeout(800)
+    page.keep("measure", whole=True)
+    with page.page.expect_download(timeout=60_000) as download:
+        page.page.click("#report")
+    download.value.save_as(tmp_path / "report.html")
+    report = (tmp_path / "report.html").read_text()
+    assert "trolley.csv" in report and "record.csv" not in report
+    assert download.value.suggested_filename == "trolley-report.html"
+
+
+def test_a_file_that_is_no_profile_is_told_so(open_page):
+    page = open_page()
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": "letter.txt", "mimeType": "text/plain", "buffer": b"Dear all,\n"}])
+    page.until(page.page.locator("#trouble").is_visible)
+    assert "letter.txt" in page.text("#trouble")
+    assert "riffel-serve" not in page.text("#trouble")
+    page.close(complaints=1)
+
+
+@pytest.mark.parametrize(("kind", "begin"), [("toml", b""), ("csv", b"wavelength_m,"), ("png", b"\x89PNG"), ("svg", b"<svg"), ("html", b"<!DOCTYPE html>")])
+def test_the_page_hands_out_files(page, tmp_path, kind, begin):
+    page.page.get_by_text("Take away").click()
+    with page.page.expect_download() as download:
+        page.page.click(f"[data-take={kind}]")
+    path = tmp_path / "file"
+    download.value.save_as(path)
+    assert path.read_bytes().startswith(begin)
+    assert download.value.suggested_filename.endswith(kind)
+    if kind == "toml":
+        assert 'model = "free-beam"' in path.read_text()
+
+
+def test_in_german(open_page):
+    page = open_page(locale="de-DE")
+    assert page.page.locator("html").get_attribute("lang") == "de"
+    assert "Riffel wächst" in page.text("#why")
+    page.keep("german")
+    page.page.select_option("#language", "en")
+    page.settle()
+    assert "corrugation grows" in page.text("#why")
+    page.close()
+
+
+def test_dark(open_page):
+    page = open_page(color_scheme="dark")
+    ground = "() => getComputedStyle(document.body).backgroundColor"
+    assert page.page.evaluate(ground) == "rgb(16, 19, 22)"
+    page.keep("dark", whole=True)
+    page.page.click("#theme")
+    assert page.page.evaluate(ground) == "rgb(238, 240, 242)"
+    page.close()
+
+
+@pytest.mark.parametrize(("name", "width", "height"), [("phone", 360, 740), ("tablet", 820, 1180), ("4k", 3840, 2160)])
+def test_any_size_of_window(open_page, name, width, height):
+    page = open_page(viewport={"width": width, "height": height})
+    for view in VIEWS:
+        page.page.click(f"#tab-{view}")
+        page.page.wait_for_timeout(300)
+        wide = page.page.evaluate("() => document.documentElement.scrollWidth")
+        assert wide <= width, f"{view} is {wide} wide"
+    page.page.click("#tab-explore")
+    page.settle()
+    page.keep(name, whole=width < 1000)
+    page.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("view", VIEWS)
+def test_rules_of_accessibility(open_page, scheme, view):
+    page = open_page(color_scheme=scheme)
+    page.page.click(f"#tab-{view}")
+    if view == "compare":
+        page.page.click("#keep")
+        page.page.locator("#compare-difference").wait_for()
+    page.page.evaluate("() => document.querySelectorAll('details').forEach((group) => (group.open = true))")
+    page.settle()
+    page.page.wait_for_timeout(500)
+    results = Axe().run(page.page)
+    found = [
+        (violation["id"], [node["html"][:160] for node in violation["nodes"]][:3])
+        for violation in results.response["violations"]
+    ]
+    assert found == []
+    page.close(complaints=len(page.complaints))
+
+
+def latencies(page):
+    return page.page.evaluate(
+        """async () => {
+          const slider = document.getElementById('slide-key-contact-friction');
+          const shown = () => performance.getEntriesByName('riffel-map-shown').length;
+          const times = [];
+          for (let k = 0; k < 50; k++) {
+            slider.value = 0.2 + 0.01 * (k % 25) + 0.005;
+            const [begun, before] = [performance.now(), shown()];
+            slider.dispatchEvent(new Event('input'));
+            while (shown() === before) await new Promise((done) => setTimeout(done, 1));
+            // Until it is on the screen.
+            await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+            times.push(performance.now() - begun);
+            await new Promise((done) => setTimeout(done, 30));
+          }
+          return times;
+        }"""
+    )
+
+
+def test_the_map_follows_a_slider(page, capsys):
+    times = latencies(page)
+    assert len(times) == 50
+    with capsys.disabled():
+        tenths = statistics.quantiles(times, n=10)
+        print(f"\n# 50 steps of a slider to the map of 241 × 221 on the screen: median {statistics.median(times):.0f} ms, nine of ten within {tenths[8]:.0f} ms")
+
+
+def test_a_fast_hand_is_not_left_behind(page):
+    page.page.evaluate(
+        """async () => {
+          const slider = document.getElementById('slide-key-contact-tractive_ratio');
+          for (let k = 0; k < 300; k++) {
+            slider.value = 0.05 + 0.003 * (k % 300);
+            slider.dispatchEvent(new Event('input'));
+            if (k % 5 === 0) await new Promise((done) => setTimeout(done));
+          }
+          slider.value = 0.5;
+          slider.dispatchEvent(new Event('input'));
+        }"""
+    )
+    page.settle()
+    counts = page.page.evaluate("() => window.riffel.traffic")
+    assert counts["superseded"] > 100, counts
+    # What is shown is the last that was asked.
+    shown = page.page.evaluate("() => window.riffel.state.head.complete.contact.tractive_ratio")
+    assert shown == 0.5
+
+
+def test_a_busy_program_is_asked_again(open_page):
+    page = open_page()
+    turned_away = []
+
+    def busy(route):
+        if turned_away:
+            return route.continue_()
+        turned_away.append(route.request.url)
+        return route.fulfill(status=503, headers={"Retry-After": "1"}, content_type="application/json", body='{"message": "busy"}')
+
+    page.page.route("**/api/map", busy)
+    drag(page, "contact-friction", 0.6)
+    page.page.wait_for_timeout(200)
+    page.settle()
+    assert len(turned_away) == 1
+    assert page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.6
+    assert not page.page.locator("#trouble").is_visible()
+    page.close(complaints=1)
+
+
+def test_other_machines_are_let_in_with_a_warning_only(tmp_path):
+    program = subprocess.Popen(
+        [PROGRAM, "serve", "--port", "0", "--address", "0.0.0.0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        text=True, env={**os.environ, "TMPDIR": str(tmp_path)},
+    )
+    assert program.stdout.readline().startswith("http://127.0.0.1:")
+    program.terminate()
+    assert "warning: other machines can reach this page" in program.communicate(timeout=20)[1]
+
+
+def test_a_port_that_is_taken_is_told(served):
+    port = served.url.rsplit(":", 1)[1].strip("/")
+    outcome = subprocess.run([PROGRAM, "serve", "--port", port], capture_output=True, text=True, timeout=20)
+    assert outcome.returncode == 2
+    assert f"cannot listen on 127.0.0.1:{port}" in outcome.stderr and "--port 0" in outcome.stderr
+
+
+def test_nobody_else_may_ask(served):
+    def asked(headers):
+        request = urllib.request.Request(served.url + "api/map", b"{}", {"Content-Type": "application/json", **headers})
+        with pytest.raises(urllib.error.HTTPError) as answer:
+            urllib.request.urlopen(request)
+        return answer.value.code
+
+    assert asked({}) == 403
+    assert asked({"Origin": "http://evil.example"}) == 403
+    assert asked({"Host": "evil.example", "Origin": "http://evil.example"}) == 421
+
+
+@pytest.mark.parametrize("signal_", [signal.SIGTERM, signal.SIGINT])
+def test_the_end_leaves_nothing_behind(tmp_path, signal_):
+    served = Served(tmp_path)
+    host = served.url[7:-1]
+    headers = {"Origin": f"http://{host}", "X-Riffel-Page": "a", "Content-Type": "text/csv"}
+    request = urllib.request.Request(served.url + "api/roughness", profile(1), headers)
+    assert json.load(urllib.request.urlopen(request))["bytes"] > 1000
+    assert len(list(tmp_path.iterdir())) == 1
+    assert served.end(signal_) == 0
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_after_a_crash_the_next_start_clears_up(tmp_path):
+    crashed = Served(tmp_path)
+    crashed.end(signal.SIGKILL)
+    left = list(tmp_path.iterdir())
+    assert len(left) == 1
+    following = Served(tmp_path)
+    assert not pathlib.Path(left[0]).exists()
+    following.end()
+    assert list(tmp_path.iterdir()) == []
