@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 /// It is the same for every request.
 static VOCABULARY: LazyLock<String> = LazyLock::new(|| {
     let presets: Vec<Value> = presets()
-        .into_iter()
+        .iter()
         .map(|preset| {
             let values: Vec<Value> = preset
                 .values
