@@ -13,7 +13,7 @@ const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
 /// Names under which Chromium is found.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// [`test`] with the program whose page is tested.
+/// [`test()`] with the program whose page is tested.
 pub(crate) fn test_alone() -> Outcome {
     crate::cargo(&["build", "--quiet"])?;
     test()

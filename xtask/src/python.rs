@@ -12,7 +12,7 @@ const OLDEST: &str = "3.11";
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-python/requirements.txt";
 
-/// [`test`] with the program that it is held against.
+/// [`test()`] with the program that it is held against.
 pub(crate) fn test_alone() -> Outcome {
     crate::cargo(&["build", "--quiet"])?;
     test()
