@@ -29,7 +29,7 @@ pub(crate) fn test() -> Outcome {
         chromium.display()
     );
     let status = Command::new(python)
-        .args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider"])
+        .args(["-m", "pytest", "--quiet"])
         .arg(root().join("crates/riffel-web/tests"))
         .env("RIFFEL", root().join("target/debug/riffel"))
         .env("CHROMIUM", chromium)
