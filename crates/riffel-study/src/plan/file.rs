@@ -324,7 +324,8 @@ pub enum MapQuantity {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ResultsFile {
-    /// Samples of a chunk, which is finished or not as a whole; left out, a hundredth of all, at most 1000.
+    /// Samples of a chunk, which is finished or not as a whole; left out, a fiftieth of all, 10 to 1000; for
+    /// samples that take minutes, 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 1_000_000))]
     pub samples_per_chunk: Option<u64>,

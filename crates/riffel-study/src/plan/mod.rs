@@ -24,8 +24,11 @@ const MOST_BYTES: u64 = 1_000_000_000_000;
 const MOST_SAMPLES_PER_CHUNK: u64 = 1_000_000;
 /// Most samples of a chunk where the plan does not say.
 const USUAL_CHUNK: u64 = 1000;
-/// Chunks of a study where the plan does not say, unless it is very long.
-const USUAL_CHUNKS: u64 = 100;
+/// Chunks of a study where the plan does not say, unless it is very short or very long.
+const USUAL_CHUNKS: u64 = 50;
+/// Fewest samples of a chunk where the plan does not say: to synchronise the files of a chunk takes as long as some
+/// ten quick samples.
+const LEAST_CHUNK: u64 = 10;
 /// Bytes of a chunk where the plan does not say.
 const USUAL_CHUNK_BYTES: u64 = 16 << 20;
 
@@ -237,7 +240,7 @@ impl Plan {
             let by_bytes = USUAL_CHUNK_BYTES / self.bytes_per_sample();
             samples
                 .div_ceil(USUAL_CHUNKS)
-                .min(USUAL_CHUNK)
+                .clamp(LEAST_CHUNK, USUAL_CHUNK)
                 .min(by_bytes)
                 .max(1)
         })
