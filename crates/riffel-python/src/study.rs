@@ -367,13 +367,7 @@ fn column<'py, 'a>(
     py: Python<'py>,
     values: impl Iterator<Item = &'a ParameterValue> + Clone,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let numbers: Option<Vec<f64>> = values
-        .clone()
-        .map(|value| match value {
-            ParameterValue::Number(number) => Some(*number),
-            ParameterValue::Text(_) => None,
-        })
-        .collect();
+    let numbers: Option<Vec<f64>> = values.clone().map(ParameterValue::number).collect();
     Ok(match numbers {
         Some(numbers) => numbers.into_pyarray(py).into_any(),
         None => {

@@ -277,13 +277,8 @@ impl Arrays {
                 let bytes = match *content {
                     Content::Parameter(index) => {
                         let values = chunk.samples.iter().map(|sample| &sample.parameters[index]);
-                        let numbers: Option<Vec<f64>> = values
-                            .clone()
-                            .map(|value| match value {
-                                ParameterValue::Number(number) => Some(*number),
-                                ParameterValue::Text(_) => None,
-                            })
-                            .collect();
+                        let numbers: Option<Vec<f64>> =
+                            values.clone().map(ParameterValue::number).collect();
                         match numbers {
                             Some(mut numbers) => {
                                 numbers.resize(self.samples_per_chunk, f64::NAN);
