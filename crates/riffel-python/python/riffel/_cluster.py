@@ -8,7 +8,6 @@ the same bytes.
 from __future__ import annotations
 
 import functools
-import itertools
 import statistics
 import time
 from collections import Counter, deque
@@ -111,7 +110,6 @@ class _Run:
         """Of a chunk, in the latest tasks."""
         self.longest = 0.0
         self.broken: Counter[str] = Counter()
-        self.numbers = itertools.count()
         self.seen = time.monotonic()
         """When there was a worker."""
 
@@ -177,7 +175,6 @@ class _Run:
             self.folder,
             self.study.fingerprint,
             task.chunks,
-            key=f"riffel-{self.study.fingerprint[:12]}-{next(self.numbers)}-{time.time_ns()}",
             workers=others if task.refused or self.broken else None,
             pure=False,
         )
