@@ -128,9 +128,9 @@ impl CaseArguments {
     }
 }
 
-/// The case with a contact that answers at the wavelength \[m\] of `--wavelength`.
-pub(crate) fn covering(case: &Case, wavelength: f64) -> Result<Case, CliError> {
-    case.covering(wavelength, wavelength).map_err(|error| {
+/// The case with a contact that answers from one wavelength \[m\] to another.
+pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
+    case.covering(from, to).map_err(|error| {
         let message = error.to_string();
         // The window was not written by the user.
         let sentence = ["min", "max"].iter().find_map(|end| {

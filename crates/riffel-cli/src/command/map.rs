@@ -120,7 +120,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         _ => None,
     };
     let case = match curve {
-        Some((wavelength, _)) => covering(&case, wavelength)?,
+        Some((wavelength, _)) => covering(&case, wavelength, wavelength)?,
         None => case,
     };
     let observations = match &arguments.observations {

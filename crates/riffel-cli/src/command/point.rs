@@ -11,7 +11,7 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let wavelength = positive("--wavelength", arguments.wavelength)?;
     let speed = positive("--speed", arguments.speed)?;
     case.check_frequencies(speed / wavelength, speed / wavelength)?;
-    let case = covering(&case, wavelength)?;
+    let case = covering(&case, wavelength, wavelength)?;
     let state = case.feedback.at(wavelength, speed);
     if arguments.json {
         print_json(&Document::new(&case, &state));

@@ -157,7 +157,6 @@ fn growth(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDe
     }
     case.check_frequencies(speeds.slowest() / to, speeds.fastest() / from)
         .map_err(|error| error.to_string())?;
-    let covered = covering(case, from).and_then(|case| covering(&case, to));
-    let covered = covered.map_err(|error| error.to_string())?;
+    let covered = covering(case, from, to).map_err(|error| error.to_string())?;
     Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
 }
