@@ -12,7 +12,7 @@ const ARROWS = [
   ['normal', 'P₁', 'phasor-p', 0.9, (s) => s.normal_force_n, 1e-3, 'kN'],
   ['tangential', 'Q₁', 'phasor-q', 0.78, (s) => s.tangential_force_n, 1, 'N'],
   ['angular', 'Ω₁', 'phasor-o', 0.66, (s) => s.angular_velocity_rad_per_s, 1e3, 'mrad/s'],
-  ['dissipation', 'W₁', 'phasor-w', 1, (s) => s.dissipation_at_rail_w, 1, 'W'],
+  ['dissipation', 'W₁', 'phasor-w', 1, (s) => s.dissipation_lag_w, 1, 'W'],
 ];
 
 const modulus = ([re, im]) => Math.hypot(re, im);
@@ -76,7 +76,7 @@ export function drawPhasors(place, table, state) {
 /** The same in words. */
 export function words(state) {
   const force = Math.round(degrees(state.normal_force_n));
-  const lag = Math.abs(Math.round(degrees(state.dissipation_at_rail_w)));
+  const lag = Math.abs(Math.round(degrees(state.dissipation_lag_w)));
   const rate = state.growth_rate_per_passage;
   const count = passages(Math.LN2 / Math.abs(rate));
   return t('sentence', {

@@ -2,8 +2,8 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel::{Complex64, LoopState, Ridge};
-use riffel_case::Case;
+use riffel::{Complex64, Ridge};
+use riffel_case::{Case, Point, ReceptanceCurves};
 use serde::{Deserialize, Serialize};
 
 use super::map::Highest;
@@ -15,7 +15,7 @@ use crate::request::{Asked, Asker, CaseText};
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
 /// How many, equally spaced in their logarithm.
-const FREQUENCY_POINTS: usize = 240;
+const FREQUENCY_POINTS: u32 = 240;
 /// Wavelengths of the growth curve.
 const WAVELENGTH_POINTS: usize = 241;
 
@@ -35,26 +35,14 @@ pub(crate) struct Answer {
     growth: Growth,
 }
 
-/// One turn of the loop; complex numbers as [re, im].
+/// What `riffel point --json` prints, and what it is held against.
 #[derive(Serialize)]
 struct Turn {
-    wavelength_m: f64,
-    speed_m_per_s: f64,
-    frequency_hz: f64,
+    #[serde(flatten)]
+    point: Point,
     /// Of the profile, real and upward on the rail.
     amplitude_m: f64,
-    rail_receptance_m_per_n: [f64; 2],
-    wheel_receptance_m_per_n: [f64; 2],
-    contact_stiffness_n_per_m: f64,
     static_normal_force_n: f64,
-    normal_force_n: [f64; 2],
-    tangential_force_n: [f64; 2],
-    angular_velocity_rad_per_s: [f64; 2],
-    dissipation_w: [f64; 2],
-    dissipation_at_rail_w: [f64; 2],
-    mean_dissipation_w: f64,
-    normalized_dissipation: [f64; 2],
-    growth_rate_per_passage: f64,
 }
 
 #[derive(Serialize)]
@@ -78,43 +66,16 @@ fn pair(value: Complex64) -> [f64; 2] {
     [value.re, value.im]
 }
 
-impl Turn {
-    fn new(case: &Case, state: &LoopState) -> Self {
-        Self {
-            wavelength_m: state.wavelength,
-            speed_m_per_s: state.speed,
-            frequency_hz: state.speed / state.wavelength,
-            amplitude_m: case.feedback.amplitude,
-            rail_receptance_m_per_n: pair(state.track_receptance),
-            wheel_receptance_m_per_n: pair(state.wheel_receptance),
-            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
-            static_normal_force_n: case.steady.normal_force,
-            normal_force_n: pair(state.normal_force),
-            tangential_force_n: pair(state.tangential_force),
-            angular_velocity_rad_per_s: pair(state.angular_velocity),
-            dissipation_w: pair(state.dissipation),
-            dissipation_at_rail_w: pair(state.dissipation_at_rail),
-            mean_dissipation_w: state.mean_dissipation,
-            normalized_dissipation: pair(state.normalized_dissipation),
-            growth_rate_per_passage: state.growth_rate,
-        }
-    }
-}
-
 impl Spectrum {
     fn new(case: &Case, speed: f64) -> Self {
         let [lowest, highest] = FREQUENCIES;
-        let last = (FREQUENCY_POINTS - 1) as f64;
-        let frequency_hz: Vec<f64> = (0..FREQUENCY_POINTS)
-            .map(|step| lowest * (highest / lowest).powf(step as f64 / last))
-            .collect();
         let feedback = &case.feedback;
         let contact = feedback.contact_stiffness.recip();
         let mut spectrum = Self {
             rail_receptance_m_per_n: Vec::new(),
             wheel_receptance_m_per_n: Vec::new(),
             normal_force_ratio: Vec::new(),
-            frequency_hz,
+            frequency_hz: ReceptanceCurves::frequencies(lowest, highest, FREQUENCY_POINTS),
         };
         for frequency in &spectrum.frequency_hz {
             let w = std::f64::consts::TAU * frequency;
@@ -197,7 +158,11 @@ pub(crate) async fn post(
                 ));
             }
             Ok(Json(Answer {
-                state: Turn::new(&case, &state),
+                state: Turn {
+                    point: Point::new(&case, &state),
+                    amplitude_m: case.feedback.amplitude,
+                    static_normal_force_n: case.steady.normal_force,
+                },
                 spectrum,
                 growth: Growth::new(&case, speed),
             }))
