@@ -1,11 +1,10 @@
 //! The page in a real browser: Debian's Chromium, driven by pytest.
 
 use std::env;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-use crate::{Outcome, root};
+use crate::{Outcome, environment, root};
 
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
@@ -22,8 +21,8 @@ pub(crate) fn test_alone() -> Outcome {
 /// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
 pub(crate) fn test() -> Outcome {
     let chromium = chromium()?;
-    let environment = root().join("target/browser-tests");
-    let python = prepare(&environment)?;
+    let folder = root().join("target/browser-tests");
+    let python = environment::prepare(&folder.join("venv"), REQUIREMENTS)?;
     println!(
         "# pytest crates/riffel-web/tests, in {}",
         chromium.display()
@@ -33,7 +32,7 @@ pub(crate) fn test() -> Outcome {
         .arg(root().join("crates/riffel-web/tests"))
         .env("RIFFEL", root().join("target/debug/riffel"))
         .env("CHROMIUM", chromium)
-        .env("SCREENSHOTS", environment.join("screenshots"))
+        .env("SCREENSHOTS", folder.join("screenshots"))
         .env("PYTHONDONTWRITEBYTECODE", "1")
         .status();
     done(status, "the tests of the page")
@@ -87,43 +86,4 @@ fn on_path() -> Option<PathBuf> {
         .iter()
         .flat_map(|name| folders.iter().map(move |folder| folder.join(name)))
         .find(|file| file.is_file())
-}
-
-/// Python of a virtual environment with the requirements as they are now.
-fn prepare(environment: &Path) -> Result<PathBuf, String> {
-    let folder = environment.join("venv");
-    let python = folder.join(if cfg!(windows) {
-        "Scripts/python.exe"
-    } else {
-        "bin/python"
-    });
-    let wanted = fs::read_to_string(root().join(REQUIREMENTS))
-        .map_err(|error| format!("cannot read {REQUIREMENTS}: {error}"))?;
-    let installed = environment.join("requirements.installed");
-    if fs::read_to_string(&installed).is_ok_and(|present| present == wanted) {
-        return Ok(python);
-    }
-    let venv = Command::new("python3")
-        .args(["-m", "venv", "--clear"])
-        .arg(&folder)
-        .status();
-    done(
-        venv,
-        "the tests of the page need Python 3 with venv (Debian: apt install python3-venv); python3 -m venv",
-    )?;
-    let pip = Command::new(&python)
-        .args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-            "--requirement",
-        ])
-        .arg(root().join(REQUIREMENTS))
-        .status();
-    done(pip, "pip install")?;
-    fs::write(&installed, wanted)
-        .map_err(|error| format!("cannot write {}: {error}", installed.display()))?;
-    Ok(python)
 }

@@ -2,6 +2,7 @@
 
 mod browser;
 mod decay_rate;
+mod environment;
 mod generate;
 mod marked;
 mod place_of_wear;

@@ -1,13 +1,10 @@
 //! The Python package: a virtual environment, the wheel in it, its tests and types.
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::Path;
 
+use crate::environment::{self, run};
 use crate::{Outcome, root};
-
-/// Oldest Python for which the pinned requirements of the tests are made; the package itself asks for 3.10.
-const OLDEST: &str = "3.11";
 
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-python/requirements.txt";
@@ -24,8 +21,7 @@ pub(crate) fn test_alone() -> Outcome {
 /// numbers are those of the program of the same profile, and its dependencies stay in `target`.
 pub(crate) fn test() -> Outcome {
     let environment = root().join("target/python");
-    prepare(&environment)?;
-    let python = python_of(&environment);
+    let python = environment::prepare(&environment, REQUIREMENTS)?;
     let python = python.to_string_lossy();
     let wheels = environment.join("wheels");
     // One wheel, whichever version was built before.
@@ -54,62 +50,6 @@ pub(crate) fn test() -> Outcome {
     run(&python, &["-m", "mypy"])
 }
 
-/// A virtual environment with the requirements, as they are now.
-fn prepare(environment: &Path) -> Outcome {
-    let wanted = fs::read_to_string(root().join(REQUIREMENTS))
-        .map_err(|error| format!("cannot read {REQUIREMENTS}: {error}"))?;
-    let installed = environment.join("requirements.installed");
-    if fs::read_to_string(&installed).is_ok_and(|present| present == wanted) {
-        return Ok(());
-    }
-    let python = interpreter()?;
-    let folder = environment.to_string_lossy();
-    run(python, &["-m", "venv", "--clear", &folder]).map_err(|_| {
-        format!("{python} has no module venv; install it (Debian: apt install python3-venv)")
-    })?;
-    let own = python_of(environment);
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-    ];
-    run(
-        &own.to_string_lossy(),
-        &[&pip[..], &["--requirement", REQUIREMENTS]].concat(),
-    )?;
-    fs::write(&installed, wanted)
-        .map_err(|error| format!("cannot write {}: {error}", installed.display()))
-}
-
-/// A Python that is new enough.
-fn interpreter() -> Result<&'static str, String> {
-    let check = format!(
-        "import sys; sys.exit(sys.version_info < ({},))",
-        OLDEST.replace('.', ", ")
-    );
-    let new_enough = |name: &&&str| {
-        let outcome = Command::new(name).args(["-c", &check]).output();
-        outcome.is_ok_and(|outcome| outcome.status.success())
-    };
-    let names = ["python3", "python"];
-    names.iter().find(new_enough).copied().ok_or_else(|| {
-        format!(
-            "the tests of the Python package need Python {OLDEST} or newer with venv, and there is no such python3 on \
-             the path"
-        )
-    })
-}
-
-/// The interpreter of a virtual environment.
-fn python_of(environment: &Path) -> PathBuf {
-    environment.join(match cfg!(windows) {
-        true => "Scripts/python.exe",
-        false => "bin/python",
-    })
-}
-
 /// The wheel that was built.
 fn wheel(folder: &Path) -> Result<String, String> {
     let entries = fs::read_dir(folder)
@@ -119,21 +59,4 @@ fn wheel(folder: &Path) -> Result<String, String> {
         .find(|path| path.extension().is_some_and(|extension| extension == "whl"))
         .map(|path| path.to_string_lossy().into_owned())
         .ok_or_else(|| format!("maturin left no wheel in {}", folder.display()))
-}
-
-fn run(program: &str, arguments: &[&str]) -> Outcome {
-    let line = format!("{program} {}", arguments.join(" "));
-    println!("# {line}");
-    let status = Command::new(program)
-        .args(arguments)
-        .current_dir(root())
-        // Packages of the user stay out of it.
-        .env_remove("PYTHONPATH")
-        .env("MPLBACKEND", "Agg")
-        .status()
-        .map_err(|error| format!("cannot run {line}: {error}"))?;
-    match status.success() {
-        true => Ok(()),
-        false => Err(format!("{line} failed")),
-    }
 }
