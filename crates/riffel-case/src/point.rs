@@ -1,10 +1,278 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
 use riffel::{Complex64, LoopState};
+use schemars::JsonSchema;
 use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::Case;
+
+/// A quantity at one wavelength and speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[allow(missing_docs)] // `name` says what each of them is.
+pub enum PointQuantity {
+    WavelengthM,
+    SpeedMPerS,
+    FrequencyHz,
+    SemiAxisLongitudinalM,
+    SemiAxisLateralM,
+    CreepCoefficient,
+    SaturationCreepage,
+    Creepage,
+    TractiveRatio,
+    ContactStiffnessNPerM,
+    AngularFrequencyRadPerS,
+    RailReceptanceMPerN,
+    WheelReceptanceMPerN,
+    NormalForceN,
+    DqDp,
+    DqDomegaNSPerRad,
+    DwDpMPerS,
+    DwDomegaWSPerRad,
+    TangentialForceN,
+    AngularVelocityRadPerS,
+    DissipationW,
+    DissipationPhaseRad,
+    DissipationLagW,
+    NormalizedDissipation,
+    NormalizedByMean,
+    MeanDissipationW,
+    GrowthRatePerPassage,
+}
+
+/// What numbers a quantity has.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Numbers {
+    Real,
+    Complex,
+    /// Complex, but for contacts that answer at once and wheels without a receptance of their own.
+    Either,
+}
+
+impl PointQuantity {
+    /// Every quantity, in the order of documents.
+    pub const ALL: [Self; 27] = [
+        Self::WavelengthM,
+        Self::SpeedMPerS,
+        Self::FrequencyHz,
+        Self::SemiAxisLongitudinalM,
+        Self::SemiAxisLateralM,
+        Self::CreepCoefficient,
+        Self::SaturationCreepage,
+        Self::Creepage,
+        Self::TractiveRatio,
+        Self::ContactStiffnessNPerM,
+        Self::AngularFrequencyRadPerS,
+        Self::RailReceptanceMPerN,
+        Self::WheelReceptanceMPerN,
+        Self::NormalForceN,
+        Self::DqDp,
+        Self::DqDomegaNSPerRad,
+        Self::DwDpMPerS,
+        Self::DwDomegaWSPerRad,
+        Self::TangentialForceN,
+        Self::AngularVelocityRadPerS,
+        Self::DissipationW,
+        Self::DissipationPhaseRad,
+        Self::DissipationLagW,
+        Self::NormalizedDissipation,
+        Self::NormalizedByMean,
+        Self::MeanDissipationW,
+        Self::GrowthRatePerPassage,
+    ];
+
+    fn words(self) -> (&'static str, &'static str, Numbers, &'static str) {
+        use Numbers::{Complex, Either, Real};
+        match self {
+            Self::WavelengthM => ("wavelength_m", "m", Real, "wavelength of the corrugation"),
+            Self::SpeedMPerS => ("speed_m_per_s", "m/s", Real, "speed of the vehicle"),
+            Self::FrequencyHz => ("frequency_hz", "Hz", Real, "frequency"),
+            Self::SemiAxisLongitudinalM => (
+                "semi_axis_longitudinal_m",
+                "m",
+                Real,
+                "semi-axis of the contact ellipse along the rail",
+            ),
+            Self::SemiAxisLateralM => (
+                "semi_axis_lateral_m",
+                "m",
+                Real,
+                "semi-axis of the contact ellipse across the rail",
+            ),
+            Self::CreepCoefficient => ("creep_coefficient", "1", Real, "creep coefficient"),
+            Self::SaturationCreepage => ("saturation_creepage", "1", Real, "creepage of full slip"),
+            Self::Creepage => ("creepage", "1", Real, "mean creepage"),
+            Self::TractiveRatio => (
+                "tractive_ratio",
+                "1",
+                Real,
+                "mean tractive ratio Q0/(mu P0)",
+            ),
+            Self::ContactStiffnessNPerM => (
+                "contact_stiffness_n_per_m",
+                "N/m",
+                Real,
+                "stiffness of the contact",
+            ),
+            Self::AngularFrequencyRadPerS => (
+                "angular_frequency_rad_per_s",
+                "rad/s",
+                Real,
+                "angular frequency",
+            ),
+            Self::RailReceptanceMPerN => (
+                "rail_receptance_m_per_n",
+                "m/N",
+                Complex,
+                "receptance of the rail",
+            ),
+            Self::WheelReceptanceMPerN => (
+                "wheel_receptance_m_per_n",
+                "m/N",
+                Either,
+                "receptance of the wheel",
+            ),
+            Self::NormalForceN => (
+                "normal_force_n",
+                "N",
+                Complex,
+                "oscillating normal force P1",
+            ),
+            Self::DqDp => ("dq_dp", "1", Either, "tangential force per normal force"),
+            Self::DqDomegaNSPerRad => (
+                "dq_domega_n_s_per_rad",
+                "N s/rad",
+                Either,
+                "tangential force per angular velocity",
+            ),
+            Self::DwDpMPerS => (
+                "dw_dp_m_per_s",
+                "m/s",
+                Either,
+                "dissipated power per normal force",
+            ),
+            Self::DwDomegaWSPerRad => (
+                "dw_domega_w_s_per_rad",
+                "W s/rad",
+                Either,
+                "dissipated power per angular velocity",
+            ),
+            Self::TangentialForceN => (
+                "tangential_force_n",
+                "N",
+                Complex,
+                "oscillating tangential force Q1",
+            ),
+            Self::AngularVelocityRadPerS => (
+                "angular_velocity_rad_per_s",
+                "rad/s",
+                Complex,
+                "oscillating angular velocity of the wheel",
+            ),
+            Self::DissipationW => (
+                "dissipation_w",
+                "W",
+                Complex,
+                "oscillating dissipated power at the wheel W1",
+            ),
+            Self::DissipationPhaseRad => (
+                "dissipation_phase_rad",
+                "rad",
+                Real,
+                "lag of the dissipation at a point of the rail",
+            ),
+            Self::DissipationLagW => (
+                "dissipation_lag_w",
+                "W",
+                Complex,
+                "oscillating dissipated power at a point of the rail",
+            ),
+            Self::NormalizedDissipation => (
+                "normalized_dissipation",
+                "1",
+                Complex,
+                "W1/(mu P0 V xi0) at a point of the rail, growth where its real part is negative",
+            ),
+            Self::NormalizedByMean => (
+                "normalized_by_mean",
+                "1",
+                Complex,
+                "dissipated power at a point of the rail over its mean",
+            ),
+            Self::MeanDissipationW => ("mean_dissipation_w", "W", Real, "mean dissipated power W0"),
+            Self::GrowthRatePerPassage => (
+                "growth_rate_per_passage",
+                "1",
+                Real,
+                "growth rate of the amplitude per passage of a wheel",
+            ),
+        }
+    }
+
+    /// Key in documents, with the unit in it.
+    pub fn key(self) -> &'static str {
+        self.words().0
+    }
+
+    /// SI unit, "1" for a ratio.
+    pub fn unit(self) -> &'static str {
+        self.words().1
+    }
+
+    /// What it is.
+    pub fn name(self) -> &'static str {
+        self.words().3
+    }
+
+    /// Whether it has an imaginary part on some case.
+    pub fn is_complex(self) -> bool {
+        self.words().2 != Numbers::Real
+    }
+
+    /// Its number in a state of the loop of a case; none for the constants of a creep law on the cases of others.
+    pub fn number(self, case: &Case, state: &LoopState) -> Option<Complex64> {
+        let real = |value: f64| Complex64::new(value, 0.0);
+        Some(match self {
+            Self::WavelengthM => real(state.wavelength),
+            Self::SpeedMPerS => real(state.speed),
+            Self::FrequencyHz => real(state.speed / state.wavelength),
+            Self::SemiAxisLongitudinalM => real(case.hertz.semi_axis_longitudinal()),
+            Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
+            Self::CreepCoefficient => real(case.carter?.creep_coefficient()),
+            Self::SaturationCreepage => real(case.carter?.saturation_creepage()),
+            Self::Creepage => real(case.steady.creepage),
+            Self::TractiveRatio => real(case.steady.tractive_ratio()),
+            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness),
+            Self::AngularFrequencyRadPerS => real(state.angular_frequency),
+            Self::RailReceptanceMPerN => state.track_receptance,
+            Self::WheelReceptanceMPerN => state.wheel_receptance,
+            Self::NormalForceN => state.normal_force,
+            Self::DqDp => state.dq_dp,
+            Self::DqDomegaNSPerRad => state.dq_domega,
+            Self::DwDpMPerS => state.dw_dp,
+            Self::DwDomegaWSPerRad => state.dw_domega,
+            Self::TangentialForceN => state.tangential_force,
+            Self::AngularVelocityRadPerS => state.angular_velocity,
+            Self::DissipationW => state.dissipation,
+            Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
+            Self::DissipationLagW => state.dissipation_at_rail,
+            Self::NormalizedDissipation => state.normalized_dissipation,
+            Self::NormalizedByMean => state.dissipation_at_rail / state.mean_dissipation,
+            Self::MeanDissipationW => real(state.mean_dissipation),
+            Self::GrowthRatePerPassage => real(state.growth_rate),
+        })
+    }
+
+    fn value(self, case: &Case, state: &LoopState) -> Option<PointValue> {
+        let number = self.number(case, state)?;
+        Some(match self.words().2 {
+            Numbers::Complex => PointValue::Complex(number),
+            Numbers::Either if number.im != 0.0 => PointValue::Complex(number),
+            _ => PointValue::Real(number.re),
+        })
+    }
+}
 
 /// A number of a point, in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,200 +283,22 @@ pub enum PointValue {
     Complex(Complex64),
 }
 
-/// A quantity at one wavelength and speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PointQuantity {
-    /// Key in documents, with the unit in it.
-    pub key: &'static str,
-    /// SI unit, "1" for a ratio.
-    pub unit: &'static str,
-    /// What it is.
-    pub name: &'static str,
-    /// The number.
-    pub value: PointValue,
-}
-
 /// One turn of the loop with the contact that it is of; serialises as one table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// In the order of documents.
-    pub quantities: Vec<PointQuantity>,
+    pub quantities: Vec<(PointQuantity, PointValue)>,
 }
 
 impl Point {
     /// The quantities of a state of the loop of a case.
     pub fn new(case: &Case, state: &LoopState) -> Self {
-        let mut quantities = Vec::new();
-        let mut add = |key, unit, name, value| {
-            quantities.push(PointQuantity {
-                key,
-                unit,
-                name,
-                value,
-            });
-        };
-        use PointValue::{Complex, Real};
-        // A derivative of the contact is a number if it answers at once, a pair if it answers late.
-        let derivative = |value: Complex64| match value.im == 0.0 {
-            true => Real(value.re),
-            false => Complex(value),
-        };
-        let hertz = case.hertz;
-        add(
-            "wavelength_m",
-            "m",
-            "wavelength of the corrugation",
-            Real(state.wavelength),
-        );
-        add(
-            "speed_m_per_s",
-            "m/s",
-            "speed of the vehicle",
-            Real(state.speed),
-        );
-        add(
-            "frequency_hz",
-            "Hz",
-            "frequency",
-            Real(state.speed / state.wavelength),
-        );
-        add(
-            "semi_axis_longitudinal_m",
-            "m",
-            "semi-axis of the contact ellipse along the rail",
-            Real(hertz.semi_axis_longitudinal()),
-        );
-        add(
-            "semi_axis_lateral_m",
-            "m",
-            "semi-axis of the contact ellipse across the rail",
-            Real(hertz.semi_axis_lateral()),
-        );
-        // Of the paper's creep law only.
-        if let Some(law) = case.carter {
-            add(
-                "creep_coefficient",
-                "1",
-                "creep coefficient",
-                Real(law.creep_coefficient()),
-            );
-            add(
-                "saturation_creepage",
-                "1",
-                "creepage of full slip",
-                Real(law.saturation_creepage()),
-            );
+        let quantities = PointQuantity::ALL.into_iter();
+        Self {
+            quantities: quantities
+                .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
+                .collect(),
         }
-        add("creepage", "1", "mean creepage", Real(case.steady.creepage));
-        add(
-            "contact_stiffness_n_per_m",
-            "N/m",
-            "stiffness of the contact",
-            Real(case.feedback.contact_stiffness),
-        );
-        add(
-            "angular_frequency_rad_per_s",
-            "rad/s",
-            "angular frequency",
-            Real(state.angular_frequency),
-        );
-        add(
-            "rail_receptance_m_per_n",
-            "m/N",
-            "receptance of the rail",
-            Complex(state.track_receptance),
-        );
-        add(
-            "wheel_receptance_m_per_n",
-            "m/N",
-            "receptance of the wheel",
-            derivative(state.wheel_receptance),
-        );
-        add(
-            "normal_force_n",
-            "N",
-            "oscillating normal force P1",
-            Complex(state.normal_force),
-        );
-        add(
-            "dq_dp",
-            "1",
-            "tangential force per normal force",
-            derivative(state.dq_dp),
-        );
-        add(
-            "dq_domega_n_s_per_rad",
-            "N s/rad",
-            "tangential force per angular velocity",
-            derivative(state.dq_domega),
-        );
-        add(
-            "dw_dp_m_per_s",
-            "m/s",
-            "dissipated power per normal force",
-            derivative(state.dw_dp),
-        );
-        add(
-            "dw_domega_w_s_per_rad",
-            "W s/rad",
-            "dissipated power per angular velocity",
-            derivative(state.dw_domega),
-        );
-        add(
-            "tangential_force_n",
-            "N",
-            "oscillating tangential force Q1",
-            Complex(state.tangential_force),
-        );
-        add(
-            "angular_velocity_rad_per_s",
-            "rad/s",
-            "oscillating angular velocity of the wheel",
-            Complex(state.angular_velocity),
-        );
-        add(
-            "dissipation_w",
-            "W",
-            "oscillating dissipated power at the wheel W1",
-            Complex(state.dissipation),
-        );
-        add(
-            "dissipation_phase_rad",
-            "rad",
-            "lag of the dissipation at a point of the rail",
-            Real(state.dissipation_lag_angle),
-        );
-        add(
-            "dissipation_lag_w",
-            "W",
-            "oscillating dissipated power at a point of the rail",
-            Complex(state.dissipation_at_rail),
-        );
-        add(
-            "normalized_dissipation",
-            "1",
-            "W1/(mu P0 V xi0) at a point of the rail, growth where its real part is negative",
-            Complex(state.normalized_dissipation),
-        );
-        add(
-            "normalized_by_mean",
-            "1",
-            "dissipated power at a point of the rail over its mean",
-            Complex(state.dissipation_at_rail / state.mean_dissipation),
-        );
-        add(
-            "mean_dissipation_w",
-            "W",
-            "mean dissipated power W0",
-            Real(state.mean_dissipation),
-        );
-        add(
-            "growth_rate_per_passage",
-            "1",
-            "growth rate of the amplitude per passage of a wheel",
-            Real(state.growth_rate),
-        );
-        Self { quantities }
     }
 }
 
@@ -224,9 +314,22 @@ impl Serialize for PointValue {
 impl Serialize for Point {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.quantities.len()))?;
-        for quantity in &self.quantities {
-            map.serialize_entry(quantity.key, &quantity.value)?;
+        for (quantity, value) in &self.quantities {
+            map.serialize_entry(quantity.key(), value)?;
         }
         map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plans_and_documents_name_quantities_alike() {
+        for quantity in PointQuantity::ALL {
+            let written = serde_json::to_value(quantity).unwrap();
+            assert_eq!(written, quantity.key());
+        }
     }
 }

@@ -250,8 +250,8 @@ impl Case {
         let points = self.heard(points)?;
         let columns = points[0].quantities.iter().enumerate();
         Ok(columns
-            .map(|(index, quantity)| {
-                let values = || points.iter().map(|point| point.quantities[index].value);
+            .map(|(index, (quantity, _))| {
+                let values = || points.iter().map(|point| point.quantities[index].1);
                 let reals: Option<Vec<f64>> = values()
                     .map(|value| match value {
                         PointValue::Real(value) => Some(value),
@@ -269,7 +269,7 @@ impl Case {
                         .into_pyarray(py)
                         .into_any(),
                 };
-                (quantity.key, quantity.unit, quantity.name, array)
+                (quantity.key(), quantity.unit(), quantity.name(), array)
             })
             .collect())
     }

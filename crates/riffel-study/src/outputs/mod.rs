@@ -1,7 +1,6 @@
 //! What is computed for each sample.
 
 mod band;
-mod point_quantity;
 
 use riffel::{Complex64, Ridge, RidgePoint, RowEvaluator};
 use riffel_case::{Case, CaseError, Source};
@@ -301,15 +300,16 @@ impl Outputs {
                 .clone()
                 .unwrap_or_else(|| format!("point_{}", index + 1));
             for &quantity in &point.quantities {
-                let words = quantity.words();
                 variables.push(Variable {
-                    name: format!("{name}_{}", words.name),
+                    name: format!("{name}_{}", quantity.key()),
                     dimensions: Vec::new(),
-                    complex: words.complex,
-                    unit: words.unit,
+                    complex: quantity.is_complex(),
+                    unit: quantity.unit(),
                     description: format!(
                         "{} at {} and {}",
-                        words.description, point.wavelength, point.speed
+                        quantity.name(),
+                        point.wavelength,
+                        point.speed
                     ),
                 });
             }
@@ -344,9 +344,11 @@ impl Outputs {
                 .map_err(|error| crate::plan::sentence(&error))?;
             let state = case.feedback.at(wavelength, speed);
             for &quantity in &point.quantities {
-                let value = quantity.value(&case, &state);
+                let value = quantity
+                    .number(&case, &state)
+                    .ok_or_else(|| format!("{} is none of this creep law", quantity.key()))?;
                 values.push(value.re);
-                if quantity.words().complex {
+                if quantity.is_complex() {
                     values.push(value.im);
                 }
             }

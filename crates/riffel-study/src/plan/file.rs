@@ -1,5 +1,6 @@
 //! The keys of a plan, as written.
 
+use riffel_case::PointQuantity;
 use riffel_case::quantity::{Length, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
@@ -280,34 +281,6 @@ pub struct PointFile {
     pub speed: Quantity<Speed>,
     /// The quantities, as `riffel point --json` names them.
     pub quantities: Vec<PointQuantity>,
-}
-
-/// A quantity of the loop at one wavelength and speed, as `riffel point --json` names it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[allow(missing_docs)] // Their names are those of `riffel point --json`; `outputs` gives each its words.
-pub enum PointQuantity {
-    SemiAxisLongitudinalM,
-    SemiAxisLateralM,
-    Creepage,
-    TractiveRatio,
-    ContactStiffnessNPerM,
-    RailReceptanceMPerN,
-    WheelReceptanceMPerN,
-    NormalForceN,
-    DqDp,
-    DqDomegaNSPerRad,
-    DwDpMPerS,
-    DwDomegaWSPerRad,
-    TangentialForceN,
-    AngularVelocityRadPerS,
-    DissipationW,
-    DissipationPhaseRad,
-    DissipationLagW,
-    NormalizedDissipation,
-    NormalizedByMean,
-    MeanDissipationW,
-    GrowthRatePerPassage,
 }
 
 /// A quantity over the whole window.
