@@ -205,7 +205,7 @@ pub(crate) struct Report {
     )]
     pub(crate) months: Option<f64>,
 
-    /// Title [default: that of the site, or \"Rail roughness and corrugation\"].
+    /// Title [default: that of the site, or "Rail roughness and corrugation"].
     #[arg(long, value_name = "WORDS")]
     pub(crate) title: Option<String>,
 
