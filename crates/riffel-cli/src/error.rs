@@ -52,9 +52,6 @@ pub(crate) enum CliError {
     #[diagnostic(help("choose another port, or --port 0 for any that is free"))]
     Listen { error: riffel_web::ServeError },
 
-    #[error("the program does not know where it is: {reason}")]
-    Program { reason: io::Error },
-
     #[error("{error}")]
     Serve { error: riffel_web::ServeError },
 

@@ -11,6 +11,9 @@ use tempfile::TempDir;
 
 use crate::error::CliError;
 
+/// Exit status of a program that Ctrl-C stopped.
+pub(crate) const INTERRUPTED: u8 = 130;
+
 /// The temporary folder in use, for the handler of Ctrl-C to remove.
 static ACTIVE: Mutex<Option<Active>> = Mutex::new(None);
 
@@ -56,7 +59,7 @@ pub(crate) fn clean_up_on_interrupt() {
         if let Some(active) = guard.take() {
             active.discard();
         }
-        std::process::exit(130);
+        std::process::exit(INTERRUPTED.into());
     });
 }
 

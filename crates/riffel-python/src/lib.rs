@@ -11,6 +11,7 @@ mod forecast;
 mod given;
 mod interrupt;
 mod presets;
+mod program;
 mod quantity;
 mod roughness;
 mod study;
@@ -29,6 +30,8 @@ mod _riffel {
     use crate::given::Universal;
     #[pymodule_export]
     use crate::presets::presets;
+    #[pymodule_export]
+    use crate::program::program;
     #[pymodule_export]
     use crate::quantity::si;
     #[pymodule_export]

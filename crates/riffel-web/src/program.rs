@@ -3,9 +3,10 @@
 //! A measured rail is read by a process of its own: whatever is in the file, the page goes on; a process
 //! can be ended at any moment, and its memory is given back. Its documents are those of `--json`.
 
+use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
@@ -15,9 +16,9 @@ use crate::queue::Wanted;
 /// How often is looked whether the result is still wanted.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// The program, to be run in a folder.
+/// The command that runs the program, with its first arguments if it takes any.
 #[derive(Clone)]
-pub(crate) struct Program(pub(crate) PathBuf);
+pub(crate) struct Program(pub(crate) Vec<OsString>);
 
 /// Ends a process that is still running when nobody waits for it.
 struct Running(Child);
@@ -42,7 +43,12 @@ impl Program {
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(failed)?;
         let (out, err) = (place.path().join("out"), place.path().join("err"));
-        let child = Command::new(&self.0)
+        let (program, first) = self
+            .0
+            .split_first()
+            .ok_or_else(|| Fault::defect("the program is not known"))?;
+        let child = Command::new(program)
+            .args(first)
             .args(arguments)
             .current_dir(folder)
             .env("NO_COLOR", "1")

@@ -1,8 +1,8 @@
 //! Listening, answering, ending.
 
+use std::ffi::OsString;
 use std::io;
 use std::net::{IpAddr, SocketAddr};
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -28,8 +28,8 @@ pub struct Options {
     pub port: u16,
     /// Show the page in the browser of the user.
     pub open: bool,
-    /// The program `riffel`, which reads the files that pages send.
-    pub program: PathBuf,
+    /// The command that runs `riffel`, which reads the files that pages send: a program, and its first arguments.
+    pub program: Vec<OsString>,
 }
 
 /// Why the page cannot be served.

@@ -3,7 +3,6 @@
 use axum::body::{Body, to_bytes};
 use axum::http::{HeaderMap, Request, StatusCode, header};
 use serde_json::{Value, json};
-use std::path::PathBuf;
 use std::time::Duration;
 use tower::ServiceExt;
 
@@ -20,7 +19,7 @@ fn page_with(queue: Queue) -> Page {
         queue,
         long: Queue::for_files(),
         uploads: Uploads::new().unwrap(),
-        program: Program(PathBuf::from("/nowhere/riffel")),
+        program: Program(vec!["/nowhere/riffel".into()]),
     }
 }
 

@@ -24,7 +24,7 @@ fn host() -> &'static str {
                 address: [127, 0, 0, 1].into(),
                 port: 0,
                 open: false,
-                program: "riffel".into(),
+                program: vec!["riffel".into()],
             };
             serve(options, |url| {
                 ready.send(url.to_owned()).unwrap();

@@ -1,17 +1,19 @@
 //! `riffel serve`
 
+use std::ffi::OsString;
+
 use riffel_web::{Options, ServeError, serve};
 
 use crate::arguments::Serve;
 use crate::error::CliError;
 use crate::output::print;
 
-pub(crate) fn run(arguments: &Serve) -> miette::Result<()> {
+pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()> {
     let options = Options {
         address: arguments.address,
         port: arguments.port,
         open: arguments.open,
-        program: std::env::current_exe().map_err(|reason| CliError::Program { reason })?,
+        program: program.to_vec(),
     };
     if !options.address.is_loopback() {
         eprintln!(

@@ -16,6 +16,8 @@ _Traffic: TypeAlias = str | dict[str, Any] | tuple[float, float]
 
 VERSION: str
 
+def program(arguments: Sequence[str], again: Sequence[str]) -> int: ...
+
 class ConvergenceError(RuntimeError):
     """An iteration did not reach its tolerance."""
 

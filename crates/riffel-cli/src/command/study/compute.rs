@@ -1,7 +1,6 @@
 //! `riffel study PLAN`
 
 use std::path::PathBuf;
-use std::process::ExitCode;
 use std::time::Instant;
 
 use riffel_study::{ChunkState, ResultFolder, Shard, Study, StudyError, Summary};
@@ -11,7 +10,7 @@ use super::progress::SampleProgress;
 use super::statistics::{Statistics, table_of};
 use crate::arguments::Run;
 use crate::output::{print, print_json, print_remarks};
-use crate::staging::stop_on_interrupt;
+use crate::staging::{INTERRUPTED, stop_on_interrupt};
 
 /// What `--json` prints.
 #[derive(Serialize)]
@@ -29,7 +28,7 @@ struct Document<'a> {
     remarks: &'a [String],
 }
 
-pub(super) fn run(arguments: &Run) -> miette::Result<ExitCode> {
+pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     // The plan is given where there is no sub-command.
     let plan = arguments.plan.clone().unwrap_or_default();
     let study = Study::read(&plan)?;
@@ -88,7 +87,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<ExitCode> {
             summary.chunks,
             path.display()
         );
-        return Ok(ExitCode::from(130));
+        return Ok(INTERRUPTED);
     }
     if whole && shard == Shard::ALL {
         folder.sweep()?;
@@ -136,7 +135,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<ExitCode> {
         );
     }
     print_remarks(&study.plan.remarks);
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }
 
 /// How large the study is.

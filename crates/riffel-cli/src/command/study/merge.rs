@@ -1,7 +1,6 @@
 //! `riffel study merge`
 
 use std::path::Path;
-use std::process::ExitCode;
 
 use riffel_study::ResultFolder;
 
@@ -11,7 +10,7 @@ use crate::output::{print, print_json};
 /// Most missing chunks that are named.
 const NAMED: usize = 12;
 
-pub(super) fn run(arguments: &Merge) -> miette::Result<ExitCode> {
+pub(super) fn run(arguments: &Merge) -> miette::Result<u8> {
     let from: Vec<&Path> = arguments.from.iter().map(AsRef::as_ref).collect();
     let report = ResultFolder::merge(&arguments.into, &from)?;
     let whole = report.missing.is_empty();
@@ -50,5 +49,5 @@ pub(super) fn run(arguments: &Merge) -> miette::Result<ExitCode> {
             arguments.into.display()
         );
     }
-    Ok(ExitCode::from(u8::from(!whole)))
+    Ok(u8::from(!whole))
 }

@@ -6,11 +6,9 @@ mod progress;
 mod sensitivity;
 mod statistics;
 
-use std::process::ExitCode;
-
 use crate::arguments::{Study, StudyCommand};
 
-pub(crate) fn run(arguments: &Study) -> miette::Result<ExitCode> {
+pub(crate) fn run(arguments: &Study) -> miette::Result<u8> {
     match &arguments.command {
         None => compute::run(&arguments.run),
         Some(StudyCommand::Merge(arguments)) => merge::run(arguments),

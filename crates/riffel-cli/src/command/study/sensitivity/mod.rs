@@ -4,7 +4,6 @@ mod document;
 mod figure;
 
 use std::path::Path;
-use std::process::ExitCode;
 
 use riffel_study::file::Method;
 use riffel_study::sensitivity::{Bands, Intervals, SobolIndices, Tornado};
@@ -41,7 +40,7 @@ struct Analysis<'a> {
     indices: Option<SobolIndices>,
 }
 
-pub(super) fn run(arguments: &Sensitivity) -> miette::Result<ExitCode> {
+pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
     let confidence = arguments.confidence.si();
     if !(confidence > 0.0 && confidence < 1.0) {
         Err(CliError::Argument {
@@ -108,7 +107,7 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<ExitCode> {
     for note in &notes {
         eprintln!("note: {note}");
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(0)
 }
 
 /// The outputs to look at: those asked for, or all that are one real number for each sample.

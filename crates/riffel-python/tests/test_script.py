@@ -1,0 +1,55 @@
+"""The program as a script of the package."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+import pytest
+from conftest import PROGRAM
+
+SCRIPT = str(Path(sysconfig.get_path("scripts")) / "riffel")
+
+
+def run(command: list[str], *arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
+
+
+@pytest.mark.parametrize("command", [[SCRIPT], [sys.executable, "-m", "riffel"]], ids=["script", "module"])
+@pytest.mark.parametrize(
+    ("arguments", "status"),
+    [
+        (["point", "cases/nominal.toml", "--wavelength", "55 mm", "--speed", "108 km/h", "--json"], 0),
+        (["map", "--help"], 0),
+        (["point", "cases/nominal.toml", "--wavelength", "55 mm"], 2),
+        (["presets", "nothing-of-the-kind"], 2),
+    ],
+    ids=["point", "help", "usage", "bad input"],
+)
+def test_it_is_the_program(command: list[str], arguments: list[str], status: int) -> None:
+    there, here = run([PROGRAM], *arguments), run(command, *arguments)
+    assert here.returncode == there.returncode == status
+    assert here.stdout == there.stdout
+    assert here.stderr == there.stderr
+
+
+def test_files_are_those_of_the_program(tmp_path: Path) -> None:
+    for command, folder in (([PROGRAM], "there"), ([SCRIPT], "here")):
+        made = run(command, "receptance", "cases/nominal.toml", "--points", "50", "--output", str(tmp_path / folder))
+        assert made.returncode == 0, made.stderr
+    there, here = (sorted((tmp_path / folder).iterdir()) for folder in ("there", "here"))
+    assert [file.name for file in here] == [file.name for file in there]
+    assert [file.read_bytes() for file in here] == [file.read_bytes() for file in there]
+
+
+def test_ctrl_c_is_for_the_program(tmp_path: Path) -> None:
+    """The page ends its own work and says so by a status of zero; Python would raise."""
+    page = subprocess.Popen([SCRIPT, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert page.stdout is not None and page.stdout.readline().startswith("http://127.0.0.1:")
+    page.send_signal(signal.SIGINT)
+    _, errors = page.communicate(timeout=30)
+    assert page.returncode == 0, errors
+    assert "Traceback" not in errors
