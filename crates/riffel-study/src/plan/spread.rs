@@ -1,5 +1,7 @@
 //! The values of a parameter, as written.
 
+use std::collections::HashSet;
+
 use riffel_case::quantity::Kind;
 use riffel_case::{CaseError, CaseKey, Source};
 use toml::Value;
@@ -112,8 +114,10 @@ fn list(source: &Source, at: &str, values: Vec<ParameterValue>) -> Result<Spread
     if values.is_empty() {
         return Err(source.invalid(&key, "is empty, but must hold a value", ""));
     }
-    for (index, value) in values.iter().enumerate() {
-        if values[..index].contains(value) {
+    let mut known = HashSet::new();
+    for value in &values {
+        // Numbers are written with all their digits.
+        if !known.insert(value.to_string()) {
             let rule = format!("holds {value} twice");
             return Err(source.invalid(&key, &rule, ""));
         }
