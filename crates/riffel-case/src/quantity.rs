@@ -42,6 +42,16 @@ impl Kind {
         }
     }
 
+    /// A number in SI in the unit in which engineers write it, and that unit: (50, "kN") for 50 000. A ratio stays
+    /// as it is, without a unit.
+    pub fn in_engineers_unit(&self, si: f64) -> (f64, &'static str) {
+        let unit = self.example.split_once(' ').map_or("", |(_, unit)| unit);
+        match Unit::parse(unit) {
+            Ok(parsed) if !self.unit.is_empty() => (si / parsed.factor, unit),
+            _ => (si, self.unit),
+        }
+    }
+
     /// Read a number in SI, or one with its unit.
     ///
     /// # Errors
@@ -391,7 +401,13 @@ mod tests {
                 quantity.to_string().parse::<Quantity<D>>().unwrap(),
                 quantity
             );
+            // As engineers write it, the same again.
+            let (number, unit) = Kind::of::<D>().in_engineers_unit(quantity.si());
+            let again: Quantity<D> = format!("{number} {unit}").parse().unwrap();
+            assert!((again.si() / quantity.si() - 1.0).abs() < 4.0 * f64::EPSILON);
         }
+        assert_eq!(Kind::of::<Force>().in_engineers_unit(5e4), (50.0, "kN"));
+        assert_eq!(Kind::of::<Ratio>().in_engineers_unit(0.4), (0.4, ""));
         check::<Ratio>();
         check::<Length>();
         check::<Speed>();

@@ -116,13 +116,12 @@ impl<'a> Document<'a> {
     }
 }
 
-/// A value of a parameter with its unit.
+/// A value of a parameter in the unit in which engineers write it.
 pub(super) fn with_unit(parameter: &Parameter, value: &ParameterValue) -> String {
     match (value, parameter.key.quantity) {
         (ParameterValue::Number(number), Some(kind)) => {
-            format!("{} {}", figures(*number), kind.unit)
-                .trim_end()
-                .to_owned()
+            let (number, unit) = kind.in_engineers_unit(*number);
+            format!("{} {unit}", figures(number)).trim_end().to_owned()
         }
         (value, _) => value.to_string(),
     }
