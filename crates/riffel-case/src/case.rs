@@ -5,7 +5,6 @@ use std::path::Path;
 
 use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRolling};
 
-use crate::CaseError;
 use crate::builder::Builder;
 use crate::creep_laws::CreepLaws;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
@@ -14,6 +13,7 @@ use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::validity::Window;
+use crate::{CaseError, Remark};
 
 /// A case ready to compute.
 #[derive(Clone)]
@@ -38,7 +38,7 @@ pub struct Case {
     /// Speeds of the map \[m/s\].
     pub speed: Axis,
     /// What the reader should know about the validity of the model in the window of the map.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Remark>,
 }
 
 impl Case {

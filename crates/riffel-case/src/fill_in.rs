@@ -2,7 +2,7 @@
 
 use crate::preset::{Preset, PresetKind, presets};
 use crate::source::Source;
-use crate::{CaseError, preset};
+use crate::{CaseError, Remark, preset};
 
 impl Source {
     /// Put the values of the presets that the case names in the place of keys left out: first those of
@@ -42,10 +42,12 @@ impl Source {
             })
             .collect();
         if missing.is_empty() {
-            self.remarks.push(format!(
-                "{} = \"{}\" changes nothing: the case gives all of its values itself",
-                preset.kind.key(),
-                preset.name
+            let (key, name) = (preset.kind.key(), &preset.name);
+            self.remarks.push(Remark::new(
+                format!(
+                    "{key} = \"{name}\" changes nothing: the case gives all of its values itself"
+                ),
+                format!("{key} = \"{name}\" ändert nichts: der Fall gibt alle Werte selbst vor"),
             ));
         }
         for value in missing {

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use riffel::{Complex64, MeasuredReceptance, Receptance};
 
-use crate::{CaseError, measurement};
+use crate::{CaseError, Remark, measurement};
 
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
 /// wheelset, a measurement in memory.
 #[derive(Clone)]
 pub struct GivenReceptance {
     pub(crate) receptance: Arc<dyn Receptance>,
-    pub(crate) remarks: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 impl GivenReceptance {
@@ -44,7 +44,7 @@ impl GivenReceptance {
     /// A table, with a remark where it is not passive.
     pub fn measured(receptance: MeasuredReceptance) -> Self {
         Self {
-            remarks: measurement::activity(&receptance, "conjugate it")
+            remarks: measurement::activity(&receptance, measurement::Remedy::Conjugate)
                 .into_iter()
                 .collect(),
             receptance: Arc::new(receptance),

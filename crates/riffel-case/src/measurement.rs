@@ -8,9 +8,9 @@ use std::path::Path;
 
 use riffel::{Complex64, MeasuredReceptance, Receptance};
 
-use crate::UniversalFunction;
 use crate::file::{Measurement, Response};
 use crate::unit::Exponents;
+use crate::{Language, Remark, UniversalFunction};
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.
@@ -51,7 +51,7 @@ struct FrequencyResponse {
 /// A receptance, and what the reader of the case should know of it.
 pub(crate) struct Measured {
     pub(crate) receptance: MeasuredReceptance,
-    pub(crate) remarks: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 /// Read the measurement; file names are relative to `folder`.
@@ -60,7 +60,7 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
     let bytes = std::fs::read(&path).map_err(|reason| {
         MeasurementError::file(format!("cannot read {}: {reason}", path.display()))
     })?;
-    let remedy = "set track.measurement.conjugate";
+    let remedy = Remedy::SetKey;
     if is_universal_file(&path) {
         let response = universal::read(&bytes, measurement)?;
         transformed(response, measurement.conjugate, remedy)
@@ -72,14 +72,14 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
 
 /// A function that was read elsewhere.
 pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
-    transformed(universal::of_function(function)?, false, "conjugate it")
+    transformed(universal::of_function(function)?, false, Remedy::Conjugate)
 }
 
 /// A response of a Fourier transform, whose even abscissa begins at zero; no receptance does.
 fn transformed(
     mut response: FrequencyResponse,
     conjugate: bool,
-    remedy: &str,
+    remedy: Remedy,
 ) -> Result<Measured, MeasurementError> {
     let from_zero = response.frequencies.first() == Some(&0.0);
     if from_zero {
@@ -89,8 +89,11 @@ fn transformed(
     }
     let mut measured = response.measured(conjugate, remedy)?;
     if from_zero {
-        let remark = "the measured value at 0 Hz is left out";
-        measured.remarks.insert(0, remark.to_owned());
+        let remark = Remark::new(
+            "the measured value at 0 Hz is left out",
+            "der gemessene Wert bei 0 Hz bleibt weg",
+        );
+        measured.remarks.insert(0, remark);
     }
     Ok(measured)
 }
@@ -105,7 +108,7 @@ fn is_universal_file(path: &Path) -> bool {
 
 impl FrequencyResponse {
     /// Checked, as a receptance; `remedy` as for [`activity`].
-    fn measured(self, conjugate: bool, remedy: &str) -> Result<Measured, MeasurementError> {
+    fn measured(self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
         self.check()?;
         let receptance = self.receptance(conjugate)?;
         Ok(Measured {
@@ -173,18 +176,46 @@ impl FrequencyResponse {
     }
 }
 
-/// Where a receptance is not passive, in one sentence; `remedy` is for one that follows exp(−iωt).
-pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: &str) -> Option<String> {
+/// What helps against a receptance that follows exp(−iωt).
+#[derive(Clone, Copy)]
+pub(crate) enum Remedy {
+    /// A key of the case.
+    SetKey,
+    /// Whoever has the values can do it.
+    Conjugate,
+}
+
+impl Remedy {
+    fn words(self, language: Language) -> &'static str {
+        match self {
+            Self::SetKey => language.pick(
+                "set track.measurement.conjugate",
+                "track.measurement.conjugate setzen",
+            ),
+            Self::Conjugate => language.pick("conjugate it", "konjugieren"),
+        }
+    }
+}
+
+/// Where a receptance is not passive, in one sentence.
+pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Option<Remark> {
     let active: Vec<f64> = receptance
         .active()
         .map(|w| w / std::f64::consts::TAU)
         .collect();
     let (first, last) = (active.first()?, active.last()?);
-    Some(format!(
-        "the measured receptance gives energy away (Im H > 0) at {} of {} frequencies, between {first:.0} \
-         and {last:.0} Hz: check its phase, its noise, and whether it follows exp(+iωt) (else {remedy})",
-        active.len(),
-        receptance.points(),
+    let (count, points) = (active.len(), receptance.points());
+    Some(Remark::new(
+        format!(
+            "the measured receptance gives energy away (Im H > 0) at {count} of {points} frequencies, between {first:.0} \
+             and {last:.0} Hz: check its phase, its noise, and whether it follows exp(+iωt) (else {})",
+            remedy.words(Language::English),
+        ),
+        format!(
+            "die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei {count} von {points} Frequenzen zwischen \
+             {first:.0} und {last:.0} Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst {})",
+            remedy.words(Language::German),
+        ),
     ))
 }
 

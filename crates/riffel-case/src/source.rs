@@ -10,8 +10,8 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
-use crate::CaseError;
 use crate::preset::PresetKind;
+use crate::{CaseError, Remark};
 
 /// The text of a file, which is `what` in errors.
 pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, CaseError> {
@@ -28,7 +28,7 @@ pub struct Source {
     /// Dotted key → the override that set it last.
     overrides: HashMap<String, String>,
     /// What the reader of the case should know.
-    pub(crate) remarks: Vec<String>,
+    pub(crate) remarks: Vec<Remark>,
 }
 
 /// What was read; the same for every case that is made from it by overrides.

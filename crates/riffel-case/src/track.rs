@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use riffel::{CrossReceptance, Receptance, Resonance, ResonanceKind, Support};
 
+use crate::Remark;
+
 /// The direction of force and displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
@@ -31,7 +33,7 @@ pub struct Track {
     /// model does not know it: without discrete supports, or without the shear of the rail.
     pub pinned_pinned: Option<f64>,
     /// What the reader of the case should know.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Remark>,
 }
 
 impl Track {

@@ -4,8 +4,8 @@ use riffel::{Axis, FeedbackLoop, HertzContact};
 
 use crate::builder::Builder;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
-use crate::measurement;
 use crate::track::{Direction, Track};
+use crate::{Language, Remark, measurement};
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
 /// (2009), section 2.
@@ -40,10 +40,10 @@ pub(crate) enum Window {
 }
 
 impl Window {
-    fn name(self) -> &'static str {
+    fn name(self, language: Language) -> &'static str {
         match self {
-            Self::Map => "map",
-            Self::Traffic => "traffic",
+            Self::Map => language.pick("map", "Karte"),
+            Self::Traffic => language.pick("traffic", "Verkehr"),
         }
     }
 }
@@ -55,49 +55,76 @@ pub(crate) fn remarks(
     feedback: &FeedbackLoop,
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
-) -> Vec<String> {
+) -> Vec<Remark> {
     let mut remarks = Vec::new();
     let file = &builder.file;
-    let window = builder.window.name();
+    let window = builder.window.name(Language::English);
+    let window_de = builder.window.name(Language::German);
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
     let measured = builder.given.track.is_some() || file.track.model == TrackModel::Measured;
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
-        remarks.push(format!(
-            "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (lowest of the \
-             {window}: {lowest:.0} Hz) pads, sleepers and ballast change its receptance"
+        remarks.push(Remark::new(
+            format!(
+                "the rail has no support: below about {FREE_BEAM_FROM_HZ} Hz (lowest of the \
+                 {window}: {lowest:.0} Hz) pads, sleepers and ballast change its receptance"
+            ),
+            format!(
+                "die Schiene liegt nirgends auf: unter etwa {FREE_BEAM_FROM_HZ} Hz ({window_de}: ab \
+                 {lowest:.0} Hz) ändern Zwischenlagen, Schwellen und Schotter ihre Rezeptanz"
+            ),
         ));
     }
     let bends_only = builder.beam_model() == BeamModel::EulerBernoulli;
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
-        remarks.push(format!(
-            "the rail bends without shear: its receptance is some 9° off at {EULER_BEAM_UP_TO_HZ} Hz, 24° \
-             and 14 % at 1500 Hz (highest of the {window}: {highest:.0} Hz)"
+        remarks.push(Remark::new(
+            format!(
+                "the rail bends without shear: its receptance is some 9° off at {EULER_BEAM_UP_TO_HZ} Hz, 24° \
+                 and 14 % at 1500 Hz (highest of the {window}: {highest:.0} Hz)"
+            ),
+            format!(
+                "die Schiene biegt sich ohne Schub: ihre Rezeptanz weicht bei {EULER_BEAM_UP_TO_HZ} Hz um etwa 9° \
+                 ab, bei 1500 Hz um 24° und 14 % ({window_de}: bis {highest:.0} Hz)"
+            ),
         ));
     }
     if !measured && bends_only && file.track.model.is_periodic() {
-        remarks.push(
+        remarks.push(Remark::new(
             "the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % or more and \
-             not named (choose rail.beam = \"timoshenko\")"
-                .to_owned(),
-        );
+             not named (choose rail.beam = \"timoshenko\")",
+            "die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch \
+             und wird nicht genannt (rail.beam = \"timoshenko\" wählen)",
+        ));
     }
     if let Some(pinned) = evenly_supported_pinned_pinned(builder).filter(|_| !measured)
         && highest > EVEN_SUPPORT_UP_TO * pinned
     {
-        remarks.push(format!(
-            "supports are spread evenly along the rail: the pinned-pinned resonance near {pinned:.0} Hz is \
-             missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (highest of the {window}: {highest:.0} Hz; \
-             choose a model that ends in -periodic)"
+        remarks.push(Remark::new(
+            format!(
+                "supports are spread evenly along the rail: the pinned-pinned resonance near {pinned:.0} Hz is \
+                 missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (highest of the {window}: {highest:.0} Hz; \
+                 choose a model that ends in -periodic)"
+            ),
+            format!(
+                "die Stützpunkte sind gleichmäßig über die Schiene verteilt: die Pinned-pinned-Resonanz nahe \
+                 {pinned:.0} Hz fehlt, und darunter weicht die Rezeptanz um 10 bis 50 % ab, auf sehr steifen \
+                 Zwischenlagen um mehr ({window_de}: bis {highest:.0} Hz; ein Modell wählen, das auf -periodic endet)"
+            ),
         ));
     }
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
     let resolved = file.contact.response == ContactDynamics::NonSteady;
     if !resolved && wavelength.min() < shortest {
-        remarks.push(format!(
-            "the contact is quasi-static and does not average over its patch: below {:.0} mm growth \
-             is overstated",
-            1e3 * shortest
+        let shortest = 1e3 * shortest;
+        remarks.push(Remark::new(
+            format!(
+                "the contact is quasi-static and does not average over its patch: below {shortest:.0} mm growth \
+                 is overstated"
+            ),
+            format!(
+                "der Kontakt ist quasistatisch und mittelt nicht über seine Fläche: unter {shortest:.0} mm ist das \
+                 Wachstum zu hoch"
+            ),
         ));
     }
     if builder.hertz_theory() == HertzTheory::Paper
@@ -110,10 +137,16 @@ pub(crate) fn remarks(
     {
         let error = hertz.semi_axis_lateral() / exact.semi_axis_lateral() - 1.0;
         if error.abs() > CLOSED_FORM_UP_TO {
-            remarks.push(format!(
-                "the radii of wheel and rail differ much: the closed form of the contact ellipse is {:.0} % off \
-                 across the rail (choose contact.hertz = \"exact\")",
-                100.0 * error.abs()
+            let percent = 100.0 * error.abs();
+            remarks.push(Remark::new(
+                format!(
+                    "the radii of wheel and rail differ much: the closed form of the contact ellipse is {percent:.0} % off \
+                     across the rail (choose contact.hertz = \"exact\")"
+                ),
+                format!(
+                    "die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der \
+                     Kontaktellipse weicht quer zur Schiene um {percent:.0} % ab (contact.hertz = \"exact\" wählen)"
+                ),
             ));
         }
     }
@@ -121,8 +154,14 @@ pub(crate) fn remarks(
     if builder.creep_law_name() == CreepLawName::Polach
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
-        remarks.push(format!(
-            "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the {window}"
+        remarks.push(Remark::new(
+            format!(
+                "falling friction is that of the slip at {rolling}, contact.polach.speed, at every speed of the {window}"
+            ),
+            format!(
+                "die fallende Reibung ist die beim Schlupf bei {rolling}, contact.polach.speed, bei jeder \
+                 Geschwindigkeit ({window_de})"
+            ),
         ));
     }
     // Outside the frequencies of a measurement there is nothing to look at.
@@ -142,10 +181,17 @@ pub(crate) fn remarks(
         / hertz.normal_force();
     if worst > 1.0 {
         let limit = 1e6 * feedback.amplitude / worst;
-        remarks.push(format!(
-            "an amplitude of {:.1} µm makes |P₁/P₀| reach {worst:.2}: wheel and rail part; forces are \
-             linear up to {limit:.1} µm (growth rates hold for small amplitudes and do not change)",
-            1e6 * feedback.amplitude
+        let amplitude = 1e6 * feedback.amplitude;
+        remarks.push(Remark::new(
+            format!(
+                "an amplitude of {amplitude:.1} µm makes |P₁/P₀| reach {worst:.2}: wheel and rail part; forces are \
+                 linear up to {limit:.1} µm (growth rates hold for small amplitudes and do not change)"
+            ),
+            format!(
+                "bei einer Amplitude von {amplitude:.1} µm erreicht |P₁/P₀| {worst:.2}: Rad und Schiene trennen \
+                 sich; Kräfte sind bis {limit:.1} µm linear (Wachstumsraten gelten für kleine Amplituden und \
+                 ändern sich nicht)"
+            ),
         ));
     }
     remarks

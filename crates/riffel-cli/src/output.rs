@@ -1,5 +1,6 @@
 //! What goes to the terminal.
 
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
@@ -56,7 +57,7 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
 }
 
 /// Remarks on the validity of the models, on standard error.
-pub(crate) fn print_remarks(remarks: &[String]) {
+pub(crate) fn print_remarks(remarks: &[impl Display]) {
     for remark in remarks {
         eprintln!("note: {remark}");
     }

@@ -1,8 +1,8 @@
 //! Growth maps as figures.
 
 use riffel::{GrowthMap, Ridge};
-use riffel_case::Case;
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
+use riffel_case::{Case, Language};
 use riffel_plot::{MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays};
 
 use crate::track_in_words::{place, rail, track};
@@ -109,6 +109,10 @@ fn map_title(case: &Case) -> &str {
 pub const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
     the profile; time factor exp(+iωt), braking positive.";
 
+/// The same in German.
+pub(crate) const SIGN_IN_GERMAN: &str = "Riffeln wachsen, wo Re Ŵ₁ < 0 (farbig): die Dissipation ist in \
+    Gegenphase zum Profil; Zeitfaktor exp(+iωt), Bremsen positiv.";
+
 /// A value that a complete case always has.
 fn si(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)
@@ -135,8 +139,13 @@ pub fn polach(case: &Case) -> String {
     }
 }
 
-/// The parameters of a case in one sentence.
+/// The parameters of a case in one sentence, in English.
 pub fn parameters(case: &Case) -> String {
+    parameters_in(case, Language::English)
+}
+
+/// The parameters of a case in one sentence.
+pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
     let file = &case.file;
     let steady = case.steady;
     let rotation = match file.wheel.rotation {
@@ -144,33 +153,55 @@ pub fn parameters(case: &Case) -> String {
             "I_w = {:.2} kg m²",
             si(file.wheel.inertia.map(|inertia| inertia.si()))
         ),
-        Rotation::ConstantTangentialForce => "constant tangential force (I_w → 0)".to_owned(),
-        Rotation::ConstantCreepage => "constant creepage (I_w → ∞)".to_owned(),
+        Rotation::ConstantTangentialForce => language
+            .pick(
+                "constant tangential force (I_w → 0)",
+                "konstante Tangentialkraft (I_w → 0)",
+            )
+            .to_owned(),
+        Rotation::ConstantCreepage => language
+            .pick(
+                "constant creepage (I_w → ∞)",
+                "konstanter Schlupf (I_w → ∞)",
+            )
+            .to_owned(),
     };
     let phase = match file.contact.dissipation_phase {
-        _ if file.contact.response == ContactDynamics::NonSteady => "non-steady contact",
-        DissipationPhase::Lag => "dissipation phase: lag",
-        DissipationPhase::Lead => "dissipation phase: lead",
-        DissipationPhase::None => "dissipation phase: none",
+        _ if file.contact.response == ContactDynamics::NonSteady => {
+            language.pick("non-steady contact", "instationärer Kontakt")
+        }
+        DissipationPhase::Lag => {
+            language.pick("dissipation phase: lag", "Phase der Dissipation: lag")
+        }
+        DissipationPhase::Lead => {
+            language.pick("dissipation phase: lead", "Phase der Dissipation: lead")
+        }
+        DissipationPhase::None => {
+            language.pick("dissipation phase: none", "Phase der Dissipation: none")
+        }
     };
+    let law = language.pick("creep law", "Kraftschlussgesetz");
     let law = match case.creep_law() {
         CreepLawName::Carter3d => String::new(),
-        CreepLawName::Polach => format!("creep law polach{}; ", polach(case)),
-        law => format!("creep law {}; ", law.name()),
+        CreepLawName::Polach => format!("{law} polach{}; ", polach(case)),
+        name => format!("{law} {}; ", name.name()),
     };
     let dynamics = match file.contact.response {
-        ContactDynamics::SpringDashpot => "spring and dashpot; ",
+        ContactDynamics::SpringDashpot => {
+            language.pick("spring and dashpot; ", "Feder und Dämpfer; ")
+        }
         _ => "",
     };
     format!(
-        "Track: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
-        track(case),
+        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
+        language.pick("Track", "Gleis"),
+        track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,
         file.wheel.rolling_radius.si(),
         file.contact.transverse_radius.si(),
         file.wheel.mass.si(),
-        rail(case),
+        rail(case, language),
         1e-3 * steady.normal_force,
         steady.friction,
         steady.tractive_ratio(),

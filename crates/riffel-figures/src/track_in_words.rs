@@ -1,8 +1,8 @@
 //! The track of a case in words, for captions.
 
-use riffel_case::Case;
 use riffel_case::file::{BeamModel, Support, TrackModel};
 use riffel_case::quantity::{Dimension, Quantity};
+use riffel_case::{Case, Language};
 
 /// A value in a unit of the given size, or "?" where the case has none.
 fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {
@@ -13,14 +13,15 @@ fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize
 }
 
 /// The rail, if the model has one: "rail 56.0 kg/m, I = 2.350e-5 m⁴; ".
-pub(crate) fn rail(case: &Case) -> String {
+pub(crate) fn rail(case: &Case, language: Language) -> String {
     let rail = &case.file.rail;
     if case.file.track.model == TrackModel::Measured {
         return String::new();
     }
     let moment = rail.second_moment.map_or(f64::NAN, |moment| moment.si());
     let mut words = format!(
-        "rail {} kg/m, I = {moment:.3e} m⁴",
+        "{} {} kg/m, I = {moment:.3e} m⁴",
+        language.pick("rail", "Schiene"),
         value(rail.mass_per_length, 1.0, 1)
     );
     if let Some(loss_factor) = rail.loss_factor {
@@ -45,46 +46,55 @@ fn layer(support: Option<&Support>) -> String {
 }
 
 /// The track of a case.
-pub(crate) fn track(case: &Case) -> String {
+pub(crate) fn track(case: &Case, language: Language) -> String {
     let track = &case.file.track;
     let beam = match case.beam_model() {
         BeamModel::EulerBernoulli => "Euler",
         BeamModel::Timoshenko => "Timoshenko",
     };
     let moving = if track.model == TrackModel::MovingBeam {
-        " under a moving load"
+        language.pick(" under a moving load", " unter wandernder Last")
     } else {
         ""
     };
     if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
-        return format!("receptance read from {}", measurement.file);
+        let file = &measurement.file;
+        return language.pick(
+            format!("receptance read from {file}"),
+            format!("Rezeptanz aus {file}"),
+        );
     }
     if case.track.support.is_none() {
-        return format!("free {beam} beam{moving}");
+        return language.pick(
+            format!("free {beam} beam{moving}"),
+            format!("freier {beam}-Balken{moving}"),
+        );
     }
-    let mut words = format!(
-        "{beam} rail{moving} on pads ({})",
-        layer(track.pad.as_ref())
+    let pad = layer(track.pad.as_ref());
+    let mut words = language.pick(
+        format!("{beam} rail{moving} on pads ({pad})"),
+        format!("{beam}-Schiene{moving} auf Zwischenlagen ({pad})"),
     );
     if matches!(case.track.support, Some(riffel::Support::TwoLayer { .. })) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
-        words.push_str(&format!(
-            ", sleepers ({} kg) and ballast ({})",
-            value(mass, 1.0, 0),
-            layer(track.ballast.as_ref())
-        ));
+        let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
+        words += &language.pick(
+            format!(", sleepers ({mass} kg) and ballast ({ballast})"),
+            format!(", Schwellen ({mass} kg) und Schotter ({ballast})"),
+        );
     }
-    words.push_str(&format!(
-        " every {} m, {}",
-        value(track.support_spacing, 1.0, 2),
-        if track.model.is_periodic() {
-            "discrete"
-        } else {
-            "spread evenly"
-        }
-    ));
+    let spacing = value(track.support_spacing, 1.0, 2);
+    words += &language.pick(
+        format!(" every {spacing} m, "),
+        format!(" alle {spacing} m, "),
+    );
+    words += if track.model.is_periodic() {
+        language.pick("discrete", "diskret")
+    } else {
+        language.pick("spread evenly", "gleichmäßig verteilt")
+    };
     if let Some(name) = &track.preset {
-        words.push_str(&format!(", preset {name}"));
+        words += &language.pick(format!(", preset {name}"), format!(", Vorgabe {name}"));
     }
     words
 }

@@ -205,7 +205,7 @@ impl Case {
 
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.case.remarks.clone()
+        self.case.remarks.iter().map(ToString::to_string).collect()
     }
 
     /// Wavelengths of the window.

@@ -92,7 +92,7 @@ export class Form {
     const label = element('label', { htmlFor: id, title: `${node.description ?? ''}\n${key}`.trim() });
     label.dataset.name = key;
     const unit = element('span', { className: 'unit', id: `${id}-unit` });
-    const fault = element('p', { className: 'fault', id: `${id}-fault`, hidden: true });
+    const fault = element('p', { className: 'fault', lang: 'en', id: `${id}-fault`, hidden: true });
     const presets = this.presets.filter((preset) => preset.key === key);
     const choices = node.oneOf?.map((choice) => [choice.const, choice.description]) ?? node.enum?.map((name) => [name, '']);
     let input;
@@ -130,9 +130,9 @@ export class Form {
     button.popoverTargetElement = bubble;
     const show = () => {
       const preset = field.presets.find((preset) => preset.name === field.input.value);
-      bubble.replaceChildren(element('strong', { textContent: preset?.title ?? t('none') }));
+      bubble.replaceChildren(element('strong', { textContent: preset?.title ?? t('none'), lang: preset ? 'en' : '' }));
       for (const value of preset?.values ?? []) {
-        bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${value.value}` }), ` ${t(value.badge)}. ${value.source}`));
+        bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${value.value}` }), ` ${t(value.badge)}. `, element('span', { textContent: value.source, lang: 'en' })));
       }
       const { left, bottom } = button.getBoundingClientRect();
       bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - 372))}px`;

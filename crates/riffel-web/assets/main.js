@@ -78,7 +78,7 @@ function mapWords() {
   if (head.best_fit_frequency_hz) sentences.push(t('ridge_follows', number(head.best_fit_frequency_hz)));
   $('verdict').textContent = sentences.join(' ');
   announce(sentences.join(' '));
-  $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark, lang: 'en' })));
+  $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
   $('notes-panel').hidden = !head.remarks.length;
 }
 
@@ -167,21 +167,24 @@ function speedHandle() {
 function refuse(fault, ofFile = false) {
   const placed = form.refuse(fault, ofFile);
   const message = fault.status === 0 ? t('gone') : fault.help ? `${fault.message}\n${fault.help}` : fault.message;
-  trouble(placed && !ofFile ? '' : message);
-  announce(message);
+  // Sentences of the program are in English.
+  const language = fault.status === 0 ? '' : 'en';
+  trouble(placed && !ofFile ? '' : message, language);
+  announce(message, language);
   $('map').classList.toggle('stale', !ofFile);
 }
 
-function trouble(message) {
+function trouble(message, language = '') {
   $('trouble').textContent = message;
+  $('trouble').lang = language || currentLanguage();
   $('trouble').hidden = !message;
 }
 
 /** Tell a screen reader, but not every step of a slider. */
 let telling;
-function announce(message) {
+function announce(message, language = '') {
   clearTimeout(telling);
-  telling = setTimeout(() => ($('live').textContent = message), 600);
+  telling = setTimeout(() => Object.assign($('live'), { textContent: message, lang: language || currentLanguage() }), 600);
 }
 
 // The address bar ------------------------------------------------------------------------------------

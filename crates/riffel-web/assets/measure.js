@@ -4,7 +4,7 @@ import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { MapView, drawBar } from './map-view.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
-import { number, t, translate } from './words.js';
+import { currentLanguage, number, t, translate } from './words.js';
 
 const element = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
@@ -115,7 +115,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       trouble('');
       status.textContent = `${file.name}, ${number(file.size / 1e6, 3)} MB`;
       show();
-      announce(answer.roughness.verdicts.map(({ sentence }) => sentence).join(' '));
+      announce(answer.roughness.verdicts.map(({ sentence }) => sentence).join(' '), 'en');
     }, (fault) => {
       status.textContent = file.name;
       refuse(fault);
@@ -142,7 +142,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [element('p', { textContent: diagnosis.fault.message })] : diagnosis.dominant_wavelengths.map(finding)));
-    if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: '' }));
+    if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
     outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : forecast.findings.map((sentence) => item(sentence))));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
     notes.replaceChildren(...remarks.map((remark) => item(remark)));
@@ -152,7 +152,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
   }
 
   function finding(one) {
-    const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}` }));
+    const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}`, lang: currentLanguage() }));
     const shares = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => {
       const row = element('div', { className: 'share', title: [...candidate.reasons_for, ...candidate.reasons_against, candidate.source].join('\n') },
         element('span', { textContent: candidate.mechanism }), element('meter', { value: candidate.share, max: 1, ariaLabel: candidate.mechanism }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));

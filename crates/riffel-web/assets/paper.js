@@ -3,7 +3,7 @@
 import { axis, decades, draw, layout, palette } from './curves.js';
 import { MapView, drawBar } from './map-view.js';
 import { askOnce } from './server.js';
-import { translate } from './words.js';
+import { currentLanguage, translate } from './words.js';
 
 const NUMBERS = [2, 3, 4, 5, 6, 7, 8];
 const element = (tag, properties = {}, ...children) => {
@@ -28,7 +28,7 @@ export function startPaper({ state, listen, refuse }) {
   const figures = NUMBERS.map((number) => {
     const heading = element('h2', { textContent: `${number}` });
     const panels = element('div', { className: 'pair' });
-    const caption = element('p', { className: 'fine', lang: 'en' });
+    const caption = element('p', { className: 'fine' });
     const waiting = element('p', { className: 'waiting' });
     waiting.dataset.t = 'computing';
     const panel = element('article', { className: 'panel half', id: `figure-${number}` }, element('header', {}, heading), waiting, panels, caption);
@@ -42,23 +42,29 @@ export function startPaper({ state, listen, refuse }) {
     }
   }, { rootMargin: '200px' });
   for (const { number } of figures) watch.observe(document.getElementById(`figure-${number}`));
-  choice.addEventListener('change', () => {
-    for (const figure of figures) figure.shown = null;
+  choice.addEventListener('change', lookAgain);
+
+  /** Whether a figure is seen is told anew. */
+  function lookAgain() {
     for (const { number } of figures) {
-      // Seen or not is told anew.
       const panel = document.getElementById(`figure-${number}`);
       watch.unobserve(panel);
       watch.observe(panel);
     }
-  });
+  }
+
+  /** What a figure depends on: the contact, and the language of its words. */
+  const wanted = () => `${choice.value} ${currentLanguage()}`;
 
   async function show(figure) {
-    if (figure.shown === choice.value || state.view !== 'paper') return;
-    const contact = (figure.shown = choice.value);
+    if (figure.shown === wanted() || state.view !== 'paper') return;
+    const asked = (figure.shown = wanted());
     figure.waiting.hidden = false;
     try {
-      figure.data = await (await askOnce('/api/figure', { number: figure.number, contact })).json();
-      if (figure.shown === contact) await drawFigure(figure);
+      const data = await (await askOnce('/api/figure', { number: figure.number, contact: choice.value, language: currentLanguage() })).json();
+      if (figure.shown !== asked) return;
+      figure.data = data;
+      await drawFigure(figure);
     } catch (fault) {
       figure.shown = null;
       refuse(fault);
@@ -110,13 +116,8 @@ export function startPaper({ state, listen, refuse }) {
   listen((what) => {
     if (what === 'words') {
       translate(place);
-      for (const figure of figures) if (figure.data) drawFigure(figure);
-    } else if (what === 'view' && state.view === 'paper') {
-      for (const { number } of figures) {
-        const panel = document.getElementById(`figure-${number}`);
-        watch.unobserve(panel);
-        watch.observe(panel);
-      }
-    }
+      for (const figure of figures) if (figure.data && figure.shown === wanted()) drawFigure(figure);
+      lookAgain();
+    } else if (what === 'view' && state.view === 'paper') lookAgain();
   });
 }

@@ -465,6 +465,16 @@ async fn files_and_figures_are_those_of_the_program() {
     .await
     .json();
     assert_eq!(figure["lines"][0]["series"].as_array().unwrap().len(), 5);
+    let german = ask(
+        "/api/figure",
+        &json!({ "number": 7, "contact": "quasi-static", "language": "de" }),
+    )
+    .await
+    .json();
+    assert!(german["title"].as_str().unwrap().starts_with("Bild 7."));
+    assert!(german["caption"].as_str().unwrap().contains("R = 0,46 m"));
+    let label = &german["lines"][0]["series"][1]["label"];
+    assert_eq!(label, "13,89 kg m²");
     let none = ask(
         "/api/figure",
         &json!({ "number": 1, "contact": "quasi-static" }),

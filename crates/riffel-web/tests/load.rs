@@ -6,46 +6,97 @@
 
 use std::io::{Read, Write};
 use std::net::TcpStream;
-use std::sync::OnceLock;
+use std::process::Command;
 use std::sync::mpsc::channel;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-use riffel_web::{Options, serve};
+use riffel_web::{Options, ServeError, serve};
 
 const CLIENTS: usize = 64;
 
-/// Address of a page that all tests share.
-fn host() -> &'static str {
-    static HOST: OnceLock<String> = OnceLock::new();
-    HOST.get_or_init(|| {
-        let (ready, address) = channel();
-        std::thread::spawn(move || {
-            let options = Options {
-                address: [127, 0, 0, 1].into(),
-                port: 0,
-                open: false,
-                program: vec!["riffel".into()],
-            };
-            serve(options, |url| {
-                ready.send(url.to_owned()).unwrap();
-            })
-        });
-        let url = address.recv().unwrap();
-        url.trim_start_matches("http://")
-            .trim_end_matches('/')
-            .to_owned()
-    })
+/// The page, while there are tests that use it.
+struct Running {
+    users: usize,
+    host: String,
+    thread: JoinHandle<Result<(), ServeError>>,
 }
 
-/// A request of a page with its body.
-fn request(path: &str, page: usize, body: &str) -> Vec<u8> {
-    let host = host();
-    format!(
-        "POST {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nContent-Type: application/json\r\n\
-         X-Riffel-Page: {page}\r\nContent-Length: {}\r\n\r\n{body}",
-        body.len()
-    )
-    .into_bytes()
+static RUNNING: Mutex<Option<Running>> = Mutex::new(None);
+
+fn running() -> MutexGuard<'static, Option<Running>> {
+    RUNNING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// A page that tests at the same time share. The last one that lets go of it ends it, which removes its
+/// temporary folder.
+struct Served {
+    /// Its address.
+    host: String,
+}
+
+impl Served {
+    fn new() -> Self {
+        let mut running = running();
+        let running = running.get_or_insert_with(|| {
+            let (ready, address) = channel();
+            let thread = std::thread::spawn(move || {
+                let options = Options {
+                    address: [127, 0, 0, 1].into(),
+                    port: 0,
+                    open: false,
+                    program: vec!["riffel".into()],
+                };
+                serve(options, |url| ready.send(url.to_owned()).unwrap())
+            });
+            let url = address.recv().unwrap();
+            let host = url.trim_start_matches("http://").trim_end_matches('/');
+            Running {
+                users: 0,
+                host: host.to_owned(),
+                thread,
+            }
+        });
+        running.users += 1;
+        Self {
+            host: running.host.clone(),
+        }
+    }
+
+    fn connect(&self) -> TcpStream {
+        TcpStream::connect(&self.host).unwrap()
+    }
+
+    /// A request of a page with its body.
+    fn request(&self, path: &str, page: usize, body: &str) -> Vec<u8> {
+        let host = &self.host;
+        format!(
+            "POST {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nContent-Type: application/json\r\n\
+             X-Riffel-Page: {page}\r\nContent-Length: {}\r\n\r\n{body}",
+            body.len()
+        )
+        .into_bytes()
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        let mut running = running();
+        let Some(last) = running.take_if(|running| {
+            running.users -= 1;
+            running.users == 0
+        }) else {
+            return;
+        };
+        // As a terminal or a manager of services ends it. Elsewhere it ends with the tests.
+        if cfg!(unix) {
+            let this = std::process::id().to_string();
+            let told = Command::new("kill").args(["-TERM", &this]).status();
+            assert!(told.is_ok_and(|status| status.success()));
+            last.thread.join().unwrap().unwrap();
+        }
+    }
 }
 
 /// Status and body of the next answer on a connection.
@@ -84,6 +135,7 @@ fn resident_megabytes() -> Option<f64> {
 
 #[test]
 fn many_pages_at_once_get_answers_or_are_told_to_wait() {
+    let served = Served::new();
     let seconds = std::env::var("RIFFEL_LOAD_SECONDS")
         .ok()
         .and_then(|seconds| seconds.parse().ok());
@@ -109,13 +161,13 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
         ("/api/map", &small),
         ("/api/map", &whole),
     ];
-    let small = &small;
+    let (small, served) = (&small, &served);
     let warm_up = time / 4;
     let (times, first, last, busy) = std::thread::scope(|scope| {
         let clients: Vec<_> = (0..CLIENTS)
             .map(|client| {
                 scope.spawn(move || {
-                    let mut stream = TcpStream::connect(host()).unwrap();
+                    let mut stream = served.connect();
                     stream.set_nodelay(true).unwrap();
                     let (mut times, mut busy) = (Vec::new(), 0usize);
                     for turn in client.. {
@@ -124,7 +176,9 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
                         }
                         let (path, body) = questions[turn % questions.len()];
                         let asked = Instant::now();
-                        stream.write_all(&request(path, client, body)).unwrap();
+                        stream
+                            .write_all(&served.request(path, client, body))
+                            .unwrap();
                         let (status, bytes) = answer(&mut stream).unwrap();
                         match status {
                             200 if std::ptr::eq(body, small) && path == "/api/map" => {
@@ -176,18 +230,21 @@ fn many_pages_at_once_get_answers_or_are_told_to_wait() {
 
 #[test]
 fn whoever_sends_a_head_byte_by_byte_is_cut_off_and_holds_up_nobody() {
+    let served = Served::new();
     let slow: Vec<TcpStream> = (0..100)
         .map(|_| {
-            let mut stream = TcpStream::connect(host()).unwrap();
+            let mut stream = served.connect();
             stream
                 .write_all(b"POST /api/map HTTP/1.1\r\nHost: 127")
                 .unwrap();
             stream
         })
         .collect();
-    let mut quick = TcpStream::connect(host()).unwrap();
+    let mut quick = served.connect();
     let body = format!("{{\"case\":{}}}", case(61, 56));
-    quick.write_all(&request("/api/map", 1000, &body)).unwrap();
+    quick
+        .write_all(&served.request("/api/map", 1000, &body))
+        .unwrap();
     assert_eq!(answer(&mut quick).unwrap().0, 200);
     for mut stream in slow {
         stream
@@ -204,8 +261,9 @@ fn whoever_sends_a_head_byte_by_byte_is_cut_off_and_holds_up_nobody() {
 
 #[test]
 fn a_body_that_is_too_large_or_never_comes_is_refused() {
-    let mut large = TcpStream::connect(host()).unwrap();
-    let host = host();
+    let served = Served::new();
+    let mut large = served.connect();
+    let host = &served.host;
     let head = format!(
         "POST /api/map HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nContent-Type: application/json\r\n\
          Content-Length: 1000000000\r\n\r\n"
@@ -222,7 +280,7 @@ fn a_body_that_is_too_large_or_never_comes_is_refused() {
         assert_eq!(status, 413);
     }
 
-    let mut waiting = TcpStream::connect(host).unwrap();
+    let mut waiting = served.connect();
     waiting.write_all(head.as_bytes()).unwrap();
     waiting
         .set_read_timeout(Some(Duration::from_secs(60)))

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import signal
 import statistics
 import subprocess
@@ -250,15 +251,41 @@ def test_the_page_hands_out_files(page, tmp_path, kind, begin):
         assert 'model = "free-beam"' in path.read_text()
 
 
+def english_words(text):
+    """Words that no German text has."""
+    return {"the", "of", "and", "is", "over", "with", "track", "rail", "wheel", "beam", "speed", "Figure", "force"} & set(re.findall(r"\w+", text))
+
+
 def test_in_german(open_page):
     page = open_page(locale="de-DE")
     assert page.page.locator("html").get_attribute("lang") == "de"
     assert "Riffel wächst" in page.text("#why")
+    notes = page.text("#notes")
+    assert "Schwellen und Schotter" in notes and "biegt sich ohne Schub" in notes
+    assert english_words(notes) == set()
     page.keep("german")
+    page.page.click("#tab-paper")
+    for number in range(2, 9):
+        figure = page.page.locator(f"#figure-{number}")
+        figure.scroll_into_view_if_needed()
+        page.until(lambda: f"Bild {number}." in figure.locator("h2").inner_text())
+        page.until(lambda: figure.locator("canvas, .main-svg").count() > 0)
+        assert english_words(figure.inner_text()) == set()
+    # Sentences of the program are in English, and a screen reader is told so.
+    page.page.click("#tab-explore")
+    page.set("contact.normal_load", "-50")
+    fault = page.page.locator("#key-contact-normal_load-fault")
+    page.until(fault.is_visible)
+    assert fault.get_attribute("lang") == "en"
+    page.set("contact.normal_load", "50")
+    page.until(lambda: not fault.is_visible())
     page.page.select_option("#language", "en")
     page.settle()
     assert "corrugation grows" in page.text("#why")
-    page.close()
+    assert "the rail has no support" in page.text("#notes")
+    page.page.click("#tab-paper")
+    page.until(lambda: "Figure 2." in page.text("#figure-2 h2"))
+    page.close(complaints=1)
 
 
 def test_dark(open_page):

@@ -280,7 +280,10 @@ impl Traffic {
         let remarks = wheel.remarks.into_iter();
         Ok((
             growth,
-            remarks.filter(|remark| !presets.contains(remark)).collect(),
+            remarks
+                .filter(|remark| !presets.contains(remark))
+                .map(|remark| remark.to_string())
+                .collect(),
         ))
     }
 }

@@ -82,11 +82,11 @@ fn falling_friction_reaches_the_loop() {
     let (speed, radius) = (25.0, 0.46);
     let state = case.feedback.at(0.05, speed);
     assert!((state.dq_domega.re / (-radius / speed * slope) - 1.0).abs() < 1e-6);
-    assert!(
-        case.remarks
-            .iter()
-            .any(|remark| remark.contains("falling friction is that of the slip at 20 m/s"))
-    );
+    assert!(case.remarks.iter().any(|remark| {
+        remark
+            .to_string()
+            .contains("falling friction is that of the slip at 20 m/s")
+    }));
     let dry = self::case(&FALLING[..1]).unwrap().feedback.at(0.05, speed);
     assert!(state.growth_rate != dry.growth_rate);
 }
@@ -128,7 +128,10 @@ fn a_point_outside_the_window_is_covered() {
 
 #[test]
 fn unlike_radii_are_worth_a_remark() {
-    let remarks = |overrides: &[&str]| case(overrides).unwrap().remarks.join("\n");
+    let remarks = |overrides: &[&str]| {
+        let remarks = case(overrides).unwrap().remarks;
+        remarks.iter().map(ToString::to_string).collect::<String>()
+    };
     let words = "the closed form of the contact ellipse is";
     assert!(remarks(&["contact.transverse_radius=30 m"]).contains(words));
     assert!(!remarks(&["contact.transverse_radius=30 m", "contact.hertz=exact"]).contains(words));

@@ -3,5 +3,6 @@
 mod case_file;
 mod contact;
 mod measurement;
+mod remarks;
 mod track;
 mod traffic;

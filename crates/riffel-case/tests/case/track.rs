@@ -63,7 +63,7 @@ fn pinned_pinned_is_named_from_timoshenko_only() {
     assert!(
         case.remarks
             .iter()
-            .any(|remark| remark.contains("overstated"))
+            .any(|remark| remark.to_string().contains("overstated"))
     );
 }
 
@@ -106,7 +106,7 @@ fn a_vehicle_fills_in_wheel_and_load() {
     assert!(
         idle.remarks
             .iter()
-            .any(|remark| remark.contains("changes nothing"))
+            .any(|remark| remark.to_string().contains("changes nothing"))
     );
     assert_eq!(idle.hertz.normal_force(), 50e3);
 }

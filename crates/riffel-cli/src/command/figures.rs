@@ -1,5 +1,6 @@
 //! `riffel figures`
 
+use riffel_case::Language;
 use riffel_figures::paper;
 
 use crate::arguments::Figures;
@@ -12,7 +13,7 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let progress = Progress::new("figures of the paper", paper::FIGURES.len());
     let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
-        let figure = make(model).map_err(CliError::from)?;
+        let figure = make(model, Language::English).map_err(CliError::from)?;
         staging.write_picture(
             &format!("figure-{number}"),
             &figure.svg().map_err(CliError::from)?,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel::{GrowthMap, Ridge, RidgePoint};
-use riffel_case::Case;
+use riffel_case::{Case, Remark};
 use riffel_figures::{map_csv, map_figure, map_netcdf, ridge_csv};
 use riffel_plot::Observation;
 use serde::Serialize;
@@ -28,7 +28,7 @@ struct Summary<'a> {
     ridge: RidgeSummary,
     #[serde(skip_serializing_if = "Option::is_none")]
     bay: Option<BaySummary>,
-    remarks: &'a [String],
+    remarks: &'a [Remark],
 }
 
 #[derive(Serialize)]

@@ -1,12 +1,12 @@
 //! Figures 4 and 5: dissipation over wavelength and speed.
 
 use riffel::{GrowthMap, Ridge};
-use riffel_case::Case;
+use riffel_case::{Case, Language};
 use riffel_plot::{MapFigure, MapPanel};
 
 use super::{Drawing, Model, PaperFigure};
 use crate::FigureError;
-use crate::map::{SIGN, Shown, panel, parameters};
+use crate::map::{SIGN, SIGN_IN_GERMAN, Shown, panel, parameters_in};
 
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
@@ -18,21 +18,28 @@ const WINDOW: [&str; 3] = [
     "map.wavelength.points=121",
 ];
 
-pub(super) fn figure_4(model: Model) -> Result<PaperFigure, FigureError> {
-    maps(
-        model.title("Figure 4. Real part of the dissipation, free Euler beam"),
-        |overrides| model.nominal(overrides),
-    )
+pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
+    let title = language.pick(
+        "Figure 4. Real part of the dissipation, free Euler beam",
+        "Bild 4. Realteil der Dissipation, freier Euler-Balken",
+    );
+    maps(language, model.title(title, language), |overrides| {
+        model.nominal(overrides)
+    })
 }
 
-pub(super) fn figure_5(model: Model) -> Result<PaperFigure, FigureError> {
-    maps(
-        model.title("Figure 5. Real part of the dissipation, track of Bhaskar et al."),
-        |overrides| model.bhaskar_track(overrides),
-    )
+pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
+    let title = language.pick(
+        "Figure 5. Real part of the dissipation, track of Bhaskar et al.",
+        "Bild 5. Realteil der Dissipation, Gleis von Bhaskar et al.",
+    );
+    maps(language, model.title(title, language), |overrides| {
+        model.bhaskar_track(overrides)
+    })
 }
 
 fn maps(
+    language: Language,
     title: String,
     case: impl Fn(&[String]) -> Result<Case, FigureError>,
 ) -> Result<PaperFigure, FigureError> {
@@ -46,11 +53,15 @@ fn maps(
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
         let ridge = Ridge::of_map(&case.feedback, &map);
         panels.push(MapPanel {
-            subtitle: format!("({letter}) τ = {ratio}"),
+            subtitle: language.numbers(&format!("({letter}) τ = {ratio}")),
             ..panel(&case, &map, &ridge, Shown::Power)
         });
         if caption.is_empty() {
-            caption = format!("Parameters of ({letter}): {} {SIGN}", parameters(&case));
+            let parameters = parameters_in(&case, language);
+            caption = language.numbers(&language.pick(
+                format!("Parameters of ({letter}): {parameters} {SIGN}"),
+                format!("Werte von ({letter}): {parameters} {SIGN_IN_GERMAN}"),
+            ));
         }
         rows(&case, ratio, &map, &mut writer)
             .map_err(|error| FigureError::Table(error.to_string()))?;

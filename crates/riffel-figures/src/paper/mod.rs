@@ -5,7 +5,7 @@ mod maps;
 mod ridges;
 mod vertical;
 
-use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
+use riffel_case::{BHASKAR_TRACK_CASE, Case, Language, NOMINAL_CASE};
 use riffel_plot::{LineFigure, MapFigure, PlotError};
 
 use crate::FigureError;
@@ -39,8 +39,8 @@ impl PaperFigure {
     }
 }
 
-/// Number in the paper and how it is made.
-pub type Entry = (u8, fn(Model) -> Result<PaperFigure, FigureError>);
+/// Number in the paper and how it is made, with its words in a language.
+pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure, FigureError>);
 
 /// All figures, in order.
 pub const FIGURES: [Entry; 7] = [
@@ -84,11 +84,11 @@ impl Model {
     }
 
     /// The title of a figure, with the contact where it is not the paper's.
-    fn title(self, title: &str) -> String {
+    fn title(self, title: &str, language: Language) -> String {
         let contact = match self {
             Self::QuasiStatic => "",
-            Self::SpringDashpot => ", spring and dashpot",
-            Self::NonSteady => ", non-steady contact",
+            Self::SpringDashpot => language.pick(", spring and dashpot", ", Feder und Dämpfer"),
+            Self::NonSteady => language.pick(", non-steady contact", ", instationärer Kontakt"),
         };
         format!("{title}{contact}")
     }
@@ -105,7 +105,15 @@ impl Model {
 }
 
 /// Curves with every sample in one tidy table.
-fn lines(figure: LineFigure) -> Result<PaperFigure, FigureError> {
+fn lines(language: Language, mut figure: LineFigure) -> Result<PaperFigure, FigureError> {
+    figure.title = language.numbers(&figure.title);
+    figure.caption = language.numbers(&figure.caption);
+    for panel in &mut figure.panels {
+        panel.subtitle = language.numbers(&panel.subtitle);
+        for series in &mut panel.series {
+            series.label = language.numbers(&series.label);
+        }
+    }
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut write = || -> csv::Result<()> {
         writer.write_record(["panel", "series", "x_quantity", "x", "y_quantity", "y"])?;

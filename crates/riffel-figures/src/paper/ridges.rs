@@ -5,12 +5,12 @@ use std::sync::Arc;
 use riffel::{
     Axis, ConstantCreepage, ConstantTangentialForce, Ridge, RidgePoint, RigidInertia, WheelRotation,
 };
-use riffel_case::Case;
+use riffel_case::{Case, Language};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
 use crate::FigureError;
-use crate::map::parameters;
+use crate::map::parameters_in;
 
 /// Speed of Fig. 8 \[m/s\].
 const SPEED: f64 = 30.0;
@@ -87,10 +87,12 @@ fn curve(
     }
 }
 
-fn over_speed(subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
+fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: "speed V [m/s]".to_owned(),
+        x_label: language
+            .pick("speed V [m/s]", "Geschwindigkeit V [m/s]")
+            .to_owned(),
         y_label: y_label.to_owned(),
         series,
         ..LinePanel::default()
@@ -108,7 +110,15 @@ fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Ser
         .collect()
 }
 
-pub(super) fn figure_6(model: Model) -> Result<PaperFigure, FigureError> {
+/// Over what the minima are taken.
+fn minima(language: Language) -> &'static str {
+    language.pick(
+        "Minima over wavelengths of 20–80 mm.",
+        "Minima über Wellenlängen von 20–80 mm.",
+    )
+}
+
+pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
@@ -125,38 +135,61 @@ pub(super) fn figure_6(model: Model) -> Result<PaperFigure, FigureError> {
         true => f64::NAN,
         false => 1e3 * point.wavelength,
     })?;
-    lines(LineFigure {
-        title: model.title("Figure 6. Highest growth over speed"),
-        caption: format!(
-            "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window. {}",
-            parameters(&nominal)
-        ),
-        panels: vec![
-            over_speed("(a) tractive ratio", MINIMUM_LABEL, by_ratio),
-            over_speed("(b) inertia, τ = 0.1", "wavelength λ [mm]", wavelengths),
-        ],
-        arrangement: Arrangement::SideBySide,
-    })
+    let title = language.pick(
+        "Figure 6. Highest growth over speed",
+        "Bild 6. Höchstes Wachstum über der Geschwindigkeit",
+    );
+    let minima = language.pick(
+        "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window.",
+        "Minima über Wellenlängen von 20–80 mm; (b) lässt Minima am Rand des Fensters weg.",
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: format!("{minima} {}", parameters_in(&nominal, language)),
+            panels: vec![
+                over_speed(
+                    language,
+                    language.pick("(a) tractive ratio", "(a) Kraftschlussausnutzung"),
+                    MINIMUM_LABEL,
+                    by_ratio,
+                ),
+                over_speed(
+                    language,
+                    language.pick("(b) inertia, τ = 0.1", "(b) Trägheit, τ = 0.1"),
+                    language.pick("wavelength λ [mm]", "Wellenlänge λ [mm]"),
+                    wavelengths,
+                ),
+            ],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
 }
 
-pub(super) fn figure_7(model: Model) -> Result<PaperFigure, FigureError> {
+pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
-    lines(LineFigure {
-        title: model.title("Figure 7. Highest growth over speed for different inertia"),
-        caption: format!(
-            "Minima over wavelengths of 20–80 mm. {}",
-            parameters(&nominal)
-        ),
-        panels: vec![over_speed(
-            "τ = 0.1",
-            MINIMUM_LABEL,
-            over_inertia(&nominal, |point| point.normalized_dissipation)?,
-        )],
-        arrangement: Arrangement::SideBySide,
-    })
+    let title = language.pick(
+        "Figure 7. Highest growth over speed for different inertia",
+        "Bild 7. Höchstes Wachstum über der Geschwindigkeit bei verschiedener Trägheit",
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: format!("{} {}", minima(language), parameters_in(&nominal, language)),
+            panels: vec![over_speed(
+                language,
+                "τ = 0.1",
+                MINIMUM_LABEL,
+                over_inertia(&nominal, |point| point.normalized_dissipation)?,
+            )],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
 }
 
-pub(super) fn figure_8(model: Model) -> Result<PaperFigure, FigureError> {
+pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
     let nominal = model.nominal(&[])?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
@@ -182,33 +215,44 @@ pub(super) fn figure_8(model: Model) -> Result<PaperFigure, FigureError> {
         series: vec![series],
         ..LinePanel::default()
     };
-    lines(LineFigure {
-        title: model.title(&format!("Figure 8. Highest growth at {SPEED} m/s")),
-        caption: format!(
-            "Minima over wavelengths of 20–80 mm. {}{}",
-            if model.is_the_papers() {
-                "(a) falls up to τ ≈ 0.9 only. "
-            } else {
-                ""
-            },
-            parameters(&nominal)
+    let title = language.pick(
+        format!("Figure 8. Highest growth at {SPEED} m/s"),
+        format!("Bild 8. Höchstes Wachstum bei {SPEED} m/s"),
+    );
+    let falls = match model.is_the_papers() {
+        true => language.pick(
+            "(a) falls up to τ ≈ 0.9 only. ",
+            "(a) fällt nur bis τ ≈ 0.9. ",
         ),
-        panels: vec![
-            panel(
-                "(a)",
-                "tractive ratio τ [-]",
-                Scale::Linear,
-                sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
-            ),
-            panel(
-                "(b) τ = 0.1",
-                "inertia I_w [kg m²]",
-                Scale::Log,
-                sweep(inertias, &|inertia| {
-                    turning(&nominal, Turning::Inertia(inertia))
-                })?,
-            ),
-        ],
-        arrangement: Arrangement::SideBySide,
-    })
+        false => "",
+    };
+    let caption = format!(
+        "{} {falls}{}",
+        minima(language),
+        parameters_in(&nominal, language)
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(&title, language),
+            caption,
+            panels: vec![
+                panel(
+                    "(a)",
+                    language.pick("tractive ratio τ [-]", "Kraftschlussausnutzung τ [-]"),
+                    Scale::Linear,
+                    sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
+                ),
+                panel(
+                    "(b) τ = 0.1",
+                    language.pick("inertia I_w [kg m²]", "Trägheit I_w [kg m²]"),
+                    Scale::Log,
+                    sweep(inertias, &|inertia| {
+                        turning(&nominal, Turning::Inertia(inertia))
+                    })?,
+                ),
+            ],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
 }

@@ -1,12 +1,12 @@
 //! Figures 2 and 3: vertical receptance and normal force over frequency.
 
 use riffel::{Complex64, LoopState};
-use riffel_case::Case;
+use riffel_case::{Case, Language};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
 use crate::FigureError;
-use crate::map::parameters;
+use crate::map::parameters_in;
 use crate::track_in_words::track;
 
 /// Speed of both figures \[m/s\].
@@ -32,10 +32,18 @@ fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState)
     }
 }
 
-fn panel(subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> LinePanel {
+fn panel(
+    language: Language,
+    subtitle: &str,
+    y_label: &str,
+    y_scale: Scale,
+    series: Vec<Series>,
+) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: "frequency f [Hz]".to_owned(),
+        x_label: language
+            .pick("frequency f [Hz]", "Frequenz f [Hz]")
+            .to_owned(),
         y_label: y_label.to_owned(),
         x_scale: Scale::Log,
         y_scale,
@@ -44,36 +52,44 @@ fn panel(subtitle: &str, y_label: &str, y_scale: Scale, series: Vec<Series>) -> 
     }
 }
 
-pub(super) fn figure_2(model: Model) -> Result<PaperFigure, FigureError> {
+pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
     let moving = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let bhaskar = model.bhaskar_track(&[])?;
     let curves = |value: fn(Complex64) -> f64| {
         vec![
             series(
                 &moving,
-                "beam under a moving load",
+                language.pick("beam under a moving load", "Balken unter wandernder Last"),
                 LineStyle::Solid,
                 |state| value(state.track_receptance),
             ),
             series(
                 &bhaskar,
-                "track of Bhaskar et al. (inferred)",
+                language.pick(
+                    "track of Bhaskar et al. (inferred)",
+                    "Gleis von Bhaskar et al. (erschlossen)",
+                ),
                 LineStyle::Dashed,
                 |state| value(state.track_receptance),
             ),
         ]
     };
-    lines(LineFigure {
-        title: model.title("Figure 2. Vertical direct receptance"),
-        caption: format!(
-            "Load at {SPEED} m/s, exp(+iωt), displacement and force downward. Solid: {}. Dashed: {}.",
-            track(&moving),
-            track(&bhaskar)
+    let (solid, dashed) = (track(&moving, language), track(&bhaskar, language));
+    let title = language.pick(
+        "Figure 2. Vertical direct receptance",
+        "Bild 2. Vertikale Eingangsrezeptanz",
+    );
+    lines(language, LineFigure {
+        title: model.title(title, language),
+        caption: language.pick(
+            format!("Load at {SPEED} m/s, exp(+iωt), displacement and force downward. Solid: {solid}. Dashed: {dashed}."),
+            format!("Last mit {SPEED} m/s, exp(+iωt), Weg und Kraft nach unten. Durchgezogen: {solid}. Gestrichelt: {dashed}."),
         ),
         panels: vec![
-            panel("modulus", "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
+            panel(language, language.pick("modulus", "Betrag"), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
             panel(
-                "phase",
+                language,
+                language.pick("phase", "Phase"),
                 "arg H [°]",
                 Scale::Linear,
                 curves(|h| h.arg().to_degrees()),
@@ -83,44 +99,60 @@ pub(super) fn figure_2(model: Model) -> Result<PaperFigure, FigureError> {
     })
 }
 
-pub(super) fn figure_3(model: Model) -> Result<PaperFigure, FigureError> {
+pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, FigureError> {
     let case = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude / mean;
     let spring = per_mean * case.feedback.contact_stiffness;
-    lines(LineFigure {
-        title: model.title("Figure 3. Normal force"),
-        caption: format!("V = {SPEED} m/s, equation (24). {}", parameters(&case)),
-        panels: vec![
-            LinePanel {
-                y_range: Some((1e-2, 1e1)),
-                ..panel(
-                    "amplitude",
-                    "|P₁/P₀| [-]",
-                    Scale::Log,
-                    vec![
-                        series(&case, "Δ/H rail", LineStyle::Dashed, |state| {
-                            per_mean / state.track_receptance.norm()
-                        }),
-                        series(&case, "Δ/H wheel", LineStyle::Dashed, |state| {
-                            per_mean / state.wheel_receptance.norm()
-                        }),
-                        series(&case, "Δ k_H", LineStyle::Dashed, |_| spring),
-                        series(&case, "P₁/P₀", LineStyle::Solid, |state| {
-                            state.normal_force.norm() / mean
-                        }),
-                    ],
-                )
-            },
-            panel(
-                "phase",
-                "arg P₁ [°]",
-                Scale::Linear,
-                vec![series(&case, "", LineStyle::Solid, |state| {
-                    state.normal_force.arg().to_degrees()
-                })],
+    let title = language.pick("Figure 3. Normal force", "Bild 3. Normalkraft");
+    let parameters = parameters_in(&case, language);
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: language.pick(
+                format!("V = {SPEED} m/s, equation (24). {parameters}"),
+                format!("V = {SPEED} m/s, Gleichung (24). {parameters}"),
             ),
-        ],
-        arrangement: Arrangement::Stacked,
-    })
+            panels: vec![
+                LinePanel {
+                    y_range: Some((1e-2, 1e1)),
+                    ..panel(
+                        language,
+                        language.pick("amplitude", "Amplitude"),
+                        "|P₁/P₀| [-]",
+                        Scale::Log,
+                        vec![
+                            series(
+                                &case,
+                                language.pick("Δ/H rail", "Δ/H Schiene"),
+                                LineStyle::Dashed,
+                                |state| per_mean / state.track_receptance.norm(),
+                            ),
+                            series(
+                                &case,
+                                language.pick("Δ/H wheel", "Δ/H Rad"),
+                                LineStyle::Dashed,
+                                |state| per_mean / state.wheel_receptance.norm(),
+                            ),
+                            series(&case, "Δ k_H", LineStyle::Dashed, |_| spring),
+                            series(&case, "P₁/P₀", LineStyle::Solid, |state| {
+                                state.normal_force.norm() / mean
+                            }),
+                        ],
+                    )
+                },
+                panel(
+                    language,
+                    language.pick("phase", "Phase"),
+                    "arg P₁ [°]",
+                    Scale::Linear,
+                    vec![series(&case, "", LineStyle::Solid, |state| {
+                        state.normal_force.arg().to_degrees()
+                    })],
+                ),
+            ],
+            arrangement: Arrangement::Stacked,
+        },
+    )
 }

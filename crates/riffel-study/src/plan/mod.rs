@@ -149,7 +149,8 @@ impl Plan {
             let help = "take fewer samples, or leave out outputs.map";
             return Err(source.invalid("outputs", &rule, help));
         }
-        plan.remarks.extend(case.remarks.iter().cloned());
+        plan.remarks
+            .extend(case.remarks.iter().map(ToString::to_string));
         plan.remarks.extend(plan.own_remarks());
         bounds::check(&source, &mut plan, &case)?;
         Ok((plan, case, path.to_owned()))

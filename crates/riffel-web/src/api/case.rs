@@ -4,6 +4,7 @@ use axum::Json;
 use axum::extract::State;
 use serde::{Deserialize, Serialize};
 
+use super::note::Note;
 use crate::Page;
 use crate::fault::Fault;
 use crate::request::{Asked, CaseText};
@@ -21,7 +22,7 @@ pub(crate) struct Answer {
     toml: String,
     /// Every key, with presets and defaults.
     complete: riffel_case::file::CaseFile,
-    remarks: Vec<String>,
+    remarks: Vec<Note>,
 }
 
 pub(crate) async fn post(
@@ -39,7 +40,7 @@ pub(crate) async fn post(
                 keys,
                 toml,
                 complete: case.file,
-                remarks: case.remarks,
+                remarks: case.remarks.iter().map(Note::from).collect(),
             }))
         })
         .await

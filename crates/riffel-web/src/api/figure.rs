@@ -2,6 +2,7 @@
 
 use axum::Json;
 use axum::extract::State;
+use riffel_case::Language;
 use riffel_figures::paper::{Drawing, FIGURES, Model};
 use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;
@@ -15,6 +16,9 @@ use crate::request::{Asked, Asker};
 pub(crate) struct Question {
     number: u8,
     contact: Contact,
+    /// Of the words of the figure.
+    #[serde(default)]
+    language: Language,
 }
 
 #[derive(Deserialize)]
@@ -43,7 +47,7 @@ pub(crate) async fn post(
                 Contact::SpringDashpot => Model::SpringDashpot,
                 Contact::NonSteady => Model::NonSteady,
             };
-            let figure = make(model)?;
+            let figure = make(model, question.language)?;
             Ok(Json(match figure.drawing {
                 Drawing::Maps(figure) => json!({
                     "title": figure.title, "caption": figure.caption,

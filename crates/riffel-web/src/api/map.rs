@@ -6,6 +6,7 @@ use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
+use super::note::Note;
 use crate::Page;
 use crate::fault::Fault;
 use crate::framed::Framed;
@@ -30,7 +31,7 @@ pub(crate) struct Head {
     derived: Derived,
     /// Every key, with presets and defaults.
     complete: riffel_case::file::CaseFile,
-    remarks: Vec<String>,
+    remarks: Vec<Note>,
 }
 
 /// The axes, equally spaced, both ends included.
@@ -162,7 +163,7 @@ impl Computed {
                 ),
                 derived: Derived::of(case),
                 complete: case.file.clone(),
-                remarks: case.remarks.clone(),
+                remarks: case.remarks.iter().map(Note::from).collect(),
             },
             values: map
                 .rows()

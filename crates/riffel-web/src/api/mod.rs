@@ -5,6 +5,7 @@ pub(crate) mod compare;
 pub(crate) mod export;
 pub(crate) mod figure;
 pub(crate) mod map;
+mod note;
 pub(crate) mod point;
 pub(crate) mod roughness;
 pub(crate) mod vocabulary;

@@ -2,7 +2,7 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel::{Complex64, Ridge};
+use riffel::{Axis, Complex64, Ridge};
 use riffel_case::{Case, Point, ReceptanceCurves};
 use serde::{Deserialize, Serialize};
 
@@ -93,13 +93,12 @@ impl Spectrum {
 }
 
 impl Growth {
-    fn new(case: &Case, speed: f64) -> Self {
+    fn new(case: &Case, speed: f64) -> Result<Self, Fault> {
         let window = case.wavelength;
-        let last = (WAVELENGTH_POINTS - 1) as f64;
-        let wavelength_m: Vec<f64> = (0..WAVELENGTH_POINTS)
-            .map(|step| window.min() + (window.max() - window.min()) * step as f64 / last)
-            .collect();
-        Self {
+        let drawn = Axis::new(window.min(), window.max(), WAVELENGTH_POINTS);
+        let drawn = drawn.map_err(|error| Fault::bad(error.to_string()))?;
+        let wavelength_m = drawn.values();
+        Ok(Self {
             growth_rate_per_passage: wavelength_m
                 .iter()
                 .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
@@ -109,7 +108,7 @@ impl Growth {
                 .iter()
                 .map(Highest::from)
                 .collect(),
-        }
+        })
     }
 }
 
@@ -164,7 +163,7 @@ pub(crate) async fn post(
                     static_normal_force_n: case.steady.normal_force,
                 },
                 spectrum,
-                growth: Growth::new(&case, speed),
+                growth: Growth::new(&case, speed)?,
             }))
         })
         .await

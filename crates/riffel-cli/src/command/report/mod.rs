@@ -82,7 +82,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
                 )
             }));
             warnings.extend(diagnosis.warnings);
-            warnings.extend(case.remarks.iter().cloned());
+            warnings.extend(case.remarks.iter().map(ToString::to_string));
             let speed = diagnosis.speeds.mean();
             for outlook in outlooks(arguments, &limits, survey, date.as_deref(), speed)? {
                 sections.push(outlook.section);

@@ -1,0 +1,21 @@
+//! A remark on a case, as the page shows it.
+
+use riffel_case::{Language, Remark};
+use serde::Serialize;
+
+/// A remark in every language of the page, which changes its language without asking anew.
+#[derive(Serialize)]
+pub(crate) struct Note {
+    en: String,
+    de: String,
+}
+
+impl From<&Remark> for Note {
+    fn from(remark: &Remark) -> Self {
+        let wording = |language| remark.in_language(language).to_owned();
+        Self {
+            en: wording(Language::English),
+            de: wording(Language::German),
+        }
+    }
+}
