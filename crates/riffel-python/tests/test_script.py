@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import signal
 import subprocess
 import sys
 import sysconfig
+import urllib.request
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import PROGRAM
@@ -53,3 +56,36 @@ def test_ctrl_c_is_for_the_program(tmp_path: Path) -> None:
     _, errors = page.communicate(timeout=30)
     assert page.returncode == 0, errors
     assert "Traceback" not in errors
+
+
+def test_the_page_of_the_package_reads_a_measured_rail(tmp_path: Path) -> None:
+    """The page reads files in processes of their own: here Python starts them."""
+    profile = tmp_path / "profile.csv"
+    made = run([PROGRAM], "roughness", "--synthesise", "cases/roughness-recipe.toml", "--output", str(profile))
+    assert made.returncode == 0, made.stderr
+    page = subprocess.Popen([SCRIPT, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert page.stdout is not None
+    url = page.stdout.readline().strip().rstrip("/")
+
+    def post(path: str, kind: str, body: bytes) -> dict[str, Any]:
+        headers = {"Content-Type": kind, "Origin": url, "X-Riffel-Page": "test"}
+        with urllib.request.urlopen(urllib.request.Request(url + path, body, headers), timeout=60) as answer:
+            found: dict[str, Any] = json.load(answer)
+            return found
+
+    try:
+        post("/api/roughness", "text/csv", profile.read_bytes())
+        question = {
+            "case": {"toml": Path("cases/nominal.toml").read_text(encoding="utf-8")},
+            "name": "profile.csv",
+            "slowest_m_per_s": 20.0,
+            "fastest_m_per_s": 30.0,
+            "passages_per_day": 1000.0,
+            "months": 12.0,
+        }
+        measured = post("/api/measure", "application/json", json.dumps(question).encode())
+    finally:
+        page.terminate()
+        page.communicate(timeout=30)
+    assert measured["diagnosis"]["dominant_wavelengths"]
+    assert page.returncode == 0
