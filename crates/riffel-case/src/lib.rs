@@ -17,6 +17,7 @@
 mod builder;
 mod case;
 mod creep_laws;
+pub mod diagnosis;
 mod error;
 pub mod file;
 mod fill_in;
