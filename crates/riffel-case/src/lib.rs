@@ -39,6 +39,7 @@ mod unit;
 mod validity;
 mod variant;
 pub mod what_if;
+mod written_case;
 
 pub use case::Case;
 pub use creep_laws::CreepLaws;
@@ -53,6 +54,7 @@ pub use site::Site;
 pub use source::Source;
 pub use track::{Direction, Track};
 pub use variant::{SpeedChange, Variant, assignments};
+pub use written_case::WrittenCase;
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.
