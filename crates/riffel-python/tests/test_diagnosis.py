@@ -51,6 +51,8 @@ def test_spectra_of_the_program(program: Callable[..., Any]) -> None:
     # The same spectra as arrays, chosen here.
     spectra = [one for one in riffel.roughness.read(SBB).spectra if one.attrs["laboratory"] == "MBBM"]
     assert case.diagnose(spectra, speed="136 km/h") == {**printed, "file": "rail"}
+    read = case.diagnose(riffel.roughness.read(SBB), where={"laboratory": "MBBM"}, speed="136 km/h")
+    assert read == {**printed, "file": "rail"}
 
 
 def test_profiles_of_the_program(files: tuple[str, str], nominal: riffel.Case, program: Callable[..., Any]) -> None:
@@ -70,7 +72,9 @@ def test_profiles_of_the_program(files: tuple[str, str], nominal: riffel.Case, p
     )
     assert found == printed
     assert found["dominant_wavelengths"][0]["course"]["per"] == "year"
-    # Positions of a file are even to rounding; heights in memory have none.
+    # A file that was read, whose positions are even to rounding.
+    read = nominal.diagnose(riffel.roughness.read(now), speed=30.0)["dominant_wavelengths"][0]
+    assert read["level_db"] == pytest.approx(found["dominant_wavelengths"][0]["level_db"], abs=1e-6)
     arrays = nominal.diagnose(
         heights(20e-6, 2),
         spacing="1 mm",

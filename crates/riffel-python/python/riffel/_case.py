@@ -11,8 +11,8 @@ import xarray as xr
 
 from riffel import _datasets, _diagnosis, _riffel
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
-from riffel._records import Date, Levels, RailRecord, checked_levels
 from riffel._receptance import GivenReceptance, checked_receptance
+from riffel._records import Date, Levels, RailRecord, checked_levels
 from riffel._spectra import levels_of
 from riffel._speeds import Speeds
 
@@ -656,8 +656,8 @@ class Case:
         Parameters
         ----------
         earlier, later : DataArray, sequence of DataArray or path
-            One-third-octave spectra of the same rail, or a file of spectra or of a profile. Three records of each date
-            or more give an interval. Records are paired by the texts among their attributes that are the same in both.
+            One-third-octave spectra of the same rail, or a file of spectra or of a profile. Three records or more of each
+            date give an interval. Records are paired by the texts among their attributes that are the same in both.
         passages : number, optional
             Axle passages between the two.
         days : number, optional
@@ -723,7 +723,8 @@ class Case:
         ----------
         rail : array, Dataset, DataArray, sequence of DataArray or path
             Heights of a rail in m as in `riffel.roughness.analyse`, or a `Dataset` of those of several; one-third-octave
-            spectra of the same rail; or a file of either. Texts among the attributes of a spectrum are its labels.
+            spectra of the same rail; a file of either, or what `riffel.roughness.read` made of it. Texts among the attributes
+            of a spectrum are its labels.
         spacing : quantity, optional
             Step between heights without positions.
         earlier : sequence

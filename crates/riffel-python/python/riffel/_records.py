@@ -13,9 +13,11 @@ import xarray as xr
 
 from riffel._quantities import Quantity
 from riffel._spectra import labels_of, levels_of
-from riffel.roughness import stretches_of
+from riffel.roughness import Roughness, stretches_of
 
-RailRecord: TypeAlias = "npt.ArrayLike | xr.DataArray | xr.Dataset | Sequence[xr.DataArray] | str | os.PathLike[str]"
+RailRecord: TypeAlias = (
+    "npt.ArrayLike | xr.DataArray | xr.Dataset | Sequence[xr.DataArray] | Roughness | str | os.PathLike[str]"
+)
 """Heights of a rail, a `Dataset` of the heights of several, one-third-octave spectra, or a file of either."""
 
 Levels: TypeAlias = "xr.DataArray | Sequence[xr.DataArray] | str | os.PathLike[str]"
@@ -29,6 +31,8 @@ def checked_record(record: RailRecord, name: str, spacing: Quantity | None) -> t
     """What the extension takes: what the record is called, and its file, profile or spectra."""
     if isinstance(record, (str, os.PathLike)):
         return os.fspath(record), os.fspath(record)
+    if isinstance(record, Roughness):
+        record = record.spectra if record.profile is None else record.profile
     spectra = checked_spectra(record, name)
     if spectra is not None:
         return name, spectra
