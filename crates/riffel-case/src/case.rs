@@ -85,7 +85,7 @@ impl Case {
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
-    fn of_source(
+    pub(crate) fn of_source(
         written: Source,
         folder: Option<&Path>,
         given: Given,

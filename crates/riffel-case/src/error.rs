@@ -142,6 +142,21 @@ impl CaseError {
         words
     }
 
+    /// The sentence without the key that it begins with: for a value that was not written by the user.
+    pub fn without_key(&self) -> String {
+        let message = match self {
+            Self::NotConverged(error) => return error.without_key(),
+            Self::Invalid { message, .. } | Self::Override { message, .. } => message,
+            error => return error.to_string(),
+        };
+        let after = message
+            .strip_prefix('`')
+            .and_then(|rest| rest.split_once("`: "));
+        after
+            .map_or(message.as_str(), |(_, sentence)| sentence)
+            .to_owned()
+    }
+
     /// A file of data that cannot be used as a whole, and why not.
     pub fn data(path: impl Into<PathBuf>, message: impl Into<String>) -> Self {
         Self::Data {

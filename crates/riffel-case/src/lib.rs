@@ -17,6 +17,7 @@
 mod builder;
 mod case;
 mod creep_laws;
+pub mod diagnosis;
 mod error;
 pub mod file;
 mod fill_in;
@@ -40,6 +41,7 @@ mod unit;
 mod validity;
 mod variant;
 pub mod what_if;
+mod written_case;
 
 pub use case::Case;
 pub use creep_laws::CreepLaws;
@@ -56,6 +58,7 @@ pub use site::Site;
 pub use source::Source;
 pub use track::{Direction, Track};
 pub use variant::{SpeedChange, Variant, assignments};
+pub use written_case::WrittenCase;
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use miette::{NamedSource, SourceSpan};
@@ -11,7 +11,7 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 use crate::preset::PresetKind;
-use crate::{CaseError, Remark};
+use crate::{CaseError, Remark, WrittenCase};
 
 /// The text of a file, which is `what` in errors.
 pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, CaseError> {
@@ -60,6 +60,33 @@ impl Source {
             text: Arc::new(read),
             table: text.parse().map_err(syntax)?,
             ..Self::empty(name)
+        })
+    }
+
+    /// What makes it again elsewhere.
+    pub(crate) fn written(&self, folder: Option<PathBuf>) -> WrittenCase {
+        let mut overrides: Vec<(String, String)> = self
+            .overrides
+            .iter()
+            .map(|(key, assignment)| (key.clone(), assignment.clone()))
+            .collect();
+        // The same case, the same bytes.
+        overrides.sort();
+        WrittenCase {
+            name: self.text.name.clone(),
+            text: self.text.text.clone(),
+            keys: self.table.to_string(),
+            overrides,
+            folder,
+        }
+    }
+
+    /// What was written.
+    pub(crate) fn of_written(written: &WrittenCase) -> Result<Self, CaseError> {
+        Ok(Self {
+            table: Self::parse(&written.name, &written.keys)?.table,
+            overrides: written.overrides.iter().cloned().collect(),
+            ..Self::parse(&written.name, &written.text)?
         })
     }
 

@@ -130,17 +130,11 @@ impl CaseArguments {
 
 /// The case with a contact that answers from one wavelength \[m\] to another.
 pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
-    case.covering(from, to).map_err(|error| {
-        let message = error.to_string();
-        // The window was not written by the user.
-        let sentence = ["min", "max"].iter().find_map(|end| {
-            let key = format!("`map.wavelength.{end}`: ");
-            message.split_once(&key).map(|(_, sentence)| sentence)
-        });
-        CliError::Wavelength {
-            message: sentence.unwrap_or(&message).to_owned(),
-        }
-    })
+    // The window was not written by the user.
+    case.covering(from, to)
+        .map_err(|error| CliError::Wavelength {
+            message: error.without_key(),
+        })
 }
 
 /// The value of an argument that must be above zero, in SI.

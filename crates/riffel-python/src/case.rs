@@ -6,11 +6,12 @@ use std::sync::Arc;
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyTuple, PyType};
 use rayon::prelude::*;
 use riffel::{Axis, Bay, DecayRate, GrowthMap, KalkerCoefficients, Ridge, TILE};
 use riffel_case::{
-    CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves, RollingTheories,
+    CaseError, CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves,
+    RollingTheories,
 };
 
 use crate::errors::{of_case, of_physics, wrong};
@@ -27,6 +28,45 @@ pub(crate) struct Case {
     pub(crate) case: Arc<riffel_case::Case>,
     /// Receptances that are asked in Python, for their failures.
     pub(crate) callables: Vec<Arc<CallableReceptance>>,
+}
+
+/// What makes a case anew elsewhere: it is pickled as the strings that it is made of.
+#[pyclass(frozen, module = "riffel._riffel")]
+pub(crate) struct WrittenCase(riffel_case::WrittenCase);
+
+#[pymethods]
+impl WrittenCase {
+    #[new]
+    fn new(
+        name: String,
+        text: String,
+        keys: String,
+        overrides: Vec<(String, String)>,
+        folder: Option<PathBuf>,
+    ) -> Self {
+        Self(riffel_case::WrittenCase {
+            name,
+            text,
+            keys,
+            overrides,
+            folder,
+        })
+    }
+
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+        let written = self.0.clone();
+        let arguments = (
+            written.name,
+            written.text,
+            written.keys,
+            written.overrides,
+            written.folder.map(PathBuf::into_os_string),
+        );
+        Ok((py.get_type::<Self>(), arguments.into_pyobject(py)?))
+    }
 }
 
 /// Overrides `key=value` of a dict of dotted keys.
@@ -119,7 +159,7 @@ impl Case {
         put: fn(
             &riffel_case::Case,
             riffel_case::GivenReceptance,
-        ) -> Result<riffel_case::Case, riffel_case::CaseError>,
+        ) -> Result<riffel_case::Case, CaseError>,
     ) -> PyResult<Self> {
         let (receptance, callable) = given::extract(given, what)?;
         let mut callables: Vec<_> = self
@@ -131,17 +171,24 @@ impl Case {
         callables.extend(callable);
         let case = self.case.clone();
         let built = interruptible(py, move || put(&case, receptance))?;
-        // A failure of the callable explains any other.
-        if let Some(error) = callables
+        Self::built(built, callables)
+    }
+
+    /// A case that was built with callables, whose failure explains any other.
+    fn built(
+        built: Result<riffel_case::Case, CaseError>,
+        callables: Vec<Arc<CallableReceptance>>,
+    ) -> PyResult<Self> {
+        match callables
             .iter()
             .find_map(|callable| callable.take_failure())
         {
-            return Err(error);
+            Some(error) => Err(error),
+            None => Ok(Self {
+                case: Arc::new(built.map_err(of_case)?),
+                callables,
+            }),
         }
-        Ok(Self {
-            case: Arc::new(built.map_err(of_case)?),
-            callables,
-        })
     }
 }
 
@@ -190,6 +237,39 @@ impl Case {
 
     fn with_wheel(&self, py: Python<'_>, wheel: &Bound<'_, PyAny>) -> PyResult<Self> {
         self.with_given(py, wheel, "wheel", riffel_case::Case::with_wheel)
+    }
+
+    /// A case that was written, with the receptances that were given with it.
+    #[staticmethod]
+    fn restore(
+        py: Python<'_>,
+        written: &WrittenCase,
+        track: Option<&Bound<'_, PyAny>>,
+        wheel: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        let mut callables = Vec::new();
+        let mut extract = |given: Option<&Bound<'_, PyAny>>, what| {
+            let (receptance, callable) = match given {
+                Some(given) => {
+                    let (receptance, callable) = given::extract(given, what)?;
+                    (Some(receptance), callable)
+                }
+                None => (None, None),
+            };
+            callables.extend(callable);
+            PyResult::Ok(receptance)
+        };
+        let (track, wheel) = (extract(track, "track")?, extract(wheel, "wheel")?);
+        let written = written.0.clone();
+        let built = interruptible(py, move || {
+            riffel_case::Case::restore(&written, track, wheel)
+        })?;
+        Self::built(built, callables)
+    }
+
+    /// What makes the case anew elsewhere.
+    fn written(&self) -> WrittenCase {
+        WrittenCase(self.case.written())
     }
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

@@ -6,12 +6,14 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Forecast, SpeedDistribution};
-use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::traffic::{Traffic, WearReport, bands_of};
 use riffel_case::what_if::Comparison;
 use riffel_case::{CaseError, Variant};
 
 use crate::case::Case;
-use crate::errors::{of_case, of_physics};
+use crate::document::document;
+use crate::errors::{of_case, of_physics, wrong};
+use crate::records::{GivenRoughness, Layout, survey};
 use crate::roughness::{level_limit, spectrum};
 use crate::tables;
 
@@ -24,7 +26,7 @@ pub(crate) enum GivenTraffic<'py> {
 }
 
 impl GivenTraffic<'_> {
-    fn traffic(&self) -> PyResult<Traffic> {
+    pub(crate) fn traffic(&self) -> PyResult<Traffic> {
         match self {
             Self::File(path) => Traffic::read(path).map_err(of_case),
             Self::Keys(keys) => {
@@ -73,7 +75,7 @@ pub(crate) fn forecast<'py>(
             .collect(),
         (None, None, months) => {
             let per_month = on.passages_per_month().ok_or_else(|| {
-                crate::errors::wrong(
+                wrong(
                     "months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt",
                 )
             })?;
@@ -81,9 +83,7 @@ pub(crate) fn forecast<'py>(
             months.iter().map(|months| per_month * months).collect()
         }
         _ => {
-            return Err(crate::errors::wrong(
-                "give only one of passages, mgt and months",
-            ));
+            return Err(wrong("give only one of passages, mgt and months"));
         }
     };
     let bands = forecast.bands();
@@ -135,6 +135,37 @@ pub(crate) fn forecast<'py>(
     result.set_item("linear_passages", linear.passages)?;
     result.set_item("remarks", on.remarks)?;
     Ok(result)
+}
+
+/// The wear coefficient of two measurements: what `riffel forecast --json` says of it.
+#[pyfunction]
+pub(crate) fn fit_wear<'py>(
+    py: Python<'py>,
+    case: &Case,
+    earlier: (PathBuf, GivenRoughness<'py>),
+    later: (PathBuf, GivenRoughness<'py>),
+    passages: Option<f64>,
+    days: Option<f64>,
+    traffic: GivenTraffic<'py>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let layout = Layout::default();
+    let earlier = survey(py, &earlier, &layout)?;
+    let later = survey(py, &later, &layout)?;
+    let traffic = traffic.traffic()?;
+    let on = case.compute(py, move |case| {
+        traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
+    })?;
+    let on = on.map_err(of_case)?;
+    let by_days = days
+        .zip(on.passages_per_day)
+        .map(|(days, a_day)| days * a_day);
+    let passages = passages.or(by_days).ok_or_else(|| {
+        wrong(
+            "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",
+        )
+    })?;
+    let report = WearReport::new(&case.case, &on, &earlier, &later, passages);
+    document(py, &report.map_err(of_case)?.document())
 }
 
 /// A file of changes, or its keys.

@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::sync::{Arc, Mutex};
 
 use num_complex::Complex64;
-use numpy::{PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::{PyTuple, PyType};
 use riffel::{Frequencies, MeasuredReceptance, Receptance, SplitComplex};
 use riffel_case::{GivenReceptance, UniversalFunction};
 
@@ -138,7 +139,11 @@ impl Receptance for CallableReceptance {
 
 /// Checked function of a universal file, as its frequencies and receptances are asked for by a case.
 #[pyclass(frozen, module = "riffel._riffel")]
-pub(crate) struct Universal(GivenReceptance);
+pub(crate) struct Universal {
+    receptance: GivenReceptance,
+    /// What it was made of, to be pickled.
+    function: UniversalFunction,
+}
 
 #[pymethods]
 impl Universal {
@@ -167,9 +172,30 @@ impl Universal {
             frequencies: frequencies.as_array().iter().copied().collect(),
             values: values.as_array().iter().copied().collect(),
         };
-        GivenReceptance::of_universal(&function)
-            .map(Self)
-            .map_err(of_case)
+        Ok(Self {
+            receptance: GivenReceptance::of_universal(&function).map_err(of_case)?,
+            function,
+        })
+    }
+
+    /// How pickle makes it again.
+    fn __reduce__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+        let function = self.function.clone();
+        let arguments = (
+            function.title,
+            function.function_type,
+            function.load_case,
+            (function.response_direction, function.reference_direction),
+            function.abscissa_kind,
+            function.numerator,
+            function.denominator,
+            function.frequencies.into_pyarray(py),
+            function.values.into_pyarray(py),
+        );
+        Ok((py.get_type::<Self>(), arguments.into_pyobject(py)?))
     }
 }
 
@@ -187,7 +213,7 @@ pub(crate) fn extract(
         return Ok((GivenReceptance::new(callable.clone()), Some(callable)));
     }
     if let Ok(universal) = given.cast::<Universal>() {
-        return Ok((universal.get().0.clone(), None));
+        return Ok((universal.get().receptance.clone(), None));
     }
     let table: (PyReadonlyArray1<'_, f64>, PyReadonlyArray1<'_, Complex64>) =
         given.extract().map_err(|_| {

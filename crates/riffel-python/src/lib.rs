@@ -6,6 +6,8 @@
 #![allow(clippy::type_complexity)]
 
 mod case;
+mod diagnosis;
+mod document;
 mod errors;
 mod forecast;
 mod given;
@@ -13,6 +15,7 @@ mod interrupt;
 mod presets;
 mod program;
 mod quantity;
+mod records;
 mod roughness;
 mod study;
 mod tables;
@@ -21,11 +24,13 @@ mod tables;
 #[pyo3::pymodule]
 mod _riffel {
     #[pymodule_export]
-    use crate::case::Case;
+    use crate::case::{Case, WrittenCase};
+    #[pymodule_export]
+    use crate::diagnosis::diagnose;
     #[pymodule_export]
     use crate::errors::{ConvergenceError, ReceptanceError};
     #[pymodule_export]
-    use crate::forecast::{compare, forecast};
+    use crate::forecast::{compare, fit_wear, forecast};
     #[pymodule_export]
     use crate::given::Universal;
     #[pymodule_export]

@@ -22,13 +22,13 @@ use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 /// A stretch without gaps: where it begins \[m\], and its heights.
-type Stretch<'py> = (f64, PyReadonlyArray1<'py, f64>);
+pub(crate) type Stretch<'py> = (f64, PyReadonlyArray1<'py, f64>);
 
-fn owned(values: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
+pub(crate) fn owned(values: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
     values.as_array().iter().copied().collect()
 }
 
-fn profiles(stretches: &[Stretch<'_>], spacing: f64) -> PyResult<Vec<Profile>> {
+pub(crate) fn profiles(stretches: &[Stretch<'_>], spacing: f64) -> PyResult<Vec<Profile>> {
     let profile = |(start, heights): &Stretch<'_>| {
         Profile::new(*start, spacing, owned(heights)).map_err(of_physics)
     };

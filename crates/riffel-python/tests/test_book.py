@@ -11,7 +11,8 @@ from conftest import ROOT
 
 def test_listings_of_the_page_on_python(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     # What a listing writes does not stay in the repository.
-    (tmp_path / "cases").symlink_to(ROOT / "cases")
+    for folder in ("cases", "validation"):
+        (tmp_path / folder).symlink_to(ROOT / folder)
     monkeypatch.chdir(tmp_path)
     page = (ROOT / "docs" / "src" / "python.md").read_text(encoding="utf-8")
     listings = re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL)

@@ -64,7 +64,7 @@ def test_reference_points(point: dict[str, Any]) -> None:
         assert np.abs(np.subtract(found[key], expected)).max() <= 1e-10 * np.abs(expected).max(), key
 
 
-@pytest.mark.parametrize("index", range(0, len(POINTS), 4))
+@pytest.mark.parametrize("index", range(len(POINTS)))
 def test_points_of_the_program(index: int, program: Callable[..., Any]) -> None:
     point = POINTS[index]
     overrides = case_of(point)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import resource
+import shutil
 import signal
 import subprocess
 from collections.abc import Iterator
@@ -179,6 +180,75 @@ def test_full_disks_everywhere_stop_it_with_a_sentence(client: Client, plan: Pat
     finally:
         client.run(limit_files, resource.RLIM_INFINITY)
     same(study.run(tmp_path / "alone"), study.run(tmp_path / "cluster", client))
+
+
+@contextmanager
+def elsewhere(client: Client, folder: Path, workers: list[str] | None = None) -> Iterator[None]:
+    """Workers that work in another folder than the client; the others in its own."""
+    client.run(os.chdir, Path.cwd())
+    client.run(os.chdir, folder, workers=workers)
+    try:
+        yield
+    finally:
+        client.run(os.chdir, ROOT)
+
+
+# A folder of this name is another one in every process that works elsewhere: as /scratch is on every machine.
+OWN_FOLDER = Path("/proc/self/cwd/study")
+each_has_its_own = pytest.mark.skipif(not OWN_FOLDER.parent.exists(), reason="needs the /proc of Linux")
+
+
+@each_has_its_own
+def test_a_folder_that_workers_do_not_see(
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = riffel.Study.from_toml(plan)
+    (here := tmp_path / "here").mkdir()
+    (there := tmp_path / "there").mkdir()
+    monkeypatch.chdir(here)
+    study.run(OWN_FOLDER, shard="1/8")
+    finished = riffel.study_summary(here / "study")["chunks_finished"]
+    shared = f"does not see {OWN_FOLDER}: it must be a folder that all machines of the cluster share"
+    with elsewhere(client, there), pytest.raises(RuntimeError, match=shared) as caught:
+        study.run(OWN_FOLDER, client, patience=5.0)
+    assert "Finished chunks are kept" in str(caught.value)
+    assert riffel.study_summary(here / "study")["chunks_finished"] == finished
+    assert list(there.iterdir()) == []
+    # In a place that they see it goes on.
+    same(study.run(tmp_path / "alone"), study.run(here / "study", client))
+
+
+@each_has_its_own
+def test_a_folder_of_which_each_worker_has_its_own(
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = riffel.Study.from_toml(plan)
+    (here := tmp_path / "here").mkdir()
+    monkeypatch.chdir(here)
+    study.run(OWN_FOLDER, shard="1/8")
+    there = Path(shutil.copytree(here, tmp_path / "there"))
+    finished = riffel.study_summary(here / "study")["chunks_finished"]
+    with elsewhere(client, there), pytest.raises(RuntimeError, match=f"not in {OWN_FOLDER} here: it must be a folder"):
+        study.run(OWN_FOLDER, client)
+    # What was here is here, and what the workers did can be taken along.
+    assert riffel.study_summary(here / "study")["chunks_finished"] == finished
+    assert riffel.study_summary(there / "study")["chunks_finished"] > finished
+    riffel.merge_studies(tmp_path / "merged", [here / "study", there / "study"])
+    same(study.run(tmp_path / "alone"), study.run(tmp_path / "merged"))
+
+
+@each_has_its_own
+def test_one_worker_that_does_not_see_the_folder_costs_nothing(
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    study = riffel.Study.from_toml(plan)
+    (here := tmp_path / "here").mkdir()
+    (there := tmp_path / "there").mkdir()
+    monkeypatch.chdir(here)
+    with elsewhere(client, there, [next(iter(client.scheduler_info()["workers"]))]):
+        results = study.run(OWN_FOLDER, client)
+    assert list(there.iterdir()) == []
+    same(study.run(tmp_path / "alone"), results)
 
 
 def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ use crate::quantity::{Length, Quantity};
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
 pub use limit::{Limit, LimitTable};
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};
-pub use record::{Rail, Record};
+pub use record::{Rail, Record, coarse_sampling};
 pub use spectra::LabelledSpectrum;
 pub use survey::Survey;
 

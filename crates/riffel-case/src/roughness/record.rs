@@ -139,12 +139,7 @@ impl Record {
             warnings.extend(remarks);
             rails.push(Rail { name, stretches });
         }
-        if chainage.spacing > 1.001e-3 {
-            warnings.push(format!(
-                "sampled every {:.3} mm; EN 15610 asks for 1 mm or less",
-                1e3 * chainage.spacing
-            ));
-        }
+        warnings.extend(coarse_sampling(chainage.spacing));
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
         let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
@@ -164,6 +159,16 @@ impl Record {
     pub fn length(&self) -> f64 {
         self.rails.iter().map(Rail::length).sum::<f64>() / self.rails.len().max(1) as f64
     }
+}
+
+/// What to say of samples too far apart \[m\] for EN 15610.
+pub fn coarse_sampling(spacing: f64) -> Option<String> {
+    (spacing > 1.001e-3).then(|| {
+        format!(
+            "sampled every {:.3} mm; EN 15610 asks for 1 mm or less",
+            1e3 * spacing
+        )
+    })
 }
 
 /// One column of heights on its way to stretches.

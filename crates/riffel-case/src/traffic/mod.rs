@@ -1,6 +1,7 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
 mod file;
+mod wear_report;
 
 use std::path::Path;
 
@@ -10,6 +11,7 @@ use riffel::forecast::{
 use riffel::roughness::ThirdOctave;
 
 pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
+pub use wear_report::{WearDocument, WearReport};
 
 use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::{Source, read_text};

@@ -44,6 +44,27 @@ fn completed_case_reads_back(#[case] text: &str) {
     assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
 }
 
+/// A case that was written is the same elsewhere, and goes on with the same errors.
+#[test]
+fn a_written_case_is_restored() -> Result<(), CaseError> {
+    let overrides = ["contact.friction=0.35", "wheel.mass=600 kg"].map(str::to_owned);
+    let case = Case::parse("mine.toml", NOMINAL_CASE, &overrides)?;
+    let again = Case::restore(&case.written(), None, None)?;
+    assert_eq!(again.file, case.file);
+    assert_eq!(again.remarks, case.remarks);
+    assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
+    assert_eq!(again.written(), case.written());
+    assert!(case.written().folder.is_some_and(|f| f.is_absolute()));
+    for wrong in ["contact.normal_load=0", "rail.section=none", "contact=3"] {
+        let refused = |case: &Case| {
+            let error = case.with(&[&[wrong.to_owned()]]).err();
+            error.expect("this must be refused").in_words()
+        };
+        assert_eq!(refused(&again), refused(&case), "{wrong}");
+    }
+    Ok(())
+}
+
 /// Every kind of mistake: what is written instead of what, the message, and where it points.
 #[rstest]
 #[case::wrong_unit(

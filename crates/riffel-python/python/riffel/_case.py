@@ -9,10 +9,12 @@ from typing import Any, TypeAlias
 import numpy as np
 import xarray as xr
 
-from riffel import _datasets, _riffel
+from riffel import _datasets, _diagnosis, _riffel
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
 from riffel._receptance import GivenReceptance, checked_receptance
+from riffel._records import Date, Levels, RailRecord, checked_levels
 from riffel._spectra import levels_of
+from riffel._speeds import Speeds
 
 Overrides: TypeAlias = "Mapping[str, Any]"
 """Values by dotted key, as in ``{"contact.friction": 0.3}``."""
@@ -27,10 +29,12 @@ class Case:
     Make one with `from_toml`, `from_dict` or `parse`.
     """
 
-    __slots__ = ("_case", "_window_map")
+    __slots__ = ("_case", "_given", "_window_map")
 
-    def __init__(self, case: _riffel.Case) -> None:
+    def __init__(self, case: _riffel.Case, given: Mapping[str, Any] | None = None) -> None:
         self._case = case
+        # Receptances of track and wheel that were given, to take along when it is pickled.
+        self._given = dict(given or {})
         # Coordinates over the window of the case: making them costs a tenth of a map of a million points.
         self._window_map: xr.Dataset | None = None
 
@@ -111,7 +115,7 @@ class Case:
         >>> riffel.Case.from_toml("cases/nominal.toml").with_({"contact.friction": 0.3}).to_dict()["contact"]["friction"]
         0.3
         """
-        return Case(self._case.with_overrides({**(overrides or {}), **more}))
+        return Case(self._case.with_overrides({**(overrides or {}), **more}), self._given)
 
     def with_track(self, receptance: GivenReceptance) -> Case:
         """The case on a track of the receptance given: a finite-element track, say, or a measured one.
@@ -150,14 +154,16 @@ class Case:
         >>> bool((case.receptance([500.0, 1000.0])["rail_m_per_n"] == winkler(np.array([500.0, 1000.0]))).all())
         True
         """
-        return Case(self._case.with_track(checked_receptance(receptance, "receptance")))
+        track = checked_receptance(receptance, "receptance")
+        return Case(self._case.with_track(track), {**self._given, "track": track})
 
     def with_wheel(self, receptance: GivenReceptance) -> Case:
         """The case under a wheel of the receptance given; its rotation stays that of the case.
 
         Otherwise as `with_track`.
         """
-        return Case(self._case.with_wheel(checked_receptance(receptance, "receptance")))
+        wheel = checked_receptance(receptance, "receptance")
+        return Case(self._case.with_wheel(wheel), {**self._given, "wheel": wheel})
 
     def to_dict(self) -> dict[str, Any]:
         """All keys with their values, presets and defaults filled in; `from_dict` reads them back."""
@@ -172,6 +178,17 @@ class Case:
     def remarks(self) -> list[str]:
         """What to know about the validity of the models in the window of the map."""
         return self._case.remarks
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Keys and not results: it is built anew where it arrives. A callable goes as Python pickles it.
+        return _restored, (self._case.written(), self._given)
+
+    def __copy__(self) -> Case:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Case:
+        # It does not change.
+        return self
 
     def __repr__(self) -> str:
         return f"<riffel.Case {self.title or 'without title'!r}>"
@@ -623,6 +640,156 @@ class Case:
             _datasets.attributes(self.title),
         )
 
+    def fit_wear(
+        self,
+        earlier: Levels,
+        later: Levels,
+        *,
+        passages: float | None = None,
+        days: float | None = None,
+        traffic: Traffic | None = None,
+        speed: Quantity | None = None,
+        speed_deviation: Quantity | None = None,
+    ) -> dict[str, Any]:
+        """The wear coefficient with which this case grows as a rail has grown between two measurements.
+
+        Parameters
+        ----------
+        earlier, later : DataArray, sequence of DataArray or path
+            One-third-octave spectra of the same rail, or a file of spectra or of a profile. Three records or more of each
+            date give an interval. Records are paired by the texts among their attributes that are the same in both.
+        passages : number, optional
+            Axle passages between the two.
+        days : number, optional
+            Days between the two, in place of `passages`, for traffic that says how much of it there is.
+        traffic, speed, speed_deviation
+            As of `forecast`.
+
+        Returns
+        -------
+        dict
+            What ``riffel forecast --json`` has under ``wear_fit``: ``verdict``, ``coefficient_kg_per_j`` with its 95 %
+            interval, None where no fit is claimed, ``bands`` with measured, predicted and fitted changes, and
+            ``sentences`` that say what to make of it.
+
+        Raises
+        ------
+        ValueError
+            For measurements without a common band in the window of the case, or a value that is not allowed.
+
+        Examples
+        --------
+        What grows by twice its forecast has twice the coefficient:
+
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> before = riffel.roughness.levels([0.04, 0.05, 0.063], [1.0, 1.0, 1.0])
+        >>> grown = case.forecast(before, speed="100 km/h", passages=[2e5])["level"][0]
+        >>> fit = case.fit_wear(before, grown, passages=1e5, speed="100 km/h")
+        >>> fit["verdict"], round(fit["best_factor"], 6)
+        ('without-interval', 2.0)
+        """
+        between = {"passages": passages, "days": days}
+        given = {name: scalar(value, name, "ratio") for name, value in between.items() if value is not None}
+        if len(given) != 1:
+            raise ValueError("give one of passages and days: how much traffic there was between the measurements")
+        return _riffel.fit_wear(
+            self._case,
+            checked_levels(earlier, "earlier"),
+            checked_levels(later, "later"),
+            given.get("passages"),
+            given.get("days"),
+            self._traffic(traffic, speed, speed_deviation),
+        )
+
+    def diagnose(
+        self,
+        rail: RailRecord,
+        *,
+        spacing: Quantity | None = None,
+        earlier: Sequence[RailRecord] = (),
+        dates: Sequence[Date] = (),
+        traffic: Traffic | None = None,
+        speed: Speeds | None = None,
+        torsion: Quantities = (),
+        bending: Quantities = (),
+        where: Mapping[str, str] | None = None,
+        by: str | None = None,
+        format: str | os.PathLike[str] | None = None,
+        from_vehicle: bool = False,
+    ) -> dict[str, Any]:
+        """What may have made the wavelengths that stand out of a rail, held against this case.
+
+        Parameters
+        ----------
+        rail : array, Dataset, DataArray, sequence of DataArray or path
+            Heights of a rail in m as in `riffel.roughness.analyse`, or a `Dataset` of those of several; one-third-octave
+            spectra of the same rail; a file of either, or what `riffel.roughness.read` made of it. Texts among the attributes
+            of a spectrum are its labels.
+        spacing : quantity, optional
+            Step between heights without positions.
+        earlier : sequence
+            Earlier records of the same rail, the oldest first, each of the kind of `rail`.
+        dates : sequence of date or str, optional
+            Dates of all records, the oldest first and that of `rail` last.
+        traffic : path or mapping, optional
+            A traffic file or its keys, for the speeds of its vehicles.
+        speed : quantity, tuple or list, optional
+            Speed of the traffic in place of `traffic`; a range as a pair or as "60 km/h..90 km/h"; several as a list. By
+            default all speeds of the map of the case.
+        torsion, bending : quantity or array, optional
+            Frequencies of torsional and of bending modes of the wheelset.
+        where : mapping, optional
+            Keep the spectra whose label of this name has this value.
+        by : str, optional
+            Label that tells the spectra of one table apart in time; ``date`` by default, if there is one.
+        format : path-like, optional
+            Reader profile of files.
+        from_vehicle : bool
+            Whether the record was taken from a vehicle, whose wheels are in it, and not with a trolley.
+
+        Returns
+        -------
+        dict
+            With the keys of ``riffel diagnose --json``: ``dominant_wavelengths``, each with its ``candidates``, the
+            likeliest first, and ``warnings``. A share compares the candidates of one list, each taken to be equally
+            likely beforehand; it is no probability that a finding is right.
+
+        Raises
+        ------
+        FileNotFoundError
+            If there is no such file.
+        ValueError
+            For a record or a value that is not allowed, or records of different kinds.
+
+        Examples
+        --------
+        Corrugation of 56 mm under trains at 108 km/h, on noise:
+
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> position = 1e-3 * np.arange(60_000)
+        >>> noise = np.random.default_rng(1).normal(scale=1e-6, size=position.size)
+        >>> found = case.diagnose(20e-6 * np.sin(2 * np.pi * position / 0.056) + noise, spacing="1 mm", speed="108 km/h")
+        >>> peak = found["dominant_wavelengths"][0]
+        >>> round(peak["wavelength_m"], 3), peak["candidates"][0]["mechanism"]
+        (0.056, 'growth ridge')
+        """
+        keys = _plain(traffic) if isinstance(traffic, Mapping) else None if traffic is None else os.fspath(traffic)
+        return _diagnosis.diagnose(
+            self._case,
+            rail,
+            spacing=spacing,
+            earlier=earlier,
+            dates=dates,
+            traffic=keys,
+            speed=speed,
+            torsion=torsion,
+            bending=bending,
+            where=where,
+            by=by,
+            format=format,
+            from_vehicle=from_vehicle,
+        )
+
     def _window(self, name: str, value: Quantities | None) -> Floats:
         if name == "wavelength":
             return self._case.wavelengths() if value is None else array(value, name, "length")
@@ -639,6 +806,11 @@ class Case:
         mean = 0.5 * float(speeds[0] + speeds[-1]) if speed is None else scalar(speed, "speed", "speed")
         least = -np.finfo(np.float64).tiny
         return mean, 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
+
+
+def _restored(written: _riffel.WrittenCase, given: dict[str, Any]) -> Case:
+    """A pickled case."""
+    return Case(_riffel.Case.restore(written, given.get("track"), given.get("wheel")), given)
 
 
 def _numbers(value: Any, name: str) -> Floats:

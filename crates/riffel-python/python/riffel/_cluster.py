@@ -28,6 +28,7 @@ QUEUE = 2
 FIRST_PATIENCE = 60.0
 BROKEN = 3
 """Failures to write or to answer after which a worker gets nothing more."""
+SHARED = "it must be a folder that all machines of the cluster share"
 KEPT = "Finished chunks are kept: the same call goes on where it stopped"
 
 
@@ -57,6 +58,9 @@ def compute(folder: str, fingerprint: str, chunks: tuple[int, ...]) -> tuple[str
     """On a worker: compute chunks and write them. Its address, the seconds it took, and why it could not write."""
     address = str(get_worker().address)
     begun = time.perf_counter()
+    # A study that was opened before would make the folder anew, where nobody looks for it.
+    if not Path(folder).is_dir():
+        return address, 0.0, f"does not see {folder}: {SHARED}"
     try:
         _study(folder, fingerprint).compute(folder, list(chunks))
     except OSError as error:
@@ -110,6 +114,8 @@ class _Run:
         """Of a chunk, in the latest tasks."""
         self.longest = 0.0
         self.broken: Counter[str] = Counter()
+        self.refusal = ""
+        """Why the latest worker could not write."""
         self.seen = time.monotonic()
         """When there was a worker."""
 
@@ -148,7 +154,7 @@ class _Run:
         if workers:
             self.seen = time.monotonic()
         elif time.monotonic() - self.seen > (self.patience or FIRST_PATIENCE):
-            raise RuntimeError(f"the cluster has no worker left that answers and can write. {KEPT}")
+            raise RuntimeError(f"the cluster has no worker left that answers and can write{self.refusal}. {KEPT}")
         room = QUEUE * sum(workers.values()) - len(self.futures)
         while room > 0 and (self.again or self.chunks):
             task = self.again.popleft() if self.again else self._next(sum(workers.values()))
@@ -210,6 +216,7 @@ class _Run:
             self.broken[address] += 1
             task.refused.add(address)
             task.reasons.append(f"worker {address}: {refusal}")
+            self.refusal = f": {task.reasons[-1]}"
             if self.open.intersection(task.chunks):
                 self.again.append(task)
             return
@@ -258,7 +265,4 @@ class _Run:
     def _check_written(self, chunks: Iterable[int]) -> None:
         """What workers say they wrote must be here."""
         if set(chunks).intersection(self.study.pending(self.folder, "1/1")):
-            raise RuntimeError(
-                f"workers have written chunks that are not in {self.folder} here: it must be a folder that all machines of "
-                "the cluster share"
-            )
+            raise RuntimeError(f"workers have written chunks that are not in {self.folder} here: {SHARED}")

@@ -56,7 +56,8 @@ def _table(frequency: Floats, receptance: Any, name: str) -> tuple[Floats, Compl
         raise ValueError(f"{name} has the dtype {values.dtype}, but must be complex numbers")
     if values.shape != frequency.shape:
         raise ValueError(f"{name} has the shape {values.shape}, but there are {frequency.size} frequencies")
-    return frequency, np.ascontiguousarray(values, dtype=np.complex128)
+    # Copies: a case is pickled with them, and does not change when the user's arrays do.
+    return np.array(frequency), np.array(values, dtype=np.complex128, order="C")
 
 
 def receptance_from_uff(dataset: Mapping[str, Any]) -> _riffel.Universal:

@@ -13,6 +13,12 @@ _Levels: TypeAlias = tuple[_Floats, _Floats, _Floats]
 _Spectra: TypeAlias = Sequence[tuple[_Floats, _Floats]]
 _Dominant: TypeAlias = tuple[float, float, float, float, float, float | None, float | None]
 _Traffic: TypeAlias = str | dict[str, Any] | tuple[float, float]
+_Roughness: TypeAlias = (
+    str
+    | tuple[float, Sequence[tuple[str, _Stretches]]]
+    | Sequence[tuple[Sequence[tuple[str, str]], tuple[_Floats, _Floats]]]
+)
+_Record: TypeAlias = tuple[str, str | None, _Roughness]
 
 VERSION: str
 
@@ -38,6 +44,9 @@ class Universal:
         values: _Complexes,
     ) -> None: ...
 
+class WrittenCase:
+    """What makes a case anew elsewhere; to be pickled."""
+
 class Case:
     @staticmethod
     def read(path: str, overrides: dict[str, Any]) -> Case: ...
@@ -48,6 +57,9 @@ class Case:
     def with_overrides(self, overrides: dict[str, Any]) -> Case: ...
     def with_track(self, track: Any) -> Case: ...
     def with_wheel(self, wheel: Any) -> Case: ...
+    @staticmethod
+    def restore(written: WrittenCase, track: Any | None, wheel: Any | None) -> Case: ...
+    def written(self) -> WrittenCase: ...
     def to_dict(self) -> dict[str, Any]: ...
     @property
     def title(self) -> str | None: ...
@@ -85,6 +97,14 @@ def forecast(
     months: _Floats | None,
     limit: str,
 ) -> dict[str, Any]: ...
+def fit_wear(
+    case: Case,
+    earlier: tuple[str, _Roughness],
+    later: tuple[str, _Roughness],
+    passages: float | None,
+    days: float | None,
+    traffic: _Traffic,
+) -> dict[str, Any]: ...
 def compare(
     case: Case,
     variants: Sequence[str | dict[str, Any]],
@@ -92,6 +112,19 @@ def compare(
     measured: tuple[_Floats, _Floats] | None,
     limit: str,
 ) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
+def diagnose(
+    case: Case,
+    rail: _Record,
+    earlier: Sequence[_Record],
+    format: str | None,
+    spacing: float | None,
+    speeds: Sequence[tuple[float, float]] | str | dict[str, Any] | None,
+    torsion: Sequence[float],
+    bending: Sequence[float],
+    choose: Sequence[str],
+    by: str | None,
+    from_vehicle: bool,
+) -> dict[str, Any]: ...
 def level(mean_squares: _Floats) -> _Floats: ...
 def mean_square(levels: _Floats) -> _Floats: ...
 def remove_spikes(heights: _Floats, spacing: float) -> tuple[_Floats, list[tuple[int, int]]]: ...

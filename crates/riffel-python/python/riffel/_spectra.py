@@ -41,6 +41,12 @@ def levels_of(spectrum: xr.DataArray, name: str) -> tuple[Floats, Floats]:
     return wavelength, _finite(real(spectrum.values, name), name)
 
 
+def labels_of(spectrum: xr.DataArray) -> list[tuple[str, str]]:
+    """What a file said of a spectrum besides its levels: the texts among its attributes."""
+    own = ("units", "long_name")
+    return [(str(key), text) for key, text in spectrum.attrs.items() if isinstance(text, str) and key not in own]
+
+
 def _finite(values: Floats, name: str) -> Floats:
     if not np.isfinite(values).all():
         index = int(np.flatnonzero(~np.isfinite(values))[0])

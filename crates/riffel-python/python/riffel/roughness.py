@@ -71,15 +71,17 @@ class Roughness:
     """What was put right in the file."""
 
 
-def _stretches(heights: npt.ArrayLike, spacing: Quantity | None, start: float = 0.0) -> tuple[list[Any], float]:
+def stretches_of(
+    heights: npt.ArrayLike, spacing: Quantity | None, start: float = 0.0, name: str = "heights"
+) -> tuple[list[Any], float]:
     """Stretches without gaps, each with its beginning, and the step."""
     if isinstance(heights, xr.DataArray):
         if heights.dims != ("position",):
-            raise ValueError(f"heights has the dimensions {heights.dims}, but must have the one dimension position")
+            raise ValueError(f"{name} has the dimensions {heights.dims}, but must have the one dimension position")
         units = heights.attrs.get("units", "m")
         if units != "m":
             heights = heights.copy(data=heights.values * _riffel.si(f"1 {units}", "length"))
-        if spacing is None:
+        if spacing is None and "position" in heights.coords:
             position = real(heights.coords["position"].values, "position")
             steps = np.diff(position)
             if steps.size == 0 or not np.allclose(steps, steps[0], rtol=1e-6) or steps[0] <= 0.0:
@@ -89,9 +91,9 @@ def _stretches(heights: npt.ArrayLike, spacing: Quantity | None, start: float = 
     if spacing is None:
         raise ValueError("spacing is missing: heights without positions need the step between them")
     step = scalar(spacing, "spacing", "length")
-    values = real(heights, "heights")
+    values = real(heights, name)
     if np.isinf(values).any():
-        raise ValueError(f"heights[{int(np.flatnonzero(np.isinf(values))[0])}] is infinite")
+        raise ValueError(f"{name}[{int(np.flatnonzero(np.isinf(values))[0])}] is infinite")
     gaps = np.isnan(values)
     if not gaps.any():
         return [(start, values)], step
@@ -100,12 +102,12 @@ def _stretches(heights: npt.ArrayLike, spacing: Quantity | None, start: float = 
     # A single reading between two gaps says nothing.
     stretches = [(begin, part) for begin, part in found if part.size > 1]
     if not stretches:
-        raise ValueError("heights holds gaps only")
+        raise ValueError(f"{name} holds gaps only")
     return stretches, step
 
 
 def _one(heights: npt.ArrayLike, spacing: Quantity | None) -> tuple[Floats, float]:
-    stretches, step = _stretches(heights, spacing)
+    stretches, step = stretches_of(heights, spacing)
     if len(stretches) > 1 or stretches[0][1].size < np.size(heights):
         raise ValueError("heights has gaps: treat its stretches one by one")
     return stretches[0][1], step
@@ -219,7 +221,7 @@ def analyse(
     >>> float(found.spectrum.idxmax("wavelength").round(3)), found.spikes
     (0.05, 0)
     """
-    stretches, step = _stretches(heights, spacing, start)
+    stretches, step = stretches_of(heights, spacing, start)
     found = _riffel.analyse(
         stretches,
         step,
@@ -267,7 +269,7 @@ def spectrum(
 
     `analyse` removes spikes and rolls the wheel over first.
     """
-    stretches, step = _stretches(heights, spacing)
+    stretches, step = stretches_of(heights, spacing)
     longest = scalar(longest_wavelength, "longest_wavelength", "length")
     return spectrum_array(_riffel.third_octaves(stretches, step, longest))
 
@@ -431,7 +433,7 @@ def dominant_wavelengths(
     if isinstance(rail, (list, tuple)) and rail and all(isinstance(one, xr.DataArray) for one in rail):
         found = _riffel.dominant_of_spectra(_spectra(rail))
     else:
-        stretches, step = _stretches(rail, spacing)
+        stretches, step = stretches_of(rail, spacing)
         found = _riffel.dominant_of_profile(stretches, step)
     names = {
         "wavelength": "m",

@@ -43,6 +43,18 @@ impl TrafficSpeeds {
         Self::new((0..=STEPS).map(|index| (slowest + step * f64::from(index), 1.0)))
     }
 
+    /// Speeds of several ranges from one to another \[m/s\], each range as common as any other.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_ranges(ranges: impl IntoIterator<Item = (f64, f64)>) -> Result<Self, Error> {
+        let mut shares = Vec::new();
+        for (slowest, fastest) in ranges {
+            shares.extend(Self::between(slowest, fastest)?.shares);
+        }
+        Self::new(shares)
+    }
+
     /// Each speed \[m/s\] with its share.
     pub fn shares(&self) -> &[(f64, f64)] {
         &self.shares
@@ -84,6 +96,10 @@ mod tests {
         assert_eq!(speeds.shares(), [(10.0, 0.75), (30.0, 0.25)]);
         assert_eq!(speeds.mean(), 15.0);
         assert_eq!(speeds.words(), "36–108 km/h");
+        let mixed = TrafficSpeeds::of_ranges([(10.0, 10.0), (20.0, 40.0)])?;
+        let first = mixed.shares()[0];
+        assert!(first.0 == 10.0 && (first.1 - 0.5).abs() < 1e-12);
+        assert_eq!(mixed.shares().len(), 62);
         let even = TrafficSpeeds::between(20.0, 40.0)?;
         assert!((even.mean() - 30.0).abs() < 1e-12);
         assert_eq!(even.fastest(), 40.0);

@@ -1,9 +1,7 @@
 //! The figure of a diagnosis.
 
+use riffel_case::diagnosis::{Curves, Diagnosis};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
-
-use super::diagnosis::Diagnosis;
-use super::record::Curves;
 
 /// Spectra with the dominant wavelengths marked.
 pub(crate) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {

@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 
 use riffel::forecast::VehicleGrowth;
+use riffel_case::traffic::{WearDocument, WearReport};
 use serde::Serialize;
 
 use super::Report;
-use super::wear::WearDocument;
 use crate::arguments::Forecast as Arguments;
 use crate::command::roughness::document::Level;
 
@@ -192,7 +192,7 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
             axle_mass_kg: traffic.axle_mass(),
             vehicles: traffic.vehicles().iter().enumerate().map(vehicle).collect(),
         },
-        wear_fit: report.wear.as_ref().map(super::WearReport::document),
+        wear_fit: report.wear.as_ref().map(WearReport::document),
         findings: report.findings(),
         remarks,
     }

@@ -10,7 +10,7 @@ use jiff::civil::Date;
 use riffel::forecast::{Forecast, ForecastBand};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::roughness::{Limit, LimitTable, Survey};
-use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, bands_of};
+use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, WearReport, bands_of};
 use riffel_case::{Case, Variant};
 
 use crate::arguments::{Forecast as Arguments, Horizon};
@@ -19,7 +19,7 @@ use crate::error::CliError;
 use crate::output::{Progress, json, print, print_remarks, table};
 use crate::staging::Staging;
 use dated::Dated;
-use wear::WearReport;
+use wear::wear_report;
 
 pub(crate) use figure::{rate_panel, zero};
 
@@ -91,7 +91,7 @@ impl Report {
             .map_err(|error| outside(&arguments.spectra.spectrum, &case, error))?;
         let passages = passages(&arguments.horizon, &on)?;
         let date = arguments.date.or(dated.date);
-        let wear = WearReport::new(&arguments.spectra, &dated, &on, &case)?;
+        let wear = wear_report(&arguments.spectra, &dated, &on, &case)?;
         Ok(Self {
             survey: dated.now,
             case,
@@ -203,7 +203,7 @@ impl Report {
             text += &format!("{sentence}\n");
         }
         if let Some(wear) = &self.wear {
-            text += &wear.readable();
+            text += &wear::readable(wear);
         }
         text
     }

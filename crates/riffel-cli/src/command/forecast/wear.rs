@@ -1,235 +1,91 @@
-//! The wear coefficient of two dated measurements, in words.
+//! The wear coefficient of two dated measurements, on the command line.
 
-use riffel::forecast::{WearFit, WearVerdict};
-use riffel_case::traffic::TrafficOnCase;
-use riffel_case::{Case, CaseError};
-use serde::Serialize;
+use riffel_case::Case;
+use riffel_case::traffic::{TrafficOnCase, WearReport};
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
 use crate::error::CliError;
 use crate::output::table;
 
-/// Change of level or residual \[dB\] that is worth a sentence on a single band. A choice: energy means of
-/// eight records of the Niederwangen spectra scatter by about 1 dB.
-const LARGE_CHANGE: f64 = 2.0;
-
-/// A fit with what it was made of.
-pub(super) struct WearReport {
-    pub(super) fit: WearFit,
-    pub(super) passages: f64,
-    /// Wear coefficient of the case \[kg/J\].
-    coefficient: f64,
-    records: [usize; 2],
-}
-
-#[derive(Serialize)]
-pub(super) struct WearDocument {
-    passages_between: f64,
-    records_earlier: usize,
-    records_later: usize,
-    paired: bool,
-    /// fitted | without-interval | indistinct | against | nothing-grows
-    verdict: &'static str,
-    /// Null where no fit is claimed.
-    coefficient_kg_per_j: Option<f64>,
-    coefficient_interval_kg_per_j: Option<[f64; 2]>,
-    best_factor: f64,
-    best_factor_interval: Option<[f64; 2]>,
-    residual_rms_db: Option<f64>,
-    bands: Vec<WearBand>,
-    sentences: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct WearBand {
-    wavelength_m: f64,
-    measured_change_db: f64,
-    predicted_change_db: f64,
-    fitted_change_db: Option<f64>,
-    residual_db: Option<f64>,
-    grows_in_the_model: bool,
-}
-
-impl WearReport {
-    /// A fit, where there is an earlier measurement.
-    pub(super) fn new(
-        spectra: &Spectra,
-        dated: &Dated,
-        on: &TrafficOnCase,
-        case: &Case,
-    ) -> miette::Result<Option<Self>> {
-        let Some(earlier) = &dated.earlier else {
-            if spectra.passages_between.is_some() {
-                Err(CliError::Argument {
-                    argument: "--passages-between",
-                    value: "given".to_owned(),
-                    rule: "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
-                           --date-column"
-                        .to_owned(),
-                })?;
-            }
-            return Ok(None);
-        };
-        let by_date = dated
-            .days
-            .zip(on.passages_per_day)
-            .map(|(days, a_day)| days * a_day);
-        let passages = spectra.passages_between.or(by_date).ok_or_else(|| CliError::Argument {
-            argument: "--passages-between",
-            value: "left out".to_owned(),
-            rule: "given, or else --date-column and a traffic file that says how much traffic there is"
-                .to_owned(),
+/// A fit, where there is an earlier measurement.
+pub(super) fn wear_report(
+    spectra: &Spectra,
+    dated: &Dated,
+    on: &TrafficOnCase,
+    case: &Case,
+) -> miette::Result<Option<WearReport>> {
+    let Some(earlier) = &dated.earlier else {
+        if spectra.passages_between.is_some() {
+            Err(CliError::Argument {
+                argument: "--passages-between",
+                value: "given".to_owned(),
+                rule: "left out, for there is no earlier measurement; give --earlier, --earlier-where or \
+                       --date-column"
+                    .to_owned(),
+            })?;
+        }
+        return Ok(None);
+    };
+    let by_date = dated
+        .days
+        .zip(on.passages_per_day)
+        .map(|(days, a_day)| days * a_day);
+    let passages =
+        spectra.passages_between.or(by_date).ok_or_else(|| {
+            CliError::Argument {
+        argument: "--passages-between",
+        value: "left out".to_owned(),
+        rule: "given, or else --date-column and a traffic file that says how much traffic there is"
+            .to_owned(),
+    }
         })?;
-        let wrong = |error: riffel::Error| CaseError::data(&spectra.spectrum, error.to_string());
-        let change = dated.now.change_since(earlier, passages).map_err(wrong)?;
-        let fit = WearFit::new(&change, &on.growth).map_err(wrong)?;
-        Ok(Some(Self {
-            fit,
-            passages,
-            coefficient: case.file.wear.coefficient.si(),
-            records: [earlier.records.len(), dated.now.records.len()],
-        }))
-    }
+    let report = WearReport::new(case, on, earlier, &dated.now, passages)?;
+    Ok(Some(report))
+}
 
-    fn sentences(&self) -> Vec<String> {
-        let fit = &self.fit;
-        let interval = |(low, high): (f64, f64)| {
-            let (low, high) = (low * self.coefficient, high * self.coefficient);
-            format!("95 % interval {low:.2e} to {high:.2e} kg/J")
+/// A fit as a table and in words.
+pub(super) fn readable(report: &WearReport) -> String {
+    let claimed = report.fit.verdict.is_fit();
+    let mut rows = table(&[
+        "wavelength mm",
+        "measured dB",
+        "model dB",
+        "fitted dB",
+        "residual dB",
+        "",
+    ]);
+    for band in report.fit.bands.iter().rev() {
+        let fitted = |value: f64| match claimed {
+            true => format!("{value:+.1}"),
+            false => String::new(),
         };
-        let coefficient = fit.factor * self.coefficient;
-        let mut sentences = vec![match (fit.verdict, fit.interval) {
-            (WearVerdict::Fitted, Some(bounds)) => format!(
-                "wear coefficient {coefficient:.2e} kg/J, {}: forecast with it by --set \
-                 wear.coefficient={coefficient:.3e}",
-                interval(bounds)
-            ),
-            (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
-                                               grows"
-                .to_owned(),
-            (WearVerdict::Against, _) => "no wear coefficient: the bands that should grow by the model have \
-                                          fallen, so what is on this rail is not the corrugation of this model"
-                .to_owned(),
-            (WearVerdict::Indistinct, Some(bounds)) => format!(
-                "no wear coefficient: growth cannot be told from none, {}",
-                interval(bounds)
-            ),
-            _ => format!(
-                "wear coefficient {coefficient:.2e} kg/J, without an interval: that takes three records of each \
-                 date"
-            ),
-        }];
-        for band in &fit.bands {
-            let wavelength = band.band.nominal_millimetres();
-            let (measured, predicted) = (band.measured, band.predicted);
-            if band.grows && measured < 0.0 {
-                sentences.push(format!(
-                    "{wavelength} mm does not grow as the model says: {measured:+.1} dB measured, \
-                     {predicted:+.1} dB predicted; it fades, as a grinding mark does"
-                ));
-            } else if !band.grows && measured > LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm grows where the model says that it decays: {measured:+.1} dB measured, \
-                     {predicted:+.1} dB predicted"
-                ));
-            } else if !band.grows && measured < -LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm fades, {measured:+.1} dB measured, and decays in the model, too, \
-                     {predicted:+.1} dB: what fades, as a grinding mark does, is not growing corrugation"
-                ));
-            } else if fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm does not grow as the fit says: {measured:+.1} dB measured, {:+.1} dB fitted",
-                    band.fitted
-                ));
+        rows.add_row([
+            format!("{}", band.band.nominal_millimetres()),
+            format!("{:+.1}", band.measured),
+            format!("{:+.1}", band.predicted),
+            fitted(band.fitted),
+            fitted(band.residual()),
+            if band.grows {
+                ""
+            } else {
+                "decays in the model"
             }
-        }
-        sentences
-    }
-
-    pub(super) fn readable(&self) -> String {
-        let claimed = self.fit.verdict.is_fit();
-        let mut rows = table(&[
-            "wavelength mm",
-            "measured dB",
-            "model dB",
-            "fitted dB",
-            "residual dB",
-            "",
+            .to_owned(),
         ]);
-        for band in self.fit.bands.iter().rev() {
-            let fitted = |value: f64| match claimed {
-                true => format!("{value:+.1}"),
-                false => String::new(),
-            };
-            rows.add_row([
-                format!("{}", band.band.nominal_millimetres()),
-                format!("{:+.1}", band.measured),
-                format!("{:+.1}", band.predicted),
-                fitted(band.fitted),
-                fitted(band.residual()),
-                if band.grows {
-                    ""
-                } else {
-                    "decays in the model"
-                }
-                .to_owned(),
-            ]);
-        }
-        let [earlier, later] = self.records;
-        let pairs = if self.fit.paired {
-            ", paired by place"
-        } else {
-            ""
-        };
-        let mut text = format!(
-            "change over {:.2e} axle passages between {earlier} and {later} records{pairs}\n{rows}\n",
-            self.passages
-        );
-        for sentence in self.sentences() {
-            text += &format!("{sentence}\n");
-        }
-        text
     }
-
-    pub(super) fn document(&self) -> WearDocument {
-        let fit = &self.fit;
-        let claimed = fit.verdict.is_fit();
-        let scaled = |(low, high): (f64, f64), by: f64| [low * by, high * by];
-        WearDocument {
-            passages_between: self.passages,
-            records_earlier: self.records[0],
-            records_later: self.records[1],
-            paired: fit.paired,
-            verdict: match fit.verdict {
-                WearVerdict::NothingGrows => "nothing-grows",
-                WearVerdict::Against => "against",
-                WearVerdict::Indistinct => "indistinct",
-                WearVerdict::WithoutInterval => "without-interval",
-                WearVerdict::Fitted => "fitted",
-            },
-            coefficient_kg_per_j: claimed.then_some(fit.factor * self.coefficient),
-            coefficient_interval_kg_per_j: fit
-                .interval
-                .filter(|_| claimed)
-                .map(|interval| scaled(interval, self.coefficient)),
-            best_factor: fit.factor,
-            best_factor_interval: fit.interval.map(|interval| scaled(interval, 1.0)),
-            residual_rms_db: fit.residual_rms().filter(|_| claimed),
-            bands: fit
-                .bands
-                .iter()
-                .map(|band| WearBand {
-                    wavelength_m: band.band.wavelength(),
-                    measured_change_db: band.measured,
-                    predicted_change_db: band.predicted,
-                    fitted_change_db: claimed.then_some(band.fitted),
-                    residual_db: claimed.then(|| band.residual()),
-                    grows_in_the_model: band.grows,
-                })
-                .collect(),
-            sentences: self.sentences(),
-        }
+    let [earlier, later] = report.records;
+    let pairs = if report.fit.paired {
+        ", paired by place"
+    } else {
+        ""
+    };
+    let mut text = format!(
+        "change over {:.2e} axle passages between {earlier} and {later} records{pairs}\n{rows}\n",
+        report.passages
+    );
+    for sentence in report.sentences() {
+        text += &format!("{sentence}\n");
     }
+    text
 }

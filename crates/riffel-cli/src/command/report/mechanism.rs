@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use riffel::diagnosis::MechanismKind;
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
+use riffel_case::diagnosis::{Diagnosis, SHARE};
 use riffel_figures::{SIGN, Shown, panel, parameters};
 use riffel_plot::{LineFigure, MapFigure, Observation};
 
 use super::page::{Section, escape, figure, list, table};
-use crate::command::diagnose::{Diagnosis, SHARE, capital, figure as figures, row};
+use crate::command::diagnose::{capital, figure as figures, row};
 use crate::error::CliError;
 use crate::output::Progress;
 

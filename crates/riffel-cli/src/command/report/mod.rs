@@ -10,7 +10,7 @@ use riffel_case::roughness::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_case::{Case, Site};
 
 use crate::arguments::{CaseArguments, Report, Statistics};
-use crate::command::diagnose::Diagnosis;
+use crate::command::diagnose::diagnosis;
 use crate::command::roughness::profile::Report as ProfileReport;
 use crate::command::roughness::spectra::Means;
 use crate::command::roughness::{choose_nothing, limits, read};
@@ -48,7 +48,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let file = read(path, &arguments.record.layout)?;
     // The diagnosis looks at the heights, which the statistics use up.
     let diagnosis = match &case {
-        Some(case) => Some(Diagnosis::of(case, &file, &arguments.record)?),
+        Some(case) => Some(diagnosis(case, &file, &arguments.record)?),
         None => None,
     };
     let Measured {

@@ -1,13 +1,13 @@
-//! `diagnose --json`.
+//! A diagnosis as data: what `riffel diagnose --json` prints.
 
 use riffel::diagnosis::Candidate;
 use serde::Serialize;
 
-use super::diagnosis::Diagnosis;
-use super::finding::Finding;
+use super::{Diagnosis, Finding};
 
+/// A diagnosis with keys and units, to be serialised.
 #[derive(Serialize)]
-pub(crate) struct Document {
+pub struct DiagnosisDocument {
     file: String,
     record: String,
     speed_min_m_per_s: f64,
@@ -72,11 +72,12 @@ struct CandidateDocument {
 }
 
 /// What the shares mean, for every reader of them.
-pub(crate) const SHARE: &str = "share of the belief when every mechanism of the list, and one not in it, is equally \
+pub const SHARE: &str = "share of the belief when every mechanism of the list, and one not in it, is equally \
     likely beforehand; it compares candidates on the evidence named and is no probability that a finding is right";
 
-impl Document {
-    pub(crate) fn new(file: &str, diagnosis: &Diagnosis) -> Self {
+impl DiagnosisDocument {
+    /// The diagnosis of a file, or of a record that is called so.
+    pub fn new(file: &str, diagnosis: &Diagnosis) -> Self {
         let speeds = &diagnosis.speeds;
         Self {
             file: file.to_owned(),

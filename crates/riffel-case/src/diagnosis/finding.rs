@@ -2,22 +2,21 @@
 
 use riffel::diagnosis::{Candidate, MechanismKind, TrafficSpeeds};
 
-use super::record::Measured;
-use crate::output::table;
-
-/// Share from which a candidate's reasons are printed.
-const SHOWN: f64 = 0.02;
+use super::records::Measured;
 
 /// A dominant wavelength with what may have made it.
-pub(crate) struct Finding {
-    pub(crate) measured: Measured,
-    pub(crate) candidates: Vec<Candidate>,
-    pub(crate) measurements: Vec<String>,
+pub struct Finding {
+    /// What stands out, and what it did in time.
+    pub measured: Measured,
+    /// What may have made it, the likeliest first.
+    pub candidates: Vec<Candidate>,
+    /// What would tell the candidates apart.
+    pub measurements: Vec<String>,
 }
 
 impl Finding {
-    /// Wavelength, frequencies, level and how sure.
-    pub(crate) fn headline(&self, speeds: &TrafficSpeeds) -> String {
+    /// Wavelength and frequencies.
+    pub fn headline(&self, speeds: &TrafficSpeeds) -> String {
         let peak = &self.measured.peak;
         format!(
             "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}",
@@ -29,7 +28,7 @@ impl Finding {
     }
 
     /// Level, prominence and how sure.
-    pub(crate) fn sureness(&self) -> String {
+    pub fn sureness(&self) -> String {
         let peak = &self.measured.peak;
         let scatter = peak.scatter.map_or_else(
             || "scatter unknown, one spectrum only".to_owned(),
@@ -64,7 +63,7 @@ impl Finding {
     }
 
     /// What the course says, with the means of energies beside those of levels.
-    pub(crate) fn course(&self) -> Option<String> {
+    pub fn course(&self) -> Option<String> {
         let course = self.measured.course.as_ref()?;
         let energy = self
             .measured
@@ -79,7 +78,7 @@ impl Finding {
     }
 
     /// The candidates in one sentence: who leads, who is next, and what the course rules out.
-    pub(crate) fn summary(&self) -> String {
+    pub fn summary(&self) -> String {
         let [first, second, ..] = &self.candidates[..] else {
             return String::new();
         };
@@ -126,58 +125,6 @@ impl Finding {
         }
         text
     }
-
-    pub(super) fn readable(&self, speeds: &TrafficSpeeds) -> String {
-        let mut text = format!("{}\n  {}\n", self.headline(speeds), self.sureness());
-        if let Some(course) = self.course() {
-            text += &format!("  course: {course}\n");
-        }
-        let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
-        for candidate in &self.candidates {
-            rows.add_row(row(candidate));
-        }
-        text += &format!("{rows}\n{}\n", capital(&self.summary()));
-        let shown = self.candidates.iter().enumerate();
-        let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
-        for (_, candidate) in shown {
-            text += &format!("{}\n", candidate.kind.name());
-            for reason in &candidate.reasons_for {
-                text += &format!("  for:     {reason}\n");
-            }
-            for reason in &candidate.reasons_against {
-                text += &format!("  against: {reason}\n");
-            }
-        }
-        text += "to tell them apart\n";
-        for measurement in &self.measurements {
-            text += &format!("  {measurement}\n");
-        }
-        text
-    }
-}
-
-/// Name, share, frequency and wavelengths of a candidate.
-pub(crate) fn row(candidate: &Candidate) -> [String; 4] {
-    let millimetres = |range: (f64, f64)| {
-        let words = |value: f64| match 1e3 * value {
-            value if value < 100.0 => format!("{value:.1}"),
-            value => format!("{value:.0}"),
-        };
-        let (from, to) = (words(range.0), words(range.1));
-        if from == to {
-            from
-        } else {
-            format!("{from}–{to}")
-        }
-    };
-    [
-        candidate.kind.name().to_owned(),
-        format!("{:.3}", candidate.share),
-        candidate
-            .frequency
-            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
-        candidate.wavelengths.map_or_else(String::new, millimetres),
-    ]
 }
 
 /// Frequencies of a wavelength at the speeds of the traffic: "1375–1958 Hz at 99–141 km/h".
@@ -197,11 +144,4 @@ fn percent(probability: f64) -> String {
     } else {
         format!("{:.1} %", 100.0 * probability)
     }
-}
-
-pub(crate) fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

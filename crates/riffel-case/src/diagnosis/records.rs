@@ -1,4 +1,4 @@
-//! The records of `diagnose`: what stands out of them, and what it did in time.
+//! The records of a diagnosis: what stands out of them, and what it did in time.
 
 use std::path::Path;
 
@@ -7,26 +7,25 @@ use riffel::diagnosis::{
     Course, CoursePoint, DominantWavelength, FineSpectrum, TimeUnit, dominant_levels,
 };
 use riffel::roughness::{PIT_DEPTH, Profile, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS};
-use riffel_case::CaseError;
-use riffel_case::roughness::{LabelledSpectrum, Record, RoughnessFile, Survey};
 
-use crate::arguments::DiagnosisArguments;
-use crate::command::roughness::profile::counted;
-use crate::command::roughness::{choose_nothing, read};
-use crate::error::CliError;
+use super::{DiagnosisSettings, RailRecord, RailRoughness};
+use crate::CaseError;
+use crate::roughness::{LabelledSpectrum, Rail, Survey};
 
 /// A dominant wavelength with what goes with it.
-pub(crate) struct Measured {
-    pub(crate) peak: DominantWavelength,
-    pub(crate) course: Option<Course>,
+pub struct Measured {
+    /// Where it stands, and how far it stands out.
+    pub peak: DominantWavelength,
+    /// Its levels in time, where there are two records or more.
+    pub course: Option<Course>,
     /// The same course on mean energies, where the levels are means of several spectra.
-    pub(crate) energy_levels: Option<Vec<f64>>,
+    pub energy_levels: Option<Vec<f64>>,
     /// Level by rail \[dB re 1 µm\].
-    pub(crate) rails: Vec<(String, f64)>,
+    pub rails: Vec<(String, f64)>,
 }
 
 /// What a figure shows of the records.
-pub(crate) enum Curves {
+pub enum Curves {
     /// Level and trend of a profile in narrow bands.
     Fine(FineSpectrum),
     /// Means of levels of one-third octaves, by group.
@@ -34,78 +33,93 @@ pub(crate) enum Curves {
 }
 
 /// All that was measured.
-pub(crate) struct Records {
-    pub(crate) measured: Vec<Measured>,
-    pub(crate) curves: Curves,
+pub(super) struct Records {
+    pub(super) measured: Vec<Measured>,
+    pub(super) curves: Curves,
     /// What the records are, in words.
-    pub(crate) words: String,
-    pub(crate) warnings: Vec<String>,
+    pub(super) words: String,
+    pub(super) warnings: Vec<String>,
 }
 
 impl Records {
-    /// The record that was read, with the earlier ones, which are read here.
-    pub(crate) fn of(file: &RoughnessFile, arguments: &DiagnosisArguments) -> miette::Result<Self> {
-        check_dates(arguments)?;
-        let earlier: Vec<(&Path, RoughnessFile)> = arguments
-            .earlier
-            .iter()
-            .map(|path| Ok((path.as_path(), read(path, &arguments.layout)?)))
-            .collect::<miette::Result<_>>()?;
-        match file {
-            RoughnessFile::Profile(record) => Self::of_profiles(record, &earlier, arguments),
-            RoughnessFile::Spectra(spectra) => Self::of_tables(spectra, earlier, arguments),
+    pub(super) fn of(
+        present: &RailRecord<'_>,
+        earlier: &[RailRecord<'_>],
+        settings: &DiagnosisSettings<'_>,
+    ) -> Result<Self, CaseError> {
+        match present.roughness {
+            RailRoughness::Profile { rails, warnings } => {
+                Self::of_profiles(present, rails, warnings, earlier, settings)
+            }
+            RailRoughness::Spectra(spectra) => Self::of_tables(present, spectra, earlier, settings),
         }
     }
 
     fn of_profiles(
-        record: &Record,
-        earlier: &[(&Path, RoughnessFile)],
-        arguments: &DiagnosisArguments,
-    ) -> miette::Result<Self> {
-        let path = &arguments.roughness;
-        choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
-        let mut warnings = record.warnings.clone();
-        let fine = |path: &Path, stretches: &[Profile]| {
+        present: &RailRecord<'_>,
+        rails: &[Rail],
+        warnings: &[String],
+        earlier: &[RailRecord<'_>],
+        settings: &DiagnosisSettings<'_>,
+    ) -> Result<Self, CaseError> {
+        if !settings.choose.is_empty() || settings.by.is_some() {
+            return Err(CaseError::data(
+                present.name,
+                "is a profile; a choice among spectra is for tables of them",
+            ));
+        }
+        let mut warnings = warnings.to_vec();
+        let fine = |name: &Path, stretches: &[Profile]| {
             FineSpectrum::of_record(stretches)
-                .map_err(|error| CaseError::data(path, error.to_string()))
+                .map_err(|error| CaseError::data(name, error.to_string()))
         };
         let mut past = Vec::new();
-        for (path, file) in earlier {
-            let RoughnessFile::Profile(record) = file else {
-                Err(CaseError::data(
-                    *path,
-                    "is a table of levels, but --roughness is a profile; both must be the same",
-                ))?
+        for record in earlier {
+            let RailRoughness::Profile {
+                rails,
+                warnings: remarks,
+            } = record.roughness
+            else {
+                return Err(CaseError::data(
+                    record.name,
+                    format!(
+                        "is a table of levels, but {} is a profile; both must be the same",
+                        present.name.display()
+                    ),
+                ));
             };
-            let remarks = record.warnings.iter();
-            warnings.extend(remarks.map(|warning| format!("{}: {warning}", path.display())));
-            let [_, rolled] = cleaned(record);
-            past.push((*path, fine(path, &rolled)?));
+            let name = record.name.display();
+            warnings.extend(remarks.iter().map(|remark| format!("{name}: {remark}")));
+            let [_, rolled] = cleaned(rails);
+            past.push(fine(record.name, &rolled)?);
         }
-        let [unrolled, rolled] = cleaned(record);
-        let spectrum = fine(path, &rolled)?;
-        let peaks = on_rail_and_wheel(&fine(path, &unrolled)?, &spectrum);
+        let [unrolled, rolled] = cleaned(rails);
+        let spectrum = fine(present.name, &rolled)?;
+        let peaks = on_rail_and_wheel(&fine(present.name, &unrolled)?, &spectrum);
         drop(unrolled);
         // Rails on their own say something where there are several, and something stands out.
-        let by_rail: Vec<(String, FineSpectrum)> = if record.rails.len() > 1 && !peaks.is_empty() {
+        let by_rail: Vec<(String, FineSpectrum)> = if rails.len() > 1 && !peaks.is_empty() {
             let mut rest = &rolled[..];
-            let rails = record.rails.iter().map(|rail| {
+            let rails = rails.iter().map(|rail| {
                 let own = rest.split_off(..rail.stretches.len()).unwrap_or_default();
-                Ok((rail.name.clone(), fine(path, own)?))
+                Ok((rail.name.clone(), fine(present.name, own)?))
             });
             rails.collect::<Result<_, CaseError>>()?
         } else {
             Vec::new()
         };
-        let labels: Vec<String> = if arguments.dates.is_empty() {
-            let files = past.iter().map(|past| past.0).chain([path.as_path()]);
-            files.map(|file| file.display().to_string()).collect()
+        let records = || earlier.iter().chain([present]);
+        let dates = dates(records()).unwrap_or_default();
+        let labels: Vec<String> = if dates.is_empty() {
+            records()
+                .map(|record| record.name.display().to_string())
+                .collect()
         } else {
-            arguments.dates.iter().map(Date::to_string).collect()
+            dates.iter().map(Date::to_string).collect()
         };
-        let (times, unit) = times(labels.len(), &arguments.dates);
+        let (times, unit) = times(labels.len(), &dates);
         let measured = peaks.into_iter().map(|peak| {
-            let records = past.iter().map(|past| &past.1).chain([&spectrum]);
+            let records = past.iter().chain([&spectrum]);
             let points = records
                 .zip(&labels)
                 .zip(&times)
@@ -119,7 +133,7 @@ impl Records {
                     }
                 });
             let course = Course::new(points.collect(), unit).ok();
-            let rails = by_rail
+            let levels = by_rail
                 .iter()
                 .map(|(name, rail)| (name.clone(), rail.level_between(peak.from, peak.to).0))
                 .collect();
@@ -127,20 +141,20 @@ impl Records {
                 peak,
                 course,
                 energy_levels: None,
-                rails,
+                rails: levels,
             }
         });
         Ok(Self {
             measured: measured.collect(),
             words: format!(
                 "profile, {} of {:.1} m, {} segments of {:.2} m averaged{}",
-                counted(record.rails.len(), "rail"),
-                record.length(),
+                counted(rails.len(), "rail", "rails"),
+                rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
                 spectrum.segments(),
                 spectrum.segment_length(),
                 match past.len() {
                     0 => String::new(),
-                    count => format!("; {}", counted(count, "earlier record")),
+                    count => format!("; {}", counted(count, "earlier record", "earlier records")),
                 }
             ),
             curves: Curves::Fine(spectrum),
@@ -149,31 +163,35 @@ impl Records {
     }
 
     fn of_tables(
+        present: &RailRecord<'_>,
         spectra: &[LabelledSpectrum],
-        earlier: Vec<(&Path, RoughnessFile)>,
-        arguments: &DiagnosisArguments,
-    ) -> miette::Result<Self> {
-        let path = &arguments.roughness;
-        let chosen = |path: &Path, spectra: Vec<LabelledSpectrum>| {
-            Survey::new(path, spectra, Vec::new())?.choose(&arguments.choose)
+        earlier: &[RailRecord<'_>],
+        settings: &DiagnosisSettings<'_>,
+    ) -> Result<Self, CaseError> {
+        let chosen = |name: &Path, spectra: &[LabelledSpectrum]| {
+            Survey::new(name, spectra.to_vec(), Vec::new())?.choose(settings.choose)
         };
         let mut records: Vec<(String, Survey)> = Vec::new();
-        for (path, file) in earlier {
-            let RoughnessFile::Spectra(spectra) = file else {
-                Err(CaseError::data(
-                    path,
-                    "is a profile, but --roughness is a table of levels; both must be the same",
-                ))?
+        for record in earlier {
+            let RailRoughness::Spectra(spectra) = record.roughness else {
+                return Err(CaseError::data(
+                    record.name,
+                    format!(
+                        "is a profile, but {} is a table of levels; both must be the same",
+                        present.name.display()
+                    ),
+                ));
             };
-            records.push((path.display().to_string(), chosen(path, spectra)?));
+            let survey = chosen(record.name, spectra)?;
+            records.push((record.name.display().to_string(), survey));
         }
-        let present = chosen(path, spectra.to_vec())?;
+        let survey = chosen(present.name, spectra)?;
         if records.is_empty() {
-            let has_dates = present.columns().any(|column| column == "date");
-            let by = arguments.by.as_deref();
-            records = present.groups(by.or_else(|| has_dates.then_some("date")))?;
+            let has_dates = survey.columns().any(|column| column == "date");
+            let by = settings.by;
+            records = survey.groups(by.or_else(|| has_dates.then_some("date")))?;
         } else {
-            records.push((path.display().to_string(), present));
+            records.push((present.name.display().to_string(), survey));
         }
         // Dates of the spectra, where each has one.
         let dated: Option<Vec<Date>> = records
@@ -189,11 +207,8 @@ impl Records {
                 dates[dates.len() / 2].parse().ok()
             })
             .collect();
-        let dates = if arguments.dates.is_empty() {
-            dated.unwrap_or_default()
-        } else {
-            arguments.dates.clone()
-        };
+        let given = dates(earlier.iter().chain([present])).filter(|_| !earlier.is_empty());
+        let dates = given.or(dated).unwrap_or_default();
         let (times, unit) = times(records.len(), &dates);
         let groups: Vec<(String, Vec<Spectrum>)> = records
             .into_iter()
@@ -248,12 +263,12 @@ impl Records {
             measured,
             words: format!(
                 "{}, {}",
-                counted_irregular(
+                counted(
                     count,
                     "one-third-octave spectrum",
                     "one-third-octave spectra"
                 ),
-                counted(groups.len(), "record")
+                counted(groups.len(), "record", "records")
             ),
             curves: Curves::Levels(
                 groups
@@ -268,24 +283,17 @@ impl Records {
     }
 }
 
-/// A date for each record, or none at all.
-fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
-    let (dates, records) = (&arguments.dates, arguments.earlier.len() + 1);
-    if dates.is_empty() || dates.len() == records {
-        return Ok(());
-    }
-    let written: Vec<String> = dates.iter().map(Date::to_string).collect();
-    Err(CliError::Argument {
-        argument: "--dates",
-        value: written.join(","),
-        rule: format!("{records} dates, one for each --earlier and one for --roughness"),
-    })
+/// The dates of all records, unless one has none.
+fn dates<'a>(records: impl Iterator<Item = &'a RailRecord<'a>>) -> Option<Vec<Date>> {
+    records.map(|record| record.date).collect()
 }
 
 /// The stretches of all rails without spikes, and the same with the wheel rolled over them, as EN 15610 asks.
-fn cleaned(record: &Record) -> [Vec<Profile>; 2] {
-    let rails = record.rails.iter();
-    let mut stretches: Vec<Profile> = rails.flat_map(|rail| rail.stretches.clone()).collect();
+fn cleaned(rails: &[Rail]) -> [Vec<Profile>; 2] {
+    let mut stretches: Vec<Profile> = rails
+        .iter()
+        .flat_map(|rail| rail.stretches.clone())
+        .collect();
     for stretch in &mut stretches {
         stretch.remove_spikes(SpikeCriterion::EN_15610);
     }
@@ -329,6 +337,6 @@ fn standard_error(levels: &[f64]) -> Option<f64> {
     (count > 1.0).then(|| (squares / (count - 1.0) / count).sqrt())
 }
 
-fn counted_irregular(count: usize, one: &str, many: &str) -> String {
+fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

@@ -1,0 +1,54 @@
+//! A case as it was written: what makes it again in another process.
+
+use std::path::PathBuf;
+
+use crate::CaseError;
+use crate::case::Case;
+use crate::given::{Given, GivenReceptance};
+use crate::source::Source;
+use crate::validity::Window;
+
+/// The keys of a case before presets and defaults, with all that its errors show. Files that the case names stay where
+/// they are, and receptances that were given go beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrittenCase {
+    /// The name shown in errors.
+    pub name: String,
+    /// The text that was read, which errors show.
+    pub text: String,
+    /// The keys with their overrides, as TOML.
+    pub keys: String,
+    /// Each key that was overridden, with the override.
+    pub overrides: Vec<(String, String)>,
+    /// The folder to which files are relative, from the root where the present one is known; none for a case that may
+    /// not name any.
+    pub folder: Option<PathBuf>,
+}
+
+impl Case {
+    /// The case as it was written.
+    pub fn written(&self) -> WrittenCase {
+        let folder = self.builder.folder().map(|folder| {
+            std::env::current_dir().map_or_else(|_| folder.to_owned(), |here| here.join(folder))
+        });
+        self.written.written(folder)
+    }
+
+    /// The case that was written, with the receptances that were given with it: the same bits, if files that it names
+    /// are the same.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`parse`](Self::parse).
+    pub fn restore(
+        written: &WrittenCase,
+        track: Option<GivenReceptance>,
+        wheel: Option<GivenReceptance>,
+    ) -> Result<Self, CaseError> {
+        Self::of_source(
+            Source::of_written(written)?,
+            written.folder.as_deref(),
+            Given { track, wheel },
+            Window::Map,
+        )
+    }
+}

@@ -1,0 +1,138 @@
+//! What a diagnosis is asked for on the command line.
+
+use jiff::civil::Date;
+use riffel::diagnosis::{Instrument, TrafficSpeeds};
+use riffel_case::Case;
+use riffel_case::diagnosis::{Diagnosis, DiagnosisSettings, RailRecord};
+use riffel_case::quantity::{Frequency, Quantity, Speed};
+use riffel_case::roughness::RoughnessFile;
+use riffel_case::traffic::Traffic;
+
+use crate::arguments::{DiagnosisArguments, positive};
+use crate::command::roughness::{choose_nothing, read};
+use crate::error::CliError;
+
+/// The diagnosis of the file that was read, with the earlier ones, which are read here.
+pub(crate) fn diagnosis(
+    case: &Case,
+    file: &RoughnessFile,
+    arguments: &DiagnosisArguments,
+) -> miette::Result<Diagnosis> {
+    let (speeds, remark) = speeds(case, arguments)?;
+    let settings = DiagnosisSettings {
+        speeds,
+        choose: &arguments.choose,
+        by: arguments.by.as_deref(),
+        torsion: modes("--torsion", &arguments.torsion)?,
+        bending: modes("--bending", &arguments.bending)?,
+        instrument: if arguments.from_vehicle {
+            Instrument::Vehicle
+        } else {
+            Instrument::Trolley
+        },
+    };
+    check_dates(arguments)?;
+    let files: Vec<RoughnessFile> = arguments
+        .earlier
+        .iter()
+        .map(|path| read(path, &arguments.layout))
+        .collect::<miette::Result<_>>()?;
+    let path = &arguments.roughness;
+    if matches!(file, RoughnessFile::Profile(_)) {
+        choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
+    }
+    let earlier: Vec<RailRecord<'_>> = arguments
+        .earlier
+        .iter()
+        .zip(&files)
+        .enumerate()
+        .map(|(place, (name, file))| RailRecord {
+            name,
+            date: arguments.dates.get(place).copied(),
+            roughness: file.into(),
+        })
+        .collect();
+    let present = RailRecord {
+        name: path,
+        date: arguments.dates.last().copied(),
+        roughness: file.into(),
+    };
+    let mut diagnosis = Diagnosis::new(case, &present, &earlier, &settings)?;
+    diagnosis.warnings.splice(0..0, remark);
+    Ok(diagnosis)
+}
+
+fn modes(
+    argument: &'static str,
+    frequencies: &[Quantity<Frequency>],
+) -> Result<Vec<f64>, CliError> {
+    let modes = frequencies.iter();
+    modes
+        .map(|&frequency| positive(argument, frequency))
+        .collect()
+}
+
+/// A date for each record, or none at all.
+fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
+    let (dates, records) = (&arguments.dates, arguments.earlier.len() + 1);
+    if dates.is_empty() || dates.len() == records {
+        return Ok(());
+    }
+    let written: Vec<String> = dates.iter().map(Date::to_string).collect();
+    Err(CliError::Argument {
+        argument: "--dates",
+        value: written.join(","),
+        rule: format!("{records} dates, one for each --earlier and one for --roughness"),
+    })
+}
+
+/// The speeds asked for, or those of the map with a remark that says so.
+fn speeds(
+    case: &Case,
+    arguments: &DiagnosisArguments,
+) -> miette::Result<(TrafficSpeeds, Option<String>)> {
+    let wrong = |value: &str, rule: &str| CliError::Argument {
+        argument: "--speed",
+        value: value.to_owned(),
+        rule: rule.to_owned(),
+    };
+    if let (Some(path), true) = (&arguments.traffic, arguments.speed.is_empty()) {
+        let speeds = Traffic::read(path)?.passing_speeds();
+        let speeds = speeds.map_err(|error| CliError::Argument {
+            argument: "--traffic",
+            value: path.display().to_string(),
+            rule: format!("a file with speeds: {error}"),
+        })?;
+        return Ok((speeds, None));
+    }
+    if arguments.speed.is_empty() {
+        let (speeds, sentence) = Diagnosis::speeds_of_map(case)
+            .map_err(|error| wrong("the map's", &error.to_string()))?;
+        let remark = format!("neither --speed nor --traffic given: {sentence}");
+        return Ok((speeds, Some(remark)));
+    }
+    let mut ranges = Vec::new();
+    for written in &arguments.speed {
+        let parse = |text: &str| -> miette::Result<f64> {
+            let speed: Quantity<Speed> = text
+                .trim()
+                .parse()
+                .map_err(|error| miette::miette!("--speed: {error}"))?;
+            Ok(positive("--speed", speed)?)
+        };
+        let (slowest, fastest) = match written.split_once("..") {
+            Some((slowest, fastest)) => (parse(slowest)?, parse(fastest)?),
+            None => {
+                let speed = parse(written)?;
+                (speed, speed)
+            }
+        };
+        if slowest > fastest {
+            Err(wrong(written, "from the slower to the faster"))?;
+        }
+        ranges.push((slowest, fastest));
+    }
+    let speeds = TrafficSpeeds::of_ranges(ranges)
+        .map_err(|error| wrong(&arguments.speed.join(", "), &error.to_string()))?;
+    Ok((speeds, None))
+}

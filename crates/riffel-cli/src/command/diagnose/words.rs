@@ -1,0 +1,86 @@
+//! A diagnosis in words.
+
+use riffel::diagnosis::{Candidate, TrafficSpeeds};
+use riffel_case::Case;
+use riffel_case::diagnosis::{Diagnosis, Finding};
+
+use crate::output::table;
+
+/// Share from which a candidate's reasons are printed.
+const SHOWN: f64 = 0.02;
+
+/// A diagnosis of a file, for a terminal.
+pub(super) fn readable(diagnosis: &Diagnosis, file: &str, case: &Case) -> String {
+    let title = case.file.title.as_deref().unwrap_or("the case");
+    let mut text = format!(
+        "{file}: {}\nheld against: {title}; traffic at {}\n",
+        diagnosis.words,
+        diagnosis.speeds.words()
+    );
+    if diagnosis.findings.is_empty() {
+        text += "no dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance\n";
+    }
+    for finding in &diagnosis.findings {
+        text += &format!("\n{}", of_finding(finding, &diagnosis.speeds));
+    }
+    text
+}
+
+fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
+    let mut text = format!("{}\n  {}\n", finding.headline(speeds), finding.sureness());
+    if let Some(course) = finding.course() {
+        text += &format!("  course: {course}\n");
+    }
+    let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
+    for candidate in &finding.candidates {
+        rows.add_row(row(candidate));
+    }
+    text += &format!("{rows}\n{}\n", capital(&finding.summary()));
+    let shown = finding.candidates.iter().enumerate();
+    let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
+    for (_, candidate) in shown {
+        text += &format!("{}\n", candidate.kind.name());
+        for reason in &candidate.reasons_for {
+            text += &format!("  for:     {reason}\n");
+        }
+        for reason in &candidate.reasons_against {
+            text += &format!("  against: {reason}\n");
+        }
+    }
+    text += "to tell them apart\n";
+    for measurement in &finding.measurements {
+        text += &format!("  {measurement}\n");
+    }
+    text
+}
+
+/// Name, share, frequency and wavelengths of a candidate.
+pub(crate) fn row(candidate: &Candidate) -> [String; 4] {
+    let millimetres = |range: (f64, f64)| {
+        let words = |value: f64| match 1e3 * value {
+            value if value < 100.0 => format!("{value:.1}"),
+            value => format!("{value:.0}"),
+        };
+        let (from, to) = (words(range.0), words(range.1));
+        if from == to {
+            from
+        } else {
+            format!("{from}–{to}")
+        }
+    };
+    [
+        candidate.kind.name().to_owned(),
+        format!("{:.3}", candidate.share),
+        candidate
+            .frequency
+            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
+        candidate.wavelengths.map_or_else(String::new, millimetres),
+    ]
+}
+
+pub(crate) fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}

@@ -1,0 +1,102 @@
+"""Records of a rail that users give: a file, heights or spectra."""
+
+from __future__ import annotations
+
+import datetime
+import os
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+import numpy.typing as npt
+import xarray as xr
+
+from riffel._quantities import Quantity
+from riffel._spectra import labels_of, levels_of
+from riffel.roughness import Roughness, stretches_of
+
+RailRecord: TypeAlias = (
+    "npt.ArrayLike | xr.DataArray | xr.Dataset | Sequence[xr.DataArray] | Roughness | str | os.PathLike[str]"
+)
+"""Heights of a rail, a `Dataset` of the heights of several, one-third-octave spectra, or a file of either."""
+
+Levels: TypeAlias = "xr.DataArray | Sequence[xr.DataArray] | str | os.PathLike[str]"
+"""One-third-octave spectra, or a file of spectra or of a profile."""
+
+Date: TypeAlias = "str | datetime.date"
+"""A date, or its text as in 2026-01-31."""
+
+
+def checked_record(record: RailRecord, name: str, spacing: Quantity | None) -> tuple[str, Any]:
+    """What the extension takes: what the record is called, and its file, profile or spectra."""
+    if isinstance(record, (str, os.PathLike)):
+        return os.fspath(record), os.fspath(record)
+    if isinstance(record, Roughness):
+        record = record.spectra if record.profile is None else record.profile
+    spectra = checked_spectra(record, name)
+    if spectra is not None:
+        return name, spectra
+    heights = {str(rail): record[rail] for rail in record} if isinstance(record, xr.Dataset) else {name: record}
+    if not heights:
+        raise ValueError(f"{name} is a Dataset without heights")
+    rails = {rail: stretches_of(values, spacing, name=_called(name, rail)) for rail, values in heights.items()}
+    steps = [step for _, step in rails.values()]
+    if not np.allclose(steps, steps[0], rtol=1e-6, atol=0.0):
+        raise ValueError(f"{name} has rails with different steps: {steps}")
+    return name, (steps[0], [(rail, stretches) for rail, (stretches, _) in rails.items()])
+
+
+def _called(name: str, rail: str) -> str:
+    return name if rail == name else f"{name}[{rail!r}]"
+
+
+def checked_spectra(record: Any, name: str) -> list[Any] | None:
+    """Labels, wavelengths and levels of spectra; None where it is something else."""
+    if isinstance(record, xr.DataArray) and "wavelength" in record.dims:
+        return [(labels_of(record), levels_of(record, name))]
+    if isinstance(record, (list, tuple)) and record and all(isinstance(one, xr.DataArray) for one in record):
+        return [(labels_of(one), levels_of(one, f"{name}[{index}]")) for index, one in enumerate(record)]
+    return None
+
+
+def checked_levels(record: Levels, name: str) -> tuple[str, Any]:
+    """What the extension takes where heights alone are not enough."""
+    if isinstance(record, (str, os.PathLike)):
+        return os.fspath(record), os.fspath(record)
+    spectra = checked_spectra(record, name)
+    if spectra is None:
+        raise ValueError(
+            f"{name} is of type {type(record).__name__}, but must be a DataArray over wavelength, a sequence of these or"
+            " a file"
+        )
+    return name, spectra
+
+
+def checked_dates(dates: Sequence[Date], records: int) -> list[str | None]:
+    """A date for each record, or none at all."""
+    if isinstance(dates, (str, datetime.date)):
+        raise ValueError(f"dates is {dates!r}, but must be a sequence of dates")
+    if len(dates) == 0:
+        return [None] * records
+    if len(dates) != records:
+        raise ValueError(
+            f"dates has {len(dates)} values, but must be {records} dates, one for each of earlier and one for rail"
+        )
+    if records == 1:
+        raise ValueError("dates are for rails with earlier records, but earlier is empty")
+    return [_date(date, f"dates[{index}]") for index, date in enumerate(dates)]
+
+
+def _date(value: Any, name: str) -> str:
+    if isinstance(value, np.datetime64):
+        value = value.astype("datetime64[D]").item()
+    if isinstance(value, datetime.datetime):
+        value = value.date()
+    if isinstance(value, str):
+        try:
+            value = datetime.date.fromisoformat(value)
+        except ValueError:
+            pass
+    if not isinstance(value, datetime.date):
+        raise ValueError(f"{name} is {value!r}, but must be a date as in 2026-01-31")
+    return value.isoformat()

@@ -1,0 +1,141 @@
+//! Records of a rail that users give: files, heights or spectra.
+
+use std::path::{Path, PathBuf};
+
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use riffel_case::diagnosis::{RailRecord, RailRoughness};
+use riffel_case::quantity::Quantity;
+use riffel_case::roughness::{
+    LabelledSpectrum, Rail, ReaderFormat, RoughnessFile, Survey, coarse_sampling,
+};
+
+use crate::errors::{of_case, wrong};
+use crate::interrupt::interruptible;
+use crate::roughness::{Stretch, owned, profiles, spectrum};
+
+/// Labels of a spectrum, its wavelengths \[m\] and levels.
+type LabelledLevels<'py> = (
+    Vec<(String, String)>,
+    (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>),
+);
+
+/// What was measured: a file, the spacing and rails of a profile, or spectra.
+#[derive(FromPyObject)]
+pub(crate) enum GivenRoughness<'py> {
+    File(PathBuf),
+    Profile((f64, Vec<(String, Vec<Stretch<'py>>)>)),
+    Spectra(Vec<LabelledLevels<'py>>),
+}
+
+/// How files are laid out.
+#[derive(Default)]
+pub(crate) struct Layout {
+    format: Option<ReaderFormat>,
+    /// Step of a file without positions \[m\].
+    spacing: Option<f64>,
+}
+
+impl Layout {
+    pub(crate) fn new(format: Option<&Path>, spacing: Option<f64>) -> PyResult<Self> {
+        let format = format.map(ReaderFormat::read).transpose();
+        Ok(Self {
+            format: format.map_err(of_case)?,
+            spacing,
+        })
+    }
+
+    fn read(&self, py: Python<'_>, path: &Path) -> PyResult<RoughnessFile> {
+        let (path, format) = (path.to_owned(), self.format.clone());
+        let spacing = self.spacing.map(Quantity::new);
+        let file = interruptible(py, move || {
+            RoughnessFile::read(&path, format.as_ref(), spacing, &|_| ())
+        })?;
+        file.map_err(of_case)
+    }
+}
+
+/// A record whose numbers need the interpreter no more.
+pub(crate) struct Record {
+    name: PathBuf,
+    /// As in 2026-01-31.
+    date: Option<String>,
+    roughness: Roughness,
+}
+
+enum Roughness {
+    Profile(Vec<Rail>, Vec<String>),
+    Spectra(Vec<LabelledSpectrum>),
+}
+
+impl Record {
+    pub(crate) fn new(
+        py: Python<'_>,
+        (name, date, given): &(PathBuf, Option<String>, GivenRoughness<'_>),
+        layout: &Layout,
+    ) -> PyResult<Self> {
+        let roughness = match given {
+            GivenRoughness::File(path) => match layout.read(py, path)? {
+                RoughnessFile::Profile(record) => Roughness::Profile(record.rails, record.warnings),
+                RoughnessFile::Spectra(spectra) => Roughness::Spectra(spectra),
+            },
+            GivenRoughness::Profile((spacing, given)) => {
+                let mut rails = Vec::new();
+                for (name, stretches) in given {
+                    rails.push(Rail {
+                        name: name.clone(),
+                        stretches: profiles(stretches, *spacing)?,
+                    });
+                }
+                Roughness::Profile(rails, coarse_sampling(*spacing).into_iter().collect())
+            }
+            GivenRoughness::Spectra(spectra) => Roughness::Spectra(labelled(spectra)?),
+        };
+        Ok(Self {
+            name: name.clone(),
+            date: date.clone(),
+            roughness,
+        })
+    }
+
+    pub(crate) fn borrowed(&self) -> RailRecord<'_> {
+        RailRecord {
+            name: &self.name,
+            // Checked where it was given.
+            date: self.date.as_ref().and_then(|date| date.parse().ok()),
+            roughness: match &self.roughness {
+                Roughness::Profile(rails, warnings) => RailRoughness::Profile { rails, warnings },
+                Roughness::Spectra(spectra) => RailRoughness::Spectra(spectra),
+            },
+        }
+    }
+}
+
+fn labelled(spectra: &[LabelledLevels<'_>]) -> PyResult<Vec<LabelledSpectrum>> {
+    let labelled = spectra.iter().map(|(labels, (wavelengths, levels))| {
+        Ok(LabelledSpectrum {
+            labels: labels.clone(),
+            spectrum: spectrum(&owned(wavelengths), &owned(levels))?,
+        })
+    });
+    labelled.collect()
+}
+
+/// The spectra of what was measured, those of a profile in a file computed.
+pub(crate) fn survey(
+    py: Python<'_>,
+    (name, given): &(PathBuf, GivenRoughness<'_>),
+    layout: &Layout,
+) -> PyResult<Survey> {
+    let survey = match given {
+        GivenRoughness::File(path) => {
+            let (name, file) = (name.clone(), layout.read(py, path)?);
+            interruptible(py, move || Survey::of(&name, file))?
+        }
+        GivenRoughness::Spectra(spectra) => Survey::new(name, labelled(spectra)?, Vec::new()),
+        GivenRoughness::Profile(_) => {
+            return Err(wrong("heights have no level without their spectrum"));
+        }
+    };
+    survey.map_err(of_case)
+}
