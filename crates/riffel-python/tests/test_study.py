@@ -190,7 +190,8 @@ def elsewhere(client: Client, folder: Path, workers: list[str] | None = None) ->
     try:
         yield
     finally:
-        client.run(os.chdir, ROOT)
+        # A task that was cancelled may still write: not into the repository.
+        client.run(os.chdir, Path.cwd().parent)
 
 
 # A folder of this name is another one in every process that works elsewhere: as /scratch is on every machine.
