@@ -121,15 +121,18 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       refuse(fault);
     });
   }
-  report.addEventListener('click', async () => {
+  /** Hand out the page to print; false where no rail is measured. */
+  async function saveReport() {
+    if (!answer) return false;
     report.disabled = true;
     try {
       save(await (await askOnce('/api/report', question())).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
-    } catch (fault) {
-      refuse(fault);
+    } finally {
+      report.disabled = false;
     }
-    report.disabled = false;
-  });
+    return true;
+  }
+  report.addEventListener('click', () => saveReport().catch((fault) => refuse(fault)));
 
   // Showing it -----------------------------------------------------------------------------------------
 
@@ -204,4 +207,5 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       ask();
     }
   });
+  return { saveReport };
 }

@@ -146,12 +146,20 @@ def test_a_link_opens_what_was_seen(page, open_page):
     page.set("contact.friction", "0.27")
     page.set("track.model", "two-layer")
     page.page.click("#tab-compare")
+    page.page.click("#keep")
+    page.page.locator("#compare-difference").wait_for()
+    page.set("contact.friction", "0.31")
+    page.settle()
     page.page.wait_for_timeout(600)
     address = page.page.url
     other = open_page(address.split("/", 3)[3])
-    assert other.page.locator("#key-contact-friction").input_value() == "0.27"
+    assert other.page.locator("#key-contact-friction").input_value() == "0.31"
     assert other.page.locator("#key-track-model").input_value() == "two-layer"
     assert other.page.locator("#view-compare").is_visible()
+    # The variant that was kept comes with it.
+    row = other.page.locator("#view-compare tr:has-text('contact.friction')")
+    row.wait_for()
+    assert row.inner_text().split()[-2:] == ["0.27", "0.31"]
     assert other.page.evaluate("() => window.riffel.state.point") == page.page.evaluate("() => window.riffel.state.point")
     other.close()
 
@@ -226,6 +234,17 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     report = (tmp_path / "report.html").read_text()
     assert "trolley.csv" in report and "record.csv" not in report
     assert download.value.suggested_filename == "trolley-report.html"
+    page.page.click("#tab-explore")
+    page.page.get_by_text("Take away").click()
+    with page.page.expect_download(timeout=60_000) as again:
+        page.page.click("[data-take=report]")
+    assert again.value.suggested_filename == "trolley-report.html"
+
+
+def test_a_report_without_a_measured_rail_leads_to_where_one_is_given(page):
+    page.page.get_by_text("Take away").click()
+    page.page.click("[data-take=report]")
+    page.until(page.page.locator("#drop").is_visible)
 
 
 def test_a_file_that_is_no_profile_is_told_so(open_page):
