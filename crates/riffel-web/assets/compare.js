@@ -3,7 +3,7 @@
 import { get } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed } from './server.js';
-import { nameOf, number, passages, power, t, translate } from './words.js';
+import { nameOf, number, passages, power, t, translate, written } from './words.js';
 
 const element = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
@@ -103,11 +103,11 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
     const [left, right] = [columns(before), columns(after)];
     const [a, b] = [new Map(flat(before.complete)), new Map(flat(after.complete))];
     const changed = [...new Set([...a.keys(), ...b.keys()])].filter((key) => key !== 'title' && a.get(key) !== b.get(key));
-    const written = (keys, whole, key) => String(get(keys, key) ?? whole.get(key) ?? '–');
+    const given = (keys, whole, key) => written(get(keys, key) ?? whole.get(key) ?? '–');
     const row = (name, one, other) => element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: one }), element('td', { textContent: other }));
     const head = element('thead', {}, element('tr', {}, element('td'), ...['kept', 'now'].map((name) => element('th', { scope: 'col', textContent: t(name) }))));
     const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, left[k], right[k])));
-    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, written(state.kept, a, key), written(state.keys, b, key))));
+    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, given(state.kept, a, key), given(state.keys, b, key))));
     table.replaceChildren(head, body, changes);
   }
 

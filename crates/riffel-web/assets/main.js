@@ -102,7 +102,7 @@ function showPoint(at) {
   drawPhasors($('phasors'), $('amplitudes'), at.state);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
   $('why').textContent = words(at.state) + (parts ? ` ${t('parts')}` : '');
-  $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])} · ${power(at.state.growth_rate_per_passage)}`;
+  $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = `${number(3.6 * at.state.speed_m_per_s)} km/h`;
   curves();
 }

@@ -174,7 +174,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
     const traces = [
       curve(levels(roughness.spectrum), t('now'), colors[0]),
-      ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), `${t('months')} ${number(forecast.horizon.months)}`, colors[1])]),
+      ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];
     const ticks = [2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000];

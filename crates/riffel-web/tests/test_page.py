@@ -47,7 +47,7 @@ def test_inertia_slider_speaks_in_engineers_units(page):
     drag(page, "wheel-inertia", 400)
     page.settle()
     assert page.page.locator("#key-wheel-inertia").input_value() == "300"
-    assert page.page.locator("#key-wheel-inertia-unit").text_content() == "kg m2"
+    assert page.page.locator("#key-wheel-inertia-unit").text_content() == "kg m²"
 
 
 def test_the_cursor_leads_loop_and_curves(page):
@@ -202,6 +202,9 @@ def test_the_figures_of_the_paper_are_drawn(page):
         page.until(lambda: f"Figure {number}." in figure.locator("h2").inner_text())
         page.until(lambda: figure.locator("canvas, .main-svg").count() > 0)
     page.page.wait_for_timeout(500)
+    # No curve reaches into the panel beside it.
+    over = "() => [...document.querySelectorAll('#view-paper figure')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
+    assert page.page.evaluate(over) == 0
     page.keep("paper", whole=True)
 
 
@@ -282,6 +285,11 @@ def test_in_german(open_page):
     notes = page.text("#notes")
     assert "Schwellen und Schotter" in notes and "biegt sich ohne Schub" in notes
     assert english_words(notes) == set()
+    # A number has its comma, shown as well as read.
+    page.set("contact.friction", "0,35")
+    page.settle()
+    assert page.page.locator("#key-contact-friction").input_value() == "0,35"
+    assert page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.35
     page.keep("german")
     page.page.click("#tab-paper")
     for number in range(2, 9):
@@ -325,6 +333,10 @@ def test_any_size_of_window(open_page, name, width, height):
         page.page.wait_for_timeout(300)
         wide = page.page.evaluate("() => document.documentElement.scrollWidth")
         assert wide <= width, f"{view} is {wide} wide"
+        if view == "compare":
+            # Nothing lies over the button.
+            page.page.click("#keep", timeout=5000)
+            page.page.locator("#compare-difference").wait_for()
     page.page.click("#tab-explore")
     page.settle()
     page.keep(name, whole=width < 1000)
