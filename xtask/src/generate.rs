@@ -162,7 +162,8 @@ fn validation() -> String {
         "# Validation\n\n\
          Written by `cargo xtask generate`; `riffel validate` prints the same on any machine. Sections and figures\n\
          are those of Afferrante & Ciavarella (2009); `validation/README.md` says where the reference numbers come\n\
-         from and lists each deviation from the paper with its reason.\n\n{}",
+         from and lists each deviation from the paper with its reason. Times are no statements that hold on any\n\
+         machine: those of the page under load and of its sliders are in [The page](page.md#measured).\n\n{}",
         riffel_validation::markdown()
     )
 }

@@ -3,7 +3,7 @@
 import { get } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed } from './server.js';
-import { nameOf, number, passages, power, t, translate } from './words.js';
+import { nameOf, number, passages, power, t, translate, written } from './words.js';
 
 const element = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
@@ -15,10 +15,9 @@ const element = (tag, properties = {}, ...children) => {
 const flat = (table, path = '') =>
   Object.entries(table ?? {}).flatMap(([key, value]) => (value !== null && typeof value === 'object' ? flat(value, `${path}${key}.`) : [[path + key, value]]));
 
-export function startCompare({ state, listen, refuse, trouble }) {
+export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
   const place = document.getElementById('view-compare');
   const line = new Line('/api/compare', framed);
-  let kept = null;
   let shown = null;
 
   const keep = element('button', { type: 'button', className: 'plain', id: 'keep' });
@@ -41,17 +40,24 @@ export function startCompare({ state, listen, refuse, trouble }) {
   place.append(bar, ...panels.map(({ panel }) => panel), tablePanel);
 
   keep.addEventListener('click', () => {
-    kept = structuredClone(state.keys);
+    state.kept = structuredClone(state.keys);
+    saveAddress();
     ask();
   });
   drop.addEventListener('click', () => {
-    kept = shown = null;
-    show();
+    state.kept = null;
+    saveAddress();
+    ask();
   });
 
   function ask() {
-    if (!kept || state.view !== 'compare') return;
-    line.ask({ kept: { keys: kept }, case: { keys: structuredClone(state.keys) } }, (answer) => {
+    if (!state.kept) {
+      shown = null;
+      show();
+    }
+    if (!state.kept || state.view !== 'compare') return;
+    drop.hidden = false;
+    line.ask({ kept: { keys: state.kept }, case: { keys: structuredClone(state.keys) } }, (answer) => {
       shown = answer;
       trouble('');
       show();
@@ -59,9 +65,10 @@ export function startCompare({ state, listen, refuse, trouble }) {
   }
 
   function show() {
-    const there = Boolean(kept && shown);
+    const there = Boolean(state.kept && shown);
     for (const { panel } of panels) panel.hidden = !there;
-    tablePanel.hidden = drop.hidden = !there;
+    tablePanel.hidden = !there;
+    drop.hidden = !state.kept;
     hint.hidden = there;
     if (!there) return;
     const { head, values } = shown;
@@ -96,11 +103,11 @@ export function startCompare({ state, listen, refuse, trouble }) {
     const [left, right] = [columns(before), columns(after)];
     const [a, b] = [new Map(flat(before.complete)), new Map(flat(after.complete))];
     const changed = [...new Set([...a.keys(), ...b.keys()])].filter((key) => key !== 'title' && a.get(key) !== b.get(key));
-    const written = (keys, whole, key) => String(get(keys, key) ?? whole.get(key) ?? '–');
+    const given = (keys, whole, key) => written(get(keys, key) ?? whole.get(key) ?? '–');
     const row = (name, one, other) => element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: one }), element('td', { textContent: other }));
     const head = element('thead', {}, element('tr', {}, element('td'), ...['kept', 'now'].map((name) => element('th', { scope: 'col', textContent: t(name) }))));
     const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, left[k], right[k])));
-    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, written(kept, a, key), written(state.keys, b, key))));
+    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, given(state.kept, a, key), given(state.keys, b, key))));
     table.replaceChildren(head, body, changes);
   }
 

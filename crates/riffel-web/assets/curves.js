@@ -1,7 +1,7 @@
 // Curves by plotly.js, in the colours and words of the page.
 
 import { letterSize, theme } from './colors.js';
-import { currentLanguage, power, t } from './words.js';
+import { currentLanguage, power, t, written } from './words.js';
 
 /** plotly.js is large: it loads while the page already stands. */
 let loading;
@@ -56,7 +56,7 @@ export function decades(values) {
   const logs = values.filter((value) => value > 0).map(Math.log10);
   const [low, high] = [Math.floor(Math.min(...logs)), Math.ceil(Math.max(...logs))];
   const ticks = Array.from({ length: high - low + 1 }, (_, k) => 10 ** (low + k));
-  return { type: 'log', tickvals: ticks, ticktext: ticks.map((tick) => (tick >= 0.01 && tick <= 1e4 ? String(tick) : power(tick, 1).replace('1·', ''))) };
+  return { type: 'log', tickvals: ticks, ticktext: ticks.map((tick) => (tick >= 0.01 && tick <= 1e4 ? written(tick) : power(tick, 1).replace('1·', ''))) };
 }
 const hertz = () => axis(`${t('frequency')} f [Hz]`, { type: 'log', tickvals: [20, 50, 100, 200, 500, 1000, 2000, 5000], range: [Math.log10(20), Math.log10(5000)] });
 
@@ -99,5 +99,5 @@ export async function drawGrowth(place, { growth, state }) {
     { type: 'scatter', mode: 'markers', x: lines.map((line) => 1e3 * line.wavelength_m), y: lines.map((line) => line.growth_rate_per_passage / unit), marker: { color: warm, size: 7 }, customdata: lines.map((line) => line.frequency_hz), hovertemplate: '%{x:.3~g} mm · %{customdata:.0f} Hz<extra></extra>' },
   ];
   const zero = { type: 'line', xref: 'paper', yref: 'y', x0: 0, x1: 1, y0: 0, y1: 0, line: { color: soft, width: 1 } };
-  await draw(place, traces, layout({ xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('growth_rate')} [${power(unit, 1).replace('1·', '')}]`), shapes: [zero, upright(1e3 * state.wavelength_m, soft)] }));
+  await draw(place, traces, layout({ xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`), shapes: [zero, upright(1e3 * state.wavelength_m, soft)] }));
 }

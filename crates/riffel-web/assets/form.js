@@ -1,7 +1,7 @@
 // The form of a case, made from its JSON schema: a section for each table, a row for each key.
 
 import { get, set, short, shownUnit, si, split } from './keys.js';
-import { nameOf, number, t } from './words.js';
+import { nameOf, number, t, written as worded } from './words.js';
 
 /** A file cannot come over the page. */
 const NOT_HERE = ['track.measurement'];
@@ -204,10 +204,10 @@ export class Form {
       return;
     }
     const parts = written === undefined ? null : split(written, node.unit);
-    input.value = written === undefined ? '' : (parts?.text ?? String(written));
+    input.value = written === undefined ? '' : worded(parts?.text ?? written);
     unit.textContent = parts?.unit ?? shown[0];
     const inherited = whole === undefined || whole === null ? null : Number.parseFloat(whole) / shown[1];
-    input.placeholder = written === undefined && inherited !== null ? short(inherited) : '';
+    input.placeholder = written === undefined && inherited !== null ? worded(short(inherited)) : '';
     if (input.placeholder) input.title = t('from_preset');
     else input.removeAttribute('title');
   }

@@ -20,20 +20,23 @@ export function set(keys, path, value) {
 
 /** Units in which a quantity is shown where the case does not write it: schema unit → unit and factor. */
 const SHOWN = {
-  m: ['mm', 1e-3], Pa: ['GPa', 1e9], m4: ['cm4', 1e-8], m2: ['cm2', 1e-4], N: ['kN', 1e3], 'N/m': ['MN/m', 1e6],
+  m: ['mm', 1e-3], Pa: ['GPa', 1e9], m4: ['cm⁴', 1e-8], m2: ['cm²', 1e-4], N: ['kN', 1e3], 'N/m': ['MN/m', 1e6],
   'N s/m': ['kN s/m', 1e3], 'm/s': ['km/h', 1 / 3.6],
 };
 const SHOWN_KEY = {
   'track.support_spacing': ['m', 1], 'track.position': ['m', 1], 'corrugation.amplitude': ['µm', 1e-6],
 };
 
+/** A unit with its powers raised: kg m². The reader of a case takes them so. */
+const raised = (unit = '') => unit.replace(/([a-z])([2-4])(?!\d)/gi, (_, letter, power) => letter + '⁰¹²³⁴'[power]);
+
 /** Unit and factor to SI in which a key is shown. */
-export const shownUnit = (key, unit) => SHOWN_KEY[key] ?? SHOWN[unit] ?? [unit, 1];
+export const shownUnit = (key, unit) => SHOWN_KEY[key] ?? SHOWN[unit] ?? [raised(unit), 1];
 
 /** Number and unit of a written quantity; a bare number is in SI. */
 export function split(value, unit) {
   const [, number, written] = /^\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*(.*?)\s*$/.exec(String(value)) ?? [];
-  return number === undefined ? null : { number: Number(number), unit: written || unit, text: number };
+  return number === undefined ? null : { number: Number(number), unit: raised(written || unit || ''), text: number };
 }
 
 /** A number with at most five digits, without the noise of binary fractions. */

@@ -15,8 +15,8 @@ import { chooseLanguage, currentLanguage, nameOf, number, passages, power, t, tr
 
 const $ = (id) => document.getElementById(id);
 
-/** What the page shows. `point` is the cursor in m and m/s. */
-const state = { keys: null, point: null, view: 'explore', map: null, head: null, at: null, vocabulary: null };
+/** What the page shows. `point` is the cursor in m and m/s, `kept` the variant to compare with. */
+const state = { keys: null, kept: null, point: null, view: 'explore', map: null, head: null, at: null, vocabulary: null };
 
 const vocabulary = await fetch('/api/vocabulary').then((response) => response.json());
 state.vocabulary = vocabulary;
@@ -102,7 +102,7 @@ function showPoint(at) {
   drawPhasors($('phasors'), $('amplitudes'), at.state);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
   $('why').textContent = words(at.state) + (parts ? ` ${t('parts')}` : '');
-  $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])} · ${power(at.state.growth_rate_per_passage)}`;
+  $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = `${number(3.6 * at.state.speed_m_per_s)} km/h`;
   curves();
 }
@@ -194,28 +194,30 @@ let saved = '';
 function saveAddress() {
   clearTimeout(saving);
   saving = setTimeout(() => {
-    const { point, view: tab } = state;
-    saved = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab })}`;
+    const { point, view: tab, kept } = state;
+    saved = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(kept && { kept }) })}`;
     history.replaceState(null, '', saved);
   }, 250);
 }
 
 /** The state of a link; the nominal case where there is none, or none that reads. */
 function fromAddress() {
-  const nominal = { case: structuredClone(vocabulary.nominal), point: null, tab: 'explore' };
+  const nominal = { case: structuredClone(vocabulary.nominal), kept: null, point: null, tab: 'explore' };
+  const isCase = (keys) => typeof keys === 'object' && keys !== null;
   if (location.hash.length < 2) return nominal;
   try {
-    const { case: keys, point, tab } = unpack(location.hash.slice(1));
-    if (typeof keys !== 'object' || keys === null) return nominal;
+    const { case: keys, kept, point, tab } = unpack(location.hash.slice(1));
+    if (!isCase(keys)) return nominal;
     const place = Array.isArray(point) && point.every(Number.isFinite) ? { wavelength: point[0], speed: point[1] } : null;
-    return { case: keys, point: place, tab: $(`tab-${tab}`) ? tab : 'explore' };
+    return { case: keys, kept: isCase(kept) ? kept : null, point: place, tab: $(`tab-${tab}`) ? tab : 'explore' };
   } catch {
     return nominal;
   }
 }
 
-function open({ case: keys, point, tab }) {
-  Object.assign(state, { keys, point });
+/** Show a case; the variant that is kept stays unless another comes with it. */
+function open({ case: keys, kept = state.kept, point, tab }) {
+  Object.assign(state, { keys, kept, point });
   form.show(keys);
   showView(tab);
   caseChanged();
@@ -268,14 +270,14 @@ $('language').addEventListener('change', (event) => {
 /** What the other views need. They are told 'case', 'map', 'view' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, form, open, refuse, trouble, announce, nameOf, get,
+  state, form, open, refuse, trouble, announce, nameOf, get, saveAddress, showView,
   listen: (listener) => listeners.push(listener),
   save,
 };
 startCompare(shared);
-startMeasure(shared);
+const { saveReport } = startMeasure(shared);
 startPaper(shared);
-startTakeAway(shared);
+startTakeAway({ ...shared, saveReport });
 translate();
 open(fromAddress());
 

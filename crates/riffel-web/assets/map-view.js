@@ -272,16 +272,22 @@ export class MapView {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.marksOver.width, this.marksOver.height);
     this.#within(context, () => {
-      for (const { wavelength, label } of this.marks) {
+      for (const [k, { wavelength, label }] of this.marks.entries()) {
         const x = Math.round(this.x(wavelength)) + 0.5;
         context.strokeStyle = colors.warm;
         context.lineWidth = 1.5;
         line(context, x, box.top, x, box.top + box.height);
         context.font = `600 ${this.font}px ${colors.font}`;
+        // Below the names of the rays, in turns so that neighbours stay apart; left of its line at the right edge.
+        const width = context.measureText(label).width + 6;
+        const left = x + 3 + width > box.left + box.width ? x - 3 - width : x + 3;
+        const top = box.top + (2.2 + 1.8 * (k % 3)) * this.font;
+        context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
+        context.fillRect(left, top, width, 1.5 * this.font);
         context.fillStyle = colors.warm;
         context.textAlign = 'left';
-        context.textBaseline = 'top';
-        context.fillText(label, x + 4, box.top + 6);
+        context.textBaseline = 'middle';
+        context.fillText(label, left + 3, top + 0.75 * this.font + 0.5);
       }
     });
     if (!this.point) return;

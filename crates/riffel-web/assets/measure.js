@@ -121,15 +121,18 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       refuse(fault);
     });
   }
-  report.addEventListener('click', async () => {
+  /** Hand out the page to print; false where no rail is measured. */
+  async function saveReport() {
+    if (!answer) return false;
     report.disabled = true;
     try {
       save(await (await askOnce('/api/report', question())).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
-    } catch (fault) {
-      refuse(fault);
+    } finally {
+      report.disabled = false;
     }
-    report.disabled = false;
-  });
+    return true;
+  }
+  report.addEventListener('click', () => saveReport().catch((fault) => refuse(fault)));
 
   // Showing it -----------------------------------------------------------------------------------------
 
@@ -171,7 +174,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
     const traces = [
       curve(levels(roughness.spectrum), t('now'), colors[0]),
-      ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), `${t('months')} ${number(forecast.horizon.months)}`, colors[1])]),
+      ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];
     const ticks = [2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000];
@@ -204,4 +207,5 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       ask();
     }
   });
+  return { saveReport };
 }

@@ -1,5 +1,6 @@
 // Paper: Figures 2–8 of Afferrante & Ciavarella (2009), computed when they are looked at.
 
+import { letterSize } from './colors.js';
 import { axis, decades, draw, layout, palette } from './curves.js';
 import { MapView, drawBar } from './map-view.js';
 import { askOnce } from './server.js';
@@ -77,7 +78,13 @@ export function startPaper({ state, listen, refuse }) {
     waiting.hidden = true;
     panels.replaceChildren();
     for (const map of data.maps ?? []) drawMap(map, panels);
-    for (const lines of data.lines ?? []) await drawLines(lines, panels);
+    // Every panel has its place before the first is drawn, which takes its size from it.
+    const places = (data.lines ?? []).map(({ subtitle }) => {
+      const curve = element('div', { className: 'curve' });
+      panels.append(element('figure', {}, element('figcaption', { textContent: subtitle }), curve));
+      return curve;
+    });
+    for (const [k, lines] of (data.lines ?? []).entries()) await drawLines(lines, places[k]);
   }
 
   function drawMap(panel, panels) {
@@ -94,9 +101,7 @@ export function startPaper({ state, listen, refuse }) {
     drawBar(bar, view, `−${panel.value_label}`);
   }
 
-  async function drawLines(panel, panels) {
-    const curve = element('div', { className: 'curve' });
-    panels.append(element('figure', {}, element('figcaption', { textContent: panel.subtitle }), curve));
+  async function drawLines(panel, curve) {
     const colors = palette();
     const traces = panel.series.map((series, k) => ({
       type: 'scatter', mode: series.style === 'markers' ? 'markers' : 'lines', x: series.x, y: series.y, name: series.label, showlegend: Boolean(series.label),
@@ -109,7 +114,7 @@ export function startPaper({ state, listen, refuse }) {
     const all = (part) => panel.series.flatMap((series) => series[part]).filter((value) => value !== null);
     await draw(curve, traces, layout({
       xaxis: along(panel.x_label, panel.x_scale, panel.x_range, all('x')), yaxis: along(panel.y_label, panel.y_scale, panel.y_range, all('y')),
-      showlegend: traces.some(({ showlegend }) => showlegend), legend: { orientation: 'h', x: 0, y: -0.24, yanchor: 'top', font: { size: 10.5 } },
+      showlegend: traces.some(({ showlegend }) => showlegend), legend: { orientation: 'h', x: 0, y: -0.24, yanchor: 'top', font: { size: 0.82 * letterSize() } },
     }));
   }
 

@@ -86,6 +86,3 @@ export function words(state) {
     verdict: rate > 0 ? t('doubles', count) : t('halves', count),
   });
 }
-
-export const summary = (state) =>
-  `${number(1e3 * state.wavelength_m, 3)} mm · ${number(3.6 * state.speed_m_per_s, 3)} km/h · ${number(state.frequency_hz, 3)} Hz · ${power(state.growth_rate_per_passage)}`;

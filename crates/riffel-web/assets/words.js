@@ -6,7 +6,7 @@ const WORDS = {
     tagline: 'which corrugation grows, how fast, and why',
     case: 'Case', handles: 'Handles', theme: 'Light or dark', language: 'Language',
     growth_map: 'Growth map', wavelength: 'wavelength', speed: 'speed', frequency: 'frequency',
-    growth_rate: 'growth rate per passage', nothing_grows: 'nothing grows in this window', no_difference: 'no difference',
+    growth_rate: 'growth rate per passage', per_passage: 'per passage', rate: 'rate per passage', nothing_grows: 'nothing grows in this window', no_difference: 'no difference',
     hold: 'Hold scale', hold_help: 'Keep the colour scale while values change',
     to_highest: 'Highest growth', loop: 'The loop at the cursor', growth_curve: 'Growth over wavelength',
     receptance: 'Receptance', force: 'Normal force P₁/P₀', rail: 'rail', wheel: 'wheel', contact: 'contact',
@@ -32,7 +32,7 @@ const WORDS = {
     compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the ridge', 'passages to double', 'creepage', 'contact stiffness'],
     less: 'less growth', more: 'more growth',
     copy_link: 'Copy link', copied: 'copied', save_toml: 'Case as TOML', save_csv: 'Map as CSV', save_png: 'Map as PNG', save_svg: 'Map as SVG', save_html: 'Map as page (HTML)',
-    save_report: 'Report (HTML)', open_toml: 'Open a case file…', start_over: 'Start over with the nominal case',
+    save_report: 'Report (HTML)', report_of: 'of the measured rail', open_toml: 'Open a case file…', start_over: 'Start over with the nominal case',
     file_fault: (name, line) => (line ? `${name}, line ${line}: ` : `${name}: `), comments_gone: (name) => `${name} is open.`,
     paper_intro: 'Figures 2–8 of Afferrante & Ciavarella (2009), computed now.', contact_model: 'Contact', quasi: 'quasi-static, as printed', dashpot: 'spring and dashpot', non_steady: 'non-steady',
     computing: 'computing…', skip: 'Skip to the map',
@@ -41,7 +41,7 @@ const WORDS = {
     drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
     over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
 
-    speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', months: 'in months:', excess: 'above the trend',
+    speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', in_months: (n) => `in ${n} months`, excess: 'above the trend',
     nothing_dominant: 'No wavelength stands out.', level_axis: 'level [dB re 1 µm]',
   },
   de: {
@@ -49,7 +49,7 @@ const WORDS = {
     tagline: 'welche Riffeln wachsen, wie schnell und warum',
     case: 'Fall', handles: 'Regler', theme: 'Hell oder dunkel', language: 'Sprache',
     growth_map: 'Wachstumskarte', wavelength: 'Wellenlänge', speed: 'Geschwindigkeit', frequency: 'Frequenz',
-    growth_rate: 'Wachstumsrate je Überrollung', nothing_grows: 'in diesem Fenster wächst nichts', no_difference: 'kein Unterschied',
+    growth_rate: 'Wachstumsrate je Überrollung', per_passage: 'je Überrollung', rate: 'Rate je Überrollung', nothing_grows: 'in diesem Fenster wächst nichts', no_difference: 'kein Unterschied',
     hold: 'Skala halten', hold_help: 'Die Farbskala behalten, während sich Werte ändern',
     to_highest: 'Stärkstes Wachstum', loop: 'Die Schleife am Zeiger', growth_curve: 'Wachstum über der Wellenlänge',
     receptance: 'Rezeptanz', force: 'Normalkraft P₁/P₀', rail: 'Schiene', wheel: 'Rad', contact: 'Kontakt',
@@ -75,7 +75,7 @@ const WORDS = {
     compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des Grats', 'Überrollungen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
     less: 'weniger Wachstum', more: 'mehr Wachstum',
     copy_link: 'Link kopieren', copied: 'kopiert', save_toml: 'Fall als TOML', save_csv: 'Karte als CSV', save_png: 'Karte als PNG', save_svg: 'Karte als SVG', save_html: 'Karte als Seite (HTML)',
-    save_report: 'Bericht (HTML)', open_toml: 'Falldatei öffnen…', start_over: 'Neu beginnen mit dem Nennfall',
+    save_report: 'Bericht (HTML)', report_of: 'zur gemessenen Schiene', open_toml: 'Falldatei öffnen…', start_over: 'Neu beginnen mit dem Nennfall',
     file_fault: (name, line) => (line ? `${name}, Zeile ${line}: ` : `${name}: `), comments_gone: (name) => `${name} ist geöffnet.`,
     paper_intro: 'Bilder 2–8 aus Afferrante & Ciavarella (2009), jetzt berechnet.', contact_model: 'Kontakt', quasi: 'quasistatisch, wie gedruckt', dashpot: 'Feder und Dämpfer', non_steady: 'instationär',
     computing: 'rechnet…', skip: 'Zur Karte springen',
@@ -84,7 +84,7 @@ const WORDS = {
     drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
     over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
 
-    speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', months: 'in Monaten:', excess: 'über dem Trend',
+    speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', in_months: (n) => `in ${n} Monaten`, excess: 'über dem Trend',
     nothing_dominant: 'Keine Wellenlänge ragt heraus.', level_axis: 'Pegel [dB re 1 µm]',
   },
 };
@@ -106,9 +106,9 @@ const NAMES = {
   'track.pad': ['Rail pad', 'Zwischenlage'], 'track.sleeper': ['Sleeper', 'Schwelle'], 'track.ballast': ['Ballast', 'Schotter'],
   'track.rail_damping': ['rail damping', 'Dämpfung der Schiene'], 'track.position': ['position of the wheel', 'Ort des Rades'],
   'contact.transverse_radius': ['transverse radius R_r', 'Querradius R_r'], 'contact.normal_load': ['normal load P₀', 'Radlast P₀'],
-  'contact.friction': ['friction μ', 'Reibung μ'], 'contact.tractive_ratio': ['tractive ratio τ', 'Kraftschlussausnutzung τ'],
+  'contact.friction': ['friction μ', 'Reibung μ'], 'contact.tractive_ratio': ['tractive ratio τ', 'Kraftschluss\u00adausnutzung τ'],
   'contact.creepage': ['creepage ξ₀', 'Schlupf ξ₀'], 'contact.dissipation_phase': ['dissipation phase', 'Phase der Dissipation'],
-  'contact.creep_law': ['creep law', 'Kraftschlussgesetz'], 'contact.response': ['response', 'Antwort'], 'contact.hertz': ['ellipse', 'Ellipse'],
+  'contact.creep_law': ['creep law', 'Kraftschluss\u00adgesetz'], 'contact.response': ['response', 'Antwort'], 'contact.hertz': ['ellipse', 'Ellipse'],
   'contact.grid': ['grid', 'Gitter'], 'contact.polach': ["Polach's law", 'Gesetz von Polach'],
   'contact.polach.limit_friction_ratio': ['limit friction ratio A', 'Reibungsverhältnis A'], 'contact.polach.friction_decay': ['friction decay B', 'Reibungsabfall B'],
   'contact.polach.speed': ['speed V', 'Geschwindigkeit V'], 'contact.polach.adhesion_reduction': ['adhesion reduction k_A', 'Minderung Haften k_A'], 'contact.polach.slip_reduction': ['slip reduction k_S', 'Minderung Gleiten k_S'],
@@ -165,6 +165,9 @@ export function number(value, digits = 3) {
   const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
   return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
+
+/** A number as it stands in a case, with the comma of the language. */
+export const written = (text) => (language === 'de' ? String(text).replace(/(\d)\.(\d)/g, '$1,$2') : String(text));
 
 const RAISED = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
 

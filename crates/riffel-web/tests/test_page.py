@@ -47,7 +47,7 @@ def test_inertia_slider_speaks_in_engineers_units(page):
     drag(page, "wheel-inertia", 400)
     page.settle()
     assert page.page.locator("#key-wheel-inertia").input_value() == "300"
-    assert page.page.locator("#key-wheel-inertia-unit").text_content() == "kg m2"
+    assert page.page.locator("#key-wheel-inertia-unit").text_content() == "kg m²"
 
 
 def test_the_cursor_leads_loop_and_curves(page):
@@ -146,12 +146,20 @@ def test_a_link_opens_what_was_seen(page, open_page):
     page.set("contact.friction", "0.27")
     page.set("track.model", "two-layer")
     page.page.click("#tab-compare")
+    page.page.click("#keep")
+    page.page.locator("#compare-difference").wait_for()
+    page.set("contact.friction", "0.31")
+    page.settle()
     page.page.wait_for_timeout(600)
     address = page.page.url
     other = open_page(address.split("/", 3)[3])
-    assert other.page.locator("#key-contact-friction").input_value() == "0.27"
+    assert other.page.locator("#key-contact-friction").input_value() == "0.31"
     assert other.page.locator("#key-track-model").input_value() == "two-layer"
     assert other.page.locator("#view-compare").is_visible()
+    # The variant that was kept comes with it.
+    row = other.page.locator("#view-compare tr:has-text('contact.friction')")
+    row.wait_for()
+    assert row.inner_text().split()[-2:] == ["0.27", "0.31"]
     assert other.page.evaluate("() => window.riffel.state.point") == page.page.evaluate("() => window.riffel.state.point")
     other.close()
 
@@ -194,6 +202,9 @@ def test_the_figures_of_the_paper_are_drawn(page):
         page.until(lambda: f"Figure {number}." in figure.locator("h2").inner_text())
         page.until(lambda: figure.locator("canvas, .main-svg").count() > 0)
     page.page.wait_for_timeout(500)
+    # No curve reaches into the panel beside it.
+    over = "() => [...document.querySelectorAll('#view-paper figure')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
+    assert page.page.evaluate(over) == 0
     page.keep("paper", whole=True)
 
 
@@ -226,6 +237,17 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     report = (tmp_path / "report.html").read_text()
     assert "trolley.csv" in report and "record.csv" not in report
     assert download.value.suggested_filename == "trolley-report.html"
+    page.page.click("#tab-explore")
+    page.page.get_by_text("Take away").click()
+    with page.page.expect_download(timeout=60_000) as again:
+        page.page.click("[data-take=report]")
+    assert again.value.suggested_filename == "trolley-report.html"
+
+
+def test_a_report_without_a_measured_rail_leads_to_where_one_is_given(page):
+    page.page.get_by_text("Take away").click()
+    page.page.click("[data-take=report]")
+    page.until(page.page.locator("#drop").is_visible)
 
 
 def test_a_file_that_is_no_profile_is_told_so(open_page):
@@ -263,6 +285,11 @@ def test_in_german(open_page):
     notes = page.text("#notes")
     assert "Schwellen und Schotter" in notes and "biegt sich ohne Schub" in notes
     assert english_words(notes) == set()
+    # A number has its comma, shown as well as read.
+    page.set("contact.friction", "0,35")
+    page.settle()
+    assert page.page.locator("#key-contact-friction").input_value() == "0,35"
+    assert page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.35
     page.keep("german")
     page.page.click("#tab-paper")
     for number in range(2, 9):
@@ -306,6 +333,10 @@ def test_any_size_of_window(open_page, name, width, height):
         page.page.wait_for_timeout(300)
         wide = page.page.evaluate("() => document.documentElement.scrollWidth")
         assert wide <= width, f"{view} is {wide} wide"
+        if view == "compare":
+            # Nothing lies over the button.
+            page.page.click("#keep", timeout=5000)
+            page.page.locator("#compare-difference").wait_for()
     page.page.click("#tab-explore")
     page.settle()
     page.keep(name, whole=width < 1000)
