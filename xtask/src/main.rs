@@ -1,19 +1,13 @@
 //! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
 
 mod browser;
-mod decay_rate;
 mod environment;
-mod generate;
-mod marked;
-mod place_of_wear;
-mod presets;
 mod python;
 
 use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
-use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Developer commands of Riffel.
 #[derive(Parser)]
@@ -26,18 +20,14 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Task {
     /// Everything there is: formatting, lints, tests, documentation, the Python package, the page in a
-    /// browser, generated files.
+    /// browser.
     Test,
     /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
     Browser,
     /// The Python package alone: wheel, tests, types.
     Python,
-    /// Write the generated files of the book, or check that they are current.
-    Generate {
-        /// Change nothing; fail if a file is not current.
-        #[arg(long)]
-        check: bool,
-    },
+    /// Write the generated files of the book. A test of the program says whether they are current.
+    Generate,
     /// Benchmarks beside their peers; needs Python 3 with venv, and network for the first run.
     Bench,
 }
@@ -50,7 +40,7 @@ fn main() -> ExitCode {
         Task::Test => test(),
         Task::Browser => browser::test_alone(),
         Task::Python => python::test_alone(),
-        Task::Generate { check } => generate::run(check),
+        Task::Generate => generate(),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
     };
     match outcome {
@@ -65,14 +55,6 @@ fn main() -> ExitCode {
 /// The root of the workspace.
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
-/// Draw a picture of the book.
-fn draw(path: &str, figure: &LineFigure) -> Outcome {
-    let picture = figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE));
-    let picture = picture.map_err(|error| format!("cannot draw {path}: {error}"))?;
-    std::fs::write(root().join(path), picture)
-        .map_err(|error| format!("cannot write {path}: {error}"))
 }
 
 fn test() -> Outcome {
@@ -92,8 +74,15 @@ fn test() -> Outcome {
         &[("RUSTDOCFLAGS", "--deny warnings")],
     )?;
     python::test()?;
-    browser::test()?;
-    generate::run(true)
+    browser::test()
+}
+
+/// Write the book with the program as it is now.
+fn generate() -> Outcome {
+    cargo(&["build", "--quiet"])?;
+    let program = root().join("target/debug/riffel");
+    let program = program.to_string_lossy();
+    cargo(&["run", "--quiet", "--package", "riffel-book", "--", &program])
 }
 
 fn cargo(arguments: &[&str]) -> Outcome {

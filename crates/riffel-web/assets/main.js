@@ -270,7 +270,7 @@ $('language').addEventListener('change', (event) => {
 /** What the other views need. They are told 'case', 'map', 'view' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, form, open, refuse, trouble, announce, nameOf, get, saveAddress, showView,
+  state, form, open, refuse, trouble, announce, nameOf, get, saveAddress,
   listen: (listener) => listeners.push(listener),
   save,
 };

@@ -11,7 +11,7 @@ export function save(blob, name) {
 
 const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
 
-export function startTakeAway({ state, open, refuse, announce, showView, saveReport }) {
+export function startTakeAway({ state, open, refuse, announce, saveReport }) {
   const menu = document.getElementById('take-away');
   const actions = {
     link: async (button) => {
@@ -27,8 +27,12 @@ export function startTakeAway({ state, open, refuse, announce, showView, saveRep
       const answer = await askOnce(`/api/export/${kind}`, { case: { keys: state.keys } });
       save(await answer.blob(), `${fileName(state)}-map.${kind}`);
     }])),
-    // The report judges a measured rail: without one, the view where it is given.
-    report: async () => (await saveReport()) || showView('measure'),
+    // Of the measured rail if there is one, else of the case alone.
+    report: async () => {
+      if (await saveReport()) return;
+      const answer = await askOnce('/api/report/case', { case: { keys: state.keys } });
+      save(await answer.blob(), `${fileName(state)}-report.html`);
+    },
     nominal: async () => open({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }),
   };
   menu.addEventListener('click', async (event) => {

@@ -107,7 +107,7 @@ impl Uploads {
             )
         };
         // The name is made here: nothing of what was sent becomes part of a path.
-        let folder = tempfile::tempdir_in(inner.folder.path()).map_err(disk)?;
+        let folder = self.folder().map_err(disk)?;
         let name = format!("record.{}", if kind == "txt" { "txt" } else { "csv" });
         let path = folder.path().join(&name);
         let mut file = tokio::fs::File::create(&path).await.map_err(disk)?;
@@ -145,6 +145,11 @@ impl Uploads {
         }
         files.push((page, upload.clone()));
         Ok(upload)
+    }
+
+    /// A folder for work of a moment, which goes with it.
+    pub(crate) fn folder(&self) -> io::Result<TempDir> {
+        tempfile::tempdir_in(self.0.folder.path())
     }
 
     /// The file of a page.

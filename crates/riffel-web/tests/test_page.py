@@ -244,10 +244,15 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     assert again.value.suggested_filename == "trolley-report.html"
 
 
-def test_a_report_without_a_measured_rail_leads_to_where_one_is_given(page):
+def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     page.page.get_by_text("Take away").click()
-    page.page.click("[data-take=report]")
-    page.until(page.page.locator("#drop").is_visible)
+    with page.page.expect_download(timeout=60_000) as download:
+        page.page.click("[data-take=report]")
+    assert download.value.suggested_filename == "br-main-line-tangent-track-report.html"
+    download.value.save_as(tmp_path / "report.html")
+    report = (tmp_path / "report.html").read_text()
+    assert "Growth map</h2>" in report and "no roughness was given" in report
+    assert "riffel-serve" not in report
 
 
 def test_a_file_that_is_no_profile_is_told_so(open_page):

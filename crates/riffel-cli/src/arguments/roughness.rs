@@ -100,10 +100,6 @@ pub(crate) struct Roughness {
 /// A measured rail held against a case: what `diagnose` and `report` have in common.
 #[derive(Args)]
 pub(crate) struct DiagnosisArguments {
-    /// Longitudinal profile, or table of one-third-octave levels.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) roughness: PathBuf,
-
     #[command(flatten)]
     pub(crate) layout: Layout,
 
@@ -150,6 +146,25 @@ pub(crate) struct DiagnosisArguments {
     pub(crate) from_vehicle: bool,
 }
 
+impl DiagnosisArguments {
+    /// The first argument given, all of which speak of a rail.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--format", self.layout.format.is_some()),
+            ("--spacing", self.layout.spacing.is_some()),
+            ("--earlier", !self.earlier.is_empty()),
+            ("--where", !self.choose.is_empty()),
+            ("--by", self.by.is_some()),
+            ("--speed", !self.speed.is_empty()),
+            ("--traffic", self.traffic.is_some()),
+            ("--torsion", !self.torsion.is_empty()),
+            ("--bending", !self.bending.is_empty()),
+            ("--from-vehicle", self.from_vehicle),
+        ];
+        given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
+    }
+}
+
 #[derive(Args)]
 #[command(
     after_help = "Example: riffel diagnose case.toml --roughness profile.csv --speed \"60 km/h..80 km/h\" --earlier last-year.csv\n\n\
@@ -159,6 +174,10 @@ pub(crate) struct DiagnosisArguments {
 pub(crate) struct Diagnose {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
+
+    /// Longitudinal profile, or table of one-third-octave levels.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) roughness: PathBuf,
 
     #[command(flatten)]
     pub(crate) record: DiagnosisArguments,
@@ -174,7 +193,8 @@ pub(crate) struct Diagnose {
 
 #[derive(Args)]
 #[command(
-    after_help = "Example: riffel report case.toml --roughness profile.csv --traffic traffic.toml --with soft-pads.toml --site site.toml -o report.html"
+    after_help = "Example: riffel report case.toml --roughness profile.csv --traffic traffic.toml --with soft-pads.toml --site site.toml -o report.html\n\n\
+        Without --roughness it is a report on the case alone: its growth map and, by --with, what would help."
 )]
 pub(crate) struct Report {
     /// Case file, for growth map and diagnosis [default: none, and the report goes without them].
@@ -184,6 +204,10 @@ pub(crate) struct Report {
     /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "case")]
     pub(crate) overrides: Vec<String>,
+
+    /// Longitudinal profile, or table of one-third-octave levels [default: none, and the report is on the case].
+    #[arg(long, value_name = "FILE")]
+    pub(crate) roughness: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) record: DiagnosisArguments,

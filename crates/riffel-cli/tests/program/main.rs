@@ -1,5 +1,6 @@
 //! The program as its users meet it.
 
+mod book;
 mod contact;
 mod diagnose;
 mod documentation;

@@ -141,6 +141,37 @@ fn what_is_missing_is_said_once() {
     assert!(!page.contains("Growth map</h2>"));
 }
 
+/// Without roughness a report is on the case: its map, and what would help.
+#[test]
+fn a_case_alone_has_a_report() {
+    let sandbox = Sandbox::new();
+    let outcome = sandbox.riffel("report cases/nominal.toml --with cases/soft-pads.toml");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
+    stands_alone(&page);
+    assert_eq!(
+        headings(&page),
+        [
+            "In brief",
+            "1 Growth map",
+            "2 What-if",
+            "3 Inputs and versions",
+            "4 Warnings and limits of the models",
+            "Not in this report"
+        ]
+    );
+    for part in [
+        "grows fastest and doubles in",
+        "Diagnosis: no roughness was given.",
+        "cases/soft-pads.toml",
+        "the rail has no support",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // Limits are those of levels that nobody has measured.
+    assert!(!page.contains("to the limit") && !page.contains("Measured wavelengths"));
+}
+
 /// Forecast and what-if take the spectra that the other sections show: the same rows of a table, and at the
 /// latest date of these; the same profile, whatever it takes to read it.
 #[test]
@@ -198,6 +229,8 @@ fn bad_input_is_refused_and_leaves_nothing() {
             "missing.toml",
         ),
         ("--roughness profile.csv --with soft.toml", "CASE"),
+        ("", "--roughness is left out"),
+        ("cases/nominal.toml --speed \"80 km/h\"", "--roughness"),
         (
             "cases/nominal.toml --roughness profile.csv -o no/such/folder.html",
             "cannot write",

@@ -7,5 +7,6 @@ pub(crate) mod figure;
 pub(crate) mod map;
 mod note;
 pub(crate) mod point;
+pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod vocabulary;

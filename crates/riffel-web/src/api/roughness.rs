@@ -1,10 +1,9 @@
-//! `POST /api/roughness`: the file of a measured rail; `POST /api/measure` and `/api/report`: what it says.
+//! `POST /api/roughness`: the file of a measured rail; `POST /api/measure`: what it says.
 
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, header};
-use axum::response::IntoResponse;
 use riffel_case::roughness::{Limit, LimitTable};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -17,7 +16,7 @@ use crate::request::{Asked, Asker, CaseText};
 use crate::uploads::Upload;
 
 /// Longest name of a file that is shown.
-const LONGEST_NAME: usize = 120;
+pub(super) const LONGEST_NAME: usize = 120;
 
 /// Receive a file, whose kind is told by the header Content-Type.
 pub(crate) async fn post(
@@ -41,15 +40,15 @@ pub(crate) async fn post(
 pub(crate) struct Question {
     case: CaseText,
     /// Name of the file to the user.
-    name: String,
+    pub(super) name: String,
     slowest_m_per_s: f64,
     fastest_m_per_s: f64,
     passages_per_day: f64,
-    months: f64,
+    pub(super) months: f64,
 }
 
 impl Question {
-    fn check(&self) -> Result<(), Fault> {
+    pub(super) fn check(&self) -> Result<(), Fault> {
         let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
         if !(slowest > 0.0 && slowest <= fastest && fastest < 200.0) {
             return Err(Fault::bad(format!(
@@ -89,18 +88,18 @@ impl Question {
         )
     }
 
-    fn speeds(&self) -> String {
+    pub(super) fn speeds(&self) -> String {
         format!("{} m/s..{} m/s", self.slowest_m_per_s, self.fastest_m_per_s)
     }
 
     /// Words of the program with the name that the user knows.
-    fn named(&self, words: &str, upload: &Upload) -> String {
+    pub(super) fn named(&self, words: &str, upload: &Upload) -> String {
         let name: String = self.name.chars().take(LONGEST_NAME).collect();
         words.replace(&upload.name, &name)
     }
 
     /// Put case and traffic beside the file.
-    fn write(&self, upload: &Upload) -> Result<(), Fault> {
+    pub(super) fn write(&self, upload: &Upload) -> Result<(), Fault> {
         // It is checked here, and opens no file.
         self.case.read()?;
         let write = |name: &str, text: &str| std::fs::write(upload.folder().join(name), text);
@@ -144,56 +143,6 @@ pub(crate) async fn measure(
             })))
         })
         .await
-}
-
-pub(crate) async fn report(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<impl IntoResponse, Fault> {
-    question.check()?;
-    let upload = page.uploads.of(&asker.owner()?)?;
-    let program = page.program.clone();
-    let html = page
-        .long
-        .run(asker.subject("report"), move |wanted| {
-            question.write(&upload)?;
-            let (file, months) = (upload.name.as_str(), question.months.to_string());
-            let speeds = question.speeds();
-            let arguments = [
-                "report",
-                "case.toml",
-                "--roughness",
-                file,
-                "--traffic",
-                "traffic.toml",
-                "--speed",
-                &speeds,
-                "--months",
-                &months,
-                "-o",
-                "report.html",
-            ];
-            let run = program.run(upload.folder(), &arguments, wanted);
-            run.map_err(|fault| fault.in_words(|words| question.named(words, &upload)))?;
-            let html = std::fs::read_to_string(upload.folder().join("report.html"))
-                .map_err(|error| Fault::defect(&format!("there is no report: {error}")))?;
-            let name: String = question.name.chars().take(LONGEST_NAME).collect();
-            let escaped = name
-                .replace('&', "&amp;")
-                .replace('<', "&lt;")
-                .replace('>', "&gt;");
-            Ok(html.replace(file, &escaped))
-        })
-        .await?;
-    Ok((
-        [
-            // A page is for the disk of the user, not for this origin to show.
-            (header::CONTENT_TYPE, "application/octet-stream"),
-            (header::CONTENT_DISPOSITION, "attachment"),
-        ],
-        html,
-    ))
 }
 
 /// The program on the file of a question.

@@ -18,9 +18,9 @@ pub(crate) use words::{capital, row};
 
 pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let case = arguments.case.read()?;
-    let record = read(&arguments.record.roughness, &arguments.record.layout)?;
-    let diagnosis = diagnosis(&case, &record, &arguments.record)?;
-    let file = arguments.record.roughness.display().to_string();
+    let record = read(&arguments.roughness, &arguments.record.layout)?;
+    let diagnosis = diagnosis(&case, &arguments.roughness, &record, &arguments.record)?;
+    let file = arguments.roughness.display().to_string();
     let document = json(&DiagnosisDocument::new(&file, &diagnosis));
     if arguments.json {
         print(&document);

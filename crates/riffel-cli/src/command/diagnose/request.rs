@@ -1,5 +1,7 @@
 //! What a diagnosis is asked for on the command line.
 
+use std::path::Path;
+
 use jiff::civil::Date;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::Case;
@@ -15,6 +17,7 @@ use crate::error::CliError;
 /// The diagnosis of the file that was read, with the earlier ones, which are read here.
 pub(crate) fn diagnosis(
     case: &Case,
+    path: &Path,
     file: &RoughnessFile,
     arguments: &DiagnosisArguments,
 ) -> miette::Result<Diagnosis> {
@@ -37,7 +40,6 @@ pub(crate) fn diagnosis(
         .iter()
         .map(|path| read(path, &arguments.layout))
         .collect::<miette::Result<_>>()?;
-    let path = &arguments.roughness;
     if matches!(file, RoughnessFile::Profile(_)) {
         choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
     }

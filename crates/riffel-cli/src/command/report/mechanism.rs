@@ -9,6 +9,7 @@ use riffel_case::diagnosis::{Diagnosis, SHARE};
 use riffel_figures::{SIGN, Shown, panel, parameters};
 use riffel_plot::{LineFigure, MapFigure, Observation};
 
+use super::outlook::Outlook;
 use super::page::{Section, escape, figure, list, table};
 use crate::command::diagnose::{capital, figure as figures, row};
 use crate::error::CliError;
@@ -17,8 +18,8 @@ use crate::output::Progress;
 /// Share from which a candidate's reasons are printed, and how many are at least.
 const SHOWN: (f64, usize) = (0.02, 3);
 
-/// The growth map of the case with the measured wavelengths on it.
-pub(super) fn growth_map(case: &Case, diagnosis: &Diagnosis) -> miette::Result<Section> {
+/// The growth map of the case, with the measured wavelengths on it if there are any.
+pub(super) fn growth_map(case: &Case, diagnosis: Option<&Diagnosis>) -> miette::Result<Outlook> {
     case.check_window()?;
     let progress = Progress::new("growth map", case.speed.points());
     let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
@@ -27,6 +28,49 @@ pub(super) fn growth_map(case: &Case, diagnosis: &Diagnosis) -> miette::Result<S
     drop(progress);
     let ridge = Ridge::of_map(&case.feedback, &map);
     let mut panel = panel(case, &map, &ridge, Shown::Normalized);
+    let measured = match diagnosis {
+        Some(diagnosis) => observations(case, diagnosis, &mut panel.observations),
+        None => String::new(),
+    };
+    let drawing = MapFigure {
+        panels: vec![panel],
+        ..MapFigure::default()
+    };
+    let caption = format!("{}{measured} {SIGN}", parameters(case));
+    let words = ridge.best_fit_frequency().map_or_else(
+        || "Nothing grows inside the window of the map.".to_owned(),
+        |frequency| {
+            format!("The ridge of highest growth follows {frequency:.0} Hz (best fit of the points inside the window).")
+        },
+    );
+    let svg = drawing.svg().map_err(CliError::from)?;
+    let highest = ridge.highest().filter(|point| point.growth_rate > 0.0);
+    let brief = highest.map(|point| {
+        format!(
+            "<b>{:.1} mm</b> at {:.0} km/h, {:.0} Hz, grows fastest and doubles in {:.1e} passages{}.",
+            1e3 * point.wavelength,
+            3.6 * point.speed,
+            point.frequency,
+            std::f64::consts::LN_2 / point.growth_rate,
+            if point.at_edge {
+                ", at the edge of the map"
+            } else {
+                ""
+            }
+        )
+    });
+    Ok(Outlook {
+        section: Section::There(
+            "Growth map",
+            format!("<p>{words}</p>\n{}", figure("half", &svg, &caption)),
+        ),
+        brief: brief.into_iter().collect(),
+        warnings: Vec::new(),
+    })
+}
+
+/// Put the measured wavelengths that lie in the map on it; what the caption says of all of them.
+fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>) -> String {
     let speeds = &diagnosis.speeds;
     let window = case.wavelength.min()..=case.wavelength.max();
     let (inside, outside): (Vec<f64>, Vec<f64>) = diagnosis
@@ -37,18 +81,12 @@ pub(super) fn growth_map(case: &Case, diagnosis: &Diagnosis) -> miette::Result<S
     for wavelength in inside {
         let mut at = vec![speeds.slowest(), speeds.mean(), speeds.fastest()];
         at.dedup();
-        panel
-            .observations
-            .extend(at.into_iter().map(|speed| Observation {
-                wavelength_m: wavelength,
-                speed_m_per_s: speed,
-                label: format!("measured {:.1} mm", 1e3 * wavelength),
-            }));
+        marks.extend(at.into_iter().map(|speed| Observation {
+            wavelength_m: wavelength,
+            speed_m_per_s: speed,
+            label: format!("measured {:.1} mm", 1e3 * wavelength),
+        }));
     }
-    let drawing = MapFigure {
-        panels: vec![panel],
-        ..MapFigure::default()
-    };
     let outside = match &outside[..] {
         [] => String::new(),
         outside => {
@@ -59,22 +97,10 @@ pub(super) fn growth_map(case: &Case, diagnosis: &Diagnosis) -> miette::Result<S
             format!(" Outside the map: {}.", words.join(", "))
         }
     };
-    let caption = format!(
-        "{} Measured wavelengths at the slowest, mean and fastest of {}.{outside} {SIGN}",
-        parameters(case),
+    format!(
+        " Measured wavelengths at the slowest, mean and fastest of {}.{outside}",
         speeds.words()
-    );
-    let ridge = ridge.best_fit_frequency().map_or_else(
-        || "Nothing grows inside the window of the map.".to_owned(),
-        |frequency| {
-            format!("The ridge of highest growth follows {frequency:.0} Hz (best fit of the points inside the window).")
-        },
-    );
-    let svg = drawing.svg().map_err(CliError::from)?;
-    Ok(Section::There(
-        "Growth map",
-        format!("<p>{ridge}</p>\n{}", figure("half", &svg, &caption)),
-    ))
+    )
 }
 
 /// Dominant wavelengths with their candidates.

@@ -6,14 +6,17 @@ mod outlook;
 mod page;
 mod roughness;
 
+use std::path::Path;
+
 use riffel_case::roughness::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_case::{Case, Site};
 
-use crate::arguments::{CaseArguments, Report, Statistics};
+use crate::arguments::{CaseArguments, DiagnosisArguments, Report, Statistics};
 use crate::command::diagnose::diagnosis;
 use crate::command::roughness::profile::Report as ProfileReport;
 use crate::command::roughness::spectra::Means;
 use crate::command::roughness::{choose_nothing, limits, read};
+use crate::error::CliError;
 use crate::output::print;
 use crate::staging::write_file;
 use fingerprint::Inputs;
@@ -23,7 +26,12 @@ use page::{Head, Section, escape};
 /// Title where none is given.
 const TITLE: &str = "Rail roughness and corrugation";
 
-/// What of the report comes from the roughness alone.
+/// Why a section is left out.
+const NO_CASE: &str = "no case was given.";
+const NO_ROUGHNESS: &str = "no roughness was given.";
+const NO_LEVEL_LIMIT: &str = "it needs a limit of levels (--limit).";
+
+/// What of the report comes from the roughness.
 struct Measured {
     sections: Vec<Section>,
     brief: Vec<String>,
@@ -44,32 +52,53 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         .map(|path| Case::read(path, &arguments.overrides))
         .transpose()?;
     let limits = limits(&arguments.limit)?;
-    let path = &arguments.record.roughness;
-    let file = read(path, &arguments.record.layout)?;
-    // The diagnosis looks at the heights, which the statistics use up.
-    let diagnosis = match &case {
-        Some(case) => Some(diagnosis(case, &file, &arguments.record)?),
-        None => None,
-    };
-    let Measured {
-        mut sections,
-        mut brief,
-        understood,
-        date,
-        survey,
-    } = measured(file, arguments, &limits)?;
-    let mut warnings = survey.warnings.clone();
+    let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     let mut inputs = Inputs::default();
-    inputs.add("roughness", path, &understood)?;
-    for earlier in &arguments.record.earlier {
-        inputs.add("earlier record", earlier, "of the same rail")?;
-    }
+    let record = &arguments.record;
+    let rail = match &arguments.roughness {
+        Some(path) => {
+            let file = read(path, &record.layout)?;
+            // The diagnosis looks at the heights, which the statistics use up.
+            let diagnosis = match &case {
+                Some(case) => Some(diagnosis(case, path, &file, record)?),
+                None => None,
+            };
+            let mut measured = measured(path, file, record, &limits)?;
+            sections.append(&mut measured.sections);
+            brief.append(&mut measured.brief);
+            warnings.extend(measured.survey.warnings.clone());
+            inputs.add("roughness", path, &measured.understood)?;
+            for earlier in &record.earlier {
+                inputs.add("earlier record", earlier, "of the same rail")?;
+            }
+            Some((path, measured, diagnosis))
+        }
+        None if record.given().is_some() => Err(CliError::Argument {
+            argument: record.given().unwrap_or_default(),
+            value: "given".to_owned(),
+            rule: "left out where there is no --roughness".to_owned(),
+        })?,
+        None if case.is_none() => Err(CliError::Argument {
+            argument: "--roughness",
+            value: "left out".to_owned(),
+            rule: "given where there is no case to report on".to_owned(),
+        })?,
+        None => {
+            let all = [
+                "Profile",
+                "Spectrum and limits",
+                "Wavelength bands",
+                "What to grind",
+            ];
+            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_ROUGHNESS)));
+            None
+        }
+    };
 
-    const NO_CASE: &str = "no case was given.";
-    match case.as_ref().zip(diagnosis) {
-        Some((case, diagnosis)) => {
+    match (&case, rail) {
+        (Some(case), Some((path, measured, Some(diagnosis)))) => {
             let file = path.display().to_string();
-            sections.push(mechanism::growth_map(case, &diagnosis)?);
+            sections.push(mechanism::growth_map(case, Some(&diagnosis))?.section);
             sections.push(mechanism::diagnosis(&file, &diagnosis)?);
             if diagnosis.findings.is_empty() {
                 brief.push("No dominant wavelength stands out of the roughness.".to_owned());
@@ -84,17 +113,21 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             warnings.extend(diagnosis.warnings);
             warnings.extend(case.remarks.iter().map(ToString::to_string));
             let speed = diagnosis.speeds.mean();
-            for outlook in outlooks(arguments, &limits, survey, date.as_deref(), speed)? {
-                sections.push(outlook.section);
-                brief.extend(outlook.brief);
-                warnings.extend(outlook.warnings);
+            for outlook in outlooks(arguments, path, &limits, measured, speed)? {
+                outlook.put(&mut sections, &mut brief, &mut warnings);
             }
         }
-        None => {
-            sections.push(Section::LeftOut("Growth map", NO_CASE));
-            sections.push(Section::LeftOut("Diagnosis", NO_CASE));
-            sections.push(Section::LeftOut("Forecast", NO_CASE));
-            sections.push(Section::LeftOut("What-if", NO_CASE));
+        (Some(case), _) => {
+            let map = mechanism::growth_map(case, None)?;
+            map.put(&mut sections, &mut brief, &mut warnings);
+            sections.push(Section::LeftOut("Diagnosis", NO_ROUGHNESS));
+            sections.push(Section::LeftOut("Forecast", NO_ROUGHNESS));
+            warnings.extend(case.remarks.iter().map(ToString::to_string));
+            what_if(arguments, None, &limits)?.put(&mut sections, &mut brief, &mut warnings);
+        }
+        (None, _) => {
+            let all = ["Growth map", "Diagnosis", "Forecast", "What-if"];
+            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_CASE)));
         }
     }
     if let (Some(path), Some(case)) = (&arguments.case, &case) {
@@ -105,18 +138,18 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         };
         inputs.add("case", path, &format!("{title}{overrides}"))?;
         if let Some(measurement) = &case.file.track.measurement {
-            let folder = path.parent().unwrap_or_else(|| std::path::Path::new(""));
+            let folder = path.parent().unwrap_or_else(|| Path::new(""));
             let file = folder.join(&measurement.file);
             inputs.add("track receptance", &file, "measured")?;
         }
     }
-    if let Some(traffic) = &arguments.record.traffic {
+    if let Some(traffic) = &record.traffic {
         inputs.add("traffic", traffic, "vehicles, speeds, loads")?;
     }
     for variant in &arguments.variants {
         inputs.add("variant", variant, "changes to the case")?;
     }
-    if let Some(format) = &arguments.record.layout.format {
+    if let Some(format) = &record.layout.format {
         inputs.add("reader profile", format, "how profiles are laid out")?;
     }
     for name in arguments
@@ -156,12 +189,11 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
 
 /// Judge the roughness as `riffel roughness` does.
 fn measured(
+    path: &Path,
     file: RoughnessFile,
-    arguments: &Report,
+    record: &DiagnosisArguments,
     limits: &[LimitTable],
 ) -> miette::Result<Measured> {
-    let record = &arguments.record;
-    let path = &record.roughness;
     Ok(match file {
         RoughnessFile::Profile(profile) => {
             choose_nothing(path, &record.choose, record.by.as_deref())?;
@@ -213,51 +245,71 @@ fn measured(
     })
 }
 
-/// Forecast and what-if, as far as there is input for them.
+/// Forecast and what-if of a measured rail, as far as there is input for them.
 fn outlooks(
     arguments: &Report,
+    path: &Path,
     limits: &[LimitTable],
-    survey: Survey,
-    date: Option<&str>,
+    measured: Measured,
     speed: f64,
-) -> miette::Result<Vec<Outlook>> {
-    let left_out = |heading, why| Outlook {
-        section: Section::LeftOut(heading, why),
-        brief: Vec::new(),
-        warnings: Vec::new(),
-    };
-    let levels = limits
-        .iter()
-        .find(|table| matches!(table.limit, Limit::Levels(_)));
-    let (Some(case), Some(limit)) = (&arguments.case, levels) else {
-        const WHY: &str = "it needs a limit of levels (--limit).";
-        return Ok(vec![left_out("Forecast", WHY), left_out("What-if", WHY)]);
-    };
-    let given = arguments.limit.iter().find(|name| {
-        LimitTable::find(name).is_ok_and(|table| matches!(table.limit, Limit::Levels(_)))
-    });
+) -> miette::Result<[Outlook; 2]> {
+    let record = &arguments.record;
+    let date = measured.date.as_deref();
     // A table of several dates is now at its latest.
     let choose: Vec<String> = date.iter().map(|date| format!("date={date}")).collect();
     let now = Now {
-        survey: survey.choose(&choose)?,
+        path,
+        traffic: record.traffic.as_deref(),
+        survey: measured.survey.choose(&choose)?,
         date: match date {
             Some(date) => date.parse().ok(),
-            None => arguments.record.dates.last().copied(),
+            None => record.dates.last().copied(),
         },
-        limit: given.unwrap_or(&limit.name).clone(),
         speed,
     };
-    let of_case = || CaseArguments::of(case, &arguments.overrides);
-    let forecast = match &arguments.record.traffic {
-        Some(traffic) => outlook::forecast(of_case(), traffic.clone(), &now, arguments)?,
-        None => left_out("Forecast", "no traffic was given (--traffic)."),
+    let forecast = match (
+        &arguments.case,
+        &record.traffic,
+        level_limit(arguments, limits),
+    ) {
+        (Some(case), Some(traffic), Some(limit)) => {
+            let case = CaseArguments::of(case, &arguments.overrides);
+            outlook::forecast(case, traffic.clone(), limit, &now, arguments.months)?
+        }
+        (_, _, None) => Outlook::left_out("Forecast", NO_LEVEL_LIMIT),
+        _ => Outlook::left_out("Forecast", "no traffic was given (--traffic)."),
     };
-    let what_if = if arguments.variants.is_empty() {
-        left_out("What-if", "no variant was given (--with).")
-    } else {
-        outlook::what_if(of_case(), &now, arguments)?
+    Ok([forecast, what_if(arguments, Some(&now), limits)?])
+}
+
+/// What would help, with what is measured now if anything is.
+fn what_if(
+    arguments: &Report,
+    now: Option<&Now<'_>>,
+    limits: &[LimitTable],
+) -> miette::Result<Outlook> {
+    let (Some(case), Some(limit)) = (&arguments.case, level_limit(arguments, limits)) else {
+        return Ok(Outlook::left_out("What-if", NO_LEVEL_LIMIT));
     };
-    Ok(vec![forecast, what_if])
+    if arguments.variants.is_empty() {
+        return Ok(Outlook::left_out(
+            "What-if",
+            "no variant was given (--with).",
+        ));
+    }
+    let case = CaseArguments::of(case, &arguments.overrides);
+    outlook::what_if(case, arguments.variants.clone(), limit, now)
+}
+
+/// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.
+fn level_limit(arguments: &Report, limits: &[LimitTable]) -> Option<String> {
+    let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
+    let first = limits.iter().find(|table| is_of_levels(table))?;
+    let given = arguments
+        .limit
+        .iter()
+        .find(|name| LimitTable::find(name).is_ok_and(|table| is_of_levels(&table)));
+    Some(given.unwrap_or(&first.name).clone())
 }
 
 /// Files, limit tables and presets with their origin, and what made the report.

@@ -1,25 +1,25 @@
 //! Forecast and what-if in a report.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use riffel_case::roughness::Survey;
 use riffel_plot::LineFigure;
 
 use super::page::{Section, escape, figure, list, table};
-use crate::arguments::{
-    CaseArguments, Compare, Forecast, Horizon, Layout, Report as Arguments, Spectra,
-};
+use crate::arguments::{CaseArguments, Compare, Forecast, Horizon, Layout, Spectra};
 use crate::command::forecast::{number, per_million, when};
 use crate::command::{compare, forecast};
 use crate::error::CliError;
 
 /// What the record says of now.
-pub(super) struct Now {
+pub(super) struct Now<'a> {
+    /// The file.
+    pub(super) path: &'a Path,
+    /// Traffic file, if one is given.
+    pub(super) traffic: Option<&'a Path>,
     /// Its spectra.
     pub(super) survey: Survey,
     pub(super) date: Option<jiff::civil::Date>,
-    /// Limit of the levels.
-    pub(super) limit: String,
     /// Mean speed of the traffic \[m/s\].
     pub(super) speed: f64,
 }
@@ -31,17 +31,41 @@ pub(super) struct Outlook {
     pub(super) warnings: Vec<String>,
 }
 
+impl Outlook {
+    /// A section that is not there, with the sentence why.
+    pub(super) fn left_out(heading: &'static str, why: &'static str) -> Self {
+        Self {
+            section: Section::LeftOut(heading, why),
+            brief: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Put everything in its place.
+    pub(super) fn put(
+        self,
+        sections: &mut Vec<Section>,
+        brief: &mut Vec<String>,
+        warnings: &mut Vec<String>,
+    ) {
+        sections.push(self.section);
+        brief.extend(self.brief);
+        warnings.extend(self.warnings);
+    }
+}
+
 /// What becomes of the spectrum under the traffic.
 pub(super) fn forecast(
     case: CaseArguments,
     traffic: PathBuf,
-    now: &Now,
-    arguments: &Arguments,
+    limit: String,
+    now: &Now<'_>,
+    months: Option<f64>,
 ) -> miette::Result<Outlook> {
     let forecast = Forecast {
         case,
         spectra: Spectra {
-            spectrum: arguments.record.roughness.clone(),
+            spectrum: now.path.to_owned(),
             layout: Layout::default(),
             choose: Vec::new(),
             date_column: None,
@@ -50,11 +74,11 @@ pub(super) fn forecast(
             passages_between: None,
         },
         traffic,
-        limit: now.limit.clone(),
+        limit,
         horizon: Horizon {
             passages: None,
             mgt: None,
-            months: arguments.months,
+            months,
         },
         date: now.date,
         output: None,
@@ -127,26 +151,27 @@ pub(super) fn forecast(
 /// What would help.
 pub(super) fn what_if(
     case: CaseArguments,
-    now: &Now,
-    arguments: &Arguments,
+    variants: Vec<PathBuf>,
+    limit: String,
+    now: Option<&Now<'_>>,
 ) -> miette::Result<Outlook> {
-    let traffic = arguments.record.traffic.clone();
+    let traffic = now.and_then(|now| now.traffic.map(Path::to_owned));
     let compare = Compare {
         case,
-        variants: arguments.variants.clone(),
-        speed: traffic
-            .is_none()
-            .then(|| riffel_case::quantity::Quantity::new(now.speed)),
+        variants,
+        speed: now
+            .filter(|_| traffic.is_none())
+            .map(|now| riffel_case::quantity::Quantity::new(now.speed)),
         speed_deviation: None,
         traffic,
-        spectrum: Some(arguments.record.roughness.clone()),
+        spectrum: now.map(|now| now.path.to_owned()),
         layout: Layout::default(),
         choose: Vec::new(),
-        limit: now.limit.clone(),
+        limit,
         output: None,
         json: false,
     };
-    let report = compare::Report::new(&compare, Some(now.survey.clone()))?;
+    let report = compare::Report::new(&compare, now.map(|now| now.survey.clone()))?;
     let base = report.comparison.base();
     let rows: Vec<Vec<String>> = report
         .comparison
@@ -155,7 +180,7 @@ pub(super) fn what_if(
         .map(|outcome| {
             let change = 100.0 * (outcome.fastest.rate / base.fastest.rate - 1.0);
             let changes = base.fastest.rate > 0.0 && !std::ptr::eq(outcome, base);
-            vec![
+            let mut row = vec![
                 escape(&outcome.title),
                 format!("{:.1}", 1e3 * outcome.fastest.wavelength),
                 format!("{:+.3}", per_million(outcome.fastest.rate)),
@@ -167,26 +192,33 @@ pub(super) fn what_if(
                 outcome
                     .ridge_frequency
                     .map_or_else(String::new, |f| format!("{f:.0}")),
-                when(outcome.passages_to_limit),
-                outcome
-                    .passages_to_limit
-                    .map_or_else(String::new, |passages| number(outcome.growth.mgt(passages))),
-            ]
+            ];
+            if now.is_some() {
+                row.push(when(outcome.passages_to_limit));
+                row.push(
+                    outcome
+                        .passages_to_limit
+                        .map_or_else(String::new, |passages| number(outcome.growth.mgt(passages))),
+                );
+            }
+            row
         })
         .collect();
-    let header = [
+    let mut header = vec![
         "variant",
         "fastest [mm]",
         "growth [dB per 10⁶ passages]",
         "change",
         "ridge [Hz]",
-        "passages to the limit",
-        "MGT to the limit",
     ];
+    let mut limit = String::new();
+    if now.is_some() {
+        header.extend(["passages to the limit", "MGT to the limit"]);
+        limit = format!("; limit: {}", escape(&report.table.edition));
+    }
     let html = format!(
-        "<p>The case and its variants at {}; limit: {}.</p>\n{}{}",
+        "<p>The case and its variants at {}{limit}.</p>\n{}{}",
         escape(&report.speeds),
-        escape(&report.table.edition),
         table("", &header, &rows),
         drawing(report.figure())?
     );

@@ -1,9 +1,15 @@
-//! Files that are written by the program and kept in the repository.
+//! Pages and pictures of the book that are written by the program and kept in the repository.
+
+mod decay_rate;
+mod marked;
+mod place_of_wear;
+mod presets;
 
 use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Outcome, decay_rate, place_of_wear, presets, root};
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
 const COMMANDS: [&str; 16] = [
@@ -25,8 +31,14 @@ const COMMANDS: [&str; 16] = [
     "validate",
 ];
 
-/// Write the generated files, or with `check` compare them.
-pub(crate) fn run(check: bool) -> Outcome {
+/// A failure as a sentence.
+type Outcome = Result<(), String>;
+
+/// The generated pages as they should be, each with its path; `program` is `riffel`, whose help the book shows.
+///
+/// # Errors
+/// A sentence, where the program or a page it is part of cannot be read.
+pub fn pages(program: &Path) -> Result<Vec<(&'static str, String)>, String> {
     let written = |text: serde_json::Result<String>| {
         text.map(|text| text + "\n")
             .map_err(|error| format!("a schema cannot be written: {error}"))
@@ -34,42 +46,62 @@ pub(crate) fn run(check: bool) -> Outcome {
     let case = written(serde_json::to_string_pretty(&riffel_case::json_schema()))?;
     let traffic = written(serde_json::to_string_pretty(&riffel_case::traffic_schema()))?;
     let study = written(serde_json::to_string_pretty(&riffel_study::plan_schema()))?;
-    let files = [
+    Ok(vec![
         ("docs/src/validation.md", validation()),
-        ("docs/src/command-line.md", command_line()?),
+        ("docs/src/command-line.md", command_line(program)?),
         ("docs/src/case.schema.json", case),
         ("docs/src/traffic.schema.json", traffic),
         ("docs/src/study.schema.json", study),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),
-    ];
-    for (path, text) in files {
-        let file = root().join(path);
-        if check {
-            let current = fs::read_to_string(&file).unwrap_or_default();
-            if current != text {
-                return Err(format!("{path} is not current; run cargo xtask generate"));
-            }
-        } else {
-            fs::write(&file, text).map_err(|error| format!("cannot write {path}: {error}"))?;
+    ])
+}
+
+/// `Ok` if all generated pages are current. Pictures are not compared: the last digit of a mathematical function may
+/// move a line by a tenth of a pixel from one machine to another.
+///
+/// # Errors
+/// A sentence that names the page.
+pub fn check(program: &Path) -> Result<(), String> {
+    for (path, text) in pages(program)? {
+        if fs::read_to_string(root().join(path)).unwrap_or_default() != text {
+            return Err(format!("{path} is not current; run cargo xtask generate"));
         }
     }
-    if !check {
-        pictures()?;
-        decay_rate::picture()?;
-        place_of_wear::picture()?;
-    }
-    println!(
-        "# generated files {}",
-        if check { "are current" } else { "written" }
-    );
     Ok(())
 }
 
-/// The pictures that commands make for README and book. They are not compared: the last digit of a
-/// mathematical function may move a line by a tenth of a pixel from one machine to another.
-fn pictures() -> Outcome {
+/// Write all pages and pictures.
+///
+/// # Errors
+/// A sentence.
+pub fn write(program: &Path) -> Result<(), String> {
+    for (path, text) in pages(program)? {
+        fs::write(root().join(path), text)
+            .map_err(|error| format!("cannot write {path}: {error}"))?;
+    }
+    pictures(program)?;
+    decay_rate::picture()?;
+    place_of_wear::picture()?;
+    println!("# generated files written");
+    Ok(())
+}
+
+/// The root of the workspace.
+fn root() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// Draw a picture of the book.
+fn draw(path: &str, figure: &LineFigure) -> Outcome {
+    let picture = figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE));
+    let picture = picture.map_err(|error| format!("cannot draw {path}: {error}"))?;
+    fs::write(root().join(path), picture).map_err(|error| format!("cannot write {path}: {error}"))
+}
+
+/// The pictures that commands make for README and book.
+fn pictures(program: &Path) -> Outcome {
     const PICTURES: [(&[&str], &str, &str); 6] = [
         (
             &[
@@ -129,24 +161,24 @@ fn pictures() -> Outcome {
     ];
     let results = root().join("target/generate");
     for (command, written, name) in PICTURES {
-        riffel(&[command, &["-o", "target/generate"]].concat())?;
+        riffel(program, &[command, &["-o", "target/generate"]].concat())?;
         fs::copy(
             results.join(written),
             root().join("docs/src/images").join(name),
         )
         .map_err(|error| format!("cannot copy the picture {name}: {error}"))?;
     }
-    study_pictures()
+    study_pictures(program)
 }
 
 /// The pictures of a study, which are made from its results.
-fn study_pictures() -> Outcome {
+fn study_pictures(program: &Path) -> Outcome {
     const RESULTS: &str = "target/generate-study";
     const FIGURES: &str = "target/generate";
     // Of another plan, if the example has changed.
     let _ = fs::remove_dir_all(root().join(RESULTS));
-    riffel(&["study", "cases/sensitivity.toml", "-o", RESULTS])?;
-    riffel(&["study", "sensitivity", RESULTS, "-o", FIGURES])?;
+    riffel(program, &["study", "cases/sensitivity.toml", "-o", RESULTS])?;
+    riffel(program, &["study", "sensitivity", RESULTS, "-o", FIGURES])?;
     for name in ["sobol-indices.png", "tornado.png", "growth-bands.png"] {
         fs::copy(
             root().join(FIGURES).join(name),
@@ -168,19 +200,21 @@ fn validation() -> String {
     )
 }
 
-fn command_line() -> Result<String, String> {
+fn command_line(program: &Path) -> Result<String, String> {
     let mut text = String::from(
         "# The command line\n\nWritten by `cargo xtask generate` from the program's own help.\n",
     );
-    text.push_str(&section("riffel", &["--help"])?);
+    text.push_str(&section(program, "riffel", &["--help"])?);
     for command in COMMANDS {
         text.push_str(&section(
+            program,
             &format!("riffel {command}"),
             &[command, "--help"],
         )?);
     }
     for command in ["merge", "sensitivity"] {
         text.push_str(&section(
+            program,
             &format!("riffel study {command}"),
             &["study", command, "--help"],
         )?);
@@ -188,8 +222,8 @@ fn command_line() -> Result<String, String> {
     Ok(text)
 }
 
-fn section(title: &str, arguments: &[&str]) -> Result<String, String> {
-    let help = riffel(arguments)?;
+fn section(program: &Path, title: &str, arguments: &[&str]) -> Result<String, String> {
+    let help = riffel(program, arguments)?;
     Ok(format!(
         "\n## `{title}`\n\n```text\n{}\n```\n",
         help.trim_end()
@@ -197,13 +231,12 @@ fn section(title: &str, arguments: &[&str]) -> Result<String, String> {
 }
 
 /// What the program prints.
-fn riffel(arguments: &[&str]) -> Result<String, String> {
-    let output = Command::new(env!("CARGO"))
-        .args(["run", "--quiet", "--package", "riffel-cli", "--"])
+fn riffel(program: &Path, arguments: &[&str]) -> Result<String, String> {
+    let output = Command::new(program)
         .args(arguments)
         .current_dir(root())
         .output()
-        .map_err(|error| format!("cannot run riffel: {error}"))?;
+        .map_err(|error| format!("cannot run {}: {error}", program.display()))?;
     if !output.status.success() {
         return Err(format!("riffel {} failed", arguments.join(" ")));
     }

@@ -1,0 +1,9 @@
+//! The pages of the book that are written by the program.
+
+use std::path::Path;
+
+#[test]
+fn generated_pages_are_current() {
+    let program = Path::new(env!("CARGO_BIN_EXE_riffel"));
+    assert_eq!(riffel_book::check(program), Ok(()));
+}

@@ -1,0 +1,101 @@
+//! `POST /api/report`: the report of a measured rail; `POST /api/report/case`: that of a case alone.
+
+use std::path::Path;
+
+use axum::extract::State;
+use axum::http::header;
+use axum::response::IntoResponse;
+use serde::Deserialize;
+
+use super::roughness::{self, LONGEST_NAME};
+use crate::Page;
+use crate::fault::Fault;
+use crate::request::{Asked, Asker, CaseText};
+
+/// The page that the program writes.
+const REPORT: &str = "report.html";
+
+pub(crate) async fn of_rail(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<roughness::Question>,
+) -> Result<impl IntoResponse, Fault> {
+    question.check()?;
+    let upload = page.uploads.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    let html = page
+        .long
+        .run(asker.subject("report"), move |wanted| {
+            question.write(&upload)?;
+            let (file, months) = (upload.name.as_str(), question.months.to_string());
+            let speeds = question.speeds();
+            let arguments = [
+                "report",
+                "case.toml",
+                "--roughness",
+                file,
+                "--traffic",
+                "traffic.toml",
+                "--speed",
+                &speeds,
+                "--months",
+                &months,
+                "-o",
+                REPORT,
+            ];
+            let run = program.run(upload.folder(), &arguments, wanted);
+            run.map_err(|fault| fault.in_words(|words| question.named(words, &upload)))?;
+            let name: String = question.name.chars().take(LONGEST_NAME).collect();
+            let escaped = name
+                .replace('&', "&amp;")
+                .replace('<', "&lt;")
+                .replace('>', "&gt;");
+            Ok(written(upload.folder())?.replace(file, &escaped))
+        })
+        .await?;
+    Ok(attached(html))
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+}
+
+pub(crate) async fn of_case(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<impl IntoResponse, Fault> {
+    let (program, uploads) = (page.program.clone(), page.uploads.clone());
+    let html = page
+        .long
+        .run(asker.subject("report"), move |wanted| {
+            // It is checked here, and opens no file.
+            question.case.read()?;
+            let stored = |error| Fault::defect(&format!("the case cannot be stored: {error}"));
+            let folder = uploads.folder().map_err(stored)?;
+            let text = question.case.toml()?;
+            std::fs::write(folder.path().join("case.toml"), text).map_err(stored)?;
+            let arguments = ["report", "case.toml", "-o", REPORT];
+            program.run(folder.path(), &arguments, wanted)?;
+            written(folder.path())
+        })
+        .await?;
+    Ok(attached(html))
+}
+
+fn written(folder: &Path) -> Result<String, Fault> {
+    std::fs::read_to_string(folder.join(REPORT))
+        .map_err(|error| Fault::defect(&format!("there is no report: {error}")))
+}
+
+/// A page for the disk of the user, not for this origin to show.
+fn attached(html: String) -> impl IntoResponse {
+    (
+        [
+            (header::CONTENT_TYPE, "application/octet-stream"),
+            (header::CONTENT_DISPOSITION, "attachment"),
+        ],
+        html,
+    )
+}
