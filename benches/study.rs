@@ -136,7 +136,7 @@ pub(crate) fn report(
         text,
         "\nFrom reading the plan to the last file, synchronised. Time grows as the number of samples to the power \
          {exponent:.2} from 10⁴ to 10⁶; below, the files of the chunks weigh. Extrapolated and not measured: {nodes:.0} \
-         nodes of {NODE:.0} such threads as shards that share nothing would take {:.1} s for 10⁶ samples and {:.0} min for \
+         nodes of {NODE:.0} such threads as shards that share nothing would take {:.2} s for 10⁶ samples and {:.1} min for \
          10⁹, start of the jobs, file system and merging apart. {ROUNDS} rounds on one thread and on two.",
         second * 1e6f64.powf(exponent) * 2.0 / (nodes * NODE),
         second * 1e6f64.powf(exponent) * 1e3 * 2.0 / (nodes * NODE) / 60.0,
