@@ -8,7 +8,10 @@ use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
+
+use axum::http::StatusCode;
+use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::Fault;
 use crate::queue::Wanted;
@@ -16,9 +19,58 @@ use crate::queue::Wanted;
 /// How often is looked whether the result is still wanted.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// The command that runs the program, with its first arguments if it takes any.
+/// How often is looked how much memory it takes.
+const LOOK_AT_MEMORY: Duration = Duration::from_millis(200);
+
+/// Most memory of one run \[bytes\]. The largest file that is taken, 2 GiB of text, makes some 3 GiB of it.
+const MOST_MEMORY: u64 = 6 << 30;
+
+/// The command that runs the program.
 #[derive(Clone)]
-pub(crate) struct Program(pub(crate) Vec<OsString>);
+pub(crate) struct Program {
+    /// A program, with its first arguments if it takes any.
+    command: Vec<OsString>,
+    /// Memory at which a run is ended \[bytes\].
+    most_memory: u64,
+}
+
+/// The memory of a process, as it is looked at now and then.
+struct Memory {
+    /// None where the system does not tell.
+    system: Option<System>,
+    process: Pid,
+    next: Instant,
+}
+
+impl Memory {
+    fn of(child: &Child) -> Self {
+        Self {
+            system: System::new().ok(),
+            process: Pid::from_u32(child.id()),
+            next: Instant::now(),
+        }
+    }
+
+    /// Whether the process takes more than so many bytes; not before the next look is due.
+    fn exceeds(&mut self, most: u64) -> bool {
+        let now = Instant::now();
+        if now < self.next {
+            return false;
+        }
+        self.next = now + LOOK_AT_MEMORY;
+        let Some(system) = &mut self.system else {
+            return false;
+        };
+        let own = [self.process];
+        system.refresh_processes_specifics(
+            ProcessesToUpdate::Some(&own),
+            false,
+            ProcessRefreshKind::nothing().with_memory(),
+        );
+        let process = system.process(self.process);
+        process.is_some_and(|process| process.memory() > most)
+    }
+}
 
 /// Ends a process that is still running when nobody waits for it.
 struct Running(Child);
@@ -31,6 +83,13 @@ impl Drop for Running {
 }
 
 impl Program {
+    pub(crate) fn new(command: Vec<OsString>) -> Self {
+        Self {
+            command,
+            most_memory: MOST_MEMORY,
+        }
+    }
+
     /// What the program prints when it is run with the arguments in the folder.
     pub(crate) fn run(
         &self,
@@ -44,7 +103,7 @@ impl Program {
         let place = tempfile::tempdir_in(folder).map_err(failed)?;
         let (out, err) = (place.path().join("out"), place.path().join("err"));
         let (program, first) = self
-            .0
+            .command
             .split_first()
             .ok_or_else(|| Fault::defect("the program is not known"))?;
         let child = Command::new(program)
@@ -58,6 +117,7 @@ impl Program {
             .stderr(File::create(&err).map_err(failed)?)
             .spawn()
             .map_err(failed)?;
+        let mut memory = Memory::of(&child);
         let mut running = Running(child);
         let status = loop {
             if let Some(status) = running.0.try_wait().map_err(failed)? {
@@ -66,6 +126,16 @@ impl Program {
             if !wanted.still() {
                 return Err(Fault::busy(
                     "a newer request has taken the place of this one",
+                ));
+            }
+            if memory.exceeds(self.most_memory) {
+                return Err(Fault::refused(
+                    StatusCode::PAYLOAD_TOO_LARGE,
+                    format!(
+                        "the file takes more memory than the {} MiB that the page gives it",
+                        self.most_memory >> 20
+                    ),
+                    "`riffel roughness` reads it without a limit",
                 ));
             }
             std::thread::sleep(LOOK);
@@ -106,7 +176,7 @@ fn fault_of(words: &str) -> Fault {
         return Fault::defect("the program broke off");
     }
     Fault::refused(
-        axum::http::StatusCode::UNPROCESSABLE_ENTITY,
+        StatusCode::UNPROCESSABLE_ENTITY,
         sentence.trim().to_owned(),
         help.trim(),
     )
@@ -115,6 +185,21 @@ fn fault_of(words: &str) -> Fault {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A line without an end, which `tail` keeps whole.
+    #[cfg(unix)]
+    #[test]
+    fn whoever_takes_too_much_memory_is_ended() {
+        let place = tempfile::tempdir().unwrap();
+        let program = Program {
+            most_memory: 50 << 20,
+            ..Program::new(vec!["tail".into()])
+        };
+        let fault = program.run(place.path(), &["/dev/zero"], &Wanted::default());
+        let fault = serde_json::to_value(fault.unwrap_err()).unwrap();
+        let message = fault["message"].as_str().unwrap();
+        assert!(message.contains("more memory than the 50 MiB"), "{message}");
+    }
 
     #[test]
     fn sentence_and_help_are_taken_from_what_is_printed() {

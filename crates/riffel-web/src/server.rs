@@ -89,7 +89,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
         queue: Queue::new(workers),
         long: Queue::for_files(),
         uploads: Uploads::new().map_err(ServeError::Folder)?,
-        program: Program(options.program),
+        program: Program::new(options.program),
     };
     let queues = [page.queue.clone(), page.long.clone()];
     let service = TowerToHyperService::new(router(page));

@@ -19,7 +19,7 @@ fn page_with(queue: Queue) -> Page {
         queue,
         long: Queue::for_files(),
         uploads: Uploads::new().unwrap(),
-        program: Program(vec!["/nowhere/riffel".into()]),
+        program: Program::new(vec!["/nowhere/riffel".into()]),
     }
 }
 
