@@ -16,7 +16,7 @@ use riffel_case::{
 
 use crate::errors::{of_case, of_physics, wrong};
 use crate::given::{self, CallableReceptance};
-use crate::interrupt::interruptible;
+use crate::interrupt::{interruptible, interruptible_meanwhile};
 use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -354,13 +354,15 @@ impl Case {
             .collect())
     }
 
-    /// Ŵ₁, a row for each speed, filled up to whole tiles; and the growth rate for Ŵ₁ = 1.
+    /// Ŵ₁, a row for each speed, filled up to whole tiles; and the growth rate for Ŵ₁ = 1. While they are computed
+    /// `meanwhile` is called, whose result comes last.
     fn growth_map<'py>(
         &self,
         py: Python<'py>,
         wavelengths: PyReadonlyArray1<'py, f64>,
         speeds: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<(Bound<'py, PyArray2<Complex64>>, f64)> {
+        meanwhile: &Bound<'py, PyAny>,
+    ) -> PyResult<(Bound<'py, PyArray2<Complex64>>, f64, Bound<'py, PyAny>)> {
         let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
         let case = self.over(py, &wavelengths, &speeds)?;
         let rate = case.feedback.growth_rate_per_dissipation();
@@ -368,12 +370,13 @@ impl Case {
         // Taken here, where memory that an earlier map gave back is at hand: a short-lived thread gets fresh pages,
         // whose first touch costs as much as the map.
         let mut tiles = Vec::with_capacity(shape[0] * shape[1] / TILE);
-        let tiles = interruptible(py, move || {
+        let work = move || {
             GrowthMap::compute_tiles(&case.feedback, &wavelengths, &speeds, &mut tiles, |_| ());
             tiles
-        })?;
+        };
+        let (tiles, prepared) = interruptible_meanwhile(py, work, || meanwhile.call0())?;
         let values = self.heard(tiles)?.into_flattened();
-        Ok((values.into_pyarray(py).reshape(shape)?, rate))
+        Ok((values.into_pyarray(py).reshape(shape)?, rate, prepared))
     }
 
     /// Ŵ₁ over a support, in mid-span and in the mean over the bay, over the window of the case.

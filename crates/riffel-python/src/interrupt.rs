@@ -19,9 +19,19 @@ pub(crate) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
+    Ok(interruptible_meanwhile(py, work, || Ok(()))?.0)
+}
+
+/// The same, with something for the interpreter to do until the result is there; if that raises, as on a signal, the
+/// work is given up.
+pub(crate) fn interruptible_meanwhile<T: Send + 'static, M>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+    meanwhile: impl FnOnce() -> PyResult<M>,
+) -> PyResult<(T, M)> {
     if rayon::current_thread_index().is_some() {
         // A callable of the user that asks another case: its thread must not wait for itself.
-        return Ok(py.detach(work));
+        return Ok((py.detach(work), meanwhile()?));
     }
     let (sender, receiver) = sync_channel(1);
     let receiver = Mutex::new(receiver);
@@ -29,13 +39,14 @@ pub(crate) fn interruptible<T: Send + 'static>(
         // Nobody listens after a signal. A panic goes on where the result is waited for.
         let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
     });
+    let meanwhile = meanwhile()?;
     loop {
         let received = py.detach(|| match receiver.lock() {
             Ok(receiver) => receiver.recv_timeout(PATIENCE),
             Err(_) => Err(RecvTimeoutError::Disconnected),
         });
         match received {
-            Ok(Ok(result)) => return Ok(result),
+            Ok(Ok(result)) => return Ok((result, meanwhile)),
             Ok(Err(panic)) => resume_unwind(panic),
             Err(RecvTimeoutError::Timeout) => py.check_signals()?,
             Err(RecvTimeoutError::Disconnected) => {

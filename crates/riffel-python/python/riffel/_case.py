@@ -35,7 +35,7 @@ class Case:
         self._case = case
         # Receptances of track and wheel that were given, to take along when it is pickled.
         self._given = dict(given or {})
-        # Coordinates over the window of the case: making them costs a tenth of a map of a million points.
+        # A map over the window of the case but for its values: to make one costs a tenth of a million points.
         self._window_map: xr.Dataset | None = None
 
     @classmethod
@@ -253,14 +253,17 @@ class Case:
         """
         wavelengths = self._window("wavelength", wavelength)
         speeds = self._window("speed", speed)
-        values, rate = self._case.growth_map(wavelengths, speeds)
-        values = values[:, : wavelengths.size]
-        if wavelength is not None or speed is not None:
-            return _datasets.growth_map(values, rate, wavelengths, speeds, self.title)
-        if self._window_map is None:
-            nothing = np.broadcast_to(np.complex128(0.0), values.shape)
-            self._window_map = _datasets.growth_map(nothing, rate, wavelengths, speeds, self.title)
-        return self._window_map.copy(data=_datasets.growth_data(values, rate))
+        own = wavelength is None and speed is None
+
+        def without_values() -> xr.Dataset:
+            if own and self._window_map is not None:
+                return self._window_map.copy()
+            return _datasets.growth_map(wavelengths, speeds, self.title)
+
+        values, rate, growth = self._case.growth_map(wavelengths, speeds, without_values)
+        if own and self._window_map is None:
+            self._window_map = growth.copy()
+        return _datasets.with_growth(growth, values[:, : wavelengths.size], rate)
 
     def bay_maps(self) -> xr.Dataset:
         """Growth over a sleeper bay on discrete supports, over the window of the case.
@@ -277,7 +280,8 @@ class Case:
         """
         maps, rate = self._case.bay_maps()
         wavelengths, speeds = self._case.wavelengths(), self._case.speeds()
-        places = [_datasets.growth_map(values, rate, wavelengths, speeds, self.title).load() for values in maps]
+        empty = _datasets.growth_map(wavelengths, speeds, self.title)
+        places = [_datasets.with_growth(empty.copy(), values, rate).load() for values in maps]
         names = xr.Variable("place", ["over support", "mid-span", "mean"], {"long_name": "place of the wheel"})
         return xr.concat(places, xr.DataArray(names, name="place"), combine_attrs="override")
 

@@ -49,22 +49,22 @@ def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[str, Any]) 
     return xr.Variable((name,), values, attributes)
 
 
-def growth_data(normalized: Complexes, factor: float) -> dict[str, Any]:
-    """What the variables of a map hold."""
-    lazy = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
-    return {"normalized_dissipation": normalized, "growth_rate": lazy}
+def with_growth(growth: xr.Dataset, normalized: Complexes, factor: float) -> xr.Dataset:
+    """The map with its values."""
+    variables = growth.variables
+    variables["normalized_dissipation"].data = normalized
+    variables["growth_rate"].data = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
+    return growth
 
 
-def growth_map(
-    normalized: Complexes, factor: float, wavelength: Floats, speed: Floats, title: str | None
-) -> xr.Dataset:
-    """A map over speed and wavelength."""
+def growth_map(wavelength: Floats, speed: Floats, title: str | None) -> xr.Dataset:
+    """A map over speed and wavelength, to which `with_growth` gives its values."""
     dimensions = ("speed", "wavelength")
-    meanings = {"normalized_dissipation": NORMALIZED, "growth_rate": GROWTH_RATE}
+    nothing = np.broadcast_to(np.complex128(0.0), (speed.size, wavelength.size))
     return xr.Dataset(
         {
-            name: xr.Variable(dimensions, values, meanings[name])
-            for name, values in growth_data(normalized, factor).items()
+            "normalized_dissipation": xr.Variable(dimensions, nothing, NORMALIZED),
+            "growth_rate": xr.Variable(dimensions, nothing.real, GROWTH_RATE),
         },
         {"speed": coordinate("speed", speed, SPEED), "wavelength": coordinate("wavelength", wavelength, WAVELENGTH)},
         attributes(title),

@@ -1,11 +1,12 @@
 """The extension in Rust: numbers and arrays in SI, checked by the modules that call it."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
+_Meanwhile = TypeVar("_Meanwhile")
 _Floats: TypeAlias = npt.NDArray[np.float64]
 _Complexes: TypeAlias = npt.NDArray[np.complex128]
 _Stretches: TypeAlias = Sequence[tuple[float, _Floats]]
@@ -68,7 +69,9 @@ class Case:
     def wavelengths(self) -> _Floats: ...
     def speeds(self) -> _Floats: ...
     def points(self, wavelengths: _Floats, speeds: _Floats) -> list[tuple[str, str, str, npt.NDArray[Any]]]: ...
-    def growth_map(self, wavelengths: _Floats, speeds: _Floats) -> tuple[_Complexes, float]: ...
+    def growth_map(
+        self, wavelengths: _Floats, speeds: _Floats, meanwhile: Callable[[], _Meanwhile]
+    ) -> tuple[_Complexes, float, _Meanwhile]: ...
     def bay_maps(self) -> tuple[list[_Complexes], float]: ...
     def ridge(
         self, wavelength: tuple[float, float, int], speeds: _Floats
