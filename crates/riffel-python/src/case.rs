@@ -14,6 +14,7 @@ use riffel_case::{
     RollingTheories,
 };
 
+use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::given::{self, CallableReceptance};
 use crate::interrupt::{interruptible, interruptible_meanwhile};
@@ -96,10 +97,6 @@ pub(crate) fn direction(name: &str) -> PyResult<Direction> {
 fn ends(values: &[f64]) -> (f64, f64) {
     let fold = |fold: fn(f64, f64) -> f64| values.iter().copied().fold(values[0], fold);
     (fold(f64::min), fold(f64::max))
-}
-
-fn owned(values: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
-    values.as_array().iter().copied().collect()
 }
 
 impl Case {

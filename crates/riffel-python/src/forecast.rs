@@ -10,6 +10,7 @@ use riffel_case::traffic::{Traffic, WearReport, bands_of};
 use riffel_case::what_if::Comparison;
 use riffel_case::{CaseError, Variant};
 
+use crate::array::owned;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, of_physics, wrong};
@@ -56,9 +57,6 @@ pub(crate) fn forecast<'py>(
     months: Option<PyReadonlyArray1<'py, f64>>,
     limit: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let owned = |values: &PyReadonlyArray1<'_, f64>| -> Vec<f64> {
-        values.as_array().iter().copied().collect()
-    };
     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
     let limit = level_limit(limit)?;
     let traffic = traffic.traffic()?;
@@ -193,13 +191,9 @@ pub(crate) fn compare<'py>(
     });
     let variants = variants.collect::<PyResult<Vec<_>>>()?;
     let traffic = traffic.traffic()?;
-    let measured = measured.map(|(wavelengths, levels)| {
-        let owned = |values: PyReadonlyArray1<'_, f64>| -> Vec<f64> {
-            values.as_array().iter().copied().collect()
-        };
-        spectrum(&owned(wavelengths), &owned(levels))
-    });
-    let measured = measured.transpose()?;
+    let measured = measured
+        .map(|(wavelengths, levels)| spectrum(&owned(&wavelengths), &owned(&levels)))
+        .transpose()?;
     let limit = level_limit(limit)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
         Comparison::compute(

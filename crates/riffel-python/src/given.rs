@@ -11,6 +11,7 @@ use pyo3::types::{PyTuple, PyType};
 use riffel::{Frequencies, MeasuredReceptance, Receptance, SplitComplex};
 use riffel_case::{GivenReceptance, UniversalFunction};
 
+use crate::array::owned;
 use crate::errors::{ReceptanceError, of_case, of_physics};
 
 /// A Python callable of an array of frequencies \[Hz\] that returns receptances \[m/N\].
@@ -108,7 +109,7 @@ impl CallableReceptance {
         if values.len() != frequencies.len() {
             return Err(wrong_shape(values.shape()));
         }
-        let values: Vec<Complex64> = values.as_array().iter().copied().collect();
+        let values = owned(&values);
         match values.iter().position(|value| !value.is_finite()) {
             Some(index) => Err(fail(format!(
                 "the receptance of the {what} is {} at {} Hz, but must be finite",
@@ -169,8 +170,8 @@ impl Universal {
             abscissa_kind,
             numerator,
             denominator,
-            frequencies: frequencies.as_array().iter().copied().collect(),
-            values: values.as_array().iter().copied().collect(),
+            frequencies: owned(&frequencies),
+            values: owned(&values),
         };
         Ok(Self {
             receptance: GivenReceptance::of_universal(&function).map_err(of_case)?,
@@ -222,7 +223,6 @@ pub(crate) fn extract(
             ))
         })?;
     let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
-    let values = table.1.as_array().iter().copied().collect();
-    let measured = MeasuredReceptance::new(&angular, values).map_err(of_physics)?;
+    let measured = MeasuredReceptance::new(&angular, owned(&table.1)).map_err(of_physics)?;
     Ok((GivenReceptance::measured(measured), None))
 }

@@ -5,6 +5,7 @@
 // What goes to Python is tuples of arrays, named where they are unpacked.
 #![allow(clippy::type_complexity)]
 
+mod array;
 mod case;
 mod diagnosis;
 mod document;

@@ -10,9 +10,10 @@ use riffel_case::roughness::{
     LabelledSpectrum, Rail, ReaderFormat, RoughnessFile, Survey, coarse_sampling,
 };
 
+use crate::array::owned;
 use crate::errors::{of_case, wrong};
 use crate::interrupt::interruptible;
-use crate::roughness::{Stretch, owned, profiles, spectrum};
+use crate::roughness::{Stretch, profiles, spectrum};
 
 /// Labels of a spectrum, its wavelengths \[m\] and levels.
 type LabelledLevels<'py> = (

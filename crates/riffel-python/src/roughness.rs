@@ -16,6 +16,7 @@ use riffel_case::roughness::{
     DEFAULT_RECIPE, Limit, LimitTable, ReaderFormat, RecipeFile, RoughnessFile,
 };
 
+use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
 use crate::tables;
@@ -23,10 +24,6 @@ use crate::tables;
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 /// A stretch without gaps: where it begins \[m\], and its heights.
 pub(crate) type Stretch<'py> = (f64, PyReadonlyArray1<'py, f64>);
-
-pub(crate) fn owned(values: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
-    values.as_array().iter().copied().collect()
-}
 
 pub(crate) fn profiles(stretches: &[Stretch<'_>], spacing: f64) -> PyResult<Vec<Profile>> {
     let profile = |(start, heights): &Stretch<'_>| {

@@ -12,6 +12,7 @@ use pyo3::types::PyDict;
 use riffel_study::sensitivity::{Intervals, SobolIndices, Tornado};
 use riffel_study::{Design, ParameterValue, ResultFolder, Shard, Stop, StudyError, Summary};
 
+use crate::array::owned;
 use crate::errors::{of_case, wrong};
 use crate::interrupt::interruptible;
 use crate::tables;
@@ -321,7 +322,7 @@ pub(crate) fn sobol_indices(
     resamples: usize,
     seed: u64,
 ) -> PyResult<(Vec<[f64; 3]>, Vec<[f64; 3]>, f64, usize)> {
-    let values: Vec<f64> = values.as_array().iter().copied().collect();
+    let values = owned(&values);
     let intervals = Intervals {
         confidence,
         resamples,

@@ -615,7 +615,7 @@ class Case:
         ['as it is', 'less friction']
         """
         measured = None if spectrum is None else levels_of(spectrum, "spectrum")
-        changes = [_plain(variant) if isinstance(variant, Mapping) else os.fspath(variant) for variant in variants]
+        changes = [_file_or_keys(variant) for variant in variants]
         wavelengths, nominal, outcomes = _riffel.compare(
             self._case, changes, self._traffic(traffic, speed, speed_deviation), measured, limit
         )
@@ -777,14 +777,13 @@ class Case:
         >>> round(peak["wavelength_m"], 3), peak["candidates"][0]["mechanism"]
         (0.056, 'growth ridge')
         """
-        keys = _plain(traffic) if isinstance(traffic, Mapping) else None if traffic is None else os.fspath(traffic)
         return _diagnosis.diagnose(
             self._case,
             rail,
             spacing=spacing,
             earlier=earlier,
             dates=dates,
-            traffic=keys,
+            traffic=None if traffic is None else _file_or_keys(traffic),
             speed=speed,
             torsion=torsion,
             bending=bending,
@@ -805,7 +804,7 @@ class Case:
         if traffic is not None:
             if speed is not None or deviation is not None:
                 raise ValueError("traffic and speed exclude each other: give one of the two")
-            return _plain(traffic) if isinstance(traffic, Mapping) else os.fspath(traffic)
+            return _file_or_keys(traffic)
         speeds = self._case.speeds()
         mean = 0.5 * float(speeds[0] + speeds[-1]) if speed is None else scalar(speed, "speed", "speed")
         least = -np.finfo(np.float64).tiny
@@ -819,6 +818,11 @@ def _restored(written: _riffel.WrittenCase, given: dict[str, Any]) -> Case:
 
 def _numbers(value: Any, name: str) -> Floats:
     return array(value, name, "ratio", least=-np.finfo(np.float64).tiny)
+
+
+def _file_or_keys(given: str | os.PathLike[str] | Mapping[str, Any]) -> str | dict[str, Any]:
+    """The name of a file, or its keys in its place."""
+    return _plain(given) if isinstance(given, Mapping) else os.fspath(given)
 
 
 def _plain(keys: Mapping[str, Any]) -> dict[str, Any]:

@@ -73,17 +73,8 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             }
             Some((path, measured, diagnosis))
         }
-        None if record.given().is_some() => Err(CliError::Argument {
-            argument: record.given().unwrap_or_default(),
-            value: "given".to_owned(),
-            rule: "left out where there is no --roughness".to_owned(),
-        })?,
-        None if case.is_none() => Err(CliError::Argument {
-            argument: "--roughness",
-            value: "left out".to_owned(),
-            rule: "given where there is no case to report on".to_owned(),
-        })?,
         None => {
+            check_without_roughness(arguments)?;
             let all = [
                 "Profile",
                 "Spectrum and limits",
@@ -184,6 +175,25 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         "wrote {}; open it in a browser, print it to A4 from there\n",
         arguments.output.display()
     ));
+    Ok(())
+}
+
+/// `Ok` if there is a case to report on, and nothing is said of a rail.
+fn check_without_roughness(arguments: &Report) -> Result<(), CliError> {
+    let wrong = |argument, value: &str, rule: &str| {
+        Err(CliError::Argument {
+            argument,
+            value: value.to_owned(),
+            rule: rule.to_owned(),
+        })
+    };
+    if let Some(argument) = arguments.record.given() {
+        return wrong(argument, "given", "left out where there is no --roughness");
+    }
+    if arguments.case.is_none() {
+        let rule = "given where there is no case to report on";
+        return wrong("--roughness", "left out", rule);
+    }
     Ok(())
 }
 
