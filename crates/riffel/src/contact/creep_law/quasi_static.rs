@@ -11,11 +11,14 @@ use crate::Error;
 /// The mean state has longitudinal creepage only. With e = ξQ: ∂e/∂P = ξ ∂Q/∂P and
 /// ∂e/∂ξ = Q + ξ ∂Q/∂ξ. Range of validity: wavelengths much longer than the patch; below λ ≈ 40 a a
 /// real contact answers visibly weaker and later.
+///
+/// The response is the same at every wavelength, so the law is linearised once, at construction: a loop asks
+/// for it at every point of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuasiStatic<L> {
     law: L,
-    normal_force: f64,
-    creepage: f64,
+    steady: SteadyRolling,
+    response: ContactResponse,
 }
 
 impl<L: CreepLaw> QuasiStatic<L> {
@@ -70,11 +73,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
                 high = middle;
             }
         }
-        Ok(Self {
-            law,
-            normal_force,
-            creepage: high,
-        })
+        Ok(Self::about(law, normal_force, high))
     }
 
     /// Mean state given by the normal force P₀ \[N\] and the creepage ξ₀ \[-\].
@@ -105,58 +104,59 @@ impl<L: CreepLaw> QuasiStatic<L> {
                 },
             });
         }
-        Ok(Self {
+        Ok(Self::about(law, normal_force, creepage))
+    }
+
+    /// The law with its slopes at the mean state.
+    fn about(law: L, normal_force: f64, creepage: f64) -> Self {
+        let creepages = Creepages::longitudinal(creepage);
+        let tangential_force = law.forces(normal_force, creepages).longitudinal;
+        let slopes = law.derivatives(normal_force, creepages);
+        let dq_dp = slopes.by_normal_force.longitudinal;
+        let dq_dxi = slopes.by_longitudinal.longitudinal;
+        Self {
+            steady: SteadyRolling {
+                normal_force,
+                friction: law.friction(),
+                creepage,
+                tangential_force,
+            },
+            response: ContactResponse {
+                dq_dp: Complex64::from(dq_dp),
+                dq_dxi: Complex64::from(dq_dxi),
+                de_dp: Complex64::from(creepage * dq_dp),
+                de_dxi: Complex64::from(tangential_force + creepage * dq_dxi),
+                at_rail: None,
+            },
             law,
-            normal_force,
-            creepage,
-        })
+        }
     }
 
     /// The creep law.
     pub fn law(&self) -> &L {
         &self.law
     }
-
-    fn creepages(&self) -> Creepages {
-        Creepages::longitudinal(self.creepage)
-    }
 }
 
 impl<L: CreepLaw> RollingContact for QuasiStatic<L> {
     fn steady(&self) -> SteadyRolling {
-        SteadyRolling {
-            normal_force: self.normal_force,
-            friction: self.law.friction(),
-            creepage: self.creepage,
-            tangential_force: self
-                .law
-                .forces(self.normal_force, self.creepages())
-                .longitudinal,
-        }
+        self.steady
     }
 
     fn response(&self, _wavelength: f64) -> ContactResponse {
-        let slopes = self.law.derivatives(self.normal_force, self.creepages());
-        let dq_dp = slopes.by_normal_force.longitudinal;
-        let dq_dxi = slopes.by_longitudinal.longitudinal;
-        ContactResponse {
-            dq_dp: Complex64::from(dq_dp),
-            dq_dxi: Complex64::from(dq_dxi),
-            de_dp: Complex64::from(self.creepage * dq_dp),
-            de_dxi: Complex64::from(self.steady().tangential_force + self.creepage * dq_dxi),
-            at_rail: None,
-        }
+        self.response
     }
 }
 
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::super::checks::ELLIPSE;
     use super::super::{
-        Carter2d, FallingFriction, Fastsim, JohnsonVermeulen, Polach, ShenHedrickElkins,
-        SlopeReduction, TractionBound,
+        Carter2d, CreepDerivatives, CreepForces, FallingFriction, Fastsim, JohnsonVermeulen,
+        Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
     };
     use super::*;
     use approx::assert_relative_eq;
@@ -215,6 +215,45 @@ mod tests {
             close(response.de_dp, xi * 0.8 * x * (1.0 - x / 2.0), xi);
             close(response.de_dxi, 6.0 * limit * x * (1.0 - 1.5 * x * (1.0 - 4.0 / 9.0 * x)), limit);
         }
+    }
+
+    /// A law that counts how often it is asked for its slopes.
+    struct Counted {
+        law: JohnsonVermeulen,
+        linearised: AtomicUsize,
+    }
+
+    impl CreepLaw for Counted {
+        fn friction(&self) -> f64 {
+            self.law.friction()
+        }
+
+        fn forces(&self, normal_force: f64, creepages: Creepages) -> CreepForces {
+            self.law.forces(normal_force, creepages)
+        }
+
+        fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
+            self.linearised.fetch_add(1, Ordering::Relaxed);
+            self.law.derivatives(normal_force, creepages)
+        }
+
+        fn limit(&self, normal_force: f64) -> ForceLimit {
+            self.law.limit(normal_force)
+        }
+    }
+
+    #[test]
+    fn the_law_is_linearised_once() {
+        let law = Counted {
+            law: JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(),
+            linearised: AtomicUsize::new(0),
+        };
+        let contact = QuasiStatic::from_tractive_ratio(law, 50e3, 0.1).unwrap();
+        let responses: Vec<_> = (1..100)
+            .map(|mm| contact.response(1e-3 * f64::from(mm)))
+            .collect();
+        assert!(responses.iter().all(|response| *response == responses[0]));
+        assert_eq!(contact.law().linearised.load(Ordering::Relaxed), 1);
     }
 
     #[test]
