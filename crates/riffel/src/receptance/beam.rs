@@ -182,6 +182,7 @@ impl Beam {
             shear: h * stiffness,
             squares,
             propagation,
+            transfer: [-0.5 * rigid / b, 0.5 * h],
         }
     }
 }
@@ -205,6 +206,8 @@ struct Dispersion {
     squares: [Complex64; 2],
     /// α \[1/m\].
     propagation: [Complex64; 2],
+    /// −(1 − Jω²h)/(2B) and h/2: those of [`Waves::Beam`], from A_j and z₁z₂ = K(1 − Jω²h)/B.
+    transfer: [Complex64; 2],
 }
 
 impl Waveguide for Beam {
@@ -218,6 +221,7 @@ impl Waveguide for Beam {
             shear,
             squares,
             propagation,
+            transfer,
         } = self.dispersion(angular_frequency, foundation);
         // ψ(0) = 0 and S(0⁺) = −F/2 fix the amplitudes.
         let common = (2.0 * stiffness * (squares[1] - squares[0])).inv();
@@ -225,10 +229,11 @@ impl Waveguide for Beam {
             propagation[0] * (squares[1] - shear) * common,
             propagation[1] * (shear - squares[0]) * common,
         ];
-        Waves::Beam([0, 1].map(|j| Wave {
+        let waves = [0, 1].map(|j| Wave {
             propagation: propagation[j],
             amplitude: amplitudes[j],
-        }))
+        });
+        Waves::Beam { waves, transfer }
     }
 
     fn point_receptance(&self, angular_frequency: f64, foundation: Complex64) -> Complex64 {

@@ -20,7 +20,13 @@ pub enum Waves {
     /// A bar, in its own direction.
     Bar(Wave),
     /// A beam, across its direction: two waves.
-    Beam([Wave; 2]),
+    Beam {
+        /// The waves.
+        waves: [Wave; 2],
+        /// q₀ \[1/(N m²)\] and q₁ \[1/N\] of A_jα_j(α_j² − α_i²) = q₀ + q₁α_j², i the other wave. Without a
+        /// foundation the amplitudes tend to infinity as ω → 0, and these do not.
+        transfer: [Complex64; 2],
+    },
 }
 
 impl Waves {
@@ -28,7 +34,7 @@ impl Waves {
     pub fn as_slice(&self) -> &[Wave] {
         match self {
             Self::Bar(wave) => std::slice::from_ref(wave),
-            Self::Beam(waves) => waves,
+            Self::Beam { waves, .. } => waves,
         }
     }
 }
