@@ -13,7 +13,7 @@ use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::validity::Window;
-use crate::{CaseError, Remark};
+use crate::{CaseError, Remark, text_file};
 
 /// A case ready to compute.
 #[derive(Clone)]
@@ -47,10 +47,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Read {
-            path: path.to_owned(),
-            reason,
-        })?;
+        let text = text_file::read_keys(path, "case file")?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         Self::build(&path.display().to_string(), Some(folder), &text, overrides)
     }

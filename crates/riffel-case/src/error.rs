@@ -11,9 +11,11 @@ use thiserror::Error;
 #[derive(Debug, Error, Diagnostic)]
 #[non_exhaustive]
 pub enum CaseError {
-    /// The file cannot be read.
-    #[error("cannot read the case file {path}: {reason}", path = path.display())]
+    /// A file cannot be read.
+    #[error("cannot read the {what} {path}: {reason}", path = path.display())]
     Read {
+        /// What the file is, as in "case file".
+        what: &'static str,
         /// The file.
         path: PathBuf,
         /// Why not.

@@ -35,6 +35,7 @@ mod rolling;
 pub mod roughness;
 mod site;
 mod source;
+pub mod text_file;
 mod track;
 pub mod traffic;
 mod unit;

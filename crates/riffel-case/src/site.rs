@@ -5,7 +5,8 @@ use std::path::Path;
 use serde::Deserialize;
 
 use crate::CaseError;
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 
 /// What a report says of its site; every key is optional.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize)]
@@ -46,7 +47,7 @@ impl Site {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        Self::parse(&path.display().to_string(), &read_text(path, "site")?)
+        Self::parse(&path.display().to_string(), &read_keys(path, "site")?)
     }
 
     /// Read it from TOML; `name` is the one shown in errors.

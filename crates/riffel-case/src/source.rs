@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use miette::{NamedSource, SourceSpan};
@@ -11,13 +11,8 @@ use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
 use crate::preset::PresetKind;
+use crate::text_file::{command_in, printable, printable_in_place};
 use crate::{CaseError, Remark, WrittenCase};
-
-/// The text of a file, which is `what` in errors.
-pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, CaseError> {
-    std::fs::read_to_string(path)
-        .map_err(|reason| CaseError::data(path, format!("cannot read the {what}: {reason}")))
-}
 
 /// A file of TOML, each key with the place where it was set: what a case, a traffic and a plan are read from,
 /// and what makes errors that show the line.
@@ -48,19 +43,48 @@ impl Source {
     /// [`CaseError::Syntax`] with the place.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let syntax = |error: toml::de::Error| CaseError::Syntax {
-            message: error.message().to_owned(),
-            source_code: Arc::new(NamedSource::new(name, text.to_owned())),
+            message: printable(error.message()).into_owned(),
+            source_code: excerpt(name, text),
             span: error.span().map_or((0..0).into(), SourceSpan::from),
         };
         let spans = DeTable::parse(text).map_err(syntax)?;
         let mut read = Text::empty(name);
         text.clone_into(&mut read.text);
         read.index("", spans.get_ref());
-        Ok(Self {
+        let source = Self {
             text: Arc::new(read),
             table: text.parse().map_err(syntax)?,
             ..Self::empty(name)
-        })
+        };
+        source.refuse_commands("", &source.table)?;
+        Ok(source)
+    }
+
+    /// TOML takes control characters as escapes; names and titles with them would command the terminal.
+    fn refuse_commands(&self, parent: &str, table: &Table) -> Result<(), CaseError> {
+        for (name, value) in table {
+            let key = join(parent, name);
+            if let Some(command) = command_in(name) {
+                let rule = format!("is a key with the control character {command:?}");
+                return Err(self.invalid(&key, &rule, "leave it out"));
+            }
+            self.refuse_commands_in(&key, value)?;
+        }
+        Ok(())
+    }
+
+    fn refuse_commands_in(&self, key: &str, value: &Value) -> Result<(), CaseError> {
+        match value {
+            Value::String(text) => command_in(text).map_or(Ok(()), |command| {
+                let rule = format!("is a text with the control character {command:?}");
+                Err(self.invalid(key, &rule, "leave it out"))
+            }),
+            Value::Table(table) => self.refuse_commands(key, table),
+            Value::Array(items) => (items.iter().enumerate()).try_for_each(|(index, item)| {
+                self.refuse_commands_in(&format!("{key}[{index}]"), item)
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// What makes it again elsewhere.
@@ -264,7 +288,7 @@ impl Source {
             key: key.to_owned(),
             message: message.to_owned(),
             help: None,
-            source_code: Arc::new(NamedSource::new(&self.text.name, self.text.text.clone())),
+            source_code: excerpt(&self.text.name, &self.text.text),
             span: self.text.span(key),
         }
     }
@@ -275,12 +299,13 @@ impl Source {
     }
 
     fn error(&self, key: &str, rule: &str, help: &str) -> CaseError {
+        let shown = printable(key);
         let message = if key.is_empty() {
             rule.to_owned()
         } else if rule.starts_with("is ") || rule.starts_with("and ") {
-            format!("`{key}` {rule}")
+            format!("`{shown}` {rule}")
         } else {
-            format!("`{key}`: {rule}")
+            format!("`{shown}`: {rule}")
         };
         let help = (!help.is_empty()).then(|| help.to_owned());
         if let Some(assignment) = self.overrides.get(key) {
@@ -293,10 +318,10 @@ impl Source {
             };
         }
         CaseError::Invalid {
-            key: key.to_owned(),
+            key: shown.into_owned(),
             message,
             help,
-            source_code: Arc::new(NamedSource::new(&self.text.name, self.text.text.clone())),
+            source_code: excerpt(&self.text.name, &self.text.text),
             span: self.text.span(key),
         }
     }
@@ -348,6 +373,11 @@ impl Text {
             path = path.rsplit_once('.')?.0;
         }
     }
+}
+
+/// A text of which errors show a line.
+fn excerpt(name: &str, text: &str) -> Arc<NamedSource<String>> {
+    Arc::new(NamedSource::new(name, printable_in_place(text)))
 }
 
 fn within(key: &str, table: &str) -> bool {

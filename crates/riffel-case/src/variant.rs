@@ -8,7 +8,8 @@ use toml::{Table, Value};
 
 use crate::CaseError;
 use crate::quantity::{Quantity, Ratio, Speed};
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 
 /// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
 ///
@@ -62,7 +63,7 @@ impl Variant {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule. Keys of the case are checked with the case.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = read_text(path, "file of changes")?;
+        let text = read_keys(path, "file of changes")?;
         let mut variant = Self::parse(&path.display().to_string(), &text)?;
         if variant.title.is_empty() {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();

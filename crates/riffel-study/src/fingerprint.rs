@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use riffel_case::text_file::{LARGEST_RESPONSES, read_bounded};
 use riffel_case::{CaseError, Source};
 use sha2::{Digest, Sha256};
 
@@ -48,12 +49,7 @@ pub(crate) fn read_data(
         .iter()
         .map(|name| {
             let path = folder.join(name);
-            let bytes = std::fs::read(&path).map_err(|reason| CaseError::Data {
-                path,
-                line: None,
-                message: format!("cannot read the data: {reason}"),
-                help: None,
-            })?;
+            let bytes = read_bounded(&path, "file of data", LARGEST_RESPONSES)?;
             Ok((name.clone(), bytes))
         })
         .collect()

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_case::{Case, CaseError};
+use riffel_case::{Case, text_file};
 
 use crate::StudyError;
 use crate::fingerprint::{fingerprint, read_data};
@@ -61,10 +61,7 @@ impl Study {
     }
 
     fn of((plan, case, path): (Plan, Case, std::path::PathBuf)) -> Result<Self, StudyError> {
-        let case_text = std::fs::read_to_string(&path).map_err(|reason| CaseError::Read {
-            path: path.clone(),
-            reason,
-        })?;
+        let case_text = text_file::read_keys(&path, "case file")?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let data = read_data(folder, &data_files(&plan, &case))?;
         let name = path.display().to_string();

@@ -6,7 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity};
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 use crate::unit::{Exponents, Unit};
 
 /// How to read a file of roughness: what `--format` takes and `--save-format` writes.
@@ -132,7 +133,7 @@ impl ReaderFormat {
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         Self::parse(
             &path.display().to_string(),
-            &read_text(path, "reader profile")?,
+            &read_keys(path, "reader profile")?,
         )
     }
 

@@ -8,7 +8,8 @@ use serde::Deserialize;
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity, Ratio};
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 
 /// The limit tables, built into the program.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../limits");
@@ -91,7 +92,7 @@ impl LimitTable {
                 ),
             ));
         }
-        Self::parse(name, &read_text(path, "limit table")?)
+        Self::parse(name, &read_keys(path, "limit table")?)
     }
 
     /// All tables that come with Riffel, by name.

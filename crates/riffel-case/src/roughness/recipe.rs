@@ -8,7 +8,8 @@ use serde::Deserialize;
 
 use crate::CaseError;
 use crate::quantity::{Length, Quantity};
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 
 /// `cases/roughness-recipe.toml`, commented: what `--synthesise` makes when it is given no recipe.
 pub const DEFAULT_RECIPE: &str = include_str!("../../../../cases/roughness-recipe.toml");
@@ -98,7 +99,7 @@ impl RecipeFile {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        Self::parse(&path.display().to_string(), &read_text(path, "recipe")?)
+        Self::parse(&path.display().to_string(), &read_keys(path, "recipe")?)
     }
 
     /// Read a recipe from TOML; `name` is the one shown in errors. Every rail has its own noise, all

@@ -14,7 +14,8 @@ pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 pub use wear_report::{WearDocument, WearReport};
 
 use crate::quantity::{Dimension, Quantity, Ratio};
-use crate::source::{Source, read_text};
+use crate::source::Source;
+use crate::text_file::read_keys;
 use crate::variant::assignments;
 use crate::{Case, CaseError, Variant};
 
@@ -73,7 +74,7 @@ impl Traffic {
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         Self::parse(
             &path.display().to_string(),
-            &read_text(path, "traffic file")?,
+            &read_keys(path, "traffic file")?,
         )
     }
 

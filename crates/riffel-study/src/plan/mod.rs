@@ -10,7 +10,7 @@ pub(crate) use bounds::sentence;
 
 use std::path::{Path, PathBuf};
 
-use riffel_case::{Case, CaseError, CaseKey, Source, assignments};
+use riffel_case::{Case, CaseError, CaseKey, Source, assignments, text_file};
 
 use crate::correlation::GaussianCopula;
 use crate::design::Design;
@@ -58,12 +58,7 @@ impl Plan {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn read(path: &Path) -> Result<(Self, Case, PathBuf), CaseError> {
-        let text = std::fs::read_to_string(path).map_err(|reason| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: format!("cannot read the plan: {reason}"),
-            help: None,
-        })?;
+        let text = text_file::read_keys(path, "plan")?;
         let source = Source::parse(&path.display().to_string(), &text)?;
         let file: PlanFile = source.deserialize()?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
