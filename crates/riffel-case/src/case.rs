@@ -1,9 +1,8 @@
 //! A case, checked and complete.
 
-use std::f64::consts::TAU;
 use std::path::Path;
 
-use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, Resonance, SteadyRolling};
+use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, SteadyRolling};
 
 use crate::builder::Builder;
 use crate::creep_laws::CreepLaws;
@@ -225,20 +224,5 @@ impl Case {
     /// A sentence about a key of the case.
     pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
         self.builder.source.refuse(key, message)
-    }
-
-    /// The P2 resonance of the wheel on the track: above 10 Hz and below the frequency at which the
-    /// track moves on its own. None on a rail without support, or where damping leaves no resonance.
-    pub fn p2(&self) -> Option<Resonance> {
-        let rail_mass = self.track.rail_mass?;
-        let cut_on = self.track.support?.cut_on_frequencies(rail_mass);
-        let &highest = cut_on.first()?;
-        let total = |w: f64| {
-            let speed = self.speed.max();
-            self.feedback.track.receptance(w, speed)
-                + self.feedback.wheel.receptance(w, speed)
-                + self.feedback.contact_stiffness.recip()
-        };
-        Resonance::p2(total, [TAU * 10.0, highest])
     }
 }

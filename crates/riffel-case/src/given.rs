@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use riffel::{Complex64, MeasuredReceptance, Receptance};
 
+use crate::track::Origin;
 use crate::{CaseError, Remark, measurement};
 
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
@@ -11,6 +12,8 @@ use crate::{CaseError, Remark, measurement};
 #[derive(Clone)]
 pub struct GivenReceptance {
     pub(crate) receptance: Arc<dyn Receptance>,
+    /// The same where it is a table.
+    pub(crate) table: Option<Arc<MeasuredReceptance>>,
     pub(crate) remarks: Vec<Remark>,
 }
 
@@ -19,6 +22,7 @@ impl GivenReceptance {
     pub fn new(receptance: Arc<dyn Receptance>) -> Self {
         Self {
             receptance,
+            table: None,
             remarks: Vec::new(),
         }
     }
@@ -35,20 +39,27 @@ impl GivenReceptance {
             message: error.message,
             help: None,
         })?;
-        Ok(Self {
-            receptance: Arc::new(measured.receptance),
-            remarks: measured.remarks,
-        })
+        Ok(Self::of_table(measured.receptance, measured.remarks))
     }
 
     /// A table, with a remark where it is not passive.
     pub fn measured(receptance: MeasuredReceptance) -> Self {
+        let remarks = measurement::activity(&receptance, measurement::Remedy::Conjugate);
+        Self::of_table(receptance, remarks.into_iter().collect())
+    }
+
+    fn of_table(receptance: MeasuredReceptance, remarks: Vec<Remark>) -> Self {
+        let table = Arc::new(receptance);
         Self {
-            remarks: measurement::activity(&receptance, measurement::Remedy::Conjugate)
-                .into_iter()
-                .collect(),
-            receptance: Arc::new(receptance),
+            receptance: table.clone(),
+            table: Some(table),
+            remarks,
         }
+    }
+
+    /// Where it comes from.
+    pub(crate) fn origin(&self) -> Origin {
+        self.table.clone().map_or(Origin::Given, Origin::Measured)
     }
 }
 

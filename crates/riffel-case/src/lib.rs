@@ -31,6 +31,7 @@ mod preset;
 pub mod quantity;
 mod receptance_curves;
 mod remark;
+mod resonances;
 mod rolling;
 pub mod roughness;
 mod site;
@@ -57,7 +58,7 @@ pub use remark::Remark;
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
 pub use source::Source;
-pub use track::{Direction, Track};
+pub use track::{Direction, Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
 pub use written_case::WrittenCase;
 

@@ -6,7 +6,7 @@ use riffel::ResonanceKind;
 use riffel::diagnosis::{Mechanism, MechanismKind, TrafficSpeeds};
 
 use crate::Case;
-use crate::track::Direction;
+use crate::track::{Direction, Origin};
 use crate::traffic::Traffic;
 
 impl Case {
@@ -14,9 +14,105 @@ impl Case {
     /// says nothing of.
     ///
     /// Resonances are peaks of the receptance of the rail; where damping leaves no peak, they are the
-    /// undamped frequencies of the layers. The pinned-pinned frequency of an evenly supported track is that of the
+    /// undamped frequencies of the layers. A receptance without a model has its peaks and dips. The pinned-pinned frequency of an evenly supported track is that of the
     /// same supports at their distance.
     pub fn mechanisms(&self) -> (Vec<Mechanism>, Vec<String>) {
+        let (mut mechanisms, mut unknown) = match self.track.origin {
+            Origin::Model => self.modes_of_model(),
+            Origin::Measured(_) | Origin::Given => self.modes_of_receptance(),
+        };
+        self.add_pinned_pinned(&mut mechanisms, &mut unknown);
+        mechanisms.push(Mechanism::grinding_mark());
+        let spacing = self.file.track.support_spacing.map(|spacing| spacing.si());
+        if let Some(spacing) = spacing.filter(|_| self.may_have_supports()) {
+            mechanisms.push(Mechanism::support_spacing(spacing));
+        }
+        mechanisms.push(Mechanism::wheel_circumference(self.feedback.rolling_radius));
+        (mechanisms, unknown)
+    }
+
+    /// A support spacing in the file means supports: unless the model has none.
+    fn may_have_supports(&self) -> bool {
+        self.track.support.is_some() || !matches!(self.track.origin, Origin::Model)
+    }
+
+    /// Pinned-pinned modes of the rail on the supports of the case, where they are not there already.
+    fn add_pinned_pinned(&self, mechanisms: &mut Vec<Mechanism>, unknown: &mut Vec<String>) {
+        let directions = [
+            (Direction::Vertical, MechanismKind::PinnedPinned, "vertical"),
+            (
+                Direction::Lateral,
+                MechanismKind::LateralPinnedPinned,
+                "lateral",
+            ),
+        ];
+        for (direction, kind, word) in directions {
+            if mechanisms.iter().any(|known| known.kind == kind) {
+                continue;
+            }
+            let frequency = self.builder.pinned_pinned(direction);
+            match frequency.filter(|_| self.may_have_supports()) {
+                Some(frequency) => mechanisms.push(Mechanism::of_frequency(kind, frequency)),
+                None => unknown.push(format!(
+                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing \
+                     and a rail.section whose {word} bending and shear are known"
+                )),
+            }
+        }
+    }
+
+    /// Peaks and dips of a receptance without a model, and P2.
+    fn modes_of_receptance(&self) -> (Vec<Mechanism>, Vec<String>) {
+        let mut unknown = Vec::new();
+        let resonances = self.resonances();
+        let word = match self.track.origin {
+            Origin::Given => "given",
+            _ => "measured",
+        };
+        if !resonances
+            .iter()
+            .any(|found| found.kind == ResonanceKind::P2)
+        {
+            unknown.push(format!(
+                "P2 is not among the candidates: below the first peak of the {word} receptance the sum of rail, \
+                 wheel and contact has no least value within its frequencies"
+            ));
+        }
+        if resonances
+            .iter()
+            .all(|found| found.kind == ResonanceKind::P2)
+        {
+            unknown.push(format!(
+                "modes of the track are not among the candidates: no peak or dip of the {word} receptance stands out of its \
+                 neighbours and its noise"
+            ));
+        }
+        let mechanisms = resonances.iter().filter_map(|found| {
+            let frequency = found.angular_frequency / TAU;
+            let kind = match found.kind {
+                ResonanceKind::P2 => {
+                    return Some(Mechanism::of_frequency(MechanismKind::P2, frequency));
+                }
+                ResonanceKind::PinnedPinned => MechanismKind::PinnedPinned,
+                ResonanceKind::MeasuredPeak => MechanismKind::MeasuredPeak,
+                ResonanceKind::MeasuredDip => MechanismKind::MeasuredDip,
+                ResonanceKind::GivenPeak => MechanismKind::GivenPeak,
+                ResonanceKind::GivenDip => MechanismKind::GivenDip,
+                ResonanceKind::FullTrack | ResonanceKind::RailOnPad => return None,
+            };
+            let resolution = found.resolution.map(|resolution| resolution / TAU);
+            Some(Mechanism::of_receptance(
+                kind,
+                frequency,
+                found.damping_ratio,
+                resolution,
+            ))
+        });
+        (mechanisms.collect(), unknown)
+    }
+
+    /// Modes of the layers of a model, and P2.
+    fn modes_of_model(&self) -> (Vec<Mechanism>, Vec<String>) {
         let mut mechanisms = Vec::new();
         let mut unknown = Vec::new();
         let mut add = |kind, frequency: f64| {
@@ -56,31 +152,6 @@ impl Case {
                 "modes of pads and sleepers are not among the candidates: the track of this case has none".to_owned(),
             );
         }
-        let directions = [
-            (Direction::Vertical, MechanismKind::PinnedPinned, "vertical"),
-            (
-                Direction::Lateral,
-                MechanismKind::LateralPinnedPinned,
-                "lateral",
-            ),
-        ];
-        for (direction, kind, word) in directions {
-            let supported = self.track.support.is_some();
-            let frequency = self.builder.pinned_pinned(direction);
-            match frequency.filter(|_| supported) {
-                Some(frequency) => add(kind, frequency),
-                None => unknown.push(format!(
-                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing \
-                     and a rail.section whose {word} bending and shear are known"
-                )),
-            }
-        }
-        mechanisms.push(Mechanism::grinding_mark());
-        let spacing = self.file.track.support_spacing.map(|spacing| spacing.si());
-        if let Some(spacing) = spacing.filter(|_| self.track.support.is_some()) {
-            mechanisms.push(Mechanism::support_spacing(spacing));
-        }
-        mechanisms.push(Mechanism::wheel_circumference(self.feedback.rolling_radius));
         (mechanisms, unknown)
     }
 }

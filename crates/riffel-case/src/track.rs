@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::{CrossReceptance, Receptance, Resonance, ResonanceKind, Support};
+use riffel::{CrossReceptance, MeasuredReceptance, Receptance, Resonance, ResonanceKind, Support};
 
 use crate::Remark;
 
@@ -17,11 +17,24 @@ pub enum Direction {
     Longitudinal,
 }
 
+/// Where the receptance of a track comes from.
+#[derive(Clone)]
+pub enum Origin {
+    /// A model of rail and supports.
+    Model,
+    /// A table of lines.
+    Measured(Arc<MeasuredReceptance>),
+    /// A function that the caller gives.
+    Given,
+}
+
 /// A track in one direction, and what its model knows of itself.
 #[derive(Clone)]
 pub struct Track {
     /// Receptance under the load, which a loop takes.
     pub receptance: Arc<dyn Receptance>,
+    /// Where it comes from.
+    pub origin: Origin,
     /// The track as one that answers at one place to a force at another; none for a load that moves
     /// and for a measurement.
     pub structure: Option<Arc<dyn CrossReceptance>>,
@@ -48,7 +61,7 @@ impl Track {
         Some(self.structure.as_ref()?.under_load_at(position))
     }
 
-    /// The resonances that have a peak in the receptance of the rail, lowest first: full-track and
+    /// The resonances of a model that have a peak in the receptance of the rail, lowest first: full-track and
     /// rail on pad over a support, pinned-pinned in the middle of a bay.
     ///
     /// A peak belongs to the frequency that theory gives it, up to a factor 1.6, or 1.1 for

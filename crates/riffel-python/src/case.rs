@@ -474,10 +474,7 @@ impl Case {
     /// Name, frequency and modulus of the receptance at each resonance of the track.
     fn resonances(&self, py: Python<'_>) -> PyResult<Vec<(String, f64, f64)>> {
         self.compute(py, |case| {
-            let mut resonances = case.track.resonances();
-            resonances.extend(case.p2());
-            resonances.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
-            resonances
+            case.resonances()
                 .iter()
                 .map(|resonance| {
                     (

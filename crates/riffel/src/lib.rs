@@ -97,10 +97,10 @@ pub use growth::{Axis, Bay, BayMaps, GrowthMap, Ridge, RidgePoint, RowEvaluator}
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::{
-    Bar, Beam, ContinuousTrack, CrossReceptance, DecayRate, EulerBernoulliBeam, FloquetWaves,
-    FreeBeam, Frequencies, Layer, MeasuredReceptance, MovingBeam, MovingLoadRoots, MovingLoadTrack,
-    PeriodicTrack, Receptance, Resonance, ResonanceKind, RigidMass, ShearSection, Support,
-    Tabulated, Wave, Waveguide, Waves,
+    Bar, Beam, ContinuousTrack, CrossReceptance, DecayRate, EulerBernoulliBeam, Extremum,
+    FloquetWaves, FreeBeam, Frequencies, Layer, MeasuredReceptance, MovingBeam, MovingLoadRoots,
+    MovingLoadTrack, PeriodicTrack, Receptance, Resonance, ResonanceKind, RigidMass, ShearSection,
+    Support, Tabulated, Wave, Waveguide, Waves,
 };
 pub use split_complex::{SplitComplex, TILE, Tile};
 pub use wear::EnergyWear;

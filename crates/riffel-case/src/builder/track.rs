@@ -10,7 +10,7 @@ use riffel::{
 use super::Builder;
 use crate::file::{BeamModel, Support, TrackModel};
 use crate::quantity::{Dimension, Length, Quantity};
-use crate::track::{Direction, Track};
+use crate::track::{Direction, Origin, Track};
 use crate::{CaseError, measurement};
 
 /// Density of rail steel \[kg/m³\].
@@ -29,6 +29,7 @@ impl Builder {
             }
             return Ok(Track {
                 receptance: given.receptance.clone(),
+                origin: given.origin(),
                 structure: None,
                 support: None,
                 rail_mass: None,
@@ -77,6 +78,7 @@ impl Builder {
         let rail_mass = Some(rail.mass_per_length());
         let built = |receptance, structure, support| Track {
             receptance,
+            origin: Origin::Model,
             structure: Some(structure),
             support,
             rail_mass,
@@ -122,6 +124,7 @@ impl Builder {
         let beam = self.beam(steel, Direction::Vertical)?;
         let mut built = Track {
             receptance: Arc::new(MovingLoadTrack::new(beam, support)),
+            origin: Origin::Model,
             structure: None,
             support,
             rail_mass: Some(beam.mass_per_length()),
@@ -152,8 +155,10 @@ impl Builder {
             };
             self.source.invalid(&key, &error.message, "")
         })?;
+        let table = Arc::new(measured.receptance);
         Ok(Track {
-            receptance: Arc::new(measured.receptance),
+            receptance: table.clone(),
+            origin: Origin::Measured(table),
             structure: None,
             support: None,
             rail_mass: None,

@@ -2,6 +2,7 @@
 
 mod case_file;
 mod contact;
+mod measured_resonances;
 mod measurement;
 mod remarks;
 mod track;

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-use riffel::{Complex64, DecayRate, Resonance};
-use riffel_case::{Case, Direction, ReceptanceCurve, ReceptanceCurves, Track};
+use riffel::{Complex64, DecayRate, Resonance, ResonanceKind};
+use riffel_case::{Case, Direction, Origin, ReceptanceCurve, ReceptanceCurves, Track};
 use riffel_figures::parameters;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
@@ -35,19 +35,18 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         speed,
         ReceptanceCurves::frequencies(from, to, arguments.points),
     );
+    let resonances = match direction {
+        Direction::Vertical => case.resonances(),
+        _ => track.resonances(),
+    };
     if arguments.json {
-        print_json(&curves.document());
+        print_json(&curves.document(&resonances));
         print_remarks(&case.remarks);
         if arguments.output.is_none() {
             return Ok(());
         }
     }
 
-    let mut resonances = track.resonances();
-    if direction == Direction::Vertical {
-        resonances.extend(case.p2());
-    }
-    resonances.sort_by(|a, b| a.angular_frequency.total_cmp(&b.angular_frequency));
     // A rail without support hardly decays.
     let decay = track
         .structure
@@ -113,8 +112,31 @@ fn pairs(values: &[Complex64]) -> Vec<[f64; 2]> {
 #[derive(Serialize)]
 struct Document {
     frequency_hz: Vec<f64>,
+    resonances: Vec<ResonanceDocument>,
     #[serde(flatten)]
     joints: serde_json::Map<String, serde_json::Value>,
+}
+
+/// One resonance; damping and resolution where the receptance has no model.
+#[derive(Serialize)]
+struct ResonanceDocument {
+    resonance: String,
+    frequency_hz: f64,
+    receptance_m_per_n: [f64; 2],
+    damping_ratio: Option<f64>,
+    resolution_hz: Option<f64>,
+}
+
+impl ResonanceDocument {
+    fn new(resonance: &Resonance) -> Self {
+        Self {
+            resonance: resonance.kind.to_string(),
+            frequency_hz: resonance.angular_frequency / TAU,
+            receptance_m_per_n: [resonance.receptance.re, resonance.receptance.im],
+            damping_ratio: resonance.damping_ratio,
+            resolution_hz: resonance.resolution.map(|resolution| resolution / TAU),
+        }
+    }
 }
 
 impl Curves {
@@ -132,13 +154,14 @@ impl Curves {
         }
     }
 
-    fn document(&self) -> Document {
+    fn document(&self, resonances: &[Resonance]) -> Document {
         let joints = self.receptances.joints.iter().map(|curve| {
             let values = serde_json::to_value(pairs(&curve.values)).unwrap_or_default();
             (curve.key.to_owned(), values)
         });
         Document {
             frequency_hz: self.receptances.frequencies.clone(),
+            resonances: resonances.iter().map(ResonanceDocument::new).collect(),
             joints: joints.collect(),
         }
     }
@@ -245,10 +268,15 @@ fn style(curve: &ReceptanceCurve) -> LineStyle {
 
 fn mark(resonance: &Resonance, named: bool) -> Mark {
     let frequency = resonance.angular_frequency / TAU;
+    let name = match resonance.kind {
+        ResonanceKind::MeasuredPeak | ResonanceKind::GivenPeak => "peak".to_owned(),
+        ResonanceKind::MeasuredDip | ResonanceKind::GivenDip => "dip".to_owned(),
+        kind => kind.to_string(),
+    };
     Mark {
         x: frequency,
         label: if named {
-            format!("{} {frequency:.0} Hz", resonance.kind)
+            format!("{name} {frequency:.0} Hz")
         } else {
             String::new()
         },
@@ -257,12 +285,20 @@ fn mark(resonance: &Resonance, named: bool) -> Mark {
 
 fn resonance_table(resonances: &[Resonance], file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    writer.write_record(["resonance", "frequency_hz", "receptance_modulus_m_per_n"])?;
+    writer.write_record([
+        "resonance",
+        "frequency_hz",
+        "receptance_modulus_m_per_n",
+        "damping_ratio",
+        "resolution_hz",
+    ])?;
     for resonance in resonances {
         writer.serialize((
             resonance.kind.to_string(),
             resonance.angular_frequency / TAU,
             resonance.receptance.norm(),
+            resonance.damping_ratio,
+            resonance.resolution.map(|resolution| resolution / TAU),
         ))?;
     }
     writer.flush()
@@ -308,23 +344,38 @@ fn readable(
     decay: Option<&[DecayRate]>,
 ) -> String {
     let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Receptance"));
+    let has_model = matches!(track.origin, Origin::Model);
     if resonances.is_empty() {
-        text.push_str("no resonance to name: the rail has no support that is known\n");
+        text.push_str(match has_model {
+            true => "no resonance to name: the rail has no support that is known\n",
+            false => "no peak or dip of the measured receptance stands out of its neighbours and its noise\n",
+        });
     } else {
-        let mut rows = table(&["resonance", "frequency Hz", "|H| nm/N", "of"]);
+        let mut header = vec!["resonance", "frequency Hz", "|H| nm/N", "of"];
+        if !has_model {
+            header.extend(["damping %", "lines Hz"]);
+        }
+        let mut rows = table(&header);
         for resonance in resonances {
             let of = match resonance.kind {
-                riffel::ResonanceKind::P2 => "rail, wheel and contact: least",
-                riffel::ResonanceKind::PinnedPinned => "rail in mid-span",
+                ResonanceKind::P2 => "rail, wheel and contact: least",
+                ResonanceKind::PinnedPinned if has_model => "rail in mid-span",
                 _ if track.support_spacing().is_some() => "rail over support",
                 _ => "rail",
             };
-            rows.add_row([
+            let mut row = vec![
                 resonance.kind.to_string(),
                 format!("{:.1}", resonance.angular_frequency / TAU),
                 format!("{:.3}", 1e9 * resonance.receptance.norm()),
                 of.to_owned(),
-            ]);
+            ];
+            if !has_model {
+                let damping = resonance.damping_ratio;
+                let lines = resonance.resolution.map(|resolution| resolution / TAU);
+                row.push(damping.map_or_else(String::new, |ratio| format!("{:.1}", 100.0 * ratio)));
+                row.push(lines.map_or_else(String::new, |lines| format!("{lines:.1}")));
+            }
+            rows.add_row(row);
         }
         text.push_str(&format!("{rows}\n"));
     }

@@ -153,10 +153,17 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
     let at = speeds.words();
     let range = |range: (f64, f64)| span(1e3 * range.0, 1e3 * range.1, "mm");
     let reason = match &mechanism.prediction {
-        Prediction::Frequency { frequency, spread } => {
+        Prediction::Frequency {
+            frequency,
+            spread,
+            damping_ratio,
+        } => {
             let predicted = (speeds.slowest() / frequency, speeds.fastest() / frequency);
+            let damping = damping_ratio.map_or_else(String::new, |ratio| {
+                format!("damping {:.1} %, ", 100.0 * ratio)
+            });
             format!(
-                "{frequency:.0} Hz (±{:.0} %) makes {} at {at}; measured {measured}, which is {}.",
+                "{frequency:.0} Hz ({damping}±{:.0} %) makes {} at {at}; measured {measured}, which is {}.",
                 100.0 * spread,
                 range(predicted),
                 frequencies(peak.wavelength, speeds)

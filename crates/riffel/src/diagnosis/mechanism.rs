@@ -28,6 +28,14 @@ pub enum MechanismKind {
     PinnedPinned,
     /// Rail bending laterally between its supports.
     LateralPinnedPinned,
+    /// Peak of the rail's receptance as it was measured.
+    MeasuredPeak,
+    /// Dip of the rail's receptance as it was measured.
+    MeasuredDip,
+    /// Peak of a receptance that the caller gives.
+    GivenPeak,
+    /// Dip of a receptance that the caller gives.
+    GivenDip,
     /// The two wheels turning against each other.
     WheelsetTorsion,
     /// The axle bending.
@@ -53,6 +61,10 @@ impl MechanismKind {
             Self::RailOnPad => "rail on pad",
             Self::PinnedPinned => "pinned-pinned, vertical",
             Self::LateralPinnedPinned => "pinned-pinned, lateral",
+            Self::MeasuredPeak => "peak of the measured receptance",
+            Self::MeasuredDip => "dip of the measured receptance",
+            Self::GivenPeak => "peak of the given receptance",
+            Self::GivenDip => "dip of the given receptance",
             Self::WheelsetTorsion => "wheelset torsion",
             Self::WheelsetBending => "wheelset bending",
             Self::GrindingMark => "grinding mark",
@@ -96,6 +108,12 @@ impl MechanismKind {
             Self::LateralPinnedPinned => {
                 "513.7 Hz lateral beside 1050 Hz vertical (Wang & Lei 2020); here Timoshenko's beam of this case, lateral"
             }
+            Self::MeasuredPeak | Self::MeasuredDip => {
+                "the measured receptance of the rail: which mode of the track this is, it does not say"
+            }
+            Self::GivenPeak | Self::GivenDip => {
+                "the receptance of the rail given with the case: which mode of the track this is, it does not say"
+            }
             Self::WheelsetTorsion => {
                 "second torsional mode near 300 Hz (Elkins 1998, in Afferrante & Ciavarella 2009); the frequency as given"
             }
@@ -132,6 +150,10 @@ impl MechanismKind {
             Self::RailOnPad => "pads stiffen with load and frequency and in the cold: ±15 %",
             Self::PinnedPinned | Self::LateralPinnedPinned => {
                 "Timoshenko's beam on supports at equal distances; ±5 % for spacing and foot of the rail"
+            }
+            Self::MeasuredPeak | Self::MeasuredDip | Self::GivenPeak | Self::GivenDip => {
+                "the place and the load of the receptance; ±5 % for another place, temperature and wheel load, and its \
+                 width at half power"
             }
             Self::WheelsetTorsion | Self::WheelsetBending => "as good as the frequency given; ±5 %",
             Self::GrindingMark => {
@@ -172,6 +194,13 @@ impl MechanismKind {
             }
             Self::LateralPinnedPinned => {
                 "lateral hammer receptance of the rail head in mid-span and lateral track decay rate"
+            }
+            Self::MeasuredPeak | Self::GivenPeak => {
+                "hammer receptance above a sleeper, in mid-span and on the sleeper, with a wheel beside it: a mode of the \
+                 pads moves the sleeper little and shifts with new or colder pads, a pinned-pinned mode is seen in mid-span alone"
+            }
+            Self::MeasuredDip | Self::GivenDip => {
+                "impact hammer on sleeper and rail head: at this frequency something else moves and holds the rail"
             }
             Self::WheelsetTorsion => {
                 "strain gauges for torque on a driven axle, or longitudinal axle-box acceleration, through the section"

@@ -63,6 +63,14 @@ impl MeasuredReceptance {
             .map(|(logarithm, _)| logarithm.exp())
     }
 
+    /// Angular frequencies \[rad/s\] and receptances \[m/N\], as given.
+    pub fn lines(&self) -> impl Iterator<Item = (f64, Complex64)> {
+        self.logarithms
+            .iter()
+            .map(|logarithm| logarithm.exp())
+            .zip(self.receptances.iter().copied())
+    }
+
     /// Number of frequencies.
     pub fn points(&self) -> usize {
         self.receptances.len()

@@ -19,6 +19,14 @@ pub enum ResonanceKind {
     RailOnPad,
     /// Rail bending between supports, half a wave in each bay.
     PinnedPinned,
+    /// Peak of a receptance that was measured, whichever mode it is.
+    MeasuredPeak,
+    /// Dip of a receptance that was measured.
+    MeasuredDip,
+    /// Peak of a receptance that the caller gives as a function.
+    GivenPeak,
+    /// Dip of such a receptance.
+    GivenDip,
 }
 
 impl fmt::Display for ResonanceKind {
@@ -28,6 +36,10 @@ impl fmt::Display for ResonanceKind {
             Self::FullTrack => "full-track",
             Self::RailOnPad => "rail on pad",
             Self::PinnedPinned => "pinned-pinned",
+            Self::MeasuredPeak => "peak of the measured receptance",
+            Self::MeasuredDip => "dip of the measured receptance",
+            Self::GivenPeak => "peak of the given receptance",
+            Self::GivenDip => "dip of the given receptance",
         })
     }
 }
@@ -41,6 +53,10 @@ pub struct Resonance {
     pub angular_frequency: f64,
     /// Receptance of the rail there, or for P2 the sum of all joints \[m/N\].
     pub receptance: Complex64,
+    /// Damping ratio by the width at half power \[-\], of a receptance without a model, where it can be read.
+    pub damping_ratio: Option<f64>,
+    /// Distance of the lines of a measurement there \[rad/s\].
+    pub resolution: Option<f64>,
 }
 
 impl Resonance {
@@ -53,6 +69,8 @@ impl Resonance {
             kind: ResonanceKind::P2,
             angular_frequency,
             receptance: total(angular_frequency),
+            damping_ratio: None,
+            resolution: None,
         })
     }
 
@@ -76,6 +94,8 @@ impl Resonance {
             kind,
             angular_frequency,
             receptance: rail.receptance(angular_frequency, 0.0),
+            damping_ratio: None,
+            resolution: None,
         })
     }
 }
