@@ -10,7 +10,7 @@ use riffel::roughness::{
     BandSettings, BandStatistics, PIT_DEPTH, PowerSpectrum, Profile, SpikeCriterion, WHEEL_RADIUS,
     WavelengthBand,
 };
-use riffel_case::roughness::RoughnessFile;
+use riffel_case::roughness::{Layout, RoughnessFile};
 
 use crate::contestant::{Contestant, Failure, numpy_version, scipy_version};
 use crate::{check_agreement, median};
@@ -40,7 +40,7 @@ pub(crate) fn contest(task: &str, file: &str, samples: usize) -> Result<(f64, f6
     if task == "roughness-read" {
         let begun = Instant::now();
         let RoughnessFile::Profile(record) =
-            RoughnessFile::read(Path::new(file), None, None, &|_| ())?
+            RoughnessFile::read(Path::new(file), &Layout::default(), &|_| ())?
         else {
             return Err("the file holds no profile".into());
         };

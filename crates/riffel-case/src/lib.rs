@@ -17,6 +17,7 @@
 mod builder;
 mod case;
 mod creep_laws;
+mod date;
 pub mod diagnosis;
 mod error;
 pub mod file;
@@ -47,6 +48,7 @@ mod written_case;
 
 pub use case::Case;
 pub use creep_laws::CreepLaws;
+pub use date::{read_date, read_dates};
 pub use error::CaseError;
 pub use given::{GivenReceptance, UniversalFunction};
 pub use key::CaseKey;

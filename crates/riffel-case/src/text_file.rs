@@ -215,39 +215,50 @@ pub fn text_of(bytes: &[u8]) -> String {
 }
 
 /// A text as it may be shown: characters that command a terminal or turn the direction of writing are written as
-/// `\u{1b}`; line feeds and tabulators stay.
+/// `\u{1b}`; line ends and tabulators stay.
 pub fn printable(text: &str) -> Cow<'_, str> {
-    if !text.chars().any(is_command) {
+    let mut shown = String::new();
+    let mut done = 0;
+    for (at, command) in commands(text) {
+        shown.push_str(&text[done..at]);
+        shown.extend(command.escape_unicode());
+        done = at + command.len_utf8();
+    }
+    if done == 0 {
         return Cow::Borrowed(text);
     }
-    let mut shown = String::with_capacity(text.len() + 8);
-    for character in text.chars() {
-        if is_command(character) {
-            shown.extend(character.escape_unicode());
-        } else {
-            shown.push(character);
-        }
-    }
+    shown.push_str(&text[done..]);
     Cow::Owned(shown)
 }
 
 /// The text with other signs in place of those that [`printable`] escapes, each as many bytes as before: for an
 /// excerpt in which places are counted in bytes.
 pub(crate) fn printable_in_place(text: &str) -> String {
-    let shown = text.chars().map(|character| match character {
-        command if !is_command(command) => command,
-        command => match command.len_utf8() {
+    let mut shown = String::with_capacity(text.len());
+    let mut done = 0;
+    for (at, command) in commands(text) {
+        shown.push_str(&text[done..at]);
+        shown.push(match command.len_utf8() {
             1 => '?',
             2 => '¿',
             _ => char::REPLACEMENT_CHARACTER,
-        },
-    });
-    shown.collect()
+        });
+        done = at + command.len_utf8();
+    }
+    shown.push_str(&text[done..]);
+    shown
 }
 
 /// The first character of a text that [`printable`] would escape.
 pub(crate) fn command_in(text: &str) -> Option<char> {
-    text.chars().find(|&character| is_command(character))
+    commands(text).next().map(|(_, command)| command)
+}
+
+/// Characters that [`printable`] escapes, and where they stand. A carriage return before a line feed is none.
+fn commands(text: &str) -> impl Iterator<Item = (usize, char)> {
+    text.char_indices().filter(|&(at, character)| {
+        is_command(character) && !(character == '\r' && text[at + 1..].starts_with('\n'))
+    })
 }
 
 /// Whether a terminal obeys a character, or it turns the direction of writing.
@@ -347,6 +358,7 @@ mod tests {
     fn commands_to_a_terminal_are_written_out() {
         assert_eq!(printable("a\u{1b}[2Jb\n"), "a\\u{1b}[2Jb\n");
         assert_eq!(printable("Höhe µm"), "Höhe µm");
+        assert_eq!(printable("a\r\nb\rc"), "a\r\nb\\u{d}c");
         assert_eq!(printable("a\u{9b}\u{202e}"), "a\\u{9b}\\u{202e}");
         let text = "a\u{1b}\u{9b}\u{202e}b";
         let shown = printable_in_place(text);
@@ -357,7 +369,7 @@ mod tests {
         #[test]
         fn whatever_is_decoded_can_be_shown(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
             if let Ok(text) = decode(bytes) {
-                prop_assert!(!printable(&text).chars().any(is_command));
+                prop_assert!(command_in(&printable(&text)).is_none());
                 prop_assert_eq!(printable_in_place(&text).len(), text.len());
             }
         }

@@ -207,8 +207,8 @@ pub(crate) struct Map {
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Measured corrugation to draw on the map: CSV with the columns wavelength, speed and label,
-    /// values in SI or with their units.
+    /// Measured corrugation to draw on the map: a table with the columns wavelength, speed and label,
+    /// values in SI, with their units, or with those in the head, as in wavelength_mm.
     #[arg(long, value_name = "CSV")]
     pub(crate) observations: Option<PathBuf>,
 

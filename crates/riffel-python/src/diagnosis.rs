@@ -10,7 +10,7 @@ use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::forecast::GivenTraffic;
-use crate::records::{GivenRoughness, Layout, Record};
+use crate::records::{GivenLayout, GivenRoughness, Record};
 
 /// Speeds of the traffic: ranges \[m/s\], each as common as any other, or a traffic file or its keys.
 #[derive(FromPyObject)]
@@ -27,8 +27,7 @@ pub(crate) fn diagnose<'py>(
     case: &Case,
     rail: (PathBuf, Option<String>, GivenRoughness<'py>),
     earlier: Vec<(PathBuf, Option<String>, GivenRoughness<'py>)>,
-    format: Option<PathBuf>,
-    spacing: Option<f64>,
+    layout: GivenLayout,
     speeds: Option<GivenSpeeds<'py>>,
     torsion: Vec<f64>,
     bending: Vec<f64>,
@@ -53,7 +52,7 @@ pub(crate) fn diagnose<'py>(
         },
     };
     let speeds = speeds.map_err(of_physics)?;
-    let layout = Layout::new(format.as_deref(), spacing)?;
+    let layout = layout.layout()?;
     let name = rail.0.display().to_string();
     let rail = Record::new(py, &rail, &layout)?;
     let earlier = earlier.iter();

@@ -6,6 +6,7 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Forecast, SpeedDistribution};
+use riffel_case::roughness::Layout;
 use riffel_case::traffic::{Traffic, WearReport, bands_of};
 use riffel_case::what_if::Comparison;
 use riffel_case::{CaseError, Variant};
@@ -14,7 +15,7 @@ use crate::array::owned;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, of_physics, wrong};
-use crate::records::{GivenRoughness, Layout, survey};
+use crate::records::{GivenRoughness, survey};
 use crate::roughness::{level_limit, spectrum};
 use crate::tables;
 

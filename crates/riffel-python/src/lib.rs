@@ -41,6 +41,8 @@ mod _riffel {
     #[pymodule_export]
     use crate::quantity::si;
     #[pymodule_export]
+    use crate::records::read_date;
+    #[pymodule_export]
     use crate::roughness::{
         analyse, axis, band_pass, compare_with_limit, dominant_of_profile, dominant_of_spectra,
         energy_mean, level, limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness,

@@ -7,7 +7,8 @@ use pyo3::prelude::*;
 use riffel_case::diagnosis::{RailRecord, RailRoughness};
 use riffel_case::quantity::Quantity;
 use riffel_case::roughness::{
-    LabelledSpectrum, Rail, ReaderFormat, RoughnessFile, Survey, coarse_sampling,
+    LabelledSpectrum, Layout, LengthUnit, Rail, ReaderFormat, RoughnessFile, Survey,
+    coarse_sampling,
 };
 
 use crate::array::owned;
@@ -29,31 +30,38 @@ pub(crate) enum GivenRoughness<'py> {
     Spectra(Vec<LabelledLevels<'py>>),
 }
 
-/// How files are laid out.
-#[derive(Default)]
-pub(crate) struct Layout {
-    format: Option<ReaderFormat>,
-    /// Step of a file without positions \[m\].
-    spacing: Option<f64>,
-}
+/// How files are laid out: reader profile, step of a file without positions \[m\], units of heights and positions.
+#[derive(FromPyObject)]
+pub(crate) struct GivenLayout(Option<PathBuf>, Option<f64>, Option<String>, Option<String>);
 
-impl Layout {
-    pub(crate) fn new(format: Option<&Path>, spacing: Option<f64>) -> PyResult<Self> {
-        let format = format.map(ReaderFormat::read).transpose();
-        Ok(Self {
+impl GivenLayout {
+    pub(crate) fn layout(self) -> PyResult<Layout> {
+        let Self(format, spacing, height_unit, position_unit) = self;
+        let format = format.as_deref().map(ReaderFormat::read).transpose();
+        let unit = |name: &str, unit: Option<String>| {
+            let unit = unit.map(|unit| unit.parse::<LengthUnit>()).transpose();
+            unit.map_err(|error| wrong(format!("{name}: {error}")))
+        };
+        Ok(Layout {
             format: format.map_err(of_case)?,
-            spacing,
+            spacing: spacing.map(Quantity::new),
+            height_unit: unit("height_unit", height_unit)?,
+            position_unit: unit("position_unit", position_unit)?,
         })
     }
+}
 
-    fn read(&self, py: Python<'_>, path: &Path) -> PyResult<RoughnessFile> {
-        let (path, format) = (path.to_owned(), self.format.clone());
-        let spacing = self.spacing.map(Quantity::new);
-        let file = interruptible(py, move || {
-            RoughnessFile::read(&path, format.as_ref(), spacing, &|_| ())
-        })?;
-        file.map_err(of_case)
-    }
+pub(crate) fn read(py: Python<'_>, path: &Path, layout: &Layout) -> PyResult<RoughnessFile> {
+    let (path, layout) = (path.to_owned(), layout.clone());
+    let file = interruptible(py, move || RoughnessFile::read(&path, &layout, &|_| ()))?;
+    file.map_err(of_case)
+}
+
+/// A date as in 2026-01-31, from any way to write it that leaves no doubt.
+#[pyfunction]
+pub(crate) fn read_date(text: &str) -> PyResult<String> {
+    let date = riffel_case::read_date(text).map_err(wrong)?;
+    Ok(date.to_string())
 }
 
 /// A record whose numbers need the interpreter no more.
@@ -76,7 +84,7 @@ impl Record {
         layout: &Layout,
     ) -> PyResult<Self> {
         let roughness = match given {
-            GivenRoughness::File(path) => match layout.read(py, path)? {
+            GivenRoughness::File(path) => match read(py, path, layout)? {
                 RoughnessFile::Profile(record) => Roughness::Profile(record.rails, record.warnings),
                 RoughnessFile::Spectra(spectra) => Roughness::Spectra(spectra),
             },
@@ -130,7 +138,7 @@ pub(crate) fn survey(
 ) -> PyResult<Survey> {
     let survey = match given {
         GivenRoughness::File(path) => {
-            let (name, file) = (name.clone(), layout.read(py, path)?);
+            let (name, file) = (name.clone(), read(py, path, layout)?);
             interruptible(py, move || Survey::of(&name, file))?
         }
         GivenRoughness::Spectra(spectra) => Survey::new(name, labelled(spectra)?, Vec::new()),

@@ -11,14 +11,12 @@ use riffel::roughness::{
     AnalysisSettings, BandPass, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis, RmsLimit,
     Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, grind_sections,
 };
-use riffel_case::quantity::Quantity;
-use riffel_case::roughness::{
-    DEFAULT_RECIPE, Limit, LimitTable, ReaderFormat, RecipeFile, RoughnessFile,
-};
+use riffel_case::roughness::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
+use crate::records::{GivenLayout, read};
 use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -404,22 +402,13 @@ pub(crate) fn dominant_of_spectra(
 pub(crate) fn read_roughness<'py>(
     py: Python<'py>,
     path: PathBuf,
-    format: Option<PathBuf>,
-    spacing: Option<f64>,
+    layout: GivenLayout,
 ) -> PyResult<(
     Option<(f64, Vec<(String, Vec<(f64, Real<'py>)>)>)>,
     Vec<(Vec<(String, String)>, Levels<'py>)>,
     Vec<String>,
 )> {
-    let format = format
-        .map(|path| ReaderFormat::read(&path))
-        .transpose()
-        .map_err(of_case)?;
-    let spacing = spacing.map(Quantity::new);
-    let file = interruptible(py, move || {
-        RoughnessFile::read(&path, format.as_ref(), spacing, &|_| ())
-    })?;
-    Ok(match file.map_err(of_case)? {
+    Ok(match read(py, &path, &layout.layout()?)? {
         RoughnessFile::Profile(record) => {
             let rails = record.rails.into_iter().map(|rail| {
                 let stretches = rail

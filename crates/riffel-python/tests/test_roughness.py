@@ -174,3 +174,26 @@ def test_compare(nominal: riffel.Case) -> None:
     assert both["fastest_wavelength"][1].item() < both["fastest_wavelength"][0].item()
     with pytest.raises(ValueError, match="changes nothing"):
         nominal.compare([{}], speed=30.0)
+
+
+def test_units_of_files(tmp_path: Path) -> None:
+    rows = [(1e-3 * row, 0.02 * np.sin(2 * np.pi * row / 50)) for row in range(5000)]
+    file = tmp_path / "mm.txt"
+    file.write_text("".join(f"{x:.3f} {height:.6f}\n" for x, height in rows))
+    with pytest.raises(ValueError, match="look like mm"):
+        riffel.roughness.read(file)
+    with pytest.raises(ValueError, match="height_unit: .*no unit of length"):
+        riffel.roughness.read(file, height_unit="kg")
+    said = riffel.roughness.read(file, height_unit="mm").profile
+    file.write_text("# Höhen in mm\n" + file.read_text(), encoding="utf-16")
+    read = riffel.roughness.read(file).profile
+    assert said is not None and read is not None
+    xr.testing.assert_identical(said, read)
+    (heights,) = said.values()
+    assert float(abs(heights).max()) == pytest.approx(20e-6, rel=1e-3)
+
+
+def test_dates_of_files(tmp_path: Path) -> None:
+    file = tmp_path / "dates.csv"
+    file.write_text("date,wavelength_mm,level_db\n15.03.2024,40,3\n15.03.2024,50,2\n")
+    assert [one.attrs["date"] for one in riffel.roughness.read(file).spectra] == ["2024-03-15"]

@@ -47,6 +47,14 @@ impl Records {
         earlier: &[RailRecord<'_>],
         settings: &DiagnosisSettings<'_>,
     ) -> Result<Self, CaseError> {
+        let given = dates(earlier.iter().chain([present])).unwrap_or_default();
+        if let Some(pair) = given.windows(2).find(|pair| pair[1] <= pair[0]) {
+            let message = format!(
+                "the dates of the records do not rise: {} comes after {}; give the oldest first",
+                pair[1], pair[0]
+            );
+            return Err(CaseError::data(present.name, message));
+        }
         match present.roughness {
             RailRoughness::Profile { rails, warnings } => {
                 Self::of_profiles(present, rails, warnings, earlier, settings)
@@ -187,28 +195,16 @@ impl Records {
         }
         let survey = chosen(present.name, spectra)?;
         if records.is_empty() {
-            let has_dates = survey.columns().any(|column| column == "date");
-            let by = settings.by;
-            records = survey.groups(by.or_else(|| has_dates.then_some("date")))?;
+            records = survey.groups(settings.by.or_else(|| survey.date_column()))?;
         } else {
             records.push((present.name.display().to_string(), survey));
         }
         // Dates of the spectra, where each has one.
-        let dated: Option<Vec<Date>> = records
-            .iter()
-            .map(|(_, survey)| {
-                let mut dates: Vec<&str> = survey
-                    .records
-                    .iter()
-                    .map(|spectrum| spectrum.label("date"))
-                    .collect::<Option<_>>()?;
-                dates.sort_unstable();
-                dates.dedup();
-                dates[dates.len() / 2].parse().ok()
-            })
-            .collect();
         let given = dates(earlier.iter().chain([present])).filter(|_| !earlier.is_empty());
-        let dates = given.or(dated).unwrap_or_default();
+        let dates = match given {
+            Some(dates) => dates,
+            None => sorted_by_date(&mut records)?.unwrap_or_default(),
+        };
         let (times, unit) = times(records.len(), &dates);
         let groups: Vec<(String, Vec<Spectrum>)> = records
             .into_iter()
@@ -281,6 +277,25 @@ impl Records {
             warnings: Vec::new(),
         })
     }
+}
+
+/// Put records in the order of the dates in their columns, of which each takes the one in the middle; None unless
+/// every record has a column of dates.
+fn sorted_by_date(records: &mut Vec<(String, Survey)>) -> Result<Option<Vec<Date>>, CaseError> {
+    let mut dated = Vec::new();
+    for (_, survey) in records.iter() {
+        let Some(column) = survey.date_column() else {
+            return Ok(None);
+        };
+        let dates = survey.by_date(column)?;
+        dated.push(dates[dates.len() / 2].0);
+    }
+    let mut pairs: Vec<(Date, (String, Survey))> =
+        dated.into_iter().zip(records.drain(..)).collect();
+    pairs.sort_by_key(|(date, _)| *date);
+    let (dates, sorted) = pairs.into_iter().unzip();
+    *records = sorted;
+    Ok(Some(dates))
 }
 
 /// The dates of all records, unless one has none.

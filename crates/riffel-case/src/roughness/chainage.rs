@@ -8,6 +8,17 @@ pub(super) const LONGEST_FILLED: f64 = 0.010;
 const MOST_DEFECTS: f64 = 0.01;
 /// Steps of which the median is taken.
 const SAMPLE: usize = 100_000;
+/// Largest distance of positions from even ones, as root mean square over the step, at which rows count as even: then a
+/// wave of ten steps is blurred by no more than 2π/10 · 0.1 = 6 %, −24 dB.
+const EVEN: f64 = 0.1;
+/// Largest such distance that is put right by resampling.
+const MOST_UNEVEN: f64 = 0.5;
+/// Largest ratio of the longest to the shortest local step of an even record.
+const EVEN_ALONG: f64 = 1.02;
+/// Rows over which a local step is taken, and places where it is.
+const LOCAL: (usize, usize) = (64, 1000);
+/// Share of rows behind the one before that may be left out of an uneven record.
+const MOST_OVERTAKEN: f64 = 0.05;
 
 /// Rows in the order of rising position, without breaks in it.
 #[derive(Debug, PartialEq)]
@@ -27,6 +38,8 @@ pub(super) struct Chainage {
     /// Whether positions fall from row to row.
     pub(super) falling: bool,
     pub(super) stretches: Vec<Stretch>,
+    /// Positions of the rows \[m\], where they are so uneven that heights must be resampled.
+    pub(super) uneven: Option<Vec<f64>>,
     pub(super) warnings: Vec<Defect>,
 }
 
@@ -52,6 +65,24 @@ impl Chainage {
             );
         }
         let sign = if falling { -1.0 } else { 1.0 };
+        let unevenness = Unevenness::of(positions, sign * median);
+        if unevenness.deviation > MOST_UNEVEN {
+            return refuse(
+                0,
+                format!(
+                    "positions are {:.2} mm rms off even steps of {:.3} mm, more than half a step: no profile can be \
+                     made of them",
+                    1e3 * unevenness.deviation * median,
+                    1e3 * median
+                ),
+            );
+        }
+        let uneven = unevenness.is_uneven();
+        let longest_step = if uneven {
+            (LONGEST_FILLED / median).max(2.5)
+        } else {
+            1.5
+        };
         let mut builder = Builder::default();
         let mut last: Option<(usize, f64)> = None;
         let (mut even, mut even_sum) = (0usize, 0.0);
@@ -66,11 +97,20 @@ impl Chainage {
                 continue;
             };
             let steps = sign * (position - before) / median;
-            if steps.abs() < 0.5 {
+            if uneven && (-1.0..=0.0).contains(&steps) {
+                let kind = if steps == 0.0 {
+                    &mut builder.repeated
+                } else {
+                    &mut builder.overtaken
+                };
+                kind.count(row);
+                continue;
+            }
+            if !uneven && steps.abs() < 0.5 {
                 builder.repeated.count(row);
                 continue;
             }
-            if (0.5..1.5).contains(&steps) {
+            if (0.0..longest_step).contains(&steps) {
                 even += 1;
                 even_sum += steps * median;
                 builder.go_on(row, 0);
@@ -108,6 +148,16 @@ impl Chainage {
                 return refuse(defects.first, message);
             }
         }
+        let overtaken = builder.overtaken.rows;
+        if overtaken as f64 > MOST_OVERTAKEN * rows {
+            let share = 100.0 * overtaken as f64 / rows;
+            let message = format!(
+                "{overtaken} rows ({share:.1} %) lie behind the row before, this one first"
+            );
+            return refuse(builder.overtaken.first, message);
+        }
+        // The steps of rows that were left out are in those of others.
+        even += overtaken;
         // Positions are rounded by whoever wrote them: no more digits than they can have.
         let spacing = (even_sum / even.max(1) as f64 * 1e9).round() / 1e9;
         if spacing <= 0.0 {
@@ -116,11 +166,23 @@ impl Chainage {
                 format!("the step of {median} m is too small for a profile"),
             );
         }
-        let warnings = builder.warnings(spacing);
+        let mut warnings = builder.warnings(spacing);
+        if uneven {
+            warnings.push(Defect {
+                row: 0,
+                message: format!(
+                    "positions are {:.2} mm rms off even steps of {:.3} mm: heights are brought to even steps by cubic \
+                     interpolation",
+                    1e3 * unevenness.deviation * median,
+                    1e3 * spacing
+                ),
+            });
+        }
         Ok(Self {
             spacing,
             falling,
             stretches: builder.stretches,
+            uneven: uneven.then(|| positions.to_vec()),
             warnings,
         })
     }
@@ -139,6 +201,81 @@ fn typical_step(positions: &[f64]) -> (f64, bool) {
     let mut sizes: Vec<f64> = steps.iter().map(|step| step.abs()).collect();
     sizes.sort_by(f64::total_cmp);
     (sizes.get(sizes.len() / 2).copied().unwrap_or(0.0), falling)
+}
+
+/// How far positions are from even ones.
+struct Unevenness {
+    /// Root mean square of the distances from local straight lines, over the step.
+    deviation: f64,
+    /// The same where it comes of rounding alone.
+    rounding: f64,
+    /// Ratio of long to short local steps.
+    along: f64,
+}
+
+impl Unevenness {
+    /// Of rows with this typical step \[m\], negative for falling positions. Places with gaps do not count.
+    fn of(positions: &[f64], step: f64) -> Self {
+        let (length, places) = LOCAL;
+        let count = positions.len() / length;
+        let (mut deviations, mut slopes) = (Vec::new(), Vec::new());
+        let mut quantum = f64::INFINITY;
+        for place in (0..count).step_by((count / places).max(1)) {
+            let rows = &positions[place * length..(place + 1) * length];
+            let mut steps: Vec<f64> = rows
+                .windows(2)
+                .map(|pair| (pair[1] - pair[0]) / step)
+                .collect();
+            if !steps.iter().all(|step| (-1.0..2.5).contains(step)) {
+                continue;
+            }
+            let (slope, deviation) = straight_line(rows);
+            deviations.push(deviation / step.abs());
+            slopes.push((slope / step).abs());
+            // Rounded positions have few different steps.
+            steps.sort_by(f64::total_cmp);
+            let between = steps.windows(2).map(|pair| pair[1] - pair[0]);
+            quantum = between.filter(|step| *step > 1e-3).fold(quantum, f64::min);
+        }
+        deviations.sort_by(f64::total_cmp);
+        slopes.sort_by(f64::total_cmp);
+        let at = |values: &[f64], share: f64| {
+            values.get((share * values.len() as f64) as usize).copied()
+        };
+        let ends = at(&slopes, 0.95).zip(at(&slopes, 0.05));
+        Self {
+            deviation: at(&deviations, 0.5).unwrap_or(0.0),
+            rounding: if quantum.is_finite() {
+                quantum / 12f64.sqrt()
+            } else {
+                0.0
+            },
+            along: ends.map_or(1.0, |(long, short)| long / short.max(f64::MIN_POSITIVE)),
+        }
+    }
+
+    fn is_uneven(&self) -> bool {
+        self.deviation > EVEN.max(1.2 * self.rounding) || self.along > EVEN_ALONG
+    }
+}
+
+/// Slope of the straight line through values one after the other, and the root mean square of what is off it.
+fn straight_line(values: &[f64]) -> (f64, f64) {
+    let count = values.len() as f64;
+    let centre = (count - 1.0) / 2.0;
+    let mean = values.iter().map(|value| value - values[0]).sum::<f64>() / count;
+    let (mut products, mut squares) = (0.0, 0.0);
+    for (index, value) in values.iter().enumerate() {
+        let place = index as f64 - centre;
+        products += place * (value - values[0] - mean);
+        squares += place * place;
+    }
+    let slope = products / squares;
+    let off = values.iter().enumerate().map(|(index, value)| {
+        let line = mean + slope * (index as f64 - centre);
+        (value - values[0] - line).powi(2)
+    });
+    (slope, (off.sum::<f64>() / count).sqrt())
 }
 
 /// Rows of one kind of defect.
@@ -167,6 +304,8 @@ struct Builder {
     /// \[m\].
     gap_length: f64,
     back: Count,
+    /// Of an uneven record: behind the row before, by less than a step.
+    overtaken: Count,
 }
 
 impl Builder {
@@ -210,6 +349,7 @@ impl Builder {
                 &self.back,
                 "where the position goes back, at which the record is divided".to_owned(),
             ),
+            (&self.overtaken, "behind the row before left out".to_owned()),
         ]
         .into_iter()
         .filter(|(defects, _)| defects.rows > 0)
@@ -266,6 +406,52 @@ mod tests {
         );
         assert_eq!(chainage.warnings.len(), 4, "{:?}", chainage.warnings);
         assert_eq!(chainage.spacing, 1e-3);
+    }
+
+    /// Positions with an error of the encoder of 0.2 mm rms; the true step and the gap stay.
+    #[test]
+    fn uneven_positions_are_kept_for_resampling() {
+        let jitter = |row: usize| 0.28e-3 * (row as f64 * 78.233).sin();
+        let mut some: Vec<f64> = (0..6000)
+            .map(|row| 100.0 + 1e-3 * row as f64 + jitter(row))
+            .collect();
+        some.iter_mut()
+            .skip(4000)
+            .for_each(|position| *position += 2.5);
+        let chainage = Chainage::new(&some).unwrap();
+        assert!(
+            (chainage.spacing - 1e-3).abs() < 2e-6,
+            "{}",
+            chainage.spacing
+        );
+        assert_eq!(chainage.stretches.len(), 2);
+        assert_eq!(chainage.uneven.as_deref(), Some(&some[..]));
+        let words = &chainage.warnings.last().unwrap().message;
+        assert!(
+            words.starts_with("positions are 0.20 mm rms off even steps of 1.000 mm"),
+            "{words}"
+        );
+        // Samples in time from a trolley that slows down.
+        let slower: Vec<f64> = (0..6000)
+            .map(|row| 0.02 * (f64::from(row) * 1e-4).sin())
+            .collect();
+        let slower: Vec<f64> = slower.iter().map(|x| 50.0 * x).collect();
+        assert!(Chainage::new(&slower).unwrap().uneven.is_some());
+    }
+
+    /// Positions with too few decimals are rounded and not uneven.
+    #[test]
+    fn rounded_positions_are_even() {
+        let some: Vec<f64> = (0..5000)
+            .map(|row| (f64::from(row) * 2.5).round() * 1e-4)
+            .collect();
+        let chainage = Chainage::new(&some).unwrap();
+        assert!(chainage.uneven.is_none());
+        assert!(
+            (chainage.spacing - 0.25e-3).abs() < 1e-7,
+            "{}",
+            chainage.spacing
+        );
     }
 
     #[test]

@@ -4,11 +4,11 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::layout::metres;
 use crate::CaseError;
 use crate::quantity::{Length, Quantity};
 use crate::source::Source;
 use crate::text_file::read_keys;
-use crate::unit::{Exponents, Unit};
 
 /// How to read a file of roughness: what `--format` takes and `--save-format` writes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -118,10 +118,7 @@ impl DecimalMark {
 impl Column {
     /// Size of the unit in metres; None if it is no length.
     pub(super) fn metres(&self) -> Option<f64> {
-        Unit::parse(&self.unit)
-            .ok()
-            .filter(|unit| unit.exponents == Exponents::new(0, 1, 0))
-            .map(|unit| unit.factor)
+        metres(&self.unit)
     }
 }
 

@@ -2,10 +2,15 @@
 
 mod chainage;
 mod format;
+mod heading;
+mod input;
+mod layout;
 mod limit;
 mod number;
+mod plausibility;
 mod recipe;
 mod record;
+mod resampling;
 mod rows;
 mod sniff;
 mod spectra;
@@ -14,9 +19,10 @@ mod survey;
 use std::path::Path;
 
 use crate::CaseError;
-use crate::quantity::{Length, Quantity};
+use crate::text_file::Encoding;
 
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
+pub use layout::{Layout, LengthUnit};
 pub use limit::{Limit, LimitTable};
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};
 pub use record::{Rail, Record, coarse_sampling};
@@ -37,55 +43,54 @@ pub enum RoughnessFile {
 }
 
 impl RoughnessFile {
-    /// Read a file: as the reader profile says, or as its first lines let it be understood. `spacing` is the
-    /// step of a file without positions. `progress` is told of bytes done, from several threads.
+    /// Read a file: as the layout says, or as its first lines let it be understood. `progress` is told of bytes done,
+    /// from several threads.
     ///
-    /// Text in columns, with or without a header; blank lines and those that begin with `#` or `%` are
-    /// left out. A profile needs columns of heights and a position or a spacing; a table of spectra needs
-    /// a header with a wavelength and a level. Some hundred megabytes a second.
+    /// Text in columns, with or without a header, in UTF-8, UTF-16 or Windows-1252; blank lines and those that begin
+    /// with `#` or `%` are left out, but units are read from remarks above the numbers. A profile needs columns of
+    /// heights and a position or a spacing; a table of spectra needs a header with a wavelength and a level, or with
+    /// wavelengths. Some hundred megabytes a second.
     ///
     /// # Errors
-    /// [`CaseError::Data`] with the line and the rule. Defects of less than one row in a hundred are put
-    /// right and counted in the warnings of the record.
+    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line and the rule if it is none of
+    /// these, or its values are unlike any rail. Defects of less than one row in a hundred are put right and counted in
+    /// the warnings of the record.
     pub fn read(
         path: &Path,
-        format: Option<&ReaderFormat>,
-        spacing: Option<Quantity<Length>>,
+        layout: &Layout,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CaseError> {
-        let bytes = std::fs::read(path).map_err(|reason| {
-            Refusal::new(None, format!("cannot read the file: {reason}")).of(path)
+        let bytes = input::read(path, &|head| match layout.format {
+            Some(_) => Ok(()),
+            None => Table::find(head).map(|_| ()).ok_or_else(|| no_table(head)),
         })?;
-        Self::parse(&bytes, format, spacing, progress).map_err(|refusal| refusal.of(path))
+        Self::parse(&bytes, layout, progress).map_err(|refusal| refusal.of(path))
     }
 
+    /// Text in UTF-8 or Windows-1252 whose lines end in line feeds.
     fn parse(
         bytes: &[u8],
-        format: Option<&ReaderFormat>,
-        spacing: Option<Quantity<Length>>,
+        layout: &Layout,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, Refusal> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         refuse_what_is_no_text(bytes)?;
-        if let Some(spacing) = spacing.filter(|spacing| spacing.si() <= 0.0) {
-            let message = format!("--spacing is {spacing}, but must be greater than zero");
-            return Err(Refusal::new(None, message));
+        let spacing = layout.spacing;
+        if let Some(spacing) = spacing {
+            if spacing.si() <= 0.0 {
+                let message = format!("--spacing is {spacing}, but must be greater than zero");
+                return Err(Refusal::new(None, message));
+            }
+            plausibility::check_spacing(spacing.si(), None)?;
         }
-        let (format, count, assumptions) = match format {
+        let (format, count, text_behind, assumptions) = match &layout.format {
             Some(format) => {
-                let format = with_spacing(format, spacing)?;
-                let count = count_of(bytes, &format)?;
-                (format, count, None)
+                let format = layout.apply(format);
+                let (count, text_behind) = count_of(bytes, &format)?;
+                (format, count, text_behind, Vec::new())
             }
             None => {
-                let table = Table::find(bytes).ok_or_else(|| {
-                    let first = rows::lines(bytes).position(|line| !rows::is_comment(line));
-                    Refusal {
-                        line: first.map(|line| line + 1),
-                        message: "no table of numbers begins here or below".to_owned(),
-                        help: Some(HELP.to_owned()),
-                    }
-                })?;
+                let table = Table::find(bytes).ok_or_else(|| no_table(bytes))?;
                 if table.mixed_marks {
                     let message = format!(
                         "numbers have a {} from here on, but a {} above",
@@ -94,32 +99,47 @@ impl RoughnessFile {
                     );
                     return Err(Refusal::new(Some(table.header_lines + 1), message));
                 }
-                if let Some(header) = table
-                    .header
-                    .as_deref()
-                    .filter(|names| spectra::is_header(names))
+                if let Some(header) = table.heading.names.as_deref()
+                    && let Some(columns) =
+                        spectra::Columns::of(header, &table.numeric, table.decimal)
                 {
-                    let comma = table.decimal == DecimalMark::Comma;
+                    for (argument, given) in [
+                        ("--height-unit", &layout.height_unit),
+                        ("--position-unit", &layout.position_unit),
+                    ] {
+                        if given.is_some() {
+                            let message = format!(
+                                "{argument} is for profiles, but this is a table of levels"
+                            );
+                            return Err(Refusal::new(None, message));
+                        }
+                    }
                     let above = table.header_lines;
-                    let body = from_line(bytes, above);
                     progress(bytes.len());
-                    return spectra::read(body, above, header, table.delimiter.byte(), comma)
-                        .map(Self::Spectra);
+                    let rows = spectra::Rows {
+                        text: from_line(bytes, above),
+                        above,
+                        header,
+                        delimiter: table.delimiter,
+                        decimal: table.decimal,
+                    };
+                    return spectra::read(&rows, &columns).map(Self::Spectra);
                 }
-                let format = table.format(spacing).map_err(|message| Refusal {
+                let format = table.format(layout).map_err(|message| Refusal {
                     line: None,
                     message,
                     help: Some(HELP.to_owned()),
                 })?;
-                let assumptions = table.assumptions(&format);
-                (format, table.count, assumptions)
+                let assumptions = table.assumptions(&format, layout);
+                (format, table.count, table.text_behind, assumptions)
             }
         };
         let start = bytes.len() - from_line(bytes, format.header_lines).len();
-        let rows = Cells::new(&format, count)
+        let rows = Cells::new(&format, count, text_behind)
             .parse(bytes, start, format.header_lines + 1, progress)
             .map_err(|error| Refusal::new(Some(error.line), error.message))?;
-        let record = Record::new(format, rows, assumptions)?;
+        let insisted = layout.height_unit.is_some();
+        let record = Record::new(format, rows, assumptions, insisted)?;
         if let Some(spacing) = spacing
             && (spacing.si() / record.spacing - 1.0).abs() > 0.02
         {
@@ -135,11 +155,17 @@ impl RoughnessFile {
     }
 }
 
+fn no_table(bytes: &[u8]) -> Refusal {
+    let first = rows::lines(bytes).position(|line| !rows::is_comment(line));
+    Refusal {
+        line: first.map(|line| line + 1),
+        message: "no table of numbers begins here or below".to_owned(),
+        help: Some(HELP.to_owned()),
+    }
+}
+
 const HELP: &str = "a profile is a position and a height in columns, or heights alone with --spacing; \
                     --format names the columns of any other file";
-
-/// Share of bytes that no text has, from which a file is none.
-const MOST_CONTROLS: f64 = 0.01;
 
 fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
     if bytes.iter().all(u8::is_ascii_whitespace) {
@@ -150,46 +176,13 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
         };
         return Err(Refusal::new(None, format!("the file {what}")));
     }
-    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Err(Refusal::new(
-            Some(1),
-            "the file is text in UTF-16; save it as UTF-8 or plain ASCII",
-        ));
-    }
-    let control = |byte: &u8| *byte < 32 && !matches!(byte, b'\t' | b'\n' | b'\r' | 12);
-    if let Some(at) = memchr::memchr(0, bytes).or_else(|| {
-        let sample = &bytes[..bytes.len().min(1 << 16)];
-        let controls = sample.iter().filter(|byte| control(byte)).count();
-        let many = controls as f64 > MOST_CONTROLS * sample.len() as f64;
-        sample.iter().position(control).filter(|_| many)
-    }) {
-        let line = memchr::memchr_iter(b'\n', &bytes[..at]).count() + 1;
-        return Err(Refusal::new(
-            Some(line),
-            format!(
-                "the file is binary: byte {} is {:#04x}, which no text has",
-                at + 1,
-                bytes[at]
-            ),
-        ));
-    }
+    Encoding::of(bytes).map_err(|byte| Refusal::new(Some(byte.line), byte.to_string()))?;
     Ok(())
 }
 
-/// A reader profile with the spacing of the command line.
-fn with_spacing(
-    format: &ReaderFormat,
-    spacing: Option<Quantity<Length>>,
-) -> Result<ReaderFormat, Refusal> {
-    let mut format = format.clone();
-    if format.position.is_none() && spacing.is_some() {
-        format.spacing = spacing;
-    }
-    Ok(format)
-}
-
-/// Cells of the first row below the header, which must reach to the last column of the format.
-fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<usize, Refusal> {
+/// Cells of the first row below the header up to the last number, which must reach to the last column of the format,
+/// and whether text stands behind them.
+fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusal> {
     let columns = format.position.iter().chain(&format.rails);
     let needed = columns.map(|column| column.column).max().unwrap_or(0);
     let body = from_line(bytes, format.header_lines);
@@ -203,14 +196,18 @@ fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<usize, Refusal> {
         );
         return Err(Refusal::new(None, message));
     };
-    let count = rows::cells(line, format.delimiter).len();
-    if count >= needed {
-        return Ok(count);
+    let cells = rows::cells(line, format.delimiter);
+    let number = |cell: &&[u8]| number::parse(cell, format.decimal.byte()).is_some();
+    let numbers = cells.iter().rposition(number).map_or(0, |last| last + 1);
+    if cells.len() >= needed {
+        let count = numbers.max(needed);
+        return Ok((count, count < cells.len()));
     }
     Err(Refusal::new(
         Some(format.header_lines + index + 1),
         format!(
-            "the reader profile asks for column {needed}, but there are {count}, separated by {}",
+            "the reader profile asks for column {needed}, but there are {}, separated by {}",
+            cells.len(),
             format.delimiter.words()
         ),
     ))
@@ -229,14 +226,17 @@ fn from_line(bytes: &[u8], line: usize) -> &[u8] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantity::Quantity;
     use proptest::prelude::*;
 
     fn parse(text: &[u8], spacing: Option<f64>) -> Result<RoughnessFile, String> {
-        RoughnessFile::parse(text, None, spacing.map(Quantity::new), &|_| ()).map_err(|refusal| {
-            match refusal.line {
-                Some(line) => format!("line {line}: {}", refusal.message),
-                None => refusal.message,
-            }
+        let layout = Layout {
+            spacing: spacing.map(Quantity::new),
+            ..Layout::default()
+        };
+        RoughnessFile::parse(text, &layout, &|_| ()).map_err(|refusal| match refusal.line {
+            Some(line) => format!("line {line}: {}", refusal.message),
+            None => refusal.message,
         })
     }
 

@@ -43,7 +43,7 @@ pub(super) fn plain(text: &[u8], decimal: u8) -> Option<(f64, usize)> {
 /// The number that a whole cell holds; not a number for a word that says it is missing. None for
 /// anything else.
 pub(super) fn parse(cell: &[u8], decimal: u8) -> Option<f64> {
-    let cell = cell.trim_ascii();
+    let cell = unquoted(cell.trim_ascii());
     if let Some((value, length)) = plain(cell, decimal)
         && length == cell.len()
     {
@@ -57,14 +57,81 @@ pub(super) fn parse(cell: &[u8], decimal: u8) -> Option<f64> {
         .bytes()
         .all(|byte| byte.is_ascii_digit() || byte == decimal || b"+-eE".contains(&byte));
     if !looks_like_one {
-        return None;
+        return grouped(text, decimal).or_else(|| kilometrage(text, decimal));
     }
-    let value: f64 = match decimal {
-        b'.' => text.parse().ok()?,
-        _ => text.replace(',', ".").parse().ok()?,
+    let value: Result<f64, _> = match decimal {
+        b'.' => text.parse(),
+        _ => text.replace(',', ".").parse(),
+    };
+    let Ok(value) = value else {
+        return kilometrage(text, decimal);
     };
     // What overflows is no height.
     Some(if value.is_finite() { value } else { f64::NAN })
+}
+
+/// Without the quotes around it.
+fn unquoted(cell: &[u8]) -> &[u8] {
+    match cell {
+        [b'"', inner @ .., b'"'] | [b'\'', inner @ .., b'\''] => inner.trim_ascii(),
+        _ => cell,
+    }
+}
+
+/// A number with its thousands apart, as 12.400,123 or 12'400: only where an apostrophe divides them, or a decimal mark
+/// leaves no doubt that the other mark does.
+fn grouped(text: &str, decimal: u8) -> Option<f64> {
+    let mark = char::from(decimal);
+    let (integer, decimals) = match text.split_once(mark) {
+        Some((integer, decimals)) => (integer, decimals),
+        None if text.contains('\'') => (text, ""),
+        None => return None,
+    };
+    let divider = match (integer.contains('\''), decimal) {
+        (true, _) => '\'',
+        (false, b',') => '.',
+        (false, _) => ',',
+    };
+    let unsigned = integer.strip_prefix(['-', '+']).unwrap_or(integer);
+    let groups: Vec<&str> = unsigned.split(divider).collect();
+    let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    let whole = groups.len() > 1
+        && (1..=3).contains(&groups[0].len())
+        && groups[1..].iter().all(|group| group.len() == 3)
+        && groups.iter().all(|group| digits(group))
+        && digits(decimals);
+    whole.then(|| {
+        format!("{}.{decimals}0", integer.replace(divider, ""))
+            .parse()
+            .ok()
+    })?
+}
+
+/// Metres of a kilometrage as 12+400.123 or km 12+400, for which three digits stand between plus and decimal mark.
+pub(super) fn kilometrage(text: &str, decimal: u8) -> Option<f64> {
+    let text = match text.get(..2) {
+        Some(start) if start.eq_ignore_ascii_case("km") => {
+            text[2..].trim_start_matches([' ', ':', '.'])
+        }
+        _ => text,
+    };
+    let (kilometres, metres) = text.split_once('+')?;
+    let (whole, decimals) = metres
+        .split_once(char::from(decimal))
+        .unwrap_or((metres, ""));
+    let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if !((1..=5).contains(&kilometres.len()) && whole.len() == 3 && digits(decimals))
+        || !(digits(kilometres) && digits(whole))
+    {
+        return None;
+    }
+    format!("{kilometres}{whole}.{decimals}0").parse().ok()
+}
+
+/// Whether a cell holds a kilometrage, whose number is in metres.
+pub(super) fn is_kilometrage(cell: &[u8], decimal: u8) -> bool {
+    std::str::from_utf8(unquoted(cell.trim_ascii()))
+        .is_ok_and(|text| kilometrage(text, decimal).is_some())
 }
 
 /// Whether a cell says that there is no value.
@@ -112,5 +179,39 @@ mod tests {
         assert_eq!(parse(b"2.5", b','), None);
         assert_eq!(parse(b"abc", b'.'), None);
         assert_eq!(parse(b".", b'.'), None);
+        assert_eq!(parse(b"\"1.5\"", b'.'), Some(1.5));
+    }
+
+    #[test]
+    fn chainage_is_read_as_engineers_write_it() {
+        for (text, decimal, metres) in [
+            ("12+400.123", b'.', 12_400.123),
+            ("12+400,123", b',', 12_400.123),
+            ("km 12+400", b'.', 12_400.0),
+            ("KM 0+001.5", b'.', 1.5),
+            ("12.400,123", b',', 12_400.123),
+            ("1.012.400,5", b',', 1_012_400.5),
+            ("12,400.123", b'.', 12_400.123),
+            ("12'400.123", b'.', 12_400.123),
+            ("-1.400,5", b',', -1_400.5),
+        ] {
+            assert_eq!(parse(text.as_bytes(), decimal), Some(metres), "{text}");
+        }
+        // What may be something else is no number.
+        for (text, decimal) in [
+            ("12.400", b','),
+            ("12,400", b'.'),
+            ("12+40.1", b'.'),
+            ("12+4000", b'.'),
+            ("1,24,3", b'.'),
+            ("12.40,123", b','),
+            ("+400", b'x'),
+        ] {
+            assert_eq!(
+                parse(text.as_bytes(), decimal).filter(|_| decimal != b'x'),
+                None,
+                "{text}"
+            );
+        }
     }
 }

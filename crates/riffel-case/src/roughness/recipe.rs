@@ -154,10 +154,11 @@ impl RecipeFile {
                 })
                 .collect(),
         };
-        // What the generator refuses it refuses for all rails alike.
+        written.check(&source)?;
+        // What the generator refuses it refuses for all rails alike; what is left is the number of samples.
         recipe
             .check()
-            .map_err(|error| source.invalid("", &error.to_string(), ""))?;
+            .map_err(|error| source.invalid("spacing", &error.to_string(), ""))?;
         let seeds = (0..).map(|rail| recipe.seed.wrapping_add(rail));
         let rails = written.rails.iter().zip(seeds).map(|(name, seed)| {
             let recipe = Recipe {
@@ -169,6 +170,38 @@ impl RecipeFile {
         Ok(Self {
             rails: rails.collect(),
         })
+    }
+}
+
+impl Written {
+    /// What must be above zero is so.
+    fn check(&self, source: &Source) -> Result<(), CaseError> {
+        let mut lengths = vec![
+            ("length".to_owned(), self.length),
+            ("spacing".to_owned(), self.spacing),
+        ];
+        if let Some(noise) = &self.noise {
+            lengths.push(("noise.wavelength".to_owned(), noise.wavelength));
+            lengths.push(("noise.longest".to_owned(), noise.longest));
+        }
+        for (index, wave) in self.sinusoid.iter().enumerate() {
+            lengths.push((format!("sinusoid[{index}].wavelength"), wave.wavelength));
+        }
+        for (index, spike) in self.spike.iter().enumerate() {
+            lengths.push((format!("spike[{index}].height"), spike.height));
+            lengths.push((format!("spike[{index}].width"), spike.width));
+        }
+        for (index, pit) in self.pit.iter().enumerate() {
+            lengths.push((format!("pit[{index}].depth"), pit.depth));
+            lengths.push((format!("pit[{index}].width"), pit.width));
+        }
+        for (key, length) in lengths {
+            if length.si() <= 0.0 {
+                let rule = format!("is {length}, but must be greater than zero");
+                return Err(source.invalid(&key, &rule, ""));
+            }
+        }
+        Ok(())
     }
 }
 
@@ -200,8 +233,18 @@ mod tests {
     #[test]
     fn wrong_recipes_are_refused() {
         for (text, part) in [
-            ("length = 0\nspacing = 0.001", "greater than zero"),
-            ("length = \"1e9 m\"\nspacing = \"1 mm\"", "100 million"),
+            (
+                "length = 0\nspacing = 0.001",
+                "`length` is 0 m, but must be greater than zero",
+            ),
+            (
+                "length = 1\nspacing = 0.001\n[[pit]]\nat = 0.5\ndepth = \"-3 um\"\nwidth = 0.01\n",
+                "`pit[0].depth` is -3e-6 m",
+            ),
+            (
+                "length = \"1e9 m\"\nspacing = \"1 mm\"",
+                "`spacing`: length over spacing",
+            ),
             ("length = \"10 m\"", "`spacing` is missing"),
             (
                 "length = 1\nspacing = 0.001\nrails = []",

@@ -6,6 +6,8 @@ use riffel::roughness::Profile;
 
 use super::chainage::{Chainage, LONGEST_FILLED, Stretch};
 use super::format::ReaderFormat;
+use super::plausibility;
+use super::resampling::resampled;
 use super::rows::Rows;
 use crate::CaseError;
 
@@ -82,12 +84,14 @@ impl Refusal {
 }
 
 impl Record {
+    /// `insisted` on the unit of the heights, a user is not refused because they are unlike any rail.
     pub(super) fn new(
         format: ReaderFormat,
         rows: Rows,
-        assumptions: Option<String>,
+        assumptions: Vec<String>,
+        insisted: bool,
     ) -> Result<Self, Refusal> {
-        let mut warnings: Vec<String> = assumptions.into_iter().collect();
+        let mut warnings = assumptions;
         let count = rows.columns.first().map_or(0, Vec::len);
         if count < 2 {
             return Err(Refusal::new(
@@ -112,9 +116,13 @@ impl Record {
                     start: 0.0,
                     rows: vec![(0, 0..count)],
                 }],
+                uneven: None,
                 warnings: Vec::new(),
             },
         };
+        if let Some(column) = &format.position {
+            plausibility::check_spacing(chainage.spacing, Some((&column.unit, unit(column))))?;
+        }
         warnings.extend(chainage.warnings.iter().map(|defect| {
             format!(
                 "{}; the first is line {}",
@@ -138,6 +146,15 @@ impl Record {
             let (stretches, remarks) = reader.read()?;
             warnings.extend(remarks);
             rails.push(Rail { name, stretches });
+        }
+        let read: Vec<(&Rail, &str, f64)> = rails
+            .iter()
+            .zip(&format.rails)
+            .map(|(rail, column)| (rail, column.unit.as_str(), unit(column)))
+            .collect();
+        match plausibility::check_heights(&read) {
+            Err(refusal) if insisted => warnings.push(refusal.message),
+            checked => checked?,
         }
         warnings.extend(coarse_sampling(chainage.spacing));
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
@@ -232,6 +249,9 @@ impl RailReader<'_> {
             .iter()
             .map(|(absent, rows)| absent + rows.len());
         let mut heights = Vec::with_capacity(samples.sum());
+        if let Some(positions) = &self.chainage.uneven {
+            return self.assemble_uneven(stretch, positions);
+        }
         for (absent, rows) in &stretch.rows {
             heights.extend(std::iter::repeat_n(f64::NAN, *absent));
             heights.extend(
@@ -246,6 +266,21 @@ impl RailReader<'_> {
         heights.reverse();
         let length = (heights.len() - 1) as f64 * self.chainage.spacing;
         (stretch.start - length, heights)
+    }
+
+    /// The same, resampled in even steps.
+    fn assemble_uneven(&self, stretch: &Stretch, positions: &[f64]) -> (f64, Vec<f64>) {
+        let rows = || stretch.rows.iter().flat_map(|(_, rows)| rows.clone());
+        let mut places: Vec<f64> = rows().map(|row| positions[row]).collect();
+        let mut heights: Vec<f64> = rows().map(|row| self.scale * self.heights[row]).collect();
+        if self.chainage.falling {
+            places.reverse();
+            heights.reverse();
+        }
+        (
+            places[0],
+            resampled(&places, &heights, self.chainage.spacing),
+        )
     }
 
     fn remark_missing(&self, longest_fill: usize, remarks: &mut Vec<String>) {

@@ -1,9 +1,12 @@
 //! Rows of numbers, parsed in parallel.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use super::format::{DecimalMark, Delimiter, ReaderFormat};
 use super::number;
+use crate::text_file::{printable, text_of};
 
 /// Bytes that one task parses.
 const PIECE: usize = 1 << 20;
@@ -44,14 +47,16 @@ pub(super) struct Cells {
     /// For each cell of a row up to the last that is wanted, its column.
     wanted: Vec<Option<usize>>,
     columns: usize,
-    /// Cells of a row.
+    /// Cells of a row that hold numbers, and all before them.
     count: usize,
+    /// Whether text may stand behind them in every row.
+    text_behind: bool,
 }
 
 impl Cells {
     /// The cells of a format: the position, if there is one, then the rails. `count` is the number of
-    /// cells in a row.
-    pub(super) fn new(format: &ReaderFormat, count: usize) -> Self {
+    /// cells in a row up to the last that holds numbers; `text_behind` tells of columns of text behind it.
+    pub(super) fn new(format: &ReaderFormat, count: usize, text_behind: bool) -> Self {
         let columns = format.position.iter().chain(&format.rails);
         let mut wanted = Vec::new();
         let mut total = 0;
@@ -68,6 +73,7 @@ impl Cells {
             wanted,
             columns: total,
             count,
+            text_behind,
         }
     }
 
@@ -81,10 +87,19 @@ impl Cells {
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Rows, RowError> {
         let pieces = pieces(&bytes[start..]);
+        // Pieces behind a wrong one need not be read.
+        let first_wrong = AtomicUsize::new(usize::MAX);
         let parsed: Vec<Piece> = pieces
             .into_par_iter()
-            .map(|piece| {
+            .enumerate()
+            .map(|(index, piece)| {
+                if index > first_wrong.load(Ordering::Relaxed) {
+                    return Piece::default();
+                }
                 let parsed = self.parse_piece(piece);
+                if parsed.error.is_some() {
+                    first_wrong.fetch_min(index, Ordering::Relaxed);
+                }
                 progress(piece.len());
                 parsed
             })
@@ -171,8 +186,10 @@ impl Cells {
                 break;
             }
             rest = trim_blanks(&rest[1..], self.delimiter);
-            // A delimiter at the end of the line begins no cell.
-            if rest.is_empty() && cell == self.count {
+            // A delimiter at the end of the line begins no cell, and text behind the numbers is a remark.
+            if cell == self.count
+                && (rest.is_empty() || self.text_behind || is_remark(rest, self.delimiter, decimal))
+            {
                 break;
             }
         }
@@ -193,17 +210,15 @@ impl Cells {
     }
 
     fn cell_length(&self, text: &[u8]) -> usize {
-        (0..text.len())
+        let quoted = quoted_length(text);
+        (quoted..text.len())
             .find(|&at| self.ends(text, at))
             .unwrap_or(text.len())
     }
 
     fn no_number(&self, cell: usize, text: &[u8]) -> String {
-        let shown: String = String::from_utf8_lossy(text)
-            .trim()
-            .chars()
-            .take(40)
-            .collect();
+        let shown: String = text_of(text).trim().chars().take(40).collect();
+        let shown = printable(&shown);
         let column = cell + 1;
         let other = self.decimal.other();
         if number::parse(text, other.byte()).is_some() {
@@ -217,6 +232,7 @@ impl Cells {
 }
 
 /// What one task has parsed.
+#[derive(Default)]
 struct Piece {
     columns: Vec<Vec<f64>>,
     lines: usize,
@@ -280,6 +296,25 @@ fn trim_blanks(line: &[u8], delimiter: Delimiter) -> &[u8] {
     }
 }
 
+/// Bytes from an opening quote to its end, in which no delimiter ends the cell; zero without quotes.
+fn quoted_length(text: &[u8]) -> usize {
+    match text {
+        [b'"', inner @ ..] => memchr::memchr(b'"', inner).map_or(0, |end| end + 2),
+        _ => 0,
+    }
+}
+
+/// Whether what stands behind the numbers of a row is no further number: words, a remark, or delimiters alone.
+pub(super) fn is_remark(text: &[u8], delimiter: Delimiter, decimal: u8) -> bool {
+    let words = text
+        .iter()
+        .any(|byte| byte.is_ascii_alphabetic() || !byte.is_ascii());
+    let first = cells(text, delimiter).first().copied().unwrap_or_default();
+    matches!(text.trim_ascii().first(), Some(b'#' | b'%'))
+        || (words && number::parse(first, decimal).is_none())
+        || !text.iter().any(|byte| byte.is_ascii_alphanumeric())
+}
+
 /// Cells of a line, trimmed.
 pub(super) fn cells(line: &[u8], delimiter: Delimiter) -> Vec<&[u8]> {
     let line = line.strip_suffix(b"\r").unwrap_or(line);
@@ -289,10 +324,18 @@ pub(super) fn cells(line: &[u8], delimiter: Delimiter) -> Vec<&[u8]> {
             .filter(|cell| !cell.is_empty())
             .collect(),
         _ => {
-            let mut cells: Vec<&[u8]> = line
-                .split(|&byte| byte == delimiter.byte())
-                .map(<[u8]>::trim_ascii)
-                .collect();
+            let mut cells = Vec::new();
+            let mut rest = Some(line);
+            while let Some(text) = rest {
+                let quoted = quoted_length(text);
+                let end = memchr::memchr(delimiter.byte(), &text[quoted..]);
+                let (cell, behind) = match end {
+                    Some(at) => (&text[..quoted + at], Some(&text[quoted + at + 1..])),
+                    None => (text, None),
+                };
+                cells.push(cell.trim_ascii());
+                rest = behind;
+            }
             // A delimiter at the end of the line begins no cell.
             if cells.len() > 1 && cells.last().is_some_and(|cell| cell.is_empty()) {
                 cells.pop();

@@ -1,9 +1,10 @@
 //! How a file of text is laid out, found from its first lines.
 
 use super::format::{Column, DecimalMark, Delimiter, ReaderFormat};
+use super::heading::{Heading, Kind};
+use super::layout::Layout;
 use super::number;
-use super::rows::{cells, is_comment, lines};
-use crate::quantity::{Length, Quantity};
+use super::rows::{cells, is_comment, is_remark, lines};
 
 /// Bytes that are looked at.
 const SAMPLE: usize = 1 << 16;
@@ -28,12 +29,16 @@ pub(super) struct Table {
     pub(super) header_lines: usize,
     /// Whether rows above the first have the other decimal mark.
     pub(super) mixed_marks: bool,
-    /// Names of the columns, if a line above the numbers has them.
-    pub(super) header: Option<Vec<String>>,
-    /// Cells of a row.
+    /// What stands above the numbers.
+    pub(super) heading: Heading,
+    /// Cells of a row up to the last that holds numbers.
     pub(super) count: usize,
+    /// Whether columns of text stand behind these.
+    pub(super) text_behind: bool,
     /// Whether each column holds numbers.
-    numeric: Vec<bool>,
+    pub(super) numeric: Vec<bool>,
+    /// Whether each column holds kilometrages, as in 12+400.123, whose numbers are in metres.
+    kilometrage: Vec<bool>,
     /// The first rows; not a number where a cell holds none.
     sample: Vec<Vec<f64>>,
 }
@@ -67,11 +72,11 @@ impl Table {
             .collect();
         // Titles stand above: the later half tells what a row is.
         let later = &rows[rows.len() / 2..];
-        let count = most_frequent(later.iter().map(|(_, cells)| cells.len()))?;
-        let shaped: Vec<_> = later.iter().filter(|row| row.1.len() == count).collect();
+        let widest = most_frequent(later.iter().map(|(_, cells)| cells.len()))?;
+        let shaped: Vec<_> = later.iter().filter(|row| row.1.len() == widest).collect();
         let number = |cell: &[u8]| number::parse(cell, decimal.byte());
         let other = |cell: &[u8]| number::parse(cell, decimal.other().byte());
-        let numeric: Vec<bool> = (0..count)
+        let mut numeric: Vec<bool> = (0..widest)
             .map(|column| {
                 let numbers = shaped.iter().filter(|row| number(row.1[column]).is_some());
                 let values = shaped
@@ -80,15 +85,19 @@ impl Table {
                 10 * numbers.count() >= 9 * shaped.len() && values.count() > 0
             })
             .collect();
+        // Remarks behind the numbers are there or not, and may have any number of cells.
+        let count = numeric.iter().rposition(|&numeric| numeric)? + 1;
+        numeric.truncate(count);
+        let text_behind = count < widest;
         let columns = numeric.iter().filter(|&&numeric| numeric).count();
-        if columns == 0 {
-            return None;
-        }
         let is_data = |cells: &[&[u8]]| {
             let with_numbers = || (0..count).filter(|&column| numeric[column]);
-            cells.len() == count
+            cells.len() >= count
                 && with_numbers().all(|column| number(cells[column]).is_some())
                 && with_numbers().any(|column| number(cells[column]).is_some_and(f64::is_finite))
+                && (cells.len() == count
+                    || text_behind
+                    || is_remark(cells[count], delimiter, decimal.byte()))
         };
         let first = rows.iter().position(|row| is_data(&row.1))?;
         let data: Vec<_> = rows[first..].iter().filter(|row| is_data(&row.1)).collect();
@@ -99,11 +108,19 @@ impl Table {
             cells.len() == count && (0..count).all(|at| !numeric[at] || other(cells[at]).is_some())
         });
         let mixed_marks = with_other_mark.count() > 1;
+        let kilometrage = (0..count)
+            .map(|column| {
+                let is = |row: &&&(usize, Vec<&[u8]>)| {
+                    number::is_kilometrage(row.1[column], decimal.byte())
+                };
+                2 * data.iter().filter(is).count() > data.len()
+            })
+            .collect();
         let sample = data
             .iter()
             .map(|row| {
                 let value = |cell: &&[u8]| number(cell).unwrap_or(f64::NAN);
-                row.1.iter().map(value).collect()
+                row.1[..count].iter().map(value).collect()
             })
             .collect();
         // A few odd lines are defects of the file and not of the way.
@@ -111,22 +128,24 @@ impl Table {
         if fits < 0.5 {
             return None;
         }
-        let all_numbers = columns as f64 / count as f64;
+        let all_numbers = columns as f64 / widest as f64;
         let score = 1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64;
         let table = Self {
             delimiter,
             decimal,
             header_lines,
             mixed_marks,
-            header: header(&all[..header_lines], delimiter, count),
+            heading: Heading::read(&all[..header_lines], delimiter, count, widest),
             count,
+            text_behind,
             numeric,
+            kilometrage,
             sample,
         };
         // In "3,21" the comma is a decimal mark unless the first column counts.
         if delimiter == Delimiter::Comma
             && count == 2
-            && table.header.is_none()
+            && table.heading.names.is_none()
             && table.integers()
             && !table.is_even(0)
         {
@@ -162,19 +181,20 @@ impl Table {
         self.even_step(column).is_some()
     }
 
-    /// The layout of a profile, or why there is none, as a sentence. `spacing` is what the user gave.
-    pub(super) fn format(&self, spacing: Option<Quantity<Length>>) -> Result<ReaderFormat, String> {
+    /// The layout of a profile, or why there is none, as a sentence.
+    pub(super) fn format(&self, layout: &Layout) -> Result<ReaderFormat, String> {
+        let spacing = layout.spacing;
         let mut columns: Vec<usize> = (0..self.count)
-            .filter(|&column| self.numeric[column] && !self.is(column, &IGNORED))
+            .filter(|&column| self.numeric[column] && !self.is_something_else(column))
             .collect();
         let named = columns
             .iter()
-            .position(|&column| self.is(column, &POSITION));
-        let first_counts = columns.len() > 1 && (spacing.is_none() || self.is_even(columns[0]));
+            .position(|&column| self.kilometrage[column] || self.heading.is(column, &POSITION));
         let position = match named {
             Some(place) => Some(columns.remove(place)),
-            None if first_counts => Some(columns.remove(0)),
-            None => None,
+            None => self
+                .unnamed_position(&columns, spacing.is_some())
+                .map(|place| columns.remove(place)),
         };
         if columns.is_empty() {
             return Err("there is no column of heights".to_owned());
@@ -182,15 +202,16 @@ impl Table {
         if position.is_none() && spacing.is_none() {
             return Err("there is one column of heights and no position".to_owned());
         }
+        self.check_units(layout, &columns, position)?;
         let rails = columns
             .into_iter()
             .map(|column| Column {
                 column: column + 1,
-                unit: self.unit(column).unwrap_or("um").to_owned(),
-                name: self.rail_name(column),
+                unit: self.unit(column, Kind::Height).unwrap_or("um").to_owned(),
+                name: self.heading.rail_name(column),
             })
             .collect();
-        Ok(ReaderFormat {
+        let mut format = layout.apply(&ReaderFormat {
             delimiter: self.delimiter,
             decimal: self.decimal,
             header_lines: self.header_lines,
@@ -198,51 +219,121 @@ impl Table {
             position: position.map(|column| Column {
                 column: column + 1,
                 unit: self
-                    .unit(column)
+                    .unit(column, Kind::Position)
                     .unwrap_or_else(|| self.likely_unit(column))
                     .to_owned(),
                 name: String::new(),
             }),
             rails,
-        })
+        });
+        if let Some(position) = format.position.as_mut()
+            && self.kilometrage[position.column - 1]
+        {
+            position.unit = "m".to_owned();
+        }
+        Ok(format)
     }
 
-    /// Columns whose unit no header gives, as a sentence on what was taken for granted.
-    pub(super) fn assumptions(&self, format: &ReaderFormat) -> Option<String> {
-        let unnamed = |column: &Column| self.unit(column.column - 1).is_none();
-        let position = format.position.iter().filter(|column| unnamed(column));
-        let heights = format.rails.iter().find(|column| unnamed(column));
-        let parts: Vec<String> = position
-            .map(|column| format!("position in {}", column.unit))
-            .chain(heights.map(|column| format!("heights in {}", column.unit)))
-            .collect();
-        (!parts.is_empty()).then(|| format!("{} taken for granted", parts.join(" and ")))
+    /// The place among some columns of the one that rises or falls evenly, the first of several; else the first, where
+    /// there must be a position.
+    fn unnamed_position(&self, columns: &[usize], spaced: bool) -> Option<usize> {
+        let even = columns.iter().position(|&column| self.is_even(column));
+        match even {
+            _ if columns.len() < 2 => None,
+            Some(place) => Some(place),
+            None => (!spaced).then_some(0),
+        }
     }
 
-    fn name(&self, column: usize) -> Option<&str> {
-        self.header.as_ref()?.get(column).map(String::as_str)
+    /// Refuse a remark that contradicts the head of a column, unless the user says which is right.
+    fn check_units(
+        &self,
+        layout: &Layout,
+        heights: &[usize],
+        position: Option<usize>,
+    ) -> Result<(), String> {
+        let heights = heights
+            .iter()
+            .map(|&column| (column, Kind::Height, layout.height_unit.is_some()));
+        let position =
+            position.map(|column| (column, Kind::Position, layout.position_unit.is_some()));
+        for (column, kind, said) in heights.chain(position) {
+            if let (Some(own), Some(stated), false) = (
+                self.heading.unit_of(column),
+                self.heading.stated(kind),
+                said,
+            ) && own != stated.unit
+                && !self.kilometrage[column]
+            {
+                let (what, option) = kind.words();
+                return Err(format!(
+                    "the head of column {} gives {own}, but line {} says {what} in {}; give {option}",
+                    column + 1,
+                    stated.line,
+                    stated.unit
+                ));
+            }
+        }
+        Ok(())
     }
 
-    fn is(&self, column: usize, words: &[&str]) -> bool {
-        let Some(name) = self.name(column) else {
-            return false;
+    /// Columns whose unit no head gives, as a sentence on where it was taken from, and what was left out.
+    pub(super) fn assumptions(&self, format: &ReaderFormat, layout: &Layout) -> Vec<String> {
+        let source = |column: &Column, kind: Kind, said: bool| {
+            let place = column.column - 1;
+            let (what, _) = kind.words();
+            let unit = &column.unit;
+            if said || self.kilometrage[place] || self.heading.unit_of(place).is_some() {
+                None
+            } else if let Some(stated) = self.heading.stated(kind) {
+                Some((
+                    format!("{what} in {unit}"),
+                    format!("as line {} says", stated.line),
+                ))
+            } else {
+                Some((format!("{what} in {unit}"), "taken for granted".to_owned()))
+            }
         };
-        tokens(name).iter().any(|token| {
-            words
-                .iter()
-                .any(|word| token == word || (word.len() > 4 && token.starts_with(word)))
-        })
+        let mut position = format.position.iter();
+        let position = position
+            .find_map(|column| source(column, Kind::Position, layout.position_unit.is_some()));
+        let mut rails = format.rails.iter();
+        let heights =
+            rails.find_map(|column| source(column, Kind::Height, layout.height_unit.is_some()));
+        let mut sentences: Vec<String> = match (position, heights) {
+            (Some(a), Some(b)) if a.1 == b.1 => vec![format!("{} and {} {}", a.0, b.0, a.1)],
+            (a, b) => a
+                .into_iter()
+                .chain(b)
+                .map(|(what, from)| format!("{what} {from}"))
+                .collect(),
+        };
+        let text: Vec<String> = (0..self.count)
+            .filter(|&column| !self.numeric[column])
+            .map(|column| (column + 1).to_string())
+            .collect();
+        match (&text[..], self.text_behind) {
+            ([], false) => {}
+            ([], true) => {
+                sentences.push(format!("the text behind column {} is left out", self.count))
+            }
+            (columns, _) => {
+                sentences.push(format!("text in column {} is left out", columns.join(", ")))
+            }
+        }
+        sentences
     }
 
-    /// Unit that the header gives.
-    fn unit(&self, column: usize) -> Option<&'static str> {
-        let tokens = tokens(self.name(column)?);
-        tokens.iter().rev().find_map(|token| {
-            UNITS
-                .into_iter()
-                .find(|(written, _)| written == token)
-                .map(|(_, unit)| unit)
-        })
+    /// Unit that the head of a column or else a remark gives.
+    fn unit(&self, column: usize, kind: Kind) -> Option<&'static str> {
+        let stated = || self.heading.stated(kind).map(|stated| stated.unit);
+        self.heading.unit_of(column).or_else(stated)
+    }
+
+    /// Whether the head of a column names neither a position nor a height.
+    fn is_something_else(&self, column: usize) -> bool {
+        let name = self.heading.name(column).unwrap_or_default().to_lowercase();
+        self.heading.is(column, &IGNORED) || OTHER_UNITS.iter().any(|unit| name.contains(unit))
     }
 
     /// Unit of a position that has none, from its step: no trolley samples in steps of less than 20 µm
@@ -254,25 +345,9 @@ impl Table {
             _ => "m",
         }
     }
-
-    /// What the header calls a rail, without its unit.
-    fn rail_name(&self, column: usize) -> String {
-        let Some(name) = self.name(column) else {
-            return format!("column {}", column + 1);
-        };
-        let kept: Vec<String> = tokens(name)
-            .into_iter()
-            .filter(|token| UNITS.iter().all(|(written, _)| written != token))
-            .collect();
-        if kept.is_empty() {
-            format!("column {}", column + 1)
-        } else {
-            kept.join(" ")
-        }
-    }
 }
 
-const POSITION: [&str; 18] = [
+const POSITION: [&str; 21] = [
     "position",
     "pos",
     "chainage",
@@ -291,8 +366,11 @@ const POSITION: [&str; 18] = [
     "s",
     "km",
     "way",
+    "abszisse",
+    "abscisse",
+    "kilometrierung",
 ];
-const IGNORED: [&str; 17] = [
+const IGNORED: [&str; 23] = [
     "index",
     "sample",
     "samples",
@@ -310,52 +388,17 @@ const IGNORED: [&str; 17] = [
     "lat",
     "lon",
     "event",
+    "velocity",
+    "geschwindigkeit",
+    "temperatur",
+    "datum",
+    "uhrzeit",
+    "lfd",
 ];
-const UNITS: [(&str, &str); 10] = [
-    ("km", "km"),
-    ("mm", "mm"),
-    ("cm", "cm"),
-    ("m", "m"),
-    ("um", "um"),
-    ("µm", "um"),
-    ("μm", "um"),
-    ("micron", "um"),
-    ("microns", "um"),
-    ("nm", "nm"),
+/// Units of columns that hold something else.
+const OTHER_UNITS: [&str; 9] = [
+    "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
 ];
-
-/// Words of a name, in small letters.
-pub(super) fn tokens(name: &str) -> Vec<String> {
-    name.to_lowercase()
-        .split(|c: char| !c.is_alphanumeric())
-        .filter(|token| !token.is_empty())
-        .map(str::to_owned)
-        .collect()
-}
-
-/// Names above the numbers: the last line that has as many cells and is not numbers; also in a remark.
-fn header(above: &[&[u8]], delimiter: Delimiter, count: usize) -> Option<Vec<String>> {
-    above.iter().rev().find_map(|line| {
-        let line = match line {
-            [b'#' | b'%', rest @ ..] => rest,
-            _ => line,
-        };
-        let cells = cells(line, delimiter);
-        let text = cells
-            .iter()
-            .any(|cell| cell.iter().any(u8::is_ascii_alphabetic));
-        (cells.len() == count && text).then(|| cells.iter().map(|cell| words(cell)).collect())
-    })
-}
-
-/// Text of a header in UTF-8 or, where it is none, in Latin 1.
-fn words(cell: &[u8]) -> String {
-    let text = match std::str::from_utf8(cell) {
-        Ok(text) => text.to_owned(),
-        Err(_) => cell.iter().map(|&byte| char::from(byte)).collect(),
-    };
-    text.trim_matches(['"', '\'']).trim().to_owned()
-}
 
 fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
     let mut counts = std::collections::BTreeMap::new();
@@ -426,10 +469,10 @@ mod tests {
             (delimiter, decimal, 3)
         );
         assert_eq!(table.header_lines, header.lines().count());
-        let format = table.format(None).unwrap();
+        let format = table.format(&Layout::default()).unwrap();
         assert_eq!(format.position.unwrap().column, 1);
         assert_eq!(format.rails.len(), 2);
-        assert_eq!(table.header.is_some(), !header.is_empty());
+        assert_eq!(table.heading.names.is_some(), !header.is_empty());
     }
 
     #[test]
@@ -440,7 +483,7 @@ mod tests {
                 .collect();
             Table::find((header.to_owned() + &rows).as_bytes())
                 .unwrap()
-                .format(None)
+                .format(&Layout::default())
                 .unwrap()
         };
         let units = |format: &ReaderFormat| {
@@ -465,7 +508,7 @@ mod tests {
             .concat();
         let table = Table::find(decimals.as_bytes()).unwrap();
         assert_eq!((table.decimal, table.count), (DecimalMark::Comma, 1));
-        assert!(table.format(None).is_err());
+        assert!(table.format(&Layout::default()).is_err());
         let counted: String = (0..8).map(|n| format!("{n},{}\n", 10 - n)).collect();
         assert_eq!(Table::find(counted.as_bytes()).unwrap().count, 2);
     }
@@ -477,7 +520,7 @@ mod tests {
             .collect();
         let table =
             Table::find(format!("index,date,chainage_m,left rail um\n{rows}").as_bytes()).unwrap();
-        let format = table.format(None).unwrap();
+        let format = table.format(&Layout::default()).unwrap();
         assert_eq!(format.position.unwrap().column, 3);
         assert_eq!(format.rails.len(), 1);
         assert_eq!(format.rails[0].name, "left rail");

@@ -7,8 +7,10 @@ use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum};
 
+use super::spectra::is_date;
 use super::{LabelledSpectrum, RoughnessFile};
 use crate::CaseError;
+use crate::date::{read_date, read_dates};
 
 /// Spectra of a file: those of a table, or one for each rail of a profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +87,13 @@ impl Survey {
                 return Err(self.refuse(message));
             };
             self.check_column(column)?;
-            let chosen = |record: &LabelledSpectrum| record.label(column) == Some(value);
+            // A date may be written as in the file or in another way.
+            let date = is_date(column).then(|| read_date(value).ok()).flatten();
+            let date = date.map(|date| date.to_string());
+            let chosen = |record: &LabelledSpectrum| {
+                let label = record.label(column);
+                label == Some(value) || (date.is_some() && label == date.as_deref())
+            };
             if !self.records.iter().any(chosen) {
                 return Err(self.refuse(format!("no spectrum has {choice}")));
             }
@@ -94,14 +102,30 @@ impl Survey {
         Ok(self)
     }
 
-    /// The records by the values of a column, in the order of the file; one group named "all" without one.
+    /// The first column that is called a date.
+    pub fn date_column(&self) -> Option<&str> {
+        self.columns().find(|column| is_date(column))
+    }
+
+    /// The records by the values of a column: by dates the earliest first, else in the order of the file; one group
+    /// named "all" without a column.
     ///
     /// # Errors
-    /// [`CaseError::Data`] for a column that is not there.
+    /// [`CaseError::Data`] for a column that is not there, or is called a date and holds something else.
     pub fn groups(&self, by: Option<&str>) -> Result<Vec<(String, Self)>, CaseError> {
-        let Some(column) = by else {
-            return Ok(vec![("all".to_owned(), self.clone())]);
-        };
+        match by {
+            None => Ok(vec![("all".to_owned(), self.clone())]),
+            Some(column) if is_date(column) => {
+                let dates = self.by_date(column)?.into_iter();
+                Ok(dates
+                    .map(|(date, survey)| (date.to_string(), survey))
+                    .collect())
+            }
+            Some(column) => self.groups_in_order(column),
+        }
+    }
+
+    fn groups_in_order(&self, column: &str) -> Result<Vec<(String, Self)>, CaseError> {
         self.check_column(column)?;
         let mut groups: Vec<(String, Self)> = Vec::new();
         for record in &self.records {
@@ -126,13 +150,11 @@ impl Survey {
     /// # Errors
     /// [`CaseError::Data`] for a column that is not there or holds something else than dates.
     pub fn by_date(&self, column: &str) -> Result<Vec<(Date, Self)>, CaseError> {
+        let groups = self.groups_in_order(column)?;
+        let read = read_dates(groups.iter().map(|(written, _)| written.as_str()))
+            .map_err(|message| self.refuse(format!("column `{column}`: {message}")))?;
         let mut dates: Vec<(Date, Self)> = Vec::new();
-        for (written, mut survey) in self.groups(Some(column))? {
-            let date: Date = written.parse().map_err(|_| {
-                self.refuse(format!(
-                    "column `{column}` is \"{written}\", but must be a date as in 2026-01-31"
-                ))
-            })?;
+        for (date, (_, mut survey)) in read.into_iter().zip(groups) {
             // One date may be written in several ways.
             match dates.iter_mut().find(|(other, _)| *other == date) {
                 Some((_, same)) => same.records.append(&mut survey.records),

@@ -1,7 +1,7 @@
 //! Traffic files, files of changes and surveys as users write them.
 
 use riffel::forecast::SpeedDistribution;
-use riffel_case::roughness::{RoughnessFile, Survey};
+use riffel_case::roughness::{Layout, RoughnessFile, Survey};
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::what_if::Comparison;
 use riffel_case::{Case, CaseError, NOMINAL_CASE, TRAFFIC, Variant};
@@ -264,7 +264,7 @@ fn survey(text: &str) -> Survey {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.csv");
     std::fs::write(&path, text).unwrap();
-    let file = RoughnessFile::read(&path, None, None, &|_| {}).unwrap();
+    let file = RoughnessFile::read(&path, &Layout::default(), &|_| {}).unwrap();
     Survey::of(&path, file).unwrap()
 }
 
@@ -304,10 +304,7 @@ fn wrong_choices_are_refused() {
             survey(TABLE).choose(&["section".to_owned()]).unwrap_err(),
             "COLUMN=VALUE",
         ),
-        (
-            survey(TABLE).by_date("section").unwrap_err(),
-            "must be a date",
-        ),
+        (survey(TABLE).by_date("section").unwrap_err(), "is no date"),
     ] {
         assert!(message.to_string().contains(part), "{message}");
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use jiff::civil::Date;
 use riffel_case::quantity::{Quantity, Speed};
+use riffel_case::read_date;
 
 use super::{CaseArguments, Layout};
 
@@ -32,7 +33,7 @@ pub(crate) struct Forecast {
     pub(crate) horizon: Horizon,
 
     /// Date of the spectrum, from which dates are counted [default: that of --date-column].
-    #[arg(long, value_name = "DATE")]
+    #[arg(long, value_name = "DATE", value_parser = read_date)]
     pub(crate) date: Option<Date>,
 
     /// Folder for the results, made if need be [default: CASE-forecast].
@@ -76,7 +77,7 @@ pub(crate) struct Spectra {
     #[arg(long = "where", value_name = "COLUMN=VALUE")]
     pub(crate) choose: Vec<String>,
 
-    /// Column of dates, as in 2026-01-31: the latest is now, the earliest before.
+    /// Column of dates, as 2026-01-31 or 31.01.2026: the latest is now, the earliest before.
     #[arg(long, value_name = "COLUMN")]
     pub(crate) date_column: Option<String>,
 

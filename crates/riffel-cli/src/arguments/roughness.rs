@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use riffel::roughness::AnalysisSettings;
 use riffel_case::quantity::{Frequency, Length, Quantity};
+use riffel_case::read_date;
+use riffel_case::roughness::LengthUnit;
 
 use super::CaseArguments;
 
@@ -18,6 +20,15 @@ pub(crate) struct Layout {
     /// Step between samples of files without positions, in metres or with its unit.
     #[arg(long, value_name = "LENGTH")]
     pub(crate) spacing: Option<Quantity<Length>>,
+
+    /// Unit of the heights, as mm or um, whatever the file says [default: that of its head or of a remark, else um].
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) height_unit: Option<LengthUnit>,
+
+    /// Unit of the positions, as m or km, whatever the file says [default: that of its head or of a remark, else by
+    /// their step].
+    #[arg(long, value_name = "UNIT")]
+    pub(crate) position_unit: Option<LengthUnit>,
 }
 
 /// What is computed of a profile.
@@ -54,7 +65,8 @@ impl Default for Statistics {
 
 #[derive(Args)]
 #[command(
-    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results"
+    after_help = "Example: riffel roughness --synthesise -o profile.csv && riffel roughness profile.csv -o results\n\n\
+        A file whose heights are in mm and does not say so: riffel roughness trolley.txt --height-unit mm"
 )]
 pub(crate) struct Roughness {
     /// Longitudinal profile, or table of one-third-octave levels: text in columns.
@@ -107,12 +119,14 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "FILE")]
     pub(crate) earlier: Vec<PathBuf>,
 
-    /// Dates of all records, YYYY-MM-DD, separated by commas, the oldest first and that of --roughness last.
+    /// Dates of all records, as 2026-01-31 or 31.01.2026, separated by commas, the oldest first and that of --roughness
+    /// last.
     #[arg(
         long,
         value_name = "DATES",
         value_delimiter = ',',
-        requires = "earlier"
+        requires = "earlier",
+        value_parser = read_date
     )]
     pub(crate) dates: Vec<jiff::civil::Date>,
 
@@ -152,6 +166,8 @@ impl DiagnosisArguments {
         let given = [
             ("--format", self.layout.format.is_some()),
             ("--spacing", self.layout.spacing.is_some()),
+            ("--height-unit", self.layout.height_unit.is_some()),
+            ("--position-unit", self.layout.position_unit.is_some()),
             ("--earlier", !self.earlier.is_empty()),
             ("--where", !self.choose.is_empty()),
             ("--by", self.by.is_some()),

@@ -6,6 +6,7 @@ mod diagnose;
 mod documentation;
 mod files;
 mod forecast;
+mod reading;
 mod report;
 mod roughness;
 mod sandbox;

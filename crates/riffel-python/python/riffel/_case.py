@@ -719,6 +719,8 @@ class Case:
         where: Mapping[str, str] | None = None,
         by: str | None = None,
         format: str | os.PathLike[str] | None = None,
+        height_unit: str | None = None,
+        position_unit: str | None = None,
         from_vehicle: bool = False,
     ) -> dict[str, Any]:
         """What may have made the wavelengths that stand out of a rail, held against this case.
@@ -748,6 +750,8 @@ class Case:
             Label that tells the spectra of one table apart in time; ``date`` by default, if there is one.
         format : path-like, optional
             Reader profile of files.
+        height_unit, position_unit : str, optional
+            Units of heights and positions in files, as "mm", whatever these say.
         from_vehicle : bool
             Whether the record was taken from a vehicle, whose wheels are in it, and not with a trolley.
 
@@ -790,6 +794,8 @@ class Case:
             where=where,
             by=by,
             format=format,
+            height_unit=height_unit,
+            position_unit=position_unit,
             from_vehicle=from_vehicle,
         )
 

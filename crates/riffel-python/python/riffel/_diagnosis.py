@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from riffel import _riffel
-from riffel._quantities import Quantities, Quantity, array, scalar
+from riffel._layout import layout
+from riffel._quantities import Quantities, Quantity, array
 from riffel._records import Date, RailRecord, checked_dates, checked_record
 from riffel._speeds import Speeds, ranges
 
@@ -28,6 +29,8 @@ def diagnose(
     where: Mapping[str, str] | None,
     by: str | None,
     format: str | os.PathLike[str] | None,
+    height_unit: str | None,
+    position_unit: str | None,
     from_vehicle: bool,
 ) -> dict[str, Any]:
     """Check what a user gave and ask the extension; see `Case.diagnose`."""
@@ -45,8 +48,7 @@ def diagnose(
         case,
         present,
         before,
-        None if format is None else os.fspath(format),
-        None if spacing is None else scalar(spacing, "spacing", "length"),
+        layout(format, spacing, height_unit, position_unit),
         traffic if speed is None else ranges(speed),
         _modes(torsion, "torsion"),
         _modes(bending, "bending"),

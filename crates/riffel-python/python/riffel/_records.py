@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
+from riffel import _riffel
 from riffel._quantities import Quantity
 from riffel._spectra import labels_of, levels_of
 from riffel.roughness import Roughness, stretches_of
@@ -24,7 +25,7 @@ Levels: TypeAlias = "xr.DataArray | Sequence[xr.DataArray] | str | os.PathLike[s
 """One-third-octave spectra, or a file of spectra or of a profile."""
 
 Date: TypeAlias = "str | datetime.date"
-"""A date, or its text as in 2026-01-31."""
+"""A date, or its text as in 2026-01-31 or 31.01.2026."""
 
 
 def checked_record(record: RailRecord, name: str, spacing: Quantity | None) -> tuple[str, Any]:
@@ -94,9 +95,9 @@ def _date(value: Any, name: str) -> str:
         value = value.date()
     if isinstance(value, str):
         try:
-            value = datetime.date.fromisoformat(value)
-        except ValueError:
-            pass
+            return _riffel.read_date(value)
+        except ValueError as error:
+            raise ValueError(f"{name} is {value!r}, but must be a date as in 2026-01-31: {error}") from None
     if not isinstance(value, datetime.date):
         raise ValueError(f"{name} is {value!r}, but must be a date as in 2026-01-31")
     return value.isoformat()

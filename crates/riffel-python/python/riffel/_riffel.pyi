@@ -20,6 +20,7 @@ _Roughness: TypeAlias = (
     | Sequence[tuple[Sequence[tuple[str, str]], tuple[_Floats, _Floats]]]
 )
 _Record: TypeAlias = tuple[str, str | None, _Roughness]
+_Layout: TypeAlias = tuple[str | None, float | None, str | None, str | None]
 
 VERSION: str
 
@@ -119,8 +120,7 @@ def diagnose(
     case: Case,
     rail: _Record,
     earlier: Sequence[_Record],
-    format: str | None,
-    spacing: float | None,
+    layout: _Layout,
     speeds: Sequence[tuple[float, float]] | str | dict[str, Any] | None,
     torsion: Sequence[float],
     bending: Sequence[float],
@@ -152,8 +152,9 @@ def compare_with_limit(wavelengths: _Floats, levels: _Floats, limit: str) -> _Le
 def energy_mean(spectra: _Spectra) -> _Levels: ...
 def dominant_of_profile(stretches: _Stretches, spacing: float) -> list[_Dominant]: ...
 def dominant_of_spectra(spectra: _Spectra) -> list[_Dominant]: ...
+def read_date(text: str) -> str: ...
 def read_roughness(
-    path: str, format: str | None, spacing: float | None
+    path: str, layout: _Layout
 ) -> tuple[
     tuple[float, list[tuple[str, list[tuple[float, _Floats]]]]] | None,
     list[tuple[list[tuple[str, str]], _Levels]],

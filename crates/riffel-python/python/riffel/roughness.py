@@ -16,6 +16,7 @@ import xarray as xr
 
 from riffel import _riffel
 from riffel._datasets import WAVELENGTH
+from riffel._layout import layout
 from riffel._quantities import Floats, Quantity, real, scalar
 from riffel._spectra import levels, levels_of, spectrum_array
 
@@ -114,7 +115,12 @@ def _one(heights: npt.ArrayLike, spacing: Quantity | None) -> tuple[Floats, floa
 
 
 def read(
-    path: str | os.PathLike[str], *, format: str | os.PathLike[str] | None = None, spacing: Quantity | None = None
+    path: str | os.PathLike[str],
+    *,
+    format: str | os.PathLike[str] | None = None,
+    spacing: Quantity | None = None,
+    height_unit: str | None = None,
+    position_unit: str | None = None,
 ) -> Roughness:
     """Read a file of roughness, whose layout is found from its first lines.
 
@@ -126,13 +132,15 @@ def read(
         Reader profile that says how the file is laid out.
     spacing : quantity, optional
         Step between samples of a file without positions.
+    height_unit, position_unit : str, optional
+        Units of heights and positions, as "mm", whatever the file says.
 
     Raises
     ------
     FileNotFoundError
         If there is no such file.
     ValueError
-        For a file that is none of these, with its line.
+        For a file that is none of these, with its line, or one whose values are unlike any rail.
 
     Examples
     --------
@@ -140,10 +148,8 @@ def read(
     >>> len(file.spectra) > 0 and file.profile is None
     True
     """
-    step = None if spacing is None else scalar(spacing, "spacing", "length")
-    profile, spectra, warnings = _riffel.read_roughness(
-        os.fspath(path), None if format is None else os.fspath(format), step
-    )
+    given = layout(format, spacing, height_unit, position_unit)
+    profile, spectra, warnings = _riffel.read_roughness(os.fspath(path), given)
     arrays = [spectrum_array(found).assign_attrs(dict(labels)) for labels, found in spectra]
     return Roughness(None if profile is None else _profile(*profile), arrays, warnings)
 

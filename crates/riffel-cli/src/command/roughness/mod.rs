@@ -56,10 +56,15 @@ pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile
         positive("--spacing", spacing)?;
     }
     let format = layout.format.as_deref();
-    let format = format.map(ReaderFormat::read).transpose()?;
+    let layout = riffel_case::roughness::Layout {
+        format: format.map(ReaderFormat::read).transpose()?,
+        spacing: layout.spacing,
+        height_unit: layout.height_unit.clone(),
+        position_unit: layout.position_unit.clone(),
+    };
     let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
     let file = with_progress("reading", size, |advance| {
-        RoughnessFile::read(path, format.as_ref(), layout.spacing, advance)
+        RoughnessFile::read(path, &layout, advance)
     });
     Ok(file?)
 }
