@@ -20,7 +20,7 @@ for remark in case.remarks:
 
 growth, ridge = case.growth_map(), case.ridge()
 print(growth)
-print(f"the ridge follows {ridge.attrs['best_fit_frequency_hz']:.0f} Hz")
+print(f"the strongest branch grows at {ridge.attrs['best_fit_frequency_hz']:.0f} Hz")
 
 # %%
 # Axes come in and go out: two cases side by side.

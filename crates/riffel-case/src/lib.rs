@@ -14,6 +14,7 @@
 //! # Ok::<(), riffel_case::CaseError>(())
 //! ```
 
+mod branches;
 mod builder;
 mod case;
 mod creep_laws;
@@ -46,6 +47,7 @@ mod variant;
 pub mod what_if;
 mod written_case;
 
+pub use branches::BranchDocument;
 pub use case::Case;
 pub use creep_laws::CreepLaws;
 pub use date::{read_date, read_dates};

@@ -27,7 +27,8 @@ pub struct Outcome {
     pub passages_per_day: Option<f64>,
     /// The line of highest growth.
     pub fastest: FastestLine,
-    /// Frequency \[Hz\] that the ridge of the wheel of the case follows over the speeds of its map, if it grows.
+    /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
+    /// its map; none where nothing grows.
     pub ridge_frequency: Option<f64>,
     /// Where that ridge is highest.
     pub ridge_highest: Option<RidgePoint>,

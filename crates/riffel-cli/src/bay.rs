@@ -3,8 +3,10 @@
 use std::io::{self, Write};
 
 use riffel::{Axis, Bay, BayMaps, LoopState, Ridge};
-use riffel_case::Case;
-use riffel_figures::{SIGN, Shown, map_csv, map_netcdf, panel, parameters, ridge_csv};
+use riffel_case::{BranchDocument, Case};
+use riffel_figures::{
+    SIGN, Shown, branches_csv, map_csv, map_netcdf, panel, parameters, ridge_csv,
+};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
@@ -17,6 +19,8 @@ const POINTS: usize = 121;
 
 /// What `map --bay` finds.
 pub(crate) struct BayGrowth {
+    /// Branches of the ridge of the mean, the strongest first.
+    branches: Vec<BranchDocument>,
     spacing: f64,
     maps: BayMaps,
     /// Ridges over a support, in mid-span and of the mean.
@@ -38,7 +42,10 @@ pub(crate) struct BaySummary {
     growth_rate_over_support: f64,
     growth_rate_mid_span: f64,
     growth_rate_mean: f64,
+    /// That of the strongest branch of the mean.
     mean_ridge_best_fit_frequency_hz: Option<f64>,
+    /// The strongest first.
+    mean_ridge_branches: Vec<BranchDocument>,
 }
 
 impl BayGrowth {
@@ -68,6 +75,7 @@ impl BayGrowth {
             .unwrap_or((case.wavelength.min(), case.speed.min()));
         let rate = maps.mean.growth_rate_per_dissipation();
         Ok(Self {
+            branches: BranchDocument::all(case, &ridges[2]),
             spacing: bay.spacing(),
             states: bay.states(wavelength, speed, POINTS),
             mean: rate * bay.mean_normalized_dissipation(wavelength, speed).re,
@@ -88,6 +96,7 @@ impl BayGrowth {
             growth_rate_mid_span: at(POINTS / 2),
             growth_rate_mean: self.mean,
             mean_ridge_best_fit_frequency_hz: self.ridges[2].best_fit_frequency(),
+            mean_ridge_branches: self.branches.clone(),
         }
     }
 
@@ -104,9 +113,11 @@ impl BayGrowth {
         format!(
             "over the bay at {:.1} mm and {:.0} km/h: growth rate {growth_rate_over_support:.2e} over a \
              support, {growth_rate_mid_span:.2e} in mid-span, {growth_rate_mean:.2e} in the mean (quasi-static in \
-             position: lines sharper than {passing:.0} Hz, the passing of supports, are overstated)",
+             position: lines sharper than {passing:.0} Hz, the passing of supports, are overstated)\n\
+             in the mean over the bay, {}",
             1e3 * self.wavelength,
-            3.6 * self.speed
+            3.6 * self.speed,
+            BranchDocument::sentence(&self.branches)
         )
     }
 
@@ -131,6 +142,9 @@ impl BayGrowth {
         map_netcdf(mean, "Mean over the bay", &staging.path("bay-mean.nc"))?;
         staging.write_with("bay-mean-ridge.csv", |file| {
             ridge_csv(&self.ridges[2], file)
+        })?;
+        staging.write_with("bay-mean-branches.csv", |file| {
+            branches_csv(&self.ridges[2], file)
         })
     }
 
@@ -153,6 +167,8 @@ impl BayGrowth {
                 })
                 .collect(),
         }
+        // The places are there to be compared.
+        .with_one_scale()
     }
 
     fn curve_figure(&self, case: &Case) -> LineFigure {

@@ -59,6 +59,37 @@ pub fn ridge_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
     writer.flush()
 }
 
+/// One row for each point of each branch, counted from zero, the strongest.
+///
+/// # Errors
+/// Those of the file.
+pub fn branches_csv(ridge: &Ridge, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record([
+        "branch",
+        "speed_m_per_s",
+        "wavelength_m",
+        "frequency_hz",
+        "normalized_dissipation_re",
+        "growth_rate_per_passage",
+        "at_edge",
+    ])?;
+    for (index, branch) in ridge.branches.iter().enumerate() {
+        for point in branch.points() {
+            writer.serialize((
+                index,
+                point.speed,
+                point.wavelength,
+                point.frequency,
+                point.normalized_dissipation,
+                point.growth_rate,
+                point.at_edge,
+            ))?;
+        }
+    }
+    writer.flush()
+}
+
 /// The map on its grid as NetCDF-3 with coordinates, units and long names: what `xarray.open_dataset`,
 /// MATLAB's `ncread` and Panoply open.
 ///

@@ -10,6 +10,6 @@ pub mod paper;
 mod track_in_words;
 
 pub use error::FigureError;
-pub use growth_table::{map_csv, map_netcdf, ridge_csv};
+pub use growth_table::{branches_csv, map_csv, map_netcdf, ridge_csv};
 pub use map::{SIGN, Shown, map_figure, panel, parameters, polach};
 pub use track_in_words::place;

@@ -3,7 +3,9 @@
 use riffel::{GrowthMap, Ridge};
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
 use riffel_case::{Case, Language};
-use riffel_plot::{MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays};
+use riffel_plot::{
+    BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays,
+};
 
 use crate::track_in_words::{place, rail, track};
 
@@ -33,7 +35,7 @@ impl Shown {
     }
 }
 
-/// A panel with the map, its ridge, the best-fit ray and rays of constant frequency.
+/// A panel with the map, its ridge and branches, the best-fit ray and rays of constant frequency.
 pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPanel {
     let rate = map.growth_rate_per_dissipation();
     let columns = drawn(map.wavelength().points());
@@ -64,6 +66,18 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
                 wavelength_m: point.wavelength,
                 speed_m_per_s: point.speed,
                 at_edge: point.at_edge,
+            })
+            .collect(),
+        branches: ridge
+            .branches
+            .iter()
+            .map(|branch| BranchLine {
+                frequency_hz: branch.frequency(),
+                points: branch
+                    .points()
+                    .iter()
+                    .map(|point| (point.wavelength, point.speed))
+                    .collect(),
             })
             .collect(),
         best_fit_frequency_hz: ridge.best_fit_frequency(),

@@ -10,7 +10,7 @@ use crate::frame::{self, Side};
 use crate::grid::Grid;
 use crate::legend::{Entry, Sample};
 use crate::map_figure::{MapFigure, MapPanel};
-use crate::map_marks::{BEST_FIT_RAY, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker};
+use crate::map_marks::{BEST_FIT_RAY, BRANCH, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker};
 use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
@@ -77,7 +77,7 @@ pub(crate) struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     fn new(panel: &'a MapPanel, labels: &'a [&'a str]) -> Self {
         let grid = panel.grid();
-        let steps = Steps::new(grid.strongest_growth(), panel.level_count);
+        let steps = panel.steps();
         let (low, high) = panel.window().speed_m_per_s;
         let ticks = |unit: f64| {
             Axis {
@@ -244,7 +244,18 @@ fn legend_entries(panels: &[Drawing<'_>], labels: &[&str]) -> Vec<Entry> {
     add(
         any(&|drawing| drawing.panel.best_fit_frequency_hz.is_some()),
         Sample::Line(BEST_FIT_RAY),
-        "best constant frequency",
+        "constant frequency of the strongest branch",
+    );
+    add(
+        any(&|drawing| {
+            drawing
+                .panel
+                .branches
+                .iter()
+                .any(|branch| branch.points.len() > 1)
+        }),
+        Sample::Line(BRANCH),
+        "branches of growth",
     );
     add(
         any(&|drawing| drawing.panel.other_rays().next().is_some()),

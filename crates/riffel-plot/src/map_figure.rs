@@ -1,7 +1,9 @@
 //! Maps of growth over wavelength and speed: the data of the figure.
 
+use crate::color_bar::Steps;
 use crate::error::PlotError;
 use crate::grid::{Grid, check_axis};
+use crate::map_marks::NAMED_BRANCHES;
 use crate::rays::Window;
 use crate::{map_drawing, map_page};
 
@@ -15,6 +17,15 @@ pub struct RidgeMark {
     /// The strongest growth lies at the edge of the window, so that the true maximum may lie
     /// outside.
     pub at_edge: bool,
+}
+
+/// A line of growth that continues from speed to speed.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BranchLine {
+    /// Constant frequency that describes it best, Hz.
+    pub frequency_hz: f64,
+    /// Its points in order of speed: wavelength in m and speed in m/s.
+    pub points: Vec<(f64, f64)>,
 }
 
 /// A corrugation measured in track.
@@ -44,9 +55,13 @@ pub struct MapPanel {
     pub value_label: String,
     /// Number of equal steps from 0 to the smallest value; 0 counts as 1.
     pub level_count: usize,
+    /// End of the colour scale in place of the smallest value, so that panels can share one scale; negative.
+    pub scale_end: Option<f64>,
     /// Strongest growth at each speed; at most fifty marks are drawn.
     pub ridge: Vec<RidgeMark>,
-    /// Constant frequency that describes the ridge best, Hz.
+    /// Lines of growth, the strongest first; the first few are named by their frequency.
+    pub branches: Vec<BranchLine>,
+    /// Constant frequency that describes the strongest branch best, Hz.
     pub best_fit_frequency_hz: Option<f64>,
     /// Frequencies of the other rays V = fλ, Hz; see
     /// [`constant_frequency_rays`](crate::constant_frequency_rays).
@@ -69,7 +84,9 @@ impl Default for MapPanel {
             values: Vec::new(),
             value_label: String::new(),
             level_count: 10,
+            scale_end: None,
             ridge: Vec::new(),
+            branches: Vec::new(),
             best_fit_frequency_hz: None,
             rays_hz: Vec::new(),
             observations: Vec::new(),
@@ -81,8 +98,8 @@ impl Default for MapPanel {
 
 /// One or more maps of growth over wavelength and speed, two of them side by side.
 ///
-/// Filled contours run in equal steps from 0 down to the smallest value of each panel: only growth
-/// is coloured, darker where it is stronger, and a corrugation that decays leaves the paper white.
+/// Filled contours run in equal steps from 0 down to the smallest value of each panel, or to the end of a scale
+/// that panels share: only growth is coloured, darker where it is stronger, and a corrugation that decays leaves the paper white.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MapFigure {
     /// Title above the figure.
@@ -110,6 +127,17 @@ impl MapFigure {
     /// As [`svg`](MapFigure::svg).
     pub fn html(&self) -> Result<String, PlotError> {
         map_page::html(self)
+    }
+
+    /// Give all panels one scale of colours, which ends at the smallest value of any.
+    #[must_use]
+    pub fn with_one_scale(mut self) -> Self {
+        let strongest = self.panels.iter().filter_map(MapPanel::strongest_growth);
+        let end = strongest.reduce(f64::min);
+        for panel in &mut self.panels {
+            panel.scale_end = end;
+        }
+        self
     }
 
     /// Labels of all observations in the order of their first appearance: each keeps its mark in
@@ -168,6 +196,17 @@ impl MapPanel {
         }
     }
 
+    /// The steps of the colours, none where nothing grows.
+    pub(crate) fn steps(&self) -> Option<Steps> {
+        let least = self.scale_end.or_else(|| self.strongest_growth());
+        Steps::new(least, self.level_count)
+    }
+
+    /// The smallest value, where one is negative.
+    pub fn strongest_growth(&self) -> Option<f64> {
+        self.grid().strongest_growth()
+    }
+
     /// Range of the axes.
     pub(crate) fn window(&self) -> Window {
         let range = |points: &[f64]| (points[0], points[points.len() - 1]);
@@ -175,6 +214,11 @@ impl MapPanel {
             wavelength_m: range(&self.wavelength_m),
             speed_m_per_s: range(&self.speed_m_per_s),
         }
+    }
+
+    /// Branches besides the strongest that are named by their frequency.
+    pub(crate) fn weaker_branches(&self) -> impl Iterator<Item = &BranchLine> {
+        self.branches.iter().take(NAMED_BRANCHES).skip(1)
     }
 
     /// Rays other than the best fit; one that would run together with it is left out.

@@ -4,6 +4,7 @@ use plotters::style::text_anchor::{HPos, VPos};
 
 use crate::canvas::{Canvas, Lettering, Point, Stroke};
 use crate::color::{BEST_FIT, Rgb};
+use crate::contours::simplified;
 use crate::error::PlotError;
 use crate::grid::thinned_indices;
 use crate::map_drawing::Drawing;
@@ -17,6 +18,12 @@ pub(crate) const RIDGE_RADIUS: f64 = 2.4;
 pub(crate) const OBSERVATION_RADIUS: f64 = 4.0;
 pub(crate) const RAY: Stroke = Stroke::solid(Rgb::AUXILIARY, 0.8);
 pub(crate) const BEST_FIT_RAY: Stroke = Stroke::dashed(BEST_FIT, 2.0, 7.0, 4.0);
+/// A branch of growth.
+pub(crate) const BRANCH: Stroke = Stroke::solid(BEST_FIT, 1.4);
+/// Distance by which a drawn branch may leave its points, pixels.
+const BRANCH_TOLERANCE: f64 = 0.1;
+/// Branches that are named by their frequency, the strongest among them: more labels than these hide the map.
+pub(crate) const NAMED_BRANCHES: usize = 4;
 const RAY_FONT: f64 = 10.5;
 const BEST_FIT_FONT: f64 = 12.0;
 
@@ -47,6 +54,15 @@ impl Drawing<'_> {
             };
             canvas.line(&ray.map(place), under)?;
             canvas.line(&ray.map(place), BEST_FIT_RAY)?;
+        }
+        for branch in self
+            .panel
+            .branches
+            .iter()
+            .filter(|branch| branch.points.len() > 1)
+        {
+            let line: Vec<Point> = branch.points.iter().map(|&point| place(point)).collect();
+            canvas.line(&simplified(&line, BRANCH_TOLERANCE), BRANCH)?;
         }
         Ok(())
     }
@@ -131,19 +147,27 @@ impl Drawing<'_> {
             )
             .collect();
         let best = self.panel.best_fit_frequency_hz;
-        let best_label = best.map(|frequency| (frequency, format!("f = {} Hz", hertz(frequency))));
+        let best_label = best.and_then(|frequency| {
+            let label = format!("f = {} Hz", hertz(frequency));
+            Some((Name::Best, line(frequency)?, label))
+        });
+        let named = |frequency: f64| format!("{} Hz", hertz(frequency));
+        let branches = self.panel.weaker_branches().filter_map(|branch| {
+            let (first, last) = (branch.points.first()?, branch.points.last()?);
+            let ends = (place(*first), place(*last));
+            Some((Name::Branch, ends, named(branch.frequency_hz)))
+        });
         let others = self
             .panel
             .other_rays()
-            .map(|frequency| (frequency, format!("{} Hz", hertz(frequency))));
+            .filter_map(|frequency| Some((Name::Ray, line(frequency)?, named(frequency))));
         let inner = frame.shrunk(3.0);
         let mut taken: Vec<SheetBox> = Vec::new();
-        for (index, (frequency, label)) in best_label.into_iter().chain(others).enumerate() {
-            let is_best = index == 0 && best.is_some();
-            let lettering = if is_best {
-                Lettering::new(BEST_FIT_FONT).bold().color(BEST_FIT)
-            } else {
-                Lettering::new(RAY_FONT).color(Rgb(80, 80, 80))
+        for (name, ray, label) in best_label.into_iter().chain(branches).chain(others) {
+            let lettering = match name {
+                Name::Best => Lettering::new(BEST_FIT_FONT).bold().color(BEST_FIT),
+                Name::Branch => Lettering::new(RAY_FONT).bold().color(BEST_FIT),
+                Name::Ray => Lettering::new(RAY_FONT).color(Rgb(80, 80, 80)),
             };
             let size = (
                 text::width(&label, lettering.size, lettering.weight) + 5.0,
@@ -153,18 +177,20 @@ impl Drawing<'_> {
                 .panel
                 .other_rays()
                 .chain(best)
-                .filter(|other| *other != frequency)
                 .filter_map(line)
+                .filter(|other| *other != ray)
                 .collect();
-            let Some(ray) = line(frequency) else { continue };
             let obstacles = Obstacles {
                 labels: &taken,
                 marks: &marks,
                 lines: &lines,
             };
-            // The best fit runs through the ridge: its label stands beside it, the others break
+            // A branch runs through marks of the ridge: its label stands beside it, the others break
             // their rays.
-            let beside: &[f64] = if is_best { &[1.0, -1.0, 0.0] } else { &[0.0] };
+            let beside: &[f64] = match name {
+                Name::Best | Name::Branch => &[1.0, -1.0, 0.0],
+                Name::Ray => &[0.0],
+            };
             let Some(spot) = sheet_box::along_line(ray, size, &inner, &obstacles, beside) else {
                 continue;
             };
@@ -183,6 +209,16 @@ impl Drawing<'_> {
         }
         Ok(())
     }
+}
+
+/// What a frequency on a map is the name of.
+enum Name {
+    /// The strongest branch.
+    Best,
+    /// Another branch.
+    Branch,
+    /// A ray of constant frequency.
+    Ray,
 }
 
 /// A frequency in words: whole hertz, decimals only for slow undulations.

@@ -8,7 +8,7 @@ use crate::error::PlotError;
 use crate::grid::{Grid, thinned_indices};
 use crate::html::{self, PagePanel, coordinates, number, words};
 use crate::map_drawing::ZERO_CONTOUR;
-use crate::map_figure::{MapFigure, MapPanel, Observation, RidgeMark};
+use crate::map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 use crate::map_marks::{MOST_RIDGE_MARKS, hertz};
 use crate::marker::Marker;
 
@@ -27,7 +27,7 @@ pub(crate) fn html(figure: &MapFigure) -> Result<String, PlotError> {
 }
 
 fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {
-    let steps = Steps::new(panel.grid().strongest_growth(), panel.level_count);
+    let steps = panel.steps();
     let grid = panel.grid().thinned(MOST_GRID_POINTS);
     let mut data = Vec::new();
     data.extend(missing_trace(&grid));
@@ -49,11 +49,20 @@ fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {
         data.extend(ray_trace(
             panel,
             frequency,
-            "best constant frequency",
+            "constant frequency of the strongest branch",
             style,
             true,
         ));
     }
+    let branches = panel
+        .branches
+        .iter()
+        .filter(|branch| branch.points.len() > 1);
+    data.extend(
+        branches
+            .enumerate()
+            .map(|(index, branch)| branch_trace(branch, index == 0)),
+    );
     for (at_edge, name) in [
         (false, "strongest growth at each speed"),
         (true, "strongest at the edge of the window"),
@@ -75,8 +84,9 @@ fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {
         .best_fit_frequency_hz
         .and_then(|frequency| ray_label(panel, frequency, true));
     let mut layout = map_layout(panel);
-    layout["annotations"] = labels.chain(best_label).collect();
-    if steps.is_none() {
+    let weaker = panel.weaker_branches().filter_map(branch_label);
+    layout["annotations"] = labels.chain(weaker).chain(best_label).collect();
+    if panel.strongest_growth().is_none() {
         layout["annotations"] = json!([{ "text": "no growth in this window", "showarrow": false,
             "xref": "paper", "yref": "paper", "x": 0.5, "y": 0.5 }]);
     }
@@ -253,6 +263,29 @@ fn ray_label(panel: &MapPanel, frequency: f64, best: bool) -> Option<Value> {
         "xshift": if best { -46 } else { 0 }, "yshift": if best { 18 } else { 0 },
         "font": { "color": color, "size": size }, "bgcolor": "rgba(255,255,255,0.82)", "borderpad": 1,
     }))
+}
+
+/// A branch of growth, with its frequency under the pointer.
+fn branch_trace(branch: &BranchLine, showlegend: bool) -> Value {
+    let name = "branches of growth";
+    json!({
+        "type": "scatter", "mode": "lines", "name": name, "legendgroup": name, "showlegend": showlegend,
+        "x": coordinates(branch.points.iter().map(|point| 1e3 * point.0)),
+        "y": coordinates(branch.points.iter().map(|point| 3.6 * point.1)),
+        "line": { "color": BEST_FIT.hex(), "width": 1.6 }, "hoverinfo": "skip",
+    })
+}
+
+/// The frequency of a weaker branch beside its upper end.
+fn branch_label(branch: &BranchLine) -> Option<Value> {
+    let &(wavelength, speed) = branch.points.get(branch.points.len() * 4 / 5)?;
+    (wavelength.is_finite() && speed.is_finite()).then(|| {
+        json!({
+            "text": format!("<b>{} Hz</b>", hertz(branch.frequency_hz)), "showarrow": false,
+            "x": number(1e3 * wavelength), "y": number(3.6 * speed), "xshift": -30, "yshift": 12,
+            "font": { "color": BEST_FIT.hex(), "size": 11 }, "bgcolor": "rgba(255,255,255,0.82)", "borderpad": 1,
+        })
+    })
 }
 
 fn ridge_trace(ridge: &[RidgeMark], at_edge: bool, name: &str) -> Option<Value> {

@@ -2,8 +2,8 @@
 
 use resvg::usvg::{self, fontdb};
 use riffel_plot::{
-    Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Observation, PlotError,
-    RidgeMark, Scale, Series, constant_frequency_rays, png,
+    Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Observation,
+    PlotError, RidgeMark, Scale, Series, constant_frequency_rays, png,
 };
 
 fn even(low: f64, high: f64, count: usize) -> Vec<f64> {
@@ -396,6 +396,71 @@ fn strange_maps_are_drawn() {
     assert!(words.iter().any(|word| word == "no growth in this window"));
     let words = words_of(&map(vec![panel(23, 17, holes)]).svg().unwrap());
     assert!(words.iter().any(|word| word == "not computed"));
+}
+
+/// The strongest branch carries its frequency as that of the best fit; the next ones their own beside their line.
+#[test]
+fn branches_are_named() {
+    let line = |frequency_hz: f64| BranchLine {
+        frequency_hz,
+        points: [10.0, 15.0, 20.0].map(|v| (v / frequency_hz, v)).to_vec(),
+    };
+    let figure = map(vec![MapPanel {
+        branches: vec![
+            line(537.0),
+            line(333.0),
+            line(271.0),
+            line(411.0),
+            line(611.0),
+        ],
+        ..panel(23, 17, growth)
+    }]);
+    let svg = figure.svg().unwrap();
+    let words = words_of(&svg);
+    for (label, times) in [
+        ("f = 537 Hz", 1),
+        ("333 Hz", 1),
+        ("271 Hz", 1),
+        ("411 Hz", 1),
+        ("611 Hz", 0),
+    ] {
+        assert_eq!(
+            words.iter().filter(|word| *word == label).count(),
+            times,
+            "{label}"
+        );
+    }
+    assert!(words.iter().any(|word| word == "branches of growth"));
+    let html = figure.html().unwrap();
+    assert_eq!(
+        html.matches("\"legendgroup\":\"branches of growth\"")
+            .count(),
+        5
+    );
+    assert!(html.contains("<b>333 Hz</b>") && !html.contains("<b>611 Hz</b>"));
+    let bare = words_of(&map(vec![panel(23, 17, growth)]).svg().unwrap());
+    assert!(!bare.iter().any(|word| word == "branches of growth"));
+}
+
+/// Panels that are compared have one scale: that of the strongest growth of all.
+#[test]
+fn panels_share_a_scale() {
+    let figure = map(vec![
+        panel(23, 17, growth),
+        panel(23, 17, |l, v| 3.0 * growth(l, v)),
+        panel(23, 17, |_, _| 1.0),
+    ]);
+    let end = figure.panels[1].strongest_growth();
+    assert_ne!(figure.panels[0].strongest_growth(), end);
+    let shared = figure.with_one_scale();
+    assert!(shared.panels.iter().all(|panel| panel.scale_end == end));
+    // The colour bars are alike: each label of the second stands under the first too.
+    let least = format!("{:.2}", end.unwrap());
+    let labels = words_of(&shared.svg().unwrap());
+    let of_scale = labels
+        .iter()
+        .filter(|label| label.replace('−', "-") == least);
+    assert_eq!(of_scale.count(), 3, "{least} {labels:?}");
 }
 
 #[test]

@@ -10,8 +10,8 @@ use pyo3::types::{PyDict, PyTuple, PyType};
 use rayon::prelude::*;
 use riffel::{Axis, Bay, DecayRate, GrowthMap, KalkerCoefficients, Ridge, TILE};
 use riffel_case::{
-    CaseError, CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves,
-    RollingTheories,
+    BranchDocument, CaseError, CreepCurves, Direction, FrequencyResponse, Point, PointValue,
+    ReceptanceCurves, RollingTheories,
 };
 
 use crate::array::owned;
@@ -146,6 +146,23 @@ impl Case {
         }
         let covering = self.compute(py, move |case| case.covering(shortest, longest))?;
         Ok(Arc::new(covering.map_err(of_case)?))
+    }
+
+    /// The ridge at any speeds, with the case on which it was searched.
+    fn search_ridge(
+        &self,
+        py: Python<'_>,
+        (shortest, longest, points): (f64, f64, usize),
+        speeds: &PyReadonlyArray1<'_, f64>,
+    ) -> PyResult<(Arc<riffel_case::Case>, Ridge)> {
+        let axis = Axis::new(shortest, longest, points).map_err(of_physics)?;
+        let speeds = owned(speeds);
+        let case = self.over(py, &[shortest, longest], &speeds)?;
+        let searched = case.clone();
+        let ridge = interruptible(py, move || {
+            Ridge::search_at(&searched.feedback, axis, &speeds)
+        })?;
+        Ok((case, self.heard(ridge)?))
     }
 
     fn with_given(
@@ -409,18 +426,14 @@ impl Case {
     }
 
     /// Wavelength, frequency, Re Ŵ₁, growth rate and whether it sits at the edge, for each speed; and the
-    /// frequency of the ray that fits best.
+    /// frequency of the strongest branch.
     fn ridge<'py>(
         &self,
         py: Python<'py>,
         wavelength: (f64, f64, usize),
         speeds: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<([Real<'py>; 4], Bound<'py, PyArray1<bool>>, Option<f64>)> {
-        let axis = Axis::new(wavelength.0, wavelength.1, wavelength.2).map_err(of_physics)?;
-        let speeds = owned(&speeds);
-        let case = self.over(py, &[axis.min(), axis.max()], &speeds)?;
-        let ridge = interruptible(py, move || Ridge::search_at(&case.feedback, axis, &speeds))?;
-        let ridge = self.heard(ridge)?;
+        let (_, ridge) = self.search_ridge(py, wavelength, &speeds)?;
         let column = |value: fn(&riffel::RidgePoint) -> f64| {
             ridge
                 .points
@@ -437,6 +450,51 @@ impl Case {
         ];
         let edges: Vec<bool> = ridge.points.iter().map(|point| point.at_edge).collect();
         Ok((columns, edges.into_pyarray(py), ridge.best_fit_frequency()))
+    }
+
+    /// Of each branch of the ridge, the strongest first: its frequency, highest growth rate and mechanism; speed,
+    /// wavelength, frequency, Re Ŵ₁ and growth rate of its points; and whether each sits at the edge.
+    #[expect(clippy::type_complexity, reason = "columns of a dataset")]
+    fn ridge_branches<'py>(
+        &self,
+        py: Python<'py>,
+        wavelength: (f64, f64, usize),
+        speeds: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<
+        Vec<(
+            Bound<'py, PyDict>,
+            [Real<'py>; 5],
+            Bound<'py, PyArray1<bool>>,
+        )>,
+    > {
+        let (case, ridge) = self.search_ridge(py, wavelength, &speeds)?;
+        let documents = self.heard(BranchDocument::all(&case, &ridge))?;
+        let branches = documents.iter().zip(&ridge.branches);
+        branches
+            .map(|(document, branch)| {
+                let known = PyDict::new(py);
+                known.set_item("frequency", document.frequency_hz)?;
+                known.set_item("growth_rate", document.highest_growth_rate_per_passage)?;
+                known.set_item("mechanism", document.mechanism)?;
+                let points = branch.points();
+                let column = |value: fn(&riffel::RidgePoint) -> f64| {
+                    points
+                        .iter()
+                        .map(value)
+                        .collect::<Vec<_>>()
+                        .into_pyarray(py)
+                };
+                let columns = [
+                    column(|point| point.speed),
+                    column(|point| point.wavelength),
+                    column(|point| point.frequency),
+                    column(|point| point.normalized_dissipation),
+                    column(|point| point.growth_rate),
+                ];
+                let edges: Vec<bool> = points.iter().map(|point| point.at_edge).collect();
+                Ok((known, columns, edges.into_pyarray(py)))
+            })
+            .collect()
     }
 
     /// Frequencies, and key, name and receptance of each joint.

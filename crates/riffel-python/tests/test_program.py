@@ -134,6 +134,18 @@ def test_map_of_the_program(case: str, tmp_path: Path) -> None:
         assert np.array_equal(table["wavelength_m"], ridge["wavelength"])
         assert np.array_equal(table["growth_rate_per_passage"], ridge["growth_rate"])
     assert np.allclose(table["frequency_hz"], ridge["frequency"], rtol=1e-6)
+    branches = riffel_case.ridge_branches(wavelength={"min": "20 mm", "max": 0.08, "points": 203})
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())["ridge"]
+    assert [entry["frequency_hz"] for entry in summary["branches"]] == pytest.approx(branches["best_fit_frequency"], rel=1e-6)
+    assert ridge.attrs["best_fit_frequency_hz"] == branches["best_fit_frequency"][0]
+    assert [entry.get("mechanism", "") for entry in summary["branches"]] == branches["mechanism"].values.tolist()
+    points = np.genfromtxt(tmp_path / "out" / "branches.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    for index in branches["branch"].values:
+        here = branches.sel(branch=index).dropna("speed", subset=["wavelength"])
+        written_here = points[points["branch"] == index]
+        assert np.allclose(written_here["speed_m_per_s"], here["speed"], rtol=1e-12)
+        assert np.allclose(written_here["wavelength_m"], here["wavelength"], rtol=1e-6)
+        assert np.array_equal(written_here["at_edge"], here["at_edge"])
 
 
 def test_receptance_of_the_program(program: Callable[..., Any]) -> None:

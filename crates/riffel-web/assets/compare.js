@@ -76,7 +76,7 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
     const after = toMap(head.case, values, before.values.length);
     // How fast something decays that grows in neither case is of no interest.
     const between = (value, k) => (value > 0 || before.values[k] > 0 ? Math.max(value, 0) - Math.max(before.values[k], 0) : 0);
-    const difference = { ...after, ridge: null, bestFit: null, values: after.values.map(between) };
+    const difference = { ...after, ridge: null, branches: null, bestFit: null, values: after.values.map(between) };
     difference.strongest = difference.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
     // Both maps in one scale, or they could not be compared.
     const scale = Math.max(before.strongest, after.strongest) || null;

@@ -75,11 +75,16 @@ function mapWords() {
   const high = head.highest;
   const place = high && { lambda: number(1e3 * high.wavelength_m), kmh: number(3.6 * high.speed_m_per_s), hertz: number(high.frequency_hz), n: passages(Math.LN2 / high.growth_rate_per_passage) };
   const sentences = high ? [t(high.at_edge ? 'highest_edge' : 'highest', place)] : [t('no_growth')];
-  if (head.best_fit_frequency_hz) sentences.push(t('ridge_follows', number(head.best_fit_frequency_hz)));
+  if (head.branches.length) sentences.push(sentence(head.branches_in_words[currentLanguage()]));
   $('verdict').textContent = sentences.join(' ');
   announce(sentences.join(' '));
   $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
   $('notes-panel').hidden = !head.remarks.length;
+}
+
+/** Words with a capital at the beginning and a full stop. */
+function sentence(words) {
+  return `${words[0].toUpperCase()}${words.slice(1)}.`;
 }
 
 function movePoint(point, pinned) {

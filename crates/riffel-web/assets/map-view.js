@@ -9,6 +9,8 @@ const MARGIN = { left: 4, right: 1.1, top: 0.8, bottom: 3.1 };
 const LETTERS = 0.85;
 /** Pixels coloured at most: beyond, the picture is stretched a little. */
 const MOST_PIXELS = 1.6e6;
+/** Branches named by their frequency, the strongest among them. */
+const NAMED_BRANCHES = 4;
 
 /** Round numbers between two values, some of a wanted count. */
 export function ticks(low, high, count) {
@@ -90,6 +92,7 @@ export class MapView {
     context.drawImage(this.pixels, box.left, box.top, box.width, box.height);
     this.#drawAxes(context, colors);
     this.#drawRays(context, colors);
+    this.#drawBranches(context, colors);
     this.#drawRidge(context, colors);
   }
 
@@ -242,6 +245,36 @@ export class MapView {
     };
     for (const hertz of rays) name(hertz, colors.soft, false, 0.95);
     if (best) name(best, colors.warm, true, 0.86, 3.1 * this.font);
+  }
+
+  /** A line through each branch of growth; the first few weaker ones are named by their frequency. */
+  #drawBranches(context, colors) {
+    const { box } = this;
+    const branches = (this.map.branches ?? []).filter(({ points }) => points.speed_m_per_s.length > 1);
+    context.strokeStyle = colors.warm;
+    context.lineWidth = 1.4;
+    this.#within(context, () => {
+      for (const { points } of branches) {
+        context.beginPath();
+        points.wavelength_m.forEach((wavelength, k) => context.lineTo(this.x(wavelength), this.y(points.speed_m_per_s[k])));
+        context.stroke();
+      }
+    });
+    for (const { frequency_hz: hertz, points } of branches.slice(1, NAMED_BRANCHES)) {
+      const at = Math.floor(0.8 * (points.wavelength_m.length - 1));
+      const words = `${number(hertz, 3)} Hz`;
+      context.font = `600 ${this.font}px ${colors.font}`;
+      const half = context.measureText(words).width / 2 + 3;
+      const keep = (value, low, high) => Math.min(high, Math.max(low, value));
+      const x = keep(this.x(points.wavelength_m[at]) - half - 0.6 * this.font, box.left + half + 2, box.left + box.width - half - 2);
+      const y = keep(this.y(points.speed_m_per_s[at]) - 0.8 * this.font, box.top + 10, box.top + box.height - 10);
+      context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
+      context.fillRect(x - half, y - 0.75 * this.font, 2 * half, 1.5 * this.font);
+      context.fillStyle = colors.warm;
+      context.textAlign = 'center';
+      context.textBaseline = 'middle';
+      context.fillText(words, x, y + 0.5);
+    }
   }
 
   #drawRidge(context, colors) {
@@ -403,7 +436,7 @@ export function toMap(head, values, offset = 0) {
     if (value > strongest) strongest = value;
   }
   return {
-    wavelength, speed, columns, rows, strongest, values: growth, ridge: head.ridge, bestFit: head.best_fit_frequency_hz,
+    wavelength, speed, columns, rows, strongest, values: growth, ridge: head.ridge, branches: head.branches, bestFit: head.best_fit_frequency_hz,
     rays: head.rays_hz, highest: head.highest, rate,
   };
 }

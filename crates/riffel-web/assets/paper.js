@@ -96,7 +96,7 @@ export function startPaper({ state, listen, refuse }) {
     const values = Float32Array.from(panel.values, (value) => -value);
     view.show({
       wavelength: range(panel.wavelength_m), speed: range(panel.speed_m_per_s), columns: panel.wavelength_m.length, rows: panel.speed_m_per_s.length,
-      values, strongest: values.reduce((most, value) => Math.max(most, value), 0), ridge: panel.ridge, bestFit: panel.best_fit_frequency_hz, rays: panel.rays_hz,
+      values, strongest: values.reduce((most, value) => Math.max(most, value), 0), ridge: panel.ridge, branches: panel.branches, bestFit: panel.best_fit_frequency_hz, rays: panel.rays_hz,
     });
     drawBar(bar, view, `−${panel.value_label}`);
   }

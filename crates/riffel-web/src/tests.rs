@@ -237,6 +237,16 @@ async fn a_map_is_that_of_the_program() {
         );
     }
     assert!((530.0..545.0).contains(&head["best_fit_frequency_hz"].as_f64().unwrap()));
+    let branches = head["branches"].as_array().unwrap();
+    assert_eq!(branches.len(), 1);
+    assert_eq!(branches[0]["frequency_hz"], head["best_fit_frequency_hz"]);
+    let columns = &branches[0]["points"];
+    assert_eq!(
+        columns["speed_m_per_s"].as_array().unwrap().len(),
+        columns["wavelength_m"].as_array().unwrap().len()
+    );
+    let german = head["branches_in_words"]["de"].as_str().unwrap();
+    assert!(german.contains("bei 537 Hz"), "{german}");
     assert_eq!(head["complete"]["wear"]["density"], "7850 kg/m3");
 }
 

@@ -93,7 +93,9 @@ pub use contact::{ContactFilter, ContactGrid, NormalContact, NormalState};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};
-pub use growth::{Axis, Bay, BayMaps, GrowthMap, Ridge, RidgePoint, RowEvaluator};
+pub use growth::{
+    Axis, Bay, BayMaps, GrowthMap, Ridge, RidgeBranch, RidgePoint, RidgeRow, RowEvaluator,
+};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::{

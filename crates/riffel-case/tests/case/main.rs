@@ -1,5 +1,6 @@
 //! Case files as users write them.
 
+mod branches;
 mod case_file;
 mod contact;
 mod measured_resonances;

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use riffel::{GrowthMap, Ridge, RidgePoint};
-use riffel_case::{Case, Remark};
-use riffel_figures::{map_csv, map_figure, map_netcdf, ridge_csv};
+use riffel_case::{BranchDocument, Case, Remark};
+use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
 use riffel_plot::Observation;
 use serde::Serialize;
 
@@ -25,7 +25,7 @@ struct Summary<'a> {
     /// The case after presets, defaults and overrides; reads back as a case.
     inputs: &'a riffel_case::file::CaseFile,
     derived: Derived,
-    ridge: RidgeSummary,
+    ridge: RidgeSummary<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bay: Option<BaySummary>,
     remarks: &'a [Remark],
@@ -47,9 +47,11 @@ struct Derived {
 }
 
 #[derive(Serialize)]
-struct RidgeSummary {
-    /// Least absolute deviations in wavelength over the points that grow and do not sit at the edge.
+struct RidgeSummary<'a> {
+    /// That of the strongest branch.
     best_fit_frequency_hz: Option<f64>,
+    /// The strongest first.
+    branches: &'a [BranchDocument],
     highest: Option<RidgeEntry>,
     speeds_that_grow: usize,
     speeds_at_edge: usize,
@@ -80,7 +82,12 @@ impl From<&RidgePoint> for RidgeEntry {
 }
 
 impl<'a> Summary<'a> {
-    fn new(case: &'a Case, ridge: &Ridge, bay: Option<&BayGrowth>) -> Self {
+    fn new(
+        case: &'a Case,
+        ridge: &Ridge,
+        branches: &'a [BranchDocument],
+        bay: Option<&BayGrowth>,
+    ) -> Self {
         let steady = case.steady;
         let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
         Self {
@@ -98,6 +105,7 @@ impl<'a> Summary<'a> {
             },
             ridge: RidgeSummary {
                 best_fit_frequency_hz: ridge.best_fit_frequency(),
+                branches,
                 highest: ridge.highest().filter(grows).map(RidgeEntry::from),
                 speeds_that_grow: ridge.points.iter().filter(grows).count(),
                 speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
@@ -140,7 +148,8 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         .bay
         .then(|| BayGrowth::compute(&case, curve))
         .transpose()?;
-    let summary = json(&Summary::new(&case, &ridge, bay.as_ref()));
+    let branches = BranchDocument::all(&case, &ridge);
+    let summary = json(&Summary::new(&case, &ridge, &branches, bay.as_ref()));
     let mut staging = write_files(staging, &case, &map, &ridge, observations, &summary)?;
     if let Some(bay) = &bay {
         bay.write(&case, &mut staging)?;
@@ -150,7 +159,15 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     if arguments.json {
         print(&summary);
     } else {
-        print(&readable(&case, &ridge, bay.as_ref(), &folder, &files));
+        let sentence = BranchDocument::sentence(&branches).to_string();
+        print(&readable(
+            &case,
+            &ridge,
+            &sentence,
+            bay.as_ref(),
+            &folder,
+            &files,
+        ));
     }
     print_remarks(&case.remarks);
     Ok(())
@@ -174,14 +191,16 @@ fn write_files(
     drop(progress);
     map_netcdf(map, &figure.title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
+    staging.write_with("branches.csv", |file| branches_csv(ridge, file))?;
     staging.write("summary.json", summary)?;
     Ok(staging)
 }
 
-/// The ridge at a few speeds, and where the files are.
+/// The ridge at a few speeds, its branches in a sentence, and where the files are.
 fn readable(
     case: &Case,
     ridge: &Ridge,
+    branches: &str,
     bay: Option<&BayGrowth>,
     folder: &Path,
     files: &[String],
@@ -213,17 +232,9 @@ fn readable(
             if point.at_edge { "edge" } else { "" }.to_owned(),
         ]);
     }
-    let fit = ridge.best_fit_frequency().map_or_else(
-        || "no growth inside the window".to_owned(),
-        |frequency| {
-            format!(
-                "the ridge follows {frequency:.0} Hz (best fit of the points inside the window)"
-            )
-        },
-    );
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     format!(
-        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{fit}\n{bay}{}: {}\n",
+        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{branches}\n{bay}{}: {}\n",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),

@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use crate::sandbox::Sandbox;
 
-const MAP_FILES: [&str; 7] = [
+const MAP_FILES: [&str; 8] = [
+    "branches.csv",
     "map.csv",
     "map.html",
     "map.nc",
@@ -116,6 +117,38 @@ fn summary_is_complete_and_its_inputs_are_a_case() {
     assert_eq!(summary["inputs"]["track"]["pad"]["stiffness"], "8e7 N/m");
     let frequency = summary["ridge"]["best_fit_frequency_hz"].as_f64().unwrap();
     assert!((500.0..550.0).contains(&frequency), "{frequency}");
+    // The strongest branch leads, and what is said of it agrees with its points.
+    let branches = summary["ridge"]["branches"].as_array().unwrap();
+    assert!(branches.len() > 1, "{branches:?}");
+    assert_eq!(branches[0]["frequency_hz"].as_f64(), Some(frequency));
+    let rates: Vec<f64> = branches
+        .iter()
+        .map(|branch| branch["highest_growth_rate_per_passage"].as_f64().unwrap())
+        .collect();
+    assert!(rates.is_sorted_by(|a, b| a >= b), "{rates:?}");
+    let highest = summary["ridge"]["highest"]["growth_rate_per_passage"].as_f64();
+    assert_eq!(Some(rates[0]), highest);
+    let points = fs::read_to_string(sandbox.path("out/branches.csv")).unwrap();
+    for (index, branch) in branches.iter().enumerate() {
+        let rows: Vec<Vec<&str>> = points
+            .lines()
+            .map(|line| line.split(',').collect::<Vec<_>>())
+            .filter(|row| row[0] == index.to_string())
+            .collect();
+        let inside: Vec<&Vec<&str>> = rows.iter().filter(|row| row[6] == "false").collect();
+        let shown = if inside.is_empty() {
+            rows.iter().collect()
+        } else {
+            inside
+        };
+        for (column, key) in [(1, "speed_m_per_s"), (2, "wavelength_m")] {
+            let values = shown.iter().map(|row| row[column].parse::<f64>().unwrap());
+            let (least, most) = values.fold((f64::MAX, f64::MIN), |(least, most), value| {
+                (value.min(least), value.max(most))
+            });
+            assert_eq!(branch[key], serde_json::json!([least, most]), "{key}");
+        }
+    }
     let inputs: riffel_case::file::CaseFile =
         serde_json::from_value(summary["inputs"].clone()).unwrap();
     assert_eq!(inputs.track.support_spacing.unwrap().si(), 0.7);

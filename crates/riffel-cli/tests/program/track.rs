@@ -156,6 +156,7 @@ fn growth_over_the_bay() {
         "bay-map.png",
         "bay-map.svg",
         "bay-mean-ridge.csv",
+        "bay-mean-branches.csv",
         "bay-mean.csv",
         "bay-mean.nc",
         "bay-wavelength.csv",

@@ -298,8 +298,8 @@ class Case:
         Returns
         -------
         xarray.Dataset
-            Over ``speed``. The attribute ``best_fit_frequency_hz`` is that of the ray that fits best, NaN where nothing
-            grows inside the window.
+            Over ``speed``. The attribute ``best_fit_frequency_hz`` is that of the strongest branch, NaN where nothing
+            grows; `ridge_branches` gives them all.
 
         Examples
         --------
@@ -307,12 +307,7 @@ class Case:
         >>> ridge["frequency"].values.round()
         array([537., 539.])
         """
-        if wavelength is None:
-            values = self._case.wavelengths()
-            axis = float(values[0]), float(values[-1]), int(values.size)
-        else:
-            axis = spaced(wavelength, "wavelength", "length")
-        speeds = self._window("speed", speed)
+        axis, speeds = self._ridge_window(wavelength, speed)
         (place, frequency, normalized, rate), edges, best = self._case.ridge(axis, speeds)
         edge = {"long_name": "whether a wavelength outside the window would grow faster"}
         attributes = _datasets.attributes(self.title)
@@ -328,6 +323,75 @@ class Case:
             {"speed": ("speed", speeds, _datasets.SPEED)},
             attributes,
         )
+
+    def ridge_branches(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
+        """The branches of the ridge: lines of growth whose frequency is continuous over speed, the strongest first.
+
+        A branch may be hidden at some speeds, or at all, under a stronger one at another wavelength.
+
+        Parameters
+        ----------
+        wavelength, speed : array or window, optional
+            As for `ridge`. Near speeds tell the branches apart best.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``branch`` and ``speed``, NaN where a branch does not grow in the window. Over ``branch`` alone:
+            ``best_fit_frequency``, ``highest_growth_rate``, and ``mechanism``, the resonance of the case within 10 % of
+            that frequency, empty where there is none.
+
+        Examples
+        --------
+        >>> branches = riffel.Case.from_toml("cases/discrete-supports.toml").ridge_branches()
+        >>> branches["best_fit_frequency"].values[:2].round(-1)
+        array([230., 590.])
+        """
+        axis, speeds = self._ridge_window(wavelength, speed)
+        found = self._case.ridge_branches(axis, speeds)
+        # A speed given twice has two rows of the same values.
+        values = np.full((5, len(found), speeds.size), np.nan)
+        edges = np.zeros((len(found), speeds.size), dtype=bool)
+        for index, (_, columns, at_edge) in enumerate(found):
+            place = {float(at): row for row, at in enumerate(columns[0])}
+            rows = np.array([place.get(float(at), -1) for at in speeds])
+            here = rows >= 0
+            edges[index, here] = at_edge[rows[here]]
+            for table, column in zip(values, columns, strict=True):
+                table[index, here] = column[rows[here]]
+        grid = ("branch", "speed")
+        edge = {"long_name": "whether a wavelength outside the window would grow faster"}
+        known = [entry for entry, _, _ in found]
+        frequencies = [entry["frequency"] for entry in known]
+        highest = [entry["growth_rate"] for entry in known]
+        names = np.array([entry["mechanism"] or "" for entry in known], dtype=str)
+        return xr.Dataset(
+            {
+                "wavelength": (grid, values[1], _datasets.WAVELENGTH),
+                "frequency": (grid, values[2], _datasets.FREQUENCY),
+                "normalized_dissipation_re": (grid, values[3], _datasets.NORMALIZED),
+                "growth_rate": (grid, values[4], _datasets.GROWTH_RATE),
+                "at_edge": (grid, edges, edge),
+                "best_fit_frequency": ("branch", frequencies, _datasets.FREQUENCY),
+                "highest_growth_rate": ("branch", highest, _datasets.GROWTH_RATE),
+                "mechanism": ("branch", names, {"long_name": "resonance of the case that the branch follows"}),
+            },
+            {
+                "branch": ("branch", np.arange(len(found)), {"long_name": "branch, the strongest first"}),
+                "speed": ("speed", speeds, _datasets.SPEED),
+            },
+            _datasets.attributes(self.title),
+        )
+
+    def _ridge_window(
+        self, wavelength: Quantities | None, speed: Quantities | None
+    ) -> tuple[tuple[float, float, int], Floats]:
+        """Ends and number of the wavelengths between which a ridge is searched, and its speeds."""
+        speeds = self._window("speed", speed)
+        if wavelength is not None:
+            return spaced(wavelength, "wavelength", "length"), speeds
+        values = self._case.wavelengths()
+        return (float(values[0]), float(values[-1]), int(values.size)), speeds
 
     def receptance(
         self, frequency: Quantities | None = None, *, speed: Quantity | None = None, direction: str = "vertical"
@@ -633,7 +697,7 @@ class Case:
                 ),
                 "fastest_wavelength": column("fastest_wavelength", "m", "wavelength that grows fastest"),
                 "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
-                "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the ridge follows"),
+                "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the strongest branch of the ridge follows"),
                 "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
             },
             {

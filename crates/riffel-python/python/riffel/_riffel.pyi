@@ -77,6 +77,9 @@ class Case:
     def ridge(
         self, wavelength: tuple[float, float, int], speeds: _Floats
     ) -> tuple[list[_Floats], npt.NDArray[np.bool_], float | None]: ...
+    def ridge_branches(
+        self, wavelength: tuple[float, float, int], speeds: _Floats
+    ) -> list[tuple[dict[str, Any], list[_Floats], npt.NDArray[np.bool_]]]: ...
     def receptance(
         self, frequencies: _Floats | None, speed: float | None, direction: str
     ) -> tuple[_Floats, list[tuple[str, str, _Complexes]]]: ...

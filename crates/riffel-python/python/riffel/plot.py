@@ -27,6 +27,7 @@ __all__ = [
     "growth_map",
     "receptance",
     "ridge",
+    "ridge_branches",
     "sobol_indices",
     "spectrum",
     "tornado",
@@ -109,17 +110,42 @@ def ridge(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     shown[:: max(1, edge.size // 40)] = True
     best = dataset.attrs.get("best_fit_frequency_hz", np.nan)
     if np.isfinite(best):
-        inside = growing & ~edge
-        span = np.array([y[inside].min(), y[inside].max()])
-        ax.plot(
-            1e3 * span / 3.6 / best, span, "--", color=OKABE_ITO[2], linewidth=2.0, label=f"best fit, {best:.0f} Hz"
-        )
+        # As far as the ray stays among the points of the ridge.
+        ray = 3.6e-3 * best * np.array([x[growing].min(), x[growing].max()])
+        span = np.clip(ray, y[growing].min(), y[growing].max())
+        label = f"strongest branch, {best:.0f} Hz"
+        ax.plot(1e3 * span / 3.6 / best, span, "--", color=OKABE_ITO[2], linewidth=2.0, label=label)
     for mask, face, label in ((growing & ~edge, "#000000", "strongest growth"), (growing & edge, "none", "at the edge")):
         if (mask & shown).any():
             ax.plot(
                 x[mask & shown], y[mask & shown], "o", markersize=4, markerfacecolor=face, markeredgecolor="#000000",
                 clip_on=False, label=label, zorder=3,
             )  # fmt: skip
+    _finish(ax, "wavelength λ [mm]", "speed V [km/h]", dataset.attrs.get("title"))
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper left")
+    return ax
+
+
+def ridge_branches(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
+    """The branches of the ridge, to draw upon a map: a line through each, the strongest as wide as two.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        As `riffel.Case.ridge_branches` returns it.
+    ax : Axes, optional
+        Where to draw.
+    """
+    ax = _axes(ax)
+    y = 3.6 * dataset["speed"].values
+    for index in range(dataset.sizes["branch"]):
+        branch = dataset.isel(branch=index)
+        mechanism = str(branch["mechanism"].item())
+        label = f"{branch['best_fit_frequency'].item():.0f} Hz" + (f", {mechanism}" if mechanism else "")
+        color = OKABE_ITO[1 + (index + 1) % (len(OKABE_ITO) - 1)]
+        width = 2.4 if index == 0 else 1.2
+        ax.plot(1e3 * branch["wavelength"].values, y, "-", color=color, linewidth=width, label=label)
     _finish(ax, "wavelength λ [mm]", "speed V [km/h]", dataset.attrs.get("title"))
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper left")

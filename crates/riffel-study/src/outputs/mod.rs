@@ -2,7 +2,7 @@
 
 mod band;
 
-use riffel::{Complex64, Ridge, RidgePoint, RowEvaluator};
+use riffel::{Complex64, Ridge, RidgeRow, RowEvaluator};
 use riffel_case::{Case, CaseError, Source};
 
 use crate::file::{MapQuantity, OutputsFile};
@@ -201,7 +201,7 @@ impl Outputs {
                 RIDGE_FREQUENCY,
                 &[],
                 "Hz",
-                "frequency that the ridge follows, missing where nothing grows inside the window",
+                "frequency that the strongest branch of the ridge follows, missing where nothing grows",
             );
             add(
                 "highest_growth_rate",
@@ -371,7 +371,7 @@ impl Outputs {
             let speed = speed.value(index);
             evaluator.evaluate(speed, &mut row);
             if file.ridge || file.ridge_over_speed {
-                ridge.push(RidgePoint::of_row(feedback, wavelength, speed, &row));
+                ridge.push(RidgeRow::new(feedback, wavelength, speed, &row));
             }
             for (mean, value) in mean.iter_mut().zip(&row) {
                 *mean += rate * value.re;
@@ -382,7 +382,7 @@ impl Outputs {
         }
         mean.iter_mut()
             .for_each(|mean| *mean /= speed.points() as f64);
-        let ridge = Ridge { points: ridge };
+        let ridge = Ridge::with_strongest_branch(feedback, wavelength, &ridge);
         let flag = |is: bool| if is { 1.0 } else { 0.0 };
         if file.ridge {
             values.push(ridge.best_fit_frequency().unwrap_or(f64::NAN));

@@ -70,6 +70,13 @@ fn map(panel: &MapPanel) -> Value {
         "subtitle": panel.subtitle, "value_label": panel.value_label, "values": values,
         "wavelength_m": panel.wavelength_m, "speed_m_per_s": panel.speed_m_per_s,
         "best_fit_frequency_hz": panel.best_fit_frequency_hz, "rays_hz": panel.rays_hz,
+        "branches": panel.branches.iter().map(|branch| json!({
+            "frequency_hz": branch.frequency_hz,
+            "points": {
+                "wavelength_m": branch.points.iter().map(|point| point.0).collect::<Vec<_>>(),
+                "speed_m_per_s": branch.points.iter().map(|point| point.1).collect::<Vec<_>>(),
+            },
+        })).collect::<Vec<_>>(),
         "ridge": {
             "wavelength_m": panel.ridge.iter().map(|mark| mark.wavelength_m).collect::<Vec<_>>(),
             "speed_m_per_s": panel.ridge.iter().map(|mark| mark.speed_m_per_s).collect::<Vec<_>>(),

@@ -1,8 +1,8 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
 use axum::extract::State;
-use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge, RidgePoint};
-use riffel_case::Case;
+use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge, RidgeBranch, RidgePoint};
+use riffel_case::{BranchDocument, Case};
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +25,11 @@ pub(crate) struct Head {
     window: Window,
     growth_rate_per_dissipation: f64,
     ridge: RidgeColumns,
+    /// The strongest first.
+    branches: Vec<Branch>,
+    /// The branches in a sentence.
+    branches_in_words: Note,
+    /// That of the strongest branch.
     best_fit_frequency_hz: Option<f64>,
     highest: Option<Highest>,
     rays_hz: Vec<f64>,
@@ -65,6 +70,30 @@ struct RidgeColumns {
     wavelength_m: Vec<f64>,
     growth_rate_per_passage: Vec<f64>,
     at_edge: Vec<bool>,
+}
+
+/// A branch of the ridge, with its points in order of speed.
+#[derive(Serialize)]
+struct Branch {
+    #[serde(flatten)]
+    document: BranchDocument,
+    points: BranchColumns,
+}
+
+#[derive(Serialize)]
+struct BranchColumns {
+    speed_m_per_s: Vec<f64>,
+    wavelength_m: Vec<f64>,
+}
+
+impl From<&RidgeBranch> for BranchColumns {
+    fn from(branch: &RidgeBranch) -> Self {
+        let column = |value: fn(&RidgePoint) -> f64| branch.points().iter().map(value).collect();
+        Self {
+            speed_m_per_s: column(|point| point.speed),
+            wavelength_m: column(|point| point.wavelength),
+        }
+    }
 }
 
 /// Where growth is highest.
@@ -132,6 +161,8 @@ impl Computed {
     ) -> Self {
         let map = GrowthMap::compute_while(feedback, wavelength, speed, || wanted.still(), |_| ());
         let ridge = Ridge::of_map(feedback, &map);
+        let branches = BranchDocument::all(case, &ridge);
+        let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
         let growing: Vec<&RidgePoint> = ridge
             .points
             .iter()
@@ -152,6 +183,15 @@ impl Computed {
                     growth_rate_per_passage: column(|point| point.growth_rate),
                     at_edge: growing.iter().map(|point| point.at_edge).collect(),
                 },
+                branches: branches
+                    .into_iter()
+                    .zip(&ridge.branches)
+                    .map(|(document, branch)| Branch {
+                        document,
+                        points: branch.into(),
+                    })
+                    .collect(),
+                branches_in_words,
                 best_fit_frequency_hz: ridge.best_fit_frequency(),
                 highest: ridge
                     .highest()

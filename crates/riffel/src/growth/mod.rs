@@ -1,14 +1,16 @@
 //! Growth of corrugation over wavelength and speed: whole maps, and the ridge of highest growth.
 
 mod bay;
+mod branch;
 mod closing;
 mod map;
 mod ridge;
 mod row;
 
 pub use bay::{Bay, BayMaps};
+pub use branch::RidgeBranch;
 pub use map::GrowthMap;
-pub use ridge::{Ridge, RidgePoint};
+pub use ridge::{Ridge, RidgePoint, RidgeRow};
 pub use row::RowEvaluator;
 
 use crate::Error;

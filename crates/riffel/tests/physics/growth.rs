@@ -7,8 +7,8 @@ use riffel::{
     Axis, Bay, Beam, Carter3d, ConstantCreepage, ConstantTangentialForce, ContinuousTrack,
     DissipationPhase, ElasticMaterial, EnergyWear, EulerBernoulliBeam, FeedbackLoop, FreeBeam,
     GrowthMap, HertzContact, Layer, LoopState, MovingBeam, PeriodicTrack, PlaceOfWear, Receptance,
-    Ridge, RigidInertia, RigidMass, RollingContact, RowEvaluator, ShearSection, Support, TILE,
-    WheelRotation,
+    Ridge, RidgeRow, RigidInertia, RigidMass, RollingContact, RowEvaluator, ShearSection, Support,
+    TILE, WheelRotation,
 };
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
@@ -242,6 +242,107 @@ fn a_tabulated_map_is_its_points() {
         assert!(ridge.normalized_dissipation <= smallest + 1e-9);
         assert_eq!(ridge.speed, speed);
     }
+}
+
+/// The branches of the ridge over random railways on pads and ballast.
+#[test]
+fn branches_of_the_ridge_are_apart_and_the_strongest_leads() {
+    let wavelength = Axis::new(0.02, 0.2, 121).unwrap();
+    let speeds: Vec<f64> = (0..60).map(|index| 5.0 + 0.9 * f64::from(index)).collect();
+    let runner = ProptestConfig::with_cases(48);
+    proptest!(runner, |(railway in railway(), pad in 5e7..1e9f64, ballast in 3e7..2e8f64, damping in 1e4..1e5f64)| {
+        let (pad, ballast) = (
+            Layer::new(pad, damping).unwrap(),
+            Layer::new(ballast, damping).unwrap(),
+        );
+        let rail = Beam::from(railway.rail());
+        let track = ContinuousTrack::new(rail, Support::two_layer(pad, 150.0, ballast).unwrap());
+        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let feedback = railway.feedback(track, rotation);
+        let ridge = Ridge::search_at(&feedback, wavelength, &speeds);
+        prop_assert_eq!(ridge.points.len(), speeds.len());
+        let highest = *ridge.highest().unwrap();
+        let Some(strongest) = ridge.branches.first() else {
+            prop_assert!(highest.growth_rate <= 0.0);
+            return Ok(());
+        };
+        prop_assert!(strongest.points().contains(&highest));
+        prop_assert_eq!(ridge.best_fit_frequency(), Some(strongest.frequency()));
+        let rates: Vec<f64> = ridge.branches.iter().map(|branch| branch.highest().growth_rate).collect();
+        prop_assert!(rates.is_sorted_by(|a, b| a >= b));
+        prop_assert!(rates.iter().all(|&rate| rate > 0.0099 * rates[0]));
+        for branch in &ridge.branches {
+            // One point a speed, in order of speed, and every one a line of growth at that speed.
+            prop_assert!(branch.points().is_sorted_by(|a, b| a.speed < b.speed));
+            let (slowest, fastest) = branch.speeds();
+            prop_assert!(slowest <= fastest);
+        }
+        for &speed in &[speeds[3], speeds[30]] {
+            let lines = Ridge::lines_at(&feedback, wavelength, speed);
+            let members: Vec<_> = ridge
+                .branches
+                .iter()
+                .flat_map(|branch| branch.points())
+                .filter(|point| point.speed == speed)
+                .collect();
+            for point in &members {
+                // A map of this size reads the track itself, as `lines_at` does.
+                let same = |line: &&riffel::RidgePoint| {
+                    (line.wavelength / point.wavelength - 1.0).abs() < 1e-6
+                };
+                prop_assert_eq!(lines.iter().filter(same).count(), 1);
+                let twins = members.iter().filter(|other| other.wavelength == point.wavelength);
+                prop_assert_eq!(twins.count(), 1);
+            }
+        }
+    });
+}
+
+/// Speeds in any order, one speed alone, and a row of the ridge kept by hand give the same branches.
+#[test]
+fn branches_do_not_depend_on_the_order_of_speeds() {
+    let railway = Railway {
+        poisson_ratio: 0.3,
+        rolling_radius: 0.46,
+        transverse_radius: 0.23,
+        normal_force: 50e3,
+        friction: 0.4,
+        tractive_ratio: 0.1,
+        wheel_mass: 350.0,
+        rail_mass: 56.0,
+        second_moment: 2.35e-5,
+        wavelength: 0.05,
+        speed: 20.0,
+    };
+    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let feedback = railway.feedback(FreeBeam::new(railway.rail()), rotation);
+    let wavelength = Axis::new(0.02, 0.08, 241).unwrap();
+    let rising: Vec<f64> = (0..80).map(|index| 5.0 + 0.5 * f64::from(index)).collect();
+    let ridge = Ridge::search_at(&feedback, wavelength, &rising);
+    let falling: Vec<f64> = rising.iter().rev().copied().collect();
+    let reversed = Ridge::search_at(&feedback, wavelength, &falling);
+    assert_eq!(ridge.branches, reversed.branches);
+    assert_eq!(ridge.branches.len(), 1);
+
+    let mut evaluator = RowEvaluator::new(&feedback, &wavelength.values());
+    let mut row = vec![riffel::Complex64::ZERO; wavelength.points()];
+    let rows: Vec<RidgeRow> = rising
+        .iter()
+        .map(|&speed| {
+            evaluator.evaluate(speed, &mut row);
+            RidgeRow::new(&feedback, wavelength, speed, &row)
+        })
+        .collect();
+    let kept = Ridge::with_strongest_branch(&feedback, wavelength, &rows);
+    assert_eq!(kept, ridge);
+
+    let alone = Ridge::search_at(&feedback, wavelength, &[20.0]);
+    assert_eq!(alone.branches.len(), 1);
+    assert_eq!(alone.branches[0].points(), &alone.points[..]);
+    // Without traction nothing is dissipated in antiphase: a window of long waves decays.
+    let long = Axis::new(1.0, 2.0, 41).unwrap();
+    let decaying = Ridge::search_at(&feedback, long, &[5.0, 6.0]);
+    assert!(decaying.branches.is_empty() && decaying.best_fit_frequency().is_none());
 }
 
 /// Growth over a sleeper bay: the mean by Simpson's rule against two thousand places, and the maps

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use riffel::diagnosis::MechanismKind;
 use riffel::{GrowthMap, Ridge};
-use riffel_case::Case;
 use riffel_case::diagnosis::{Diagnosis, SHARE};
+use riffel_case::{BranchDocument, Case};
 use riffel_figures::{SIGN, Shown, panel, parameters};
 use riffel_plot::{LineFigure, MapFigure, Observation};
 
@@ -37,12 +37,8 @@ pub(super) fn growth_map(case: &Case, diagnosis: Option<&Diagnosis>) -> miette::
         ..MapFigure::default()
     };
     let caption = format!("{}{measured} {SIGN}", parameters(case));
-    let words = ridge.best_fit_frequency().map_or_else(
-        || "Nothing grows inside the window of the map.".to_owned(),
-        |frequency| {
-            format!("The ridge of highest growth follows {frequency:.0} Hz (best fit of the points inside the window).")
-        },
-    );
+    let branches = BranchDocument::sentence(&BranchDocument::all(case, &ridge)).to_string();
+    let words = format!("{}.", escape(&capital(&branches)));
     let svg = drawing.svg().map_err(CliError::from)?;
     let highest = ridge.highest().filter(|point| point.growth_rate > 0.0);
     let brief = highest.map(|point| {
