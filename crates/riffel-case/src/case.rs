@@ -76,6 +76,7 @@ impl Case {
         overrides: &[String],
     ) -> Result<Self, CaseError> {
         let mut source = Source::parse(name, text)?;
+        source.is_a_case()?;
         source.apply(overrides)?;
         Self::of_source(source, folder, Given::default(), Window::Map)
     }
@@ -108,6 +109,16 @@ impl Case {
     /// [`with`](Self::with), where wavelengths and speeds are those of a vehicle and no map's.
     pub(crate) fn of_vehicle(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
         self.with_window(sets, Window::Traffic)
+    }
+
+    /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
+    pub(crate) fn keys_with(&self, sets: &[&[String]]) -> Result<CaseFile, CaseError> {
+        let mut source = self.written.clone();
+        for overrides in sets {
+            source.apply(overrides)?;
+        }
+        source.fill_in()?;
+        source.deserialize()
     }
 
     fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {

@@ -114,6 +114,36 @@ impl Source {
         })
     }
 
+    /// `Ok` unless this is a traffic file in the place of a case file.
+    pub(crate) fn is_a_case(&self) -> Result<(), CaseError> {
+        // In a case `vehicle` is the name of a preset.
+        let vehicles = matches!(self.table.get("vehicle"), Some(Value::Array(_)));
+        if !vehicles {
+            return Ok(());
+        }
+        Err(self.refuse(
+            "vehicle",
+            "this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case file, as \
+             `riffel init` writes one, in its place",
+        ))
+    }
+
+    /// `Ok` unless this is a case file in the place of a traffic file.
+    pub(crate) fn is_a_traffic(&self) -> Result<(), CaseError> {
+        let vehicles = matches!(self.table.get("vehicle"), Some(Value::Array(_)));
+        let tables = ["wheel", "rail", "track", "contact", "steel"];
+        match tables.into_iter().find(|table| self.has(table)) {
+            Some(table) if !vehicles => Err(self.refuse(
+                table,
+                &format!(
+                    "this is a case file, with its table [{table}], and no traffic file; a traffic file lists the \
+                     vehicles of a line in [[vehicle]], `riffel init --traffic` writes one"
+                ),
+            )),
+            _ => Ok(()),
+        }
+    }
+
     /// Nothing, under a name.
     pub(crate) fn empty(name: &str) -> Self {
         Self {

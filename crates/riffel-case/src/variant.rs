@@ -7,6 +7,8 @@ use serde::Deserialize;
 use toml::{Table, Value};
 
 use crate::CaseError;
+use crate::file::CaseFile;
+use crate::hold::{Hold, MEAN_STATE, rolls_alike};
 use crate::quantity::{Quantity, Ratio, Speed};
 use crate::source::Source;
 use crate::text_file::read_keys;
@@ -23,6 +25,9 @@ pub struct Variant {
     pub speed: SpeedChange,
     /// Overrides of the case, `key=value`.
     pub overrides: Vec<String>,
+    /// What is held where friction or load change; left out, the creepage where the case or the vehicle gives
+    /// that, else the force.
+    pub hold: Option<Hold>,
     /// The file, where it was read from one.
     source: Option<Source>,
 }
@@ -54,6 +59,7 @@ impl Variant {
             title: title.to_owned(),
             speed: SpeedChange::default(),
             overrides: Vec::new(),
+            hold: None,
             source: None,
         }
     }
@@ -117,8 +123,31 @@ impl Variant {
             title: own.title.unwrap_or_default(),
             speed: change,
             overrides,
+            hold: None,
             source: Some(source),
         })
+    }
+
+    /// The keys that it changes, dotted.
+    pub(crate) fn keys(&self) -> impl Iterator<Item = &str> {
+        let keys = self.overrides.iter();
+        keys.map(|assignment| assignment.split('=').next().unwrap_or_default().trim())
+    }
+
+    /// What it holds of the mean state, from the keys of a vehicle before the change to those after it; none where
+    /// friction and load stay, or the file gives the mean state itself.
+    pub(crate) fn holds(&self, before: &CaseFile, after: &CaseFile) -> Option<Hold> {
+        let given = self.keys().any(|key| MEAN_STATE.contains(&key));
+        (!given && !rolls_alike(before, after)).then(|| self.hold.unwrap_or(Hold::usual(before)))
+    }
+
+    /// A sentence about the change of friction or load.
+    pub(crate) fn refuse(&self, message: &str) -> CaseError {
+        let key = self.keys().find(|key| key.starts_with("contact."));
+        let source = self.source.clone();
+        source
+            .unwrap_or_else(|| Source::empty(&self.title))
+            .refuse(key.unwrap_or_default(), message)
     }
 
     /// An error of the case that one of the changes causes, as one of the file of changes.

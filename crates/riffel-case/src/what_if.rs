@@ -1,11 +1,12 @@
 //! What would help: one traffic on a case and on variants of it, side by side.
 
-use riffel::forecast::{Forecast, TrafficGrowth};
+use riffel::forecast::{Forecast, Reach, TrafficGrowth};
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
 use riffel::{Ridge, RidgePoint};
 
-use crate::traffic::{Traffic, bands_of};
-use crate::{Case, CaseError, Variant};
+use crate::hold::Held;
+use crate::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
+use crate::{Case, CaseError, Hold, SpeedChange, Variant};
 
 /// Growth under one traffic, as it is and as each variant makes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,10 +35,89 @@ pub struct Outcome {
     pub ridge_highest: Option<RidgePoint>,
     /// The spectrum under this traffic, if one was given.
     pub forecast: Option<Forecast>,
-    /// Axle passages to the limit; none where it is never reached, or nothing was given.
-    pub passages_to_limit: Option<f64>,
+    /// When the limit is reached; none where no spectrum or no limit was given.
+    pub reach: Option<Reach>,
+    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    pub held: Vec<Hold>,
+    /// What it does to growth.
+    pub effect: Effect,
     /// What the reader should know about the validity of the models.
     pub remarks: Vec<String>,
+}
+
+/// What a variant does to growth.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Effect {
+    /// It is the case as it is.
+    None,
+    /// It changes growth; the sentence is on keys that have no part in that, where there are any.
+    Acts(Option<String>),
+    /// No key of it can change growth in this case, and none does: the sentence says why.
+    CannotAct(String),
+    /// Growth is the same to the last digit, as where a file gives the values of the case.
+    ChangesNothing(String),
+}
+
+impl Effect {
+    /// Of a variant on the case that it makes, by growth before and after.
+    fn of(
+        variant: &Variant,
+        changed: &Case,
+        before: &TrafficGrowth,
+        after: &TrafficGrowth,
+    ) -> Self {
+        let idle: Vec<(&str, String)> = variant
+            .keys()
+            .filter_map(|key| Some((key, changed.idle_because(key)?)))
+            .collect();
+        let all = idle.len() == variant.overrides.len() && variant.speed == SpeedChange::default();
+        let mut reasons: Vec<(Vec<String>, &str)> = Vec::new();
+        for (key, reason) in &idle {
+            let key = format!("`{key}`");
+            match reasons.iter_mut().find(|known| known.1 == reason) {
+                Some(known) => known.0.push(key),
+                None => reasons.push((vec![key], reason)),
+            }
+        }
+        let title = &variant.title;
+        let reasons = reasons.iter();
+        let reasons: Vec<String> = reasons
+            .map(|(keys, reason)| format!("{} has no effect, for {reason}", keys.join(", ")))
+            .collect();
+        let reasons = reasons.join("; ");
+        let same = before.vehicles().len() == after.vehicles().len()
+            && before
+                .vehicles()
+                .iter()
+                .zip(after.vehicles())
+                .all(|(before, after)| before.growth == after.growth);
+        match (same, all) {
+            (true, true) => {
+                Self::CannotAct(format!("\"{title}\" cannot act on this case: {reasons}"))
+            }
+            (true, false) => Self::ChangesNothing(format!(
+                "\"{title}\" changes nothing: growth is that of the case to the last digit"
+            )),
+            (false, _) => Self::Acts(
+                (!reasons.is_empty())
+                    .then(|| format!("of \"{title}\" only a part acts: {reasons}")),
+            ),
+        }
+    }
+
+    /// Whether growth can be compared with that of the case.
+    pub fn acts(&self) -> bool {
+        matches!(self, Self::Acts(_))
+    }
+
+    /// What the reader should know of it.
+    pub fn sentence(&self) -> Option<&str> {
+        match self {
+            Self::None => None,
+            Self::Acts(sentence) => sentence.as_deref(),
+            Self::CannotAct(sentence) | Self::ChangesNothing(sentence) => Some(sentence),
+        }
+    }
 }
 
 /// The wavelength that grows fastest under the traffic.
@@ -67,21 +147,26 @@ impl Comparison {
     ) -> Result<Self, CaseError> {
         let bands = bands_of(case);
         let as_it_is = Variant::none("as it is");
-        let mut outcomes = Vec::new();
+        let mut outcomes: Vec<Outcome> = Vec::new();
         for variant in std::iter::once(&as_it_is).chain(variants) {
             let on = traffic.on(case, &bands, variant, progress)?;
+            let held = Held::of(variant, case, &[], &[])?;
             let changed = case
-                .with(&[&variant.overrides])
+                .with(&[&variant.overrides, Held::assignments(held.as_ref())])
                 .map_err(|error| variant.explain(error))?;
             let ridge = Ridge::search(&changed.feedback, changed.wavelength, changed.speed);
             let forecast = spectrum
                 .map(|spectrum| Forecast::new(spectrum, on.growth.clone()))
                 .transpose()
                 .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
-            let passages_to_limit = forecast
+            let reach = forecast
                 .as_ref()
                 .zip(limit)
-                .and_then(|(forecast, limit)| forecast.grinding_interval(limit));
+                .map(|(forecast, limit)| forecast.grinding_interval(limit));
+            let effect = match outcomes.first() {
+                None => Effect::None,
+                Some(base) => Effect::of(variant, &changed, &base.growth, &on.growth),
+            };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
                 fastest: FastestLine::of(&on.growth),
@@ -90,7 +175,9 @@ impl Comparison {
                 passages_per_day: on.passages_per_day,
                 growth: on.growth,
                 forecast,
-                passages_to_limit,
+                reach,
+                held: on.held,
+                effect,
                 remarks: on.remarks,
             });
         }
@@ -100,6 +187,35 @@ impl Comparison {
     /// The case as it is.
     pub fn base(&self) -> &Outcome {
         &self.outcomes[0]
+    }
+}
+
+impl Outcome {
+    /// Axle passages to the limit, if they are known.
+    pub fn passages_to_limit(&self) -> Option<f64> {
+        self.reach?.passages()
+    }
+
+    /// Months to the limit, if they and the axles a day are known.
+    pub fn months_to_limit(&self) -> Option<f64> {
+        Some(self.passages_to_limit()? / self.passages_per_day? / DAYS_PER_MONTH)
+    }
+
+    /// The name of what is held where friction or load change: force, ratio, creepage, or mixed where that differs
+    /// from vehicle to vehicle.
+    pub fn held_name(&self) -> Option<&'static str> {
+        match &self.held[..] {
+            [] => None,
+            [hold] => Some(hold.name()),
+            _ => Some("mixed"),
+        }
+    }
+
+    /// Change of the fastest growth from that of the case as it is, as a part of it; none where that does not grow
+    /// or this does not act.
+    pub fn change_from(&self, base: &Self) -> Option<f64> {
+        (base.fastest.rate > 0.0 && self.effect.acts())
+            .then(|| self.fastest.rate / base.fastest.rate - 1.0)
     }
 }
 

@@ -13,7 +13,7 @@ use riffel_figures::paper::Model;
 
 use crate::error::CliError;
 
-pub(crate) use forecast::{Compare, Forecast, Horizon, Spectra};
+pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 

@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use riffel::forecast::{Forecast, SpeedDistribution};
-use riffel_case::roughness::Layout;
+use riffel::forecast::{Forecast, Reach, SpeedDistribution};
+use riffel::roughness::{LevelLimit, Spectrum};
+use riffel_case::roughness::{GroundRail, Layout};
 use riffel_case::traffic::{Traffic, WearReport, bands_of};
-use riffel_case::what_if::Comparison;
-use riffel_case::{CaseError, Variant};
+use riffel_case::what_if::{Comparison, Effect};
+use riffel_case::{CaseError, Hold, Variant};
 
 use crate::array::owned;
 use crate::case::Case;
@@ -44,22 +45,55 @@ impl GivenTraffic<'_> {
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 
+/// Wavelengths \[m\] and levels \[dB re 1 µm\].
+type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+
+/// Limit table that grinding meets, and decibels below the limit.
+type GivenGround = (Option<String>, Option<String>);
+
+/// The spectrum with which a forecast begins: measured, or that of a rail that will be ground.
+fn begins(
+    measured: Option<GivenLevels<'_>>,
+    ground: GivenGround,
+    limit: &LevelLimit,
+    edition: &str,
+) -> PyResult<Option<Spectrum>> {
+    Ok(match (measured, ground) {
+        (Some((wavelengths, levels)), (None, None)) => {
+            Some(spectrum(&owned(&wavelengths), &owned(&levels))?)
+        }
+        (None, (Some(name), None)) => Some(GroundRail::of_table(&name).map_err(of_case)?.spectrum),
+        (None, (None, Some(decibels))) => {
+            let below = GroundRail::below(edition, limit, &decibels);
+            let refused = |rule| wrong(format!("from_limit is {decibels:?}, but must be {rule}"));
+            Some(below.map_err(refused)?.spectrum)
+        }
+        (None, (None, None)) => None,
+        _ => {
+            return Err(wrong(
+                "spectrum, ground and from_limit exclude each other: give one of them",
+            ));
+        }
+    })
+}
+
 /// The bands of a forecast with all that is said of them.
 #[pyfunction]
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn forecast<'py>(
     py: Python<'py>,
     case: &Case,
-    wavelengths: PyReadonlyArray1<'py, f64>,
-    levels: PyReadonlyArray1<'py, f64>,
+    measured: Option<GivenLevels<'py>>,
+    ground: GivenGround,
     traffic: GivenTraffic<'py>,
     passages: Option<PyReadonlyArray1<'py, f64>>,
     mgt: Option<PyReadonlyArray1<'py, f64>>,
     months: Option<PyReadonlyArray1<'py, f64>>,
     limit: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-    let limit = level_limit(limit)?;
+    let (limit, edition) = level_limit(limit)?;
+    let begins = begins(measured, ground, &limit, &edition)?;
+    let spectrum = begins.ok_or_else(|| wrong("give spectrum, ground or from_limit"))?;
     let traffic = traffic.traffic()?;
     let on = case.compute(py, move |case| {
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
@@ -89,13 +123,13 @@ pub(crate) fn forecast<'py>(
     let column = |value: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| -> Real<'py> {
         bands.iter().map(value).collect::<Vec<_>>().into_pyarray(py)
     };
-    let crossings = forecast.passages_to(&limit);
-    let crossing = |band: &riffel::forecast::ForecastBand| {
-        crossings.iter().find(|crossing| crossing.0 == band)
-    };
+    let reaches = forecast.reaches(&limit);
+    let reach =
+        |band: &riffel::forecast::ForecastBand| reaches.iter().find(|reach| reach.0 == band);
     let mut grown = Vec::with_capacity(passages.len() * bands.len());
     for &passages in &passages {
-        grown.extend(bands.iter().map(|band| band.level(passages)));
+        let levels = bands.iter();
+        grown.extend(levels.map(|band| forecast.level(band, passages).unwrap_or(f64::NAN)));
     }
     let grown: Bound<'py, PyArray2<f64>> = grown
         .into_pyarray(py)
@@ -118,17 +152,19 @@ pub(crate) fn forecast<'py>(
     result.set_item("growth_rate", column(&|band| forecast.growth_rate(band)))?;
     result.set_item(
         "limit",
-        column(&|band| crossing(band).map_or(f64::NAN, |found| found.1)),
+        column(&|band| reach(band).map_or(f64::NAN, |found| found.1)),
     )?;
     result.set_item(
         "passages_to_limit",
-        column(&|band| {
-            crossing(band)
-                .and_then(|found| found.2)
-                .unwrap_or(f64::INFINITY)
+        column(&|band| match reach(band).map(|found| found.2) {
+            Some(Reach::After(passages)) => passages,
+            Some(Reach::BeyondLinearRange) => f64::NAN,
+            Some(Reach::Never) | None => f64::INFINITY,
         }),
     )?;
-    result.set_item("grinding_interval", forecast.grinding_interval(&limit))?;
+    let interval = forecast.grinding_interval(&limit);
+    result.set_item("grinding_interval", interval.passages())?;
+    result.set_item("limit_reached", interval.name())?;
     result.set_item("passages_per_day", on.passages_per_day)?;
     result.set_item("linear_force_ratio", linear.force_ratio)?;
     result.set_item("linear_passages", linear.passages)?;
@@ -176,12 +212,15 @@ pub(crate) enum GivenVariant<'py> {
 
 /// The case and its variants side by side.
 #[pyfunction]
+#[allow(clippy::too_many_arguments)]
 pub(crate) fn compare<'py>(
     py: Python<'py>,
     case: &Case,
     variants: Vec<GivenVariant<'py>>,
     traffic: GivenTraffic<'py>,
-    measured: Option<(PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>)>,
+    measured: Option<GivenLevels<'py>>,
+    ground: GivenGround,
+    hold: Option<&str>,
     limit: &str,
 ) -> PyResult<(Real<'py>, Real<'py>, Vec<Bound<'py, PyDict>>)> {
     let variants = variants.iter().map(|variant| match variant {
@@ -190,12 +229,14 @@ pub(crate) fn compare<'py>(
             Variant::parse("", &tables::table(keys, "")?.to_string()).map_err(of_case)
         }
     });
-    let variants = variants.collect::<PyResult<Vec<_>>>()?;
+    let mut variants = variants.collect::<PyResult<Vec<_>>>()?;
+    let hold: Option<Hold> = hold.map(str::parse).transpose().map_err(wrong)?;
+    for variant in &mut variants {
+        variant.hold = hold;
+    }
     let traffic = traffic.traffic()?;
-    let measured = measured
-        .map(|(wavelengths, levels)| spectrum(&owned(&wavelengths), &owned(&levels)))
-        .transpose()?;
-    let limit = level_limit(limit)?;
+    let (limit, edition) = level_limit(limit)?;
+    let measured = begins(measured, ground, &limit, &edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
         Comparison::compute(
             case,
@@ -214,12 +255,20 @@ pub(crate) fn compare<'py>(
         let rates = (0..wavelengths.len()).map(|band| outcome.growth.band_rate(band));
         let result = PyDict::new(py);
         result.set_item("growth_rate", rates.collect::<Vec<_>>().into_pyarray(py))?;
-        result.set_item("title", outcome.title)?;
         result.set_item("fastest_wavelength", outcome.fastest.wavelength)?;
         result.set_item("fastest_growth_rate", outcome.fastest.rate)?;
         result.set_item("fastest_at_edge", outcome.fastest.at_edge)?;
         result.set_item("ridge_frequency", outcome.ridge_frequency)?;
-        result.set_item("passages_to_limit", outcome.passages_to_limit)?;
+        result.set_item("passages_to_limit", outcome.passages_to_limit())?;
+        result.set_item("months_to_limit", outcome.months_to_limit())?;
+        result.set_item("limit_reached", outcome.reach.map(Reach::name))?;
+        result.set_item("hold", outcome.held_name())?;
+        result.set_item(
+            "acts",
+            outcome.effect == Effect::None || outcome.effect.acts(),
+        )?;
+        result.set_item("no_effect", outcome.effect.sentence())?;
+        result.set_item("title", outcome.title)?;
         result.set_item("remarks", outcome.remarks)?;
         Ok(result)
     });

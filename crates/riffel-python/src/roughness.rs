@@ -313,7 +313,7 @@ pub(crate) fn compare_with_limit<'py>(
     limit: &str,
 ) -> PyResult<Levels<'py>> {
     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-    let compared = level_limit(limit)?.compare(&spectrum);
+    let compared = level_limit(limit)?.0.compare(&spectrum);
     let column = |value: fn(&riffel::roughness::LevelExcess) -> f64| {
         compared
             .iter()
@@ -328,10 +328,11 @@ pub(crate) fn compare_with_limit<'py>(
     ))
 }
 
-/// A table of levels by its name or file.
-pub(crate) fn level_limit(name: &str) -> PyResult<riffel::roughness::LevelLimit> {
-    match LimitTable::find(name).map_err(of_case)?.limit {
-        Limit::Levels(limit) => Ok(limit),
+/// A table of levels by its name or file, and its edition.
+pub(crate) fn level_limit(name: &str) -> PyResult<(riffel::roughness::LevelLimit, String)> {
+    let table = LimitTable::find(name).map_err(of_case)?;
+    match table.limit {
+        Limit::Levels(limit) => Ok((limit, table.edition)),
         Limit::Rms(_) => Err(wrong(format!(
             "limit is \"{name}\", but must be a table of one-third-octave levels: an RMS along the rail does not \
              follow from a spectrum"

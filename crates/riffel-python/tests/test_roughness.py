@@ -197,3 +197,31 @@ def test_dates_of_files(tmp_path: Path) -> None:
     file = tmp_path / "dates.csv"
     file.write_text("date,wavelength_mm,level_db\n15.03.2024,40,3\n15.03.2024,50,2\n")
     assert [one.attrs["date"] for one in riffel.roughness.read(file).spectra] == ["2024-03-15"]
+
+
+def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]) -> None:
+    printed = program(
+        "forecast", "cases/nominal.toml", "--traffic", "cases/traffic.toml", "--from-limit", "-6 dB", "--json",
+    )  # fmt: skip
+    found = nominal.forecast(traffic="cases/traffic.toml", from_limit="-6 dB", months=[1.0, 1200.0])
+    assert found.attrs["grinding_interval_passages"] == pytest.approx(printed["passages_to_limit"], rel=1e-12)
+    assert found.attrs["limit_reached"] == printed["limit_reached"] == "after"
+    assert found.attrs["linear_range_passages"] == pytest.approx(printed["valid_to_passages"], rel=1e-12)
+    # A hundred years from now the wheel has left the rail.
+    assert np.isfinite(found["level"][0]).all() and np.isnan(found["level"][1]).all()
+    with pytest.raises(ValueError, match="below the limit"):
+        nominal.forecast(traffic="cases/traffic.toml", from_limit=6.0)
+    with pytest.raises(ValueError, match="exclude each other"):
+        nominal.forecast(roughness.levels([0.04], [1.0]), traffic="cases/traffic.toml", from_limit=-6.0)
+    pads = {"title": "soft pads", "track": {"pad": {"stiffness": "80 MN/m"}}}
+    less = {"title": "less friction", "contact": {"friction": 0.25}}
+    compared = nominal.compare([pads, less], traffic="cases/traffic.toml", from_limit=-6.0)
+    assert compared["acts"].values.tolist() == [True, False, True]
+    assert compared["hold"].values.tolist() == ["", "", "force"]
+    assert "cannot act" in compared.attrs["no_effect"][0]
+    months = compared["months_to_limit"].values
+    assert months[0] == pytest.approx(printed["months_to_limit"], rel=1e-12) == months[1]
+    ratio = nominal.compare([less], traffic="cases/traffic.toml", from_limit=-6.0, hold="ratio")
+    assert ratio["months_to_limit"].values[1] > months[2]
+    with pytest.raises(ValueError, match="force, ratio or creepage"):
+        nominal.compare([less], traffic="cases/traffic.toml", hold="torque")

@@ -2,6 +2,7 @@
 
 mod chainage;
 mod format;
+mod ground;
 mod heading;
 mod input;
 mod layout;
@@ -22,6 +23,7 @@ use crate::CaseError;
 use crate::text_file::Encoding;
 
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
+pub use ground::GroundRail;
 pub use layout::{Layout, LengthUnit};
 pub use limit::{Limit, LimitTable};
 pub use recipe::{DEFAULT_RECIPE, RecipeFile};

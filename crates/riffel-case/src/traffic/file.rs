@@ -67,6 +67,10 @@ pub struct Vehicle {
     /// Creepage ξ₀, in place of the tractive ratio.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub creepage: Option<Quantity<Ratio>>,
+    /// Share of its axles under this traction, from 0 to 1, in the mean over the trains; the others roll free and
+    /// let nothing grow. Left out, all of them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traction_share: Option<Quantity<Ratio>>,
     /// Any other keys of the case that are different for this vehicle, as tables of the case file.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(schema_with = "any_table")]

@@ -1,6 +1,7 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
 mod file;
+mod reported_growth;
 mod wear_report;
 
 use std::path::Path;
@@ -13,11 +14,12 @@ use riffel::roughness::ThirdOctave;
 pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 pub use wear_report::{WearDocument, WearReport};
 
+use crate::hold::Held;
 use crate::quantity::{Dimension, Quantity, Ratio};
 use crate::source::Source;
 use crate::text_file::read_keys;
 use crate::variant::assignments;
-use crate::{Case, CaseError, Variant};
+use crate::{Case, CaseError, Hold, Variant};
 
 /// How far the sum of shares may be from one: shares in tenths of a per cent.
 const SHARE_TOLERANCE: f64 = 2e-3;
@@ -43,8 +45,17 @@ pub struct TrafficOnCase {
     pub growth: TrafficGrowth,
     /// Axle passages a day, if the file says how much traffic there is.
     pub passages_per_day: Option<f64>,
+    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    pub held: Vec<Hold>,
     /// What the reader should know about the validity of the models.
     pub remarks: Vec<String>,
+}
+
+/// One kind of vehicle on a case.
+struct VehicleOnCase {
+    growth: VehicleGrowth,
+    held: Option<Hold>,
+    remarks: Vec<String>,
 }
 
 impl TrafficOnCase {
@@ -84,6 +95,7 @@ impl Traffic {
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = Source::parse(name, text)?;
+        source.is_a_traffic()?;
         let file: TrafficFile = source.deserialize()?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
@@ -120,6 +132,12 @@ impl Traffic {
             above_zero(&source, &key("share"), Some(vehicle.share))?;
             above_zero(&source, &key("axle_load"), vehicle.axle_load)?;
             above_zero(&source, &key("wheel_load"), vehicle.wheel_load)?;
+            if let Some(share) = vehicle.traction_share
+                && !(0.0..=1.0).contains(&share.si())
+            {
+                let rule = format!("is {share}, but must be between 0 and 1");
+                return Err(source.invalid(&key("traction_share"), &rule, ""));
+            }
             if vehicle.axle_load.is_some() && vehicle.wheel_load.is_some() {
                 return Err(exclusive(&source, &key("wheel_load"), &key("axle_load")));
             }
@@ -155,6 +173,7 @@ impl Traffic {
                     speeds: None,
                     tractive_ratio: None,
                     creepage: None,
+                    traction_share: None,
                     set: toml::Table::new(),
                 }],
             },
@@ -179,21 +198,28 @@ impl Traffic {
     ) -> Result<TrafficOnCase, CaseError> {
         let mut vehicles = Vec::new();
         let mut remarks = Vec::new();
+        let mut held = Vec::new();
         for index in 0..self.file.vehicle.len() {
-            let (growth, own) = self.vehicle_on(index, case, bands, variant)?;
-            vehicles.push(growth);
-            remarks.push(own);
+            let vehicle = self.vehicle_on(index, case, bands, variant)?;
+            vehicles.push(vehicle.growth);
+            remarks.push(vehicle.remarks);
+            held.extend(vehicle.held.filter(|hold| !held.contains(hold)));
             progress(1);
         }
-        let remarks = self.merged(remarks);
+        let mut remarks = self.merged(remarks);
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
         let line = self.file.line;
         let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
+        let reported =
+            passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
+        // It says most of all.
+        remarks.splice(0..0, reported);
         Ok(TrafficOnCase {
             growth,
             passages_per_day,
+            held,
             remarks,
         })
     }
@@ -230,7 +256,7 @@ impl Traffic {
         case: &Case,
         bands: &[ThirdOctave],
         variant: &Variant,
-    ) -> Result<(VehicleGrowth, Vec<String>), CaseError> {
+    ) -> Result<VehicleOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let own = overrides(vehicle);
@@ -241,12 +267,27 @@ impl Traffic {
         let lines = band_lines(bands);
         let window = window(&lines, &speeds);
         let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
-        let sets = [&own_assignments[..], &variant.overrides, &window];
+        let held = Held::of(variant, case, &own_assignments, &window)?;
+        let held_assignment = Held::assignments(held.as_ref());
+        let sets = [
+            &own_assignments[..],
+            &variant.overrides,
+            held_assignment,
+            &window,
+        ];
         let wheel = case.of_vehicle(&sets).map_err(|error| match error {
             CaseError::Override {
                 assignment,
                 message,
             } => match own.iter().find(|(_, text)| *text == assignment) {
+                _ if held_assignment.contains(&assignment) => {
+                    let held = held.as_ref();
+                    let why = held.map_or(message.clone(), |held| held.refusal(&message));
+                    variant.refuse(&format!(
+                        "variant \"{}\" changes friction or load under \"{}\"; {why}",
+                        variant.title, vehicle.name
+                    ))
+                }
                 _ if variant.overrides.contains(&assignment) => {
                     variant.explain(CaseError::Override {
                         assignment,
@@ -277,17 +318,20 @@ impl Traffic {
             bands,
             speeds,
         );
+        let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
+        let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
         let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
         // That a preset of the case changes nothing for a vehicle with values of its own is no news.
         let presets = wheel.builder.source.remarks;
         let remarks = wheel.remarks.into_iter();
-        Ok((
+        Ok(VehicleOnCase {
             growth,
-            remarks
+            held: held.map(|held| held.hold),
+            remarks: remarks
                 .filter(|remark| !presets.contains(remark))
                 .map(|remark| remark.to_string())
                 .collect(),
-        ))
+        })
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use jiff::civil::Date;
+use riffel_case::Hold;
 use riffel_case::quantity::{Quantity, Speed};
 use riffel_case::read_date;
 
@@ -11,7 +12,8 @@ use super::{CaseArguments, Layout};
 
 #[derive(Args)]
 #[command(
-    after_help = "Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24"
+    after_help = "Example: riffel forecast case.toml --spectrum spectra.csv --traffic traffic.toml --months 24\n\n\
+        The interval of a rail that will be ground: riffel forecast case.toml --traffic traffic.toml --from-limit \"-6 dB\""
 )]
 pub(crate) struct Forecast {
     #[command(flatten)]
@@ -19,6 +21,9 @@ pub(crate) struct Forecast {
 
     #[command(flatten)]
     pub(crate) spectra: Spectra,
+
+    #[command(flatten)]
+    pub(crate) ground: Ground,
 
     /// Traffic file: vehicles with their shares, loads, speeds and traction; `riffel init --traffic` writes
     /// one.
@@ -67,31 +72,76 @@ pub(crate) struct Horizon {
 pub(crate) struct Spectra {
     /// Measured rail: a table of one-third-octave levels or a longitudinal profile; the energy mean of its
     /// records is taken.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) spectrum: PathBuf,
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["ground", "from_limit"],
+        conflicts_with_all = ["ground", "from_limit"])]
+    pub(crate) spectrum: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(long = "where", value_name = "COLUMN=VALUE")]
+    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
     pub(crate) choose: Vec<String>,
 
     /// Column of dates, as 2026-01-31 or 31.01.2026: the latest is now, the earliest before.
-    #[arg(long, value_name = "COLUMN")]
+    #[arg(long, value_name = "COLUMN", requires = "spectrum")]
     pub(crate) date_column: Option<String>,
 
     /// An earlier measurement of the same rail, to fit the wear coefficient to.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", requires = "spectrum")]
     pub(crate) earlier: Option<PathBuf>,
 
     /// Keep the earlier spectra whose column has this value [default file: that of --spectrum].
-    #[arg(long = "earlier-where", value_name = "COLUMN=VALUE")]
+    #[arg(
+        long = "earlier-where",
+        value_name = "COLUMN=VALUE",
+        requires = "spectrum"
+    )]
     pub(crate) earlier_choose: Vec<String>,
 
     /// Axle passages between the two measurements [default: from the dates and the traffic file].
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "N",
+        allow_negative_numbers = true,
+        requires = "spectrum"
+    )]
     pub(crate) passages_between: Option<f64>,
+}
+
+/// A rail that will be ground, in place of the rail as it was measured.
+#[derive(Args, Clone, Default)]
+#[group(id = "ground_rail", multiple = false)]
+pub(crate) struct Ground {
+    /// Begin with the spectrum that grinding leaves: a limit table of levels by name or as a TOML file, or a file
+    /// of spectra measured after grinding.
+    #[arg(long, value_name = "SPECTRUM")]
+    pub(crate) ground: Option<String>,
+
+    /// Begin so many decibels below the limit, as in "-6 dB".
+    #[arg(long, value_name = "DECIBELS", allow_hyphen_values = true)]
+    pub(crate) from_limit: Option<String>,
+}
+
+/// What is held where a variant changes friction or load.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum HoldArgument {
+    /// The traction force, which a train that pulls or brakes asks for.
+    Force,
+    /// The tractive ratio: less friction means less traction.
+    Ratio,
+    /// The creepage, which a curve imposes.
+    Creepage,
+}
+
+impl From<HoldArgument> for Hold {
+    fn from(argument: HoldArgument) -> Self {
+        match argument {
+            HoldArgument::Force => Self::Force,
+            HoldArgument::Ratio => Self::Ratio,
+            HoldArgument::Creepage => Self::Creepage,
+        }
+    }
 }
 
 #[derive(Args)]
@@ -99,7 +149,8 @@ pub(crate) struct Spectra {
     after_help = "Example: riffel compare case.toml --with soft-pads.toml --with slower.toml --speed \"100 km/h\"\n\n\
         A file of changes has a title and the keys of the case that change, in their tables:\n\n  \
         title = \"soft pads, slower\"\n  [track]\n  pad = { stiffness = \"120 MN/m\" }\n  [speed]\n  factor = 0.8\n\n\
-        [speed] takes mean or factor, and standard_deviation."
+        [speed] takes mean or factor, and standard_deviation. What lasts longest after grinding: \
+        riffel compare case.toml --with soft-pads.toml --traffic traffic.toml --from-limit \"-6 dB\""
 )]
 pub(crate) struct Compare {
     #[command(flatten)]
@@ -121,9 +172,17 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "TOML")]
     pub(crate) traffic: Option<PathBuf>,
 
+    /// What variants of friction or load hold: force, ratio (Q₀/μP₀) or creepage [default: the creepage where the
+    /// case or the vehicle gives that, else the force].
+    #[arg(long, value_enum, value_name = "WHAT", hide_possible_values = true)]
+    pub(crate) hold: Option<HoldArgument>,
+
     /// Measured rail, to say when each variant reaches the limit.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["ground", "from_limit"])]
     pub(crate) spectrum: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) ground: Ground,
 
     #[command(flatten)]
     pub(crate) layout: Layout,

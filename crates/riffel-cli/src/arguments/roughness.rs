@@ -8,7 +8,7 @@ use riffel_case::quantity::{Frequency, Length, Quantity};
 use riffel_case::read_date;
 use riffel_case::roughness::LengthUnit;
 
-use super::CaseArguments;
+use super::{CaseArguments, Ground, HoldArgument};
 
 /// How files of roughness are laid out.
 #[derive(Args, Default)]
@@ -235,6 +235,19 @@ pub(crate) struct Report {
     /// File of changes to the case, as for riffel compare; may be repeated.
     #[arg(long = "with", value_name = "TOML", requires = "case")]
     pub(crate) variants: Vec<PathBuf>,
+
+    /// What variants of friction or load hold, as for riffel compare: force, ratio or creepage.
+    #[arg(
+        long,
+        value_enum,
+        value_name = "WHAT",
+        requires = "variants",
+        hide_possible_values = true
+    )]
+    pub(crate) hold: Option<HoldArgument>,
+
+    #[command(flatten)]
+    pub(crate) ground: Ground,
 
     /// Months that the forecast looks ahead.
     #[arg(

@@ -214,6 +214,273 @@ fn variants_are_compared() {
     assert!(sandbox.list("out").contains(&"compare.png".to_owned()));
 }
 
+/// 68 dB is 3.5 mm: nothing is forecast where the wheel has left the rail, in table, JSON and files alike.
+#[test]
+fn a_forecast_ends_where_the_wheel_leaves_the_rail() {
+    let sandbox = sandbox();
+    one_band(&sandbox, 0.0);
+    let command = "forecast cases/nominal.toml --spectrum one.csv --traffic cases/traffic.toml";
+    let near = sandbox.json(&format!("{command} --passages 1e6 --json"));
+    let end = number(&near["valid_to_passages"]);
+    assert_eq!(near["valid_to_passages"], near["linear_range"]["passages"]);
+    assert!(number(&near["spectrum_then"][0]["level_db"]) > 0.0);
+    assert!(
+        (number(&near["valid_to_months"]) * 6000.0 * 365.2425 / 12.0 / end - 1.0).abs() < 1e-12
+    );
+    let far = sandbox.json(&format!(
+        "{command} --passages {} -o far --json",
+        10.0 * end
+    ));
+    assert!(far["spectrum_then"][0]["level_db"].is_null());
+    assert!(far["bands"][0]["level_then_db"].is_null());
+    assert_eq!(far["valid_to_passages"], near["valid_to_passages"]);
+    let rows = fs::read_to_string(sandbox.path("far/bands.csv")).unwrap();
+    let (header, row) = rows.split_once('\n').unwrap();
+    let place = header
+        .split(',')
+        .position(|name| name == "level_then_db")
+        .unwrap();
+    assert_eq!(row.split(',').nth(place), Some(""), "{rows}");
+    let picture = fs::read_to_string(sandbox.path("far/forecast.svg")).unwrap();
+    assert!(picture.contains("where the forecast ends"));
+    // A limit of a millimetre is never seen: neither a date nor "never".
+    fs::write(
+        sandbox.path("high.toml"),
+        "name = \"high\"\ntitle = \"t\"\nedition = \"a millimetre\"\nsource = \"invented\"\n\
+         [[level]]\nwavelength = \"50 mm\"\nlevel_db = 60.0\n",
+    )
+    .unwrap();
+    let high = sandbox.json(&format!("{command} --limit high.toml --json"));
+    assert_eq!(high["limit_reached"], "beyond-linear-range");
+    assert!(high["passages_to_limit"].is_null() && high["date_of_limit"].is_null());
+    let text = sandbox.riffel(&format!(
+        "{command} --limit high.toml --passages {} -o far",
+        2.0 * end
+    ));
+    assert_eq!(
+        text.text.matches(" beyond the linear range").count(),
+        2,
+        "{}",
+        text.text
+    );
+    assert!(
+        text.text
+            .contains("is not reached before the wheel leaves the rail"),
+        "{}",
+        text.text
+    );
+}
+
+/// A rail 6 dB below the limit reaches it after the months that 6 dB of growth take.
+#[test]
+fn the_interval_of_a_rail_that_will_be_ground() {
+    let sandbox = sandbox();
+    let command = "forecast cases/nominal.toml --traffic cases/traffic.toml";
+    let ground = sandbox.json(&format!("{command} --from-limit \"-6 dB\" --json"));
+    assert_eq!(
+        ground["inputs"]["ground"],
+        "6 dB below EN ISO 3095:2013, Figure 2"
+    );
+    assert!(ground["inputs"]["spectrum"].is_null());
+    let bands = ground["bands"].as_array().unwrap();
+    assert_eq!(bands.len(), 7);
+    for band in bands {
+        let below = number(&band["limit_db"]) - number(&band["level_now_db"]);
+        assert!((below - 6.0).abs() < 1e-9, "{band}");
+    }
+    let months = number(&ground["months_to_limit"]);
+    let rates = bands
+        .iter()
+        .map(|band| number(&band["growth_rate_per_passage"]));
+    let fastest = rates.fold(0.0, f64::max);
+    // By the mean rate of the fastest band; its fastest lines are sooner there.
+    let by_mean = 6.0 * LN_10 / 20.0 / fastest / (6000.0 * 365.2425 / 12.0);
+    assert!(
+        months > 0.8 * by_mean && months <= by_mean,
+        "{months} {by_mean}"
+    );
+    let nearer = sandbox.json(&format!("{command} --from-limit=-3dB --json"));
+    assert!(number(&nearer["months_to_limit"]) < 0.6 * months);
+    // The same levels from a file are the same rail.
+    let rows = bands
+        .iter()
+        .map(|band| format!("{},{}\n", band["wavelength_m"], band["level_now_db"]));
+    let text = format!("wavelength_m,level_db\n{}", rows.collect::<String>());
+    fs::write(sandbox.path("ground.csv"), text).unwrap();
+    let file = sandbox.json(&format!("{command} --ground ground.csv --json"));
+    assert!((number(&file["months_to_limit"]) / months - 1.0).abs() < 1e-9);
+    let text = sandbox.riffel(&format!("{command} --from-limit \"-6 dB\""));
+    let sentence = "grinding interval from 6 dB below EN ISO 3095:2013, Figure 2";
+    assert!(text.text.contains(sentence), "{}", text.text);
+    fs::write(
+        sandbox.path("damp.toml"),
+        "title = \"damp\"\n[wear]\ncoefficient = 1.25e-9\n",
+    )
+    .unwrap();
+    let compare =
+        "compare cases/nominal.toml --with damp.toml --traffic cases/traffic.toml --from-limit -6";
+    let compared = sandbox.json(&format!("{compare} --json"));
+    let of = |index: usize| number(&compared["outcomes"][index]["months_to_limit"]);
+    assert!((of(0) / months - 1.0).abs() < 1e-12);
+    // Half the wear, twice the time.
+    assert!((of(1) / of(0) - 2.0).abs() < 1e-9);
+    let text = sandbox.riffel(compare).text;
+    assert!(text.contains("months to limit"), "{text}");
+}
+
+#[test]
+fn what_cannot_act_is_not_given_as_no_change() {
+    let sandbox = sandbox();
+    let compare = "compare cases/nominal.toml --with cases/soft-pads.toml";
+    let compared = sandbox.json(&format!("{compare} --json"));
+    let pads = &compared["outcomes"][1];
+    assert_eq!(pads["acts"], false);
+    assert!(pads["change_of_fastest_growth"].is_null());
+    let text = sandbox.riffel(compare).text;
+    assert!(
+        text.contains("cannot act") && !text.contains("0 %"),
+        "{text}"
+    );
+    let sentence = "track.model = \"free-beam\" is a rail without supports";
+    assert!(
+        text.contains(sentence)
+            && pads["no_effect"]
+                .to_string()
+                .contains("rail without supports"),
+        "{text}"
+    );
+    // The values of the case itself, and one key of two.
+    fs::write(
+        sandbox.path("same.toml"),
+        "title = \"same\"\n[contact]\nfriction = 0.4\n",
+    )
+    .unwrap();
+    fs::write(
+        sandbox.path("both.toml"),
+        "title = \"both\"\n[wheel]\nmass = \"300 kg\"\n[track]\npad = { stiffness = \"80 MN/m\" }\n",
+    )
+    .unwrap();
+    let compare = "compare cases/nominal.toml --with same.toml --with both.toml";
+    let compared = sandbox.json(&format!("{compare} --json"));
+    assert_eq!(compared["outcomes"][1]["acts"], false);
+    assert_eq!(compared["outcomes"][2]["acts"], true);
+    assert!(compared["outcomes"][2]["change_of_fastest_growth"].is_number());
+    let text = sandbox.riffel(compare).text;
+    assert!(text.contains("changes nothing"), "{text}");
+    assert!(
+        text.contains("`track.pad.stiffness` has no effect"),
+        "{text}"
+    );
+    // On a track with pads they act.
+    let pads = "compare cases/discrete-supports.toml --with cases/soft-pads.toml --json";
+    let acts = sandbox.json(pads);
+    assert!(acts["outcomes"][1]["acts"] == true && acts["outcomes"][1]["no_effect"].is_null());
+}
+
+/// The three mean states that less friction can leave as it was, each held against a file that gives it by number.
+#[test]
+fn what_friction_leaves_as_it_was_is_said() {
+    let sandbox = sandbox();
+    let write = |name: &str, rest: &str| {
+        let text = format!("title = \"{name}\"\n[contact]\nfriction = 0.25\n{rest}");
+        fs::write(sandbox.path(&format!("{name}.toml")), text).unwrap();
+    };
+    write("less", "");
+    // Q₀ = 0.1 · 0.4 P₀ = 0.16 · 0.25 P₀.
+    write("force", "tractive_ratio = 0.16\n");
+    write("ratio", "tractive_ratio = 0.1\n");
+    let point = sandbox.json("point cases/nominal.toml --wavelength 0.05 --speed 30 --json");
+    write("creepage", &format!("creepage = {}\n", point["creepage"]));
+    let rate = |arguments: &str| {
+        let compared = sandbox.json(&format!("compare cases/nominal.toml {arguments} --json"));
+        let outcome = &compared["outcomes"][1];
+        (
+            number(&outcome["fastest_growth_rate_per_passage"]),
+            outcome["hold"].clone(),
+        )
+    };
+    let mut rates = Vec::new();
+    for hold in ["force", "ratio", "creepage"] {
+        let (held, name) = rate(&format!("--with less.toml --hold {hold}"));
+        let (given, of_file) = rate(&format!("--with {hold}.toml"));
+        assert_eq!(name, hold);
+        assert!(of_file.is_null());
+        assert!((held / given - 1.0).abs() < 1e-9, "{hold}: {held} {given}");
+        rates.push(held);
+    }
+    assert!(rates[0] > 1.2 * rates[1], "{rates:?}");
+    assert_eq!(rate("--with less.toml"), (rates[0], "force".into()));
+    // The case gives the creepage: that is what stays.
+    let by_creepage = format!(
+        "--with less.toml --set contact.creepage={}",
+        point["creepage"]
+    );
+    assert_eq!(rate(&by_creepage).1, "creepage");
+    let text = sandbox
+        .riffel("compare cases/nominal.toml --with less.toml")
+        .text;
+    assert!(text.contains("held") && text.contains("force"), "{text}");
+    // Wet leaves: the force asked for is more than friction can carry.
+    fs::write(
+        sandbox.path("wet.toml"),
+        "title = \"wet\"\n[contact]\nfriction = 0.03\n",
+    )
+    .unwrap();
+    let outcome = sandbox.riffel("compare cases/nominal.toml --with wet.toml");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let text = outcome.text.replace("\n  │ ", " ");
+    assert!(text.contains("2.000 kN on a wheel is 1.33 times"), "{text}");
+    assert!(text.contains("--hold ratio"), "{text}");
+    let wet = sandbox.riffel("compare cases/nominal.toml --with wet.toml --hold ratio");
+    assert_eq!(wet.status, Some(0), "{}", wet.text);
+}
+
+/// A metro curve: with τ = 0.5 on every axle the amplitude doubles within weeks, which no railway has reported.
+#[test]
+fn growth_faster_than_ever_reported_is_remarked() {
+    let sandbox = sandbox();
+    one_band(&sandbox, -10.0);
+    let vehicle = |name: &str, more: &str| {
+        let text = format!(
+            "[line]\npassages_per_day = 10000\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
+             speed = {{ mean = \"60 km/h\" }}\ntractive_ratio = 0.5\n{more}"
+        );
+        fs::write(sandbox.path(name), text).unwrap();
+    };
+    vehicle("all.toml", "");
+    vehicle("part.toml", "traction_share = \"5 %\"\n");
+    let forecast = |traffic: &str| {
+        sandbox.json(&format!(
+            "forecast cases/nominal.toml --spectrum one.csv --traffic {traffic} --json"
+        ))
+    };
+    let (all, part) = (forecast("all.toml"), forecast("part.toml"));
+    let rate = |document: &Value| number(&document["bands"][0]["growth_rate_per_passage"]);
+    assert!((rate(&part) / rate(&all) - 0.05).abs() < 1e-12);
+    let remarks = |document: &Value| document["remarks"].to_string();
+    assert!(
+        remarks(&all).contains("Torstensson & Nielsen 2009"),
+        "{}",
+        remarks(&all)
+    );
+    assert!(
+        !remarks(&part).contains("Torstensson"),
+        "{}",
+        remarks(&part)
+    );
+    vehicle("much.toml", "traction_share = 1.5\n");
+    let outcome =
+        sandbox.riffel("forecast cases/nominal.toml --spectrum one.csv --traffic much.toml");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    assert!(
+        outcome
+            .text
+            .contains("traction_share` is 1.5, but must be between 0 and 1"),
+        "{}",
+        outcome.text
+    );
+}
+
 #[test]
 fn bad_input_is_answered_with_a_sentence() {
     let sandbox = sandbox();
@@ -284,6 +551,39 @@ fn bad_input_is_answered_with_a_sentence() {
             "changes nothing",
         ),
         ("compare cases/nominal.toml".to_owned(), "--with"),
+        (
+            "forecast cases/nominal.toml --traffic cases/nominal.toml --spectrum one.csv"
+                .to_owned(),
+            "this is a case file, with its table [wheel], and no traffic file",
+        ),
+        (
+            "forecast cases/traffic.toml --traffic cases/traffic.toml --spectrum one.csv"
+                .to_owned(),
+            "this is a traffic file, with its [[vehicle]], and no case file",
+        ),
+        (
+            format!("{forecast} --from-limit \"6 dB\""),
+            "below the limit",
+        ),
+        (format!("{forecast} --from-limit -6mm"), "below the limit"),
+        (
+            format!("{forecast} --ground iso-3095-2013"),
+            "smoother than --limit",
+        ),
+        (
+            format!("{forecast} --ground grassie-1999"),
+            "one-third-octave levels",
+        ),
+        (format!("{forecast} --ground none.csv"), "none.csv"),
+        (
+            format!("{forecast} --spectrum one.csv --from-limit -6"),
+            "cannot be used with",
+        ),
+        (forecast.to_owned(), "--spectrum"),
+        (
+            "compare cases/nominal.toml --with nothing.toml --hold torque".to_owned(),
+            "invalid value 'torque'",
+        ),
     ] {
         let outcome = sandbox.riffel(&arguments);
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);

@@ -100,6 +100,38 @@ fn every_section_is_there() {
     }
 }
 
+/// How long each remedy lasts after grinding stands in the brief, and a remedy that cannot act is named as such.
+#[test]
+fn remedies_are_compared_after_grinding() {
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    let command = "report cases/nominal.toml --roughness profile.csv --traffic cases/traffic.toml \
+                   --with cases/soft-pads.toml --with cases/friction-management.toml";
+    let brief = |arguments: &str| {
+        let outcome = sandbox.riffel(&format!("{command} {arguments}"));
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+        let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
+        stands_alone(&page);
+        let brief = page.split("</ul>").next().unwrap().to_owned();
+        (page, brief)
+    };
+    let (page, ground) = brief("--from-limit \"-6 dB\" --hold ratio");
+    let from = "From 6 dB below EN ISO 3095:2013, Figure 2 the limit";
+    assert!(
+        ground.contains(from) && ground.contains("months as it is"),
+        "{ground}"
+    );
+    assert!(ground.contains("(held: ratio)"), "{ground}");
+    assert!(
+        ground.contains("Without any effect: \u{201c}soft pads\u{201d}"),
+        "{ground}"
+    );
+    assert!(page.contains("cannot act") && page.contains("rail without supports"));
+    let (_, now) = brief("");
+    assert!(now.contains("--from-limit says how long"), "{now}");
+    assert!(now.contains("(held: force)"), "{now}");
+}
+
 /// What has no input is one sentence at the end, and no empty section.
 #[test]
 fn what_is_missing_is_said_once() {

@@ -547,7 +547,7 @@ class Case:
 
     def forecast(
         self,
-        spectrum: xr.DataArray,
+        spectrum: xr.DataArray | None = None,
         *,
         traffic: Traffic | None = None,
         speed: Quantity | None = None,
@@ -555,13 +555,15 @@ class Case:
         passages: Any = None,
         mgt: Any = None,
         months: Any = None,
+        ground: str | None = None,
+        from_limit: str | float | None = None,
         limit: str = "iso-3095-2013",
     ) -> xr.Dataset:
-        """What becomes of a measured spectrum under traffic.
+        """What becomes of a measured spectrum, or of that of a ground rail, under traffic.
 
         Parameters
         ----------
-        spectrum : DataArray
+        spectrum : DataArray, optional
             One-third-octave levels in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
         traffic : path or mapping, optional
             A traffic file or its keys; without it, the wheel of the case at `speed`.
@@ -569,6 +571,10 @@ class Case:
             Mean and standard deviation of the speed of the wheel of the case; the middle of its map by default.
         passages, mgt, months : number or array, optional
             How far to look ahead, in one of the three.
+        ground : str, optional
+            Begin with the levels of a limit table that grinding meets, by name or file, in place of `spectrum`.
+        from_limit : str or float, optional
+            Begin so many decibels below the limit, as in ``"-6 dB"``, in place of `spectrum`.
         limit : str
             Limit of the levels by name or as a TOML file.
 
@@ -576,8 +582,9 @@ class Case:
         -------
         xarray.Dataset
             Over ``passages`` and ``wavelength``: ``level``; over ``wavelength``: ``level_now``, ``growth_rate``, ``limit`` and
-            ``passages_to_limit``, infinite where it is never reached. Attributes: ``grinding_interval_passages`` and
-            ``linear_range_passages``, from where on the wheel leaves the rail.
+            ``passages_to_limit``, infinite where it is never reached. Attributes: ``grinding_interval_passages``,
+            ``limit_reached`` ("after", "beyond-linear-range" or "never") and ``linear_range_passages``, where the wheel
+            leaves the rail and the forecast ends: what lies beyond is NaN.
 
         Raises
         ------
@@ -601,11 +608,10 @@ class Case:
         # The wheel of the case alone does not say how often it comes.
         if not given and traffic is None:
             raise ValueError("passages, mgt or months is missing: say how far to look ahead")
-        wavelengths, levels = levels_of(spectrum, "spectrum")
         found = _riffel.forecast(
             self._case,
-            wavelengths,
-            levels,
+            None if spectrum is None else levels_of(spectrum, "spectrum"),
+            _ground(ground, from_limit),
             self._traffic(traffic, speed, speed_deviation),
             given.get("passages"),
             given.get("mgt"),
@@ -622,6 +628,7 @@ class Case:
         ):
             attributes[name] = np.nan if found[key] is None else found[key]
         attributes["limit"] = limit
+        attributes["limit_reached"] = found["limit_reached"]
         attributes["remarks"] = found["remarks"]
         return xr.Dataset(
             {
@@ -652,6 +659,9 @@ class Case:
         speed: Quantity | None = None,
         speed_deviation: Quantity | None = None,
         spectrum: xr.DataArray | None = None,
+        ground: str | None = None,
+        from_limit: str | float | None = None,
+        hold: str | None = None,
         limit: str = "iso-3095-2013",
     ) -> xr.Dataset:
         """What would help: growth on the case and on variants of it, side by side.
@@ -660,16 +670,21 @@ class Case:
         ----------
         variants : sequence of paths or mappings
             Files of changes or their keys: ``{"title": ..., "track": {...}, "speed": {"factor": 0.8}}``.
-        traffic, speed, speed_deviation, limit
+        traffic, speed, speed_deviation, ground, from_limit, limit
             As of `forecast`.
         spectrum : DataArray, optional
             Measured levels, to say when each variant reaches the limit.
+        hold : {"force", "ratio", "creepage"}, optional
+            What variants of friction or load hold; by default the creepage where the case or the vehicle gives that,
+            else the traction force.
 
         Returns
         -------
         xarray.Dataset
             Over ``variant``, "as it is" first: ``growth_rate`` by ``wavelength``, ``fastest_wavelength``,
-            ``fastest_growth_rate``, ``ridge_frequency`` and ``passages_to_limit``.
+            ``fastest_growth_rate``, ``ridge_frequency``, ``passages_to_limit``, ``months_to_limit``, ``limit_reached``
+            (empty without a spectrum), ``hold`` (empty where friction and load stay) and ``acts``; attribute ``no_effect``:
+            sentences on variants of which a part or all has no effect.
 
         Examples
         --------
@@ -681,13 +696,24 @@ class Case:
         measured = None if spectrum is None else levels_of(spectrum, "spectrum")
         changes = [_file_or_keys(variant) for variant in variants]
         wavelengths, nominal, outcomes = _riffel.compare(
-            self._case, changes, self._traffic(traffic, speed, speed_deviation), measured, limit
+            self._case,
+            changes,
+            self._traffic(traffic, speed, speed_deviation),
+            measured,
+            _ground(ground, from_limit),
+            hold,
+            limit,
         )
 
         def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
             values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
             return "variant", values, {"units": units, "long_name": name}
 
+        def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
+            return "variant", [outcome[key] or "" for outcome in outcomes], {"long_name": name}
+
+        attributes = _datasets.attributes(self.title)
+        attributes["no_effect"] = [outcome["no_effect"] for outcome in outcomes if outcome["no_effect"]]
         return xr.Dataset(
             {
                 "growth_rate": (
@@ -699,13 +725,17 @@ class Case:
                 "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
                 "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the strongest branch of the ridge follows"),
                 "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
+                "months_to_limit": column("months_to_limit", "month", "months to the limit"),
+                "limit_reached": words("limit_reached", "whether the limit is reached"),
+                "hold": words("hold", "what is held where friction or load change"),
+                "acts": ("variant", [outcome["acts"] for outcome in outcomes], {"long_name": "whether it acts"}),
             },
             {
                 "variant": ("variant", [outcome["title"] for outcome in outcomes]),
                 "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
                 "nominal_mm": ("wavelength", nominal, {"units": "mm", "long_name": "nominal wavelength"}),
             },
-            _datasets.attributes(self.title),
+            attributes,
         )
 
     def fit_wear(
@@ -888,6 +918,11 @@ def _restored(written: _riffel.WrittenCase, given: dict[str, Any]) -> Case:
 
 def _numbers(value: Any, name: str) -> Floats:
     return array(value, name, "ratio", least=-np.finfo(np.float64).tiny)
+
+
+def _ground(ground: str | None, from_limit: str | float | None) -> tuple[str | None, str | None]:
+    """What a rail will be ground to, as words."""
+    return ground, None if from_limit is None else str(from_limit)
 
 
 def _file_or_keys(given: str | os.PathLike[str] | Mapping[str, Any]) -> str | dict[str, Any]:

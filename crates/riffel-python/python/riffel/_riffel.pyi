@@ -96,8 +96,8 @@ def axis(min: float, max: float, points: int) -> _Floats: ...
 def presets() -> list[dict[str, Any]]: ...
 def forecast(
     case: Case,
-    wavelengths: _Floats,
-    levels: _Floats,
+    measured: tuple[_Floats, _Floats] | None,
+    ground: tuple[str | None, str | None],
     traffic: _Traffic,
     passages: _Floats | None,
     mgt: _Floats | None,
@@ -117,6 +117,8 @@ def compare(
     variants: Sequence[str | dict[str, Any]],
     traffic: _Traffic,
     measured: tuple[_Floats, _Floats] | None,
+    ground: tuple[str | None, str | None],
+    hold: str | None,
     limit: str,
 ) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
 def diagnose(

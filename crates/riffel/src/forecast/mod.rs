@@ -24,7 +24,7 @@ mod wear_fit;
 pub use growing_sum::GrowingSum;
 pub use lines::{LINES_PER_BAND, band_lines};
 pub use mean_growth::MeanGrowth;
-pub use prediction::{Forecast, ForecastBand, LinearRange};
+pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
 pub use traffic::{STANDARD_GRAVITY, TrafficGrowth, VehicleGrowth};
 pub use wear_fit::{FittedBand, MeasuredChange, WearFit, WearVerdict};

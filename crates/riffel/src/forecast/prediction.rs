@@ -8,12 +8,43 @@ use crate::roughness::{BandLevel, LevelLimit, Spectrum, mean_square};
 /// A spectrum under traffic.
 ///
 /// Range of validity: the loop is linear. It holds while the wheel stays on the rail, see
-/// [`linear_range`](Self::linear_range), and while track, friction and traffic stay as they are. Levels
-/// beyond are what the exponentials say and nothing more: real corrugation slows down.
+/// [`valid_to`](Self::valid_to), and while track, friction and traffic stay as they are. Levels beyond are what
+/// the exponentials say and nothing more: real corrugation slows down.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Forecast {
     traffic: TrafficGrowth,
     bands: Vec<ForecastBand>,
+    linear: LinearRange,
+}
+
+/// When a level is reached.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reach {
+    /// After so many axle passages; 0 where it is there now.
+    After(f64),
+    /// Not before the wheel leaves the rail: the linear loop cannot say when.
+    BeyondLinearRange,
+    /// Never: the level falls, or stays.
+    Never,
+}
+
+impl Reach {
+    /// Name of the kind: after, beyond-linear-range, never.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::After(_) => "after",
+            Self::BeyondLinearRange => "beyond-linear-range",
+            Self::Never => "never",
+        }
+    }
+
+    /// Axle passages, if they are known.
+    pub fn passages(self) -> Option<f64> {
+        match self {
+            Self::After(passages) => Some(passages),
+            Self::BeyondLinearRange | Self::Never => None,
+        }
+    }
 }
 
 /// One band of a forecast.
@@ -39,7 +70,7 @@ pub struct LinearRange {
 }
 
 impl ForecastBand {
-    /// Level after some axle passages \[dB re 1 µm\].
+    /// Level after some axle passages \[dB re 1 µm\] by the exponentials, within the linear range and beyond.
     pub fn level(&self, passages: f64) -> f64 {
         self.now.level + self.sum.level_change(passages)
     }
@@ -77,7 +108,24 @@ impl Forecast {
                 rule: "no band of the spectrum lies in the wavelengths of the forecast",
             });
         }
-        Ok(Self { traffic, bands })
+        let linear = force_range(&traffic, bands.iter());
+        Ok(Self {
+            traffic,
+            bands,
+            linear,
+        })
+    }
+
+    /// Axle passages up to which the forecast holds, where the forces of all bands together lift the wheel off
+    /// the rail; 0 where they do now, infinite where they never do.
+    pub fn valid_to(&self) -> f64 {
+        self.linear.passages.unwrap_or(f64::INFINITY)
+    }
+
+    /// Level of a band after some axle passages \[dB re 1 µm\], within the linear range; what was measured is
+    /// known anyhow.
+    pub fn level(&self, band: &ForecastBand, passages: f64) -> Option<f64> {
+        (passages == 0.0 || passages <= self.valid_to()).then(|| band.level(passages))
     }
 
     /// The traffic.
@@ -109,24 +157,34 @@ impl Forecast {
         Spectrum::new(levels.map(|band| (band.now.band, band.level(passages).min(f64::MAX))))
     }
 
-    /// Axle passages until each band that has a limit reaches it: the band, the limit \[dB re 1 µm\] and the
-    /// passages, none where it never does.
-    pub fn passages_to(&self, limit: &LevelLimit) -> Vec<(&ForecastBand, f64, Option<f64>)> {
+    /// When each band that has a limit reaches it: the band and the limit \[dB re 1 µm\].
+    pub fn reaches(&self, limit: &LevelLimit) -> Vec<(&ForecastBand, f64, Reach)> {
         let bands = self.bands.iter();
         bands
             .filter_map(|band| {
                 let limit = limit.spectrum().level(band.now.band)?;
-                Some((band, limit, band.passages_to(limit)))
+                let reach = match band.passages_to(limit) {
+                    Some(passages) if passages <= self.valid_to() => Reach::After(passages),
+                    Some(_) => Reach::BeyondLinearRange,
+                    None => Reach::Never,
+                };
+                Some((band, limit, reach))
             })
             .collect()
     }
 
-    /// The first crossing of a limit \[axle passages\], after which the rail must be ground.
-    pub fn grinding_interval(&self, limit: &LevelLimit) -> Option<f64> {
-        let crossings = self.passages_to(limit).into_iter();
-        crossings
-            .filter_map(|(_, _, passages)| passages)
-            .min_by(f64::total_cmp)
+    /// The first time that a band reaches a limit, after which the rail must be ground.
+    pub fn grinding_interval(&self, limit: &LevelLimit) -> Reach {
+        let reaches = self.reaches(limit);
+        let passages = reaches.iter().filter_map(|(_, _, reach)| reach.passages());
+        let beyond = reaches
+            .iter()
+            .any(|(_, _, reach)| *reach == Reach::BeyondLinearRange);
+        match passages.min_by(f64::total_cmp) {
+            Some(passages) => Reach::After(passages),
+            None if beyond => Reach::BeyondLinearRange,
+            None => Reach::Never,
+        }
     }
 
     /// Where the forces of some bands together leave the linear range.
@@ -138,35 +196,43 @@ impl Forecast {
         &self,
         bands: impl IntoIterator<Item = &'a ForecastBand>,
     ) -> LinearRange {
-        let bands: Vec<&ForecastBand> = bands.into_iter().collect();
-        let of_vehicle = |(vehicle, growth): (usize, &super::VehicleGrowth)| {
-            let force = GrowingSum::new(bands.iter().flat_map(|band| {
-                let square = 2.0 * band.now.mean_square() / LINES_PER_BAND as f64;
-                lines_of(band.place).map(move |line| {
-                    let per_amplitude = growth.growth.squared_force_per_amplitude[line];
-                    let force = square * per_amplitude / growth.wheel_load.powi(2);
-                    (force, self.traffic.rates()[line])
-                })
-            }));
-            LinearRange {
-                force_ratio: force.mean_square(0.0).sqrt(),
-                passages: force.passages_to(1.0),
-                vehicle,
-            }
-        };
-        let ranges = self.traffic.vehicles().iter().enumerate().map(of_vehicle);
-        ranges
-            .min_by(|a, b| {
-                let passages = |range: &LinearRange| range.passages.unwrap_or(f64::INFINITY);
-                passages(a)
-                    .total_cmp(&passages(b))
-                    .then(b.force_ratio.total_cmp(&a.force_ratio))
-            })
-            // There is a vehicle in every mix.
-            .unwrap_or(LinearRange {
-                force_ratio: 0.0,
-                passages: None,
-                vehicle: 0,
-            })
+        force_range(&self.traffic, bands)
     }
+}
+
+/// [`Forecast::linear_range`] of bands under a traffic.
+fn force_range<'a>(
+    traffic: &TrafficGrowth,
+    bands: impl IntoIterator<Item = &'a ForecastBand>,
+) -> LinearRange {
+    let bands: Vec<&ForecastBand> = bands.into_iter().collect();
+    let of_vehicle = |(vehicle, growth): (usize, &super::VehicleGrowth)| {
+        let force = GrowingSum::new(bands.iter().flat_map(|band| {
+            let square = 2.0 * band.now.mean_square() / LINES_PER_BAND as f64;
+            lines_of(band.place).map(move |line| {
+                let per_amplitude = growth.growth.squared_force_per_amplitude[line];
+                let force = square * per_amplitude / growth.wheel_load.powi(2);
+                (force, traffic.rates()[line])
+            })
+        }));
+        LinearRange {
+            force_ratio: force.mean_square(0.0).sqrt(),
+            passages: force.passages_to(1.0),
+            vehicle,
+        }
+    };
+    let ranges = traffic.vehicles().iter().enumerate().map(of_vehicle);
+    ranges
+        .min_by(|a, b| {
+            let passages = |range: &LinearRange| range.passages.unwrap_or(f64::INFINITY);
+            passages(a)
+                .total_cmp(&passages(b))
+                .then(b.force_ratio.total_cmp(&a.force_ratio))
+        })
+        // There is a vehicle in every mix.
+        .unwrap_or(LinearRange {
+            force_ratio: 0.0,
+            passages: None,
+            vehicle: 0,
+        })
 }

@@ -48,6 +48,30 @@ impl VehicleGrowth {
         })
     }
 
+    /// The vehicle with traction on a share of its axles \[-\] from 0 to 1, while the others roll free.
+    ///
+    /// An axle that rolls free leaves the profile as it is to first order: e₁ = ξ₀Q₁ + Q₀ξ₁, and both ξ₀ and Q₀
+    /// are zero. In the mean over the axles the growth rate is thus the share times that under traction. The
+    /// normal force does not depend on traction.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a share outside 0–1.
+    pub fn with_traction_on(mut self, share: f64) -> Result<Self, Error> {
+        if !(0.0..=1.0).contains(&share) {
+            return Err(Error::OutOfRange {
+                quantity: "share of axles under traction",
+                value: share,
+                unit: "",
+                rule: "must be between 0 and 1",
+            });
+        }
+        for rate in &mut self.growth.rates {
+            *rate *= share;
+        }
+        self.growth.rate_error *= share;
+        Ok(self)
+    }
+
     /// Mass of an axle \[kg\], two wheels.
     pub fn axle_mass(&self) -> f64 {
         2.0 * self.wheel_load / STANDARD_GRAVITY

@@ -4,7 +4,7 @@ use std::f64::consts::LN_10;
 use std::sync::Arc;
 
 use riffel::forecast::{
-    Forecast, LINES_PER_BAND, MeanGrowth, MeasuredChange, SpeedDistribution, TrafficGrowth,
+    Forecast, LINES_PER_BAND, MeanGrowth, MeasuredChange, Reach, SpeedDistribution, TrafficGrowth,
     VehicleGrowth, WearFit, WearVerdict, band_lines,
 };
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
@@ -71,13 +71,13 @@ fn constant_growth_changes_levels_by_twenty_over_ln_ten() -> Result<(), Error> {
     }
     let forecast = Forecast::new(&flat(-5.0)?, constant(2e-7)?)?;
     let limit = LevelLimit::new(flat(1.0)?);
-    let passages = forecast.grinding_interval(&limit).unwrap();
+    let passages = forecast.grinding_interval(&limit).passages().unwrap();
     assert!((passages / (6.0 * LN_10 / 20.0 / 2e-7) - 1.0).abs() < 1e-12);
     let decaying = Forecast::new(&flat(-5.0)?, constant(-2e-7)?)?;
-    assert_eq!(decaying.grinding_interval(&limit), None);
+    assert_eq!(decaying.grinding_interval(&limit), Reach::Never);
     assert_eq!(
         decaying.grinding_interval(&LevelLimit::new(flat(-6.0)?)),
-        Some(0.0)
+        Reach::After(0.0)
     );
     Ok(())
 }
@@ -184,6 +184,59 @@ fn contact_is_lost_where_the_force_reaches_the_load() -> Result<(), Error> {
     assert!((passages / (ratio.recip().ln() / rate) - 1.0).abs() < 1e-9);
     let all = forecast.linear_range(forecast.bands());
     assert!(all.force_ratio > range.force_ratio && all.passages.unwrap() < passages);
+    Ok(())
+}
+
+/// A wave that has grown until the wheel leaves the rail is not forecast any further: neither its level nor when
+/// it reaches a limit of 60 dB, a millimetre.
+#[test]
+fn a_forecast_ends_with_its_linear_range() -> Result<(), Error> {
+    let forecast = Forecast::new(&flat(0.0)?, constant(3e-7)?)?;
+    let end = forecast.valid_to();
+    let band = &forecast.bands()[3];
+    assert!(end > 1e6 && end < 1e7, "{end}");
+    assert_eq!(forecast.level(band, end), Some(band.level(end)));
+    assert_eq!(forecast.level(band, 1.001 * end), None);
+    let interval = |level: f64| -> Result<Reach, Error> {
+        Ok(forecast.grinding_interval(&LevelLimit::new(flat(level)?)))
+    };
+    assert!(matches!(interval(2.0)?, Reach::After(passages) if passages < end));
+    assert_eq!(interval(60.0)?, Reach::BeyondLinearRange);
+    // What was measured is known, however rough it is; what becomes of it is not.
+    let rough = Forecast::new(&flat(40.0)?, constant(3e-7)?)?;
+    assert_eq!(rough.valid_to(), 0.0);
+    let band = &rough.bands()[3];
+    assert_eq!(rough.level(band, 0.0), Some(40.0));
+    assert_eq!(rough.level(band, 1.0), None);
+    Ok(())
+}
+
+/// Half of the axles under traction let corrugation grow half as fast. That a free axle adds nothing is the limit
+/// of small traction: the rate is proportional to τ² there, for both creepage and force are proportional to τ.
+#[test]
+fn axles_that_roll_free_add_no_growth() -> Result<(), Error> {
+    let rates = |ratio: f64| -> Result<Vec<f64>, Error> {
+        Ok(nominal(1.0, 50e3, ratio, 30.0)?.growth.rates)
+    };
+    let (small, smaller) = (rates(1e-3)?, rates(1e-4)?);
+    let largest = small.iter().fold(0f64, |most, rate| most.max(rate.abs()));
+    for (small, smaller) in small.iter().zip(&smaller) {
+        // The next term of the creep law is of the order of τ = 1e-3.
+        assert!(
+            (small - 100.0 * smaller).abs() < 0.01 * largest,
+            "{small} {smaller}"
+        );
+    }
+    let all = nominal(1.0, 50e3, 0.1, 30.0)?;
+    let half = all.clone().with_traction_on(0.5)?;
+    for (half, all) in half.growth.rates.iter().zip(&all.growth.rates) {
+        assert_eq!(*half, 0.5 * all);
+    }
+    assert_eq!(
+        half.growth.squared_force_per_amplitude,
+        all.growth.squared_force_per_amplitude
+    );
+    assert!(all.with_traction_on(1.2).is_err());
     Ok(())
 }
 

@@ -2,10 +2,11 @@
 
 use std::io::{self, Write};
 
-use riffel_case::what_if::Outcome;
+use riffel::forecast::Reach;
+use riffel_case::what_if::{Effect, Outcome};
 use serde::Serialize;
 
-use super::{Report, months_to_limit};
+use super::Report;
 use crate::command::roughness::document::{Level, levels};
 
 #[derive(Serialize)]
@@ -14,6 +15,8 @@ pub(super) struct Document<'a> {
     case: &'a riffel_case::file::CaseFile,
     speeds: &'a str,
     spectrum_now: Option<Vec<Level>>,
+    /// What the rail will be ground to, if that is where the months to the limit begin.
+    ground: Option<&'a str>,
     limit: Option<&'a str>,
     /// The case as it is first.
     outcomes: Vec<OutcomeDocument<'a>>,
@@ -22,15 +25,24 @@ pub(super) struct Document<'a> {
 #[derive(Serialize)]
 struct OutcomeDocument<'a> {
     title: &'a str,
+    /// What is held where friction or load change: force | ratio | creepage, mixed where that differs from vehicle
+    /// to vehicle; null where friction and load stay, or the variant gives the mean state itself.
+    hold: Option<&'static str>,
+    /// Whether it changes growth; null for the case as it is.
+    acts: Option<bool>,
+    /// Why it does not, or which of its keys do not.
+    no_effect: Option<&'a str>,
     fastest_wavelength_m: f64,
     fastest_growth_rate_per_passage: f64,
     /// It sits at the end of the bands: another wavelength may grow faster.
     fastest_at_edge: bool,
-    /// Relative to the case as it is; null where that does not grow.
+    /// Relative to the case as it is; null where that does not grow, or the variant does not act.
     change_of_fastest_growth: Option<f64>,
     ridge_frequency_hz: Option<f64>,
     ridge_highest: Option<RidgeDocument>,
     growth_rate_per_passage: Vec<Rate>,
+    /// after | beyond-linear-range | never; null without a spectrum.
+    limit_reached: Option<&'static str>,
     passages_to_limit: Option<f64>,
     mgt_to_limit: Option<f64>,
     months_to_limit: Option<f64>,
@@ -62,6 +74,7 @@ pub(super) fn document(report: &Report) -> Document<'_> {
         case: &report.case.file,
         speeds: &report.speeds,
         spectrum_now: report.spectrum.as_ref().map(levels),
+        ground: report.ground.as_ref().map(|ground| ground.words.as_str()),
         limit: with_limit.then_some(report.table.edition.as_str()),
         outcomes: report
             .comparison
@@ -75,13 +88,19 @@ pub(super) fn document(report: &Report) -> Document<'_> {
 fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
     let base = report.comparison.base();
     let bands = report.comparison.bands.iter().enumerate();
-    let change = outcome.fastest.rate / base.fastest.rate - 1.0;
+    let passages_to_limit = outcome.passages_to_limit();
     OutcomeDocument {
         title: &outcome.title,
+        hold: outcome.held_name(),
+        acts: (outcome.effect != Effect::None).then(|| outcome.effect.acts()),
+        no_effect: outcome.effect.sentence(),
         fastest_wavelength_m: outcome.fastest.wavelength,
         fastest_growth_rate_per_passage: outcome.fastest.rate,
         fastest_at_edge: outcome.fastest.at_edge,
-        change_of_fastest_growth: (base.fastest.rate > 0.0).then_some(change),
+        change_of_fastest_growth: match outcome.effect {
+            Effect::None => (base.fastest.rate > 0.0).then_some(0.0),
+            _ => outcome.change_from(base),
+        },
         ridge_frequency_hz: outcome.ridge_frequency,
         ridge_highest: outcome.ridge_highest.map(|point| RidgeDocument {
             wavelength_m: point.wavelength,
@@ -99,14 +118,12 @@ fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
                 }
             })
             .collect(),
-        passages_to_limit: outcome.passages_to_limit,
-        mgt_to_limit: outcome
-            .passages_to_limit
-            .map(|passages| outcome.growth.mgt(passages)),
-        months_to_limit: months_to_limit(outcome),
-        change_of_time_to_limit: outcome
-            .passages_to_limit
-            .zip(base.passages_to_limit.filter(|passages| *passages > 0.0))
+        limit_reached: outcome.reach.map(Reach::name),
+        passages_to_limit,
+        mgt_to_limit: passages_to_limit.map(|passages| outcome.growth.mgt(passages)),
+        months_to_limit: outcome.months_to_limit(),
+        change_of_time_to_limit: passages_to_limit
+            .zip(base.passages_to_limit().filter(|passages| *passages > 0.0))
             .map(|(own, base)| own / base - 1.0),
         linear_range_passages: outcome
             .forecast

@@ -36,20 +36,31 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         // after a year.
         let reached = report.comparison.outcomes.iter();
         let passages = reached
-            .filter_map(|outcome| outcome.passages_to_limit)
+            .filter_map(|outcome| outcome.passages_to_limit())
             .find(|passages| *passages > 0.0)
             .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
             .unwrap_or(1e6);
-        let mut levels = vec![curve("now", spectrum, LineStyle::Dotted, Rgb::BLACK)];
+        let now = match &report.ground {
+            Some(_) => "after grinding",
+            None => "now",
+        };
+        let mut ended = Vec::new();
+        let mut levels = vec![curve(now, spectrum, LineStyle::Dotted, Rgb::BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
-            let bands = outcome.forecast.as_ref()?.bands().iter();
-            Some(Series {
+            let forecast = outcome.forecast.as_ref()?;
+            let until = passages.min(forecast.valid_to());
+            if until < passages {
+                ended.push(format!("\u{201c}{}\u{201d}", outcome.title));
+            }
+            let bands = forecast.bands().iter();
+            // Where the wheel leaves the rail now, there is nothing but the spectrum now.
+            (until > 0.0).then(|| Series {
                 label: outcome.title.clone(),
                 x: bands
                     .clone()
                     .map(|band| 1e3 * band.now.band.wavelength())
                     .collect(),
-                y: bands.map(|band| band.level(passages)).collect(),
+                y: bands.map(|band| band.level(until)).collect(),
                 style: LineStyle::Solid,
                 color: Some(color(index)),
             })
@@ -66,6 +77,12 @@ pub(super) fn figure(report: &Report) -> LineFigure {
             when(Some(passages)),
             number(base.growth.mgt(passages))
         );
+        if !ended.is_empty() {
+            caption += &format!(
+                " Before, where the wheel leaves the rail and the forecast ends: {}.",
+                ended.join(", ")
+            );
+        }
     }
     LineFigure {
         title: report

@@ -5,12 +5,12 @@ mod figure;
 
 use riffel::forecast::SpeedDistribution;
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::roughness::{LimitTable, Survey};
-use riffel_case::traffic::{DAYS_PER_MONTH, Traffic};
-use riffel_case::what_if::{Comparison, FastestLine, Outcome};
-use riffel_case::{Case, Variant};
+use riffel_case::roughness::{GroundRail, LimitTable, Survey};
+use riffel_case::traffic::Traffic;
+use riffel_case::what_if::{Comparison, Effect, FastestLine, Outcome};
+use riffel_case::{Case, CaseError, Hold, Variant};
 
-use super::forecast::{level_limit, number, outside, per_million, when};
+use super::forecast::{ground_rail, level_limit, number, outside, per_million, reached, when};
 use super::roughness::survey;
 use crate::arguments::{Compare, positive};
 use crate::error::CliError;
@@ -22,6 +22,8 @@ pub(super) struct Report {
     pub(super) case: Case,
     pub(super) speeds: String,
     pub(super) comparison: Comparison,
+    /// What the rail will be ground to, if that is where the spectrum comes from.
+    pub(super) ground: Option<GroundRail>,
     pub(super) spectrum: Option<Spectrum>,
     pub(super) table: LimitTable,
     pub(super) limit: LevelLimit,
@@ -56,6 +58,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
             ));
         }
     }
+    print_remarks(&report.effects());
     print_remarks(&report.comparison.base().remarks);
     Ok(())
 }
@@ -64,10 +67,15 @@ impl Report {
     /// The comparison; `survey` holds all spectra of `--spectrum`.
     pub(super) fn new(arguments: &Compare, survey: Option<Survey>) -> miette::Result<Self> {
         let case = arguments.case.read()?;
-        let variants: Result<Vec<Variant>, _> = arguments
+        let hold = arguments.hold.map(Hold::from);
+        let variants: Result<Vec<Variant>, CaseError> = arguments
             .variants
             .iter()
-            .map(|path| Variant::read(path))
+            .map(|path| {
+                let mut variant = Variant::read(path)?;
+                variant.hold = hold;
+                Ok(variant)
+            })
             .collect();
         let variants = variants?;
         let traffic = match &arguments.traffic {
@@ -83,18 +91,21 @@ impl Report {
             None => speeds(&case, arguments).map(|speeds| in_words(&speeds))?,
         };
         let (table, limit) = level_limit(&arguments.limit)?;
-        let spectrum = survey
-            .map(|survey| survey.choose(&arguments.choose))
-            .transpose()?
-            .map(|survey| survey.mean());
-        if let (Some(spectrum), Some(path)) = (&spectrum, &arguments.spectrum) {
+        let ground = ground_rail(&arguments.ground, &table, &limit)?;
+        let spectrum = match (&ground, survey) {
+            (Some(ground), _) => Some(ground.spectrum.clone()),
+            (None, Some(survey)) => Some(survey.choose(&arguments.choose)?.mean()),
+            (None, None) => None,
+        };
+        if let Some(spectrum) = &spectrum {
             let bands = riffel_case::traffic::bands_of(&case);
             if !bands.iter().any(|band| spectrum.level(*band).is_some()) {
                 let error = riffel::Error::Measurement {
                     index: 0,
                     rule: "no band of the spectrum lies there",
                 };
-                Err(outside(path, &case, error))?;
+                let path = arguments.spectrum.as_deref();
+                Err(outside(&arguments.ground, path, &case, error))?;
             }
         }
         let steps = (1 + variants.len()) * traffic.file.vehicle.len();
@@ -112,6 +123,7 @@ impl Report {
             case,
             speeds,
             comparison,
+            ground,
             spectrum,
             table,
             limit,
@@ -123,49 +135,89 @@ impl Report {
         figure::figure(self)
     }
 
-    fn readable(&self) -> String {
-        let title = self.case.file.title.as_deref().unwrap_or("Comparison");
-        let mut text = format!("{title}, {}\n", self.speeds);
-        let mut header = vec![
-            "",
-            "fastest mm",
-            "dB per 10⁶ passages",
-            "change",
-            "ridge Hz",
-        ];
+    /// What the reader should know of variants of which a part or all has no effect.
+    pub(super) fn effects(&self) -> Vec<&str> {
+        let outcomes = self.comparison.outcomes.iter();
+        outcomes
+            .filter_map(|outcome| outcome.effect.sentence())
+            .collect()
+    }
+
+    /// Heads of the table without that of the titles: those of what is known of some outcome.
+    pub(super) fn header(&self) -> Vec<&'static str> {
+        let mut header = vec!["fastest mm", "dB per 10⁶ passages", "change"];
+        if self.holds() {
+            header.push("held");
+        }
+        header.push("ridge Hz");
         if self.spectrum.is_some() {
             header.extend(["passages to limit", "MGT to limit"]);
         }
+        if self.counts_months() {
+            header.push("months to limit");
+        }
+        header
+    }
+
+    /// The cells of an outcome under the [`header`](Self::header).
+    pub(super) fn row(&self, outcome: &Outcome) -> Vec<String> {
+        let FastestLine {
+            wavelength,
+            rate,
+            at_edge,
+        } = outcome.fastest;
+        let edge = if at_edge { " (edge)" } else { "" };
+        let change = outcome.change_from(self.comparison.base());
+        let mut row = vec![
+            format!("{:.1}{edge}", 1e3 * wavelength),
+            format!("{:+.3}", per_million(rate)),
+            match &outcome.effect {
+                Effect::CannotAct(_) => "cannot act".to_owned(),
+                Effect::ChangesNothing(_) => "changes nothing".to_owned(),
+                _ => change.map_or_else(String::new, |change| format!("{:+.0} %", 100.0 * change)),
+            },
+        ];
+        if self.holds() {
+            row.push(outcome.held_name().unwrap_or_default().to_owned());
+        }
+        let ridge = outcome.ridge_frequency;
+        row.push(ridge.map_or_else(String::new, |f| format!("{f:.0}")));
+        if let Some(reach) = outcome.reach {
+            let mgt = reach
+                .passages()
+                .map(|passages| outcome.growth.mgt(passages));
+            row.push(reached(reach));
+            row.push(mgt.map_or_else(String::new, number));
+        }
+        if self.counts_months() {
+            let months = outcome.months_to_limit();
+            row.push(months.map_or_else(String::new, number));
+        }
+        row
+    }
+
+    /// Whether some variant holds a part of the mean state.
+    fn holds(&self) -> bool {
+        let mut outcomes = self.comparison.outcomes.iter();
+        outcomes.any(|outcome| !outcome.held.is_empty())
+    }
+
+    fn counts_months(&self) -> bool {
+        self.spectrum.is_some() && self.comparison.base().passages_per_day.is_some()
+    }
+
+    fn readable(&self) -> String {
+        let title = self.case.file.title.as_deref().unwrap_or("Comparison");
+        let mut text = format!("{title}, {}\n", self.speeds);
+        if let Some(ground) = &self.ground {
+            text += &format!("from {} to {}\n", ground.words, self.table.edition);
+        }
+        let mut header = vec![""];
+        header.extend(self.header());
         let mut rows = table(&header);
-        let base = self.comparison.base();
         for outcome in &self.comparison.outcomes {
-            let FastestLine {
-                wavelength,
-                rate,
-                at_edge,
-            } = outcome.fastest;
-            let change = 100.0 * (rate / base.fastest.rate - 1.0);
-            let compared = base.fastest.rate > 0.0 && !std::ptr::eq(outcome, base);
-            let edge = if at_edge { " (edge)" } else { "" };
-            let mut row = vec![
-                outcome.title.clone(),
-                format!("{:.1}{edge}", 1e3 * wavelength),
-                format!("{:+.3}", per_million(rate)),
-                match compared {
-                    true => format!("{change:+.0} %"),
-                    false => String::new(),
-                },
-                outcome
-                    .ridge_frequency
-                    .map_or_else(String::new, |f| format!("{f:.0}")),
-            ];
-            if self.spectrum.is_some() {
-                let mgt = outcome
-                    .passages_to_limit
-                    .map(|passages| outcome.growth.mgt(passages));
-                row.push(when(outcome.passages_to_limit));
-                row.push(mgt.map_or_else(String::new, number));
-            }
+            let mut row = vec![outcome.title.clone()];
+            row.extend(self.row(outcome));
             rows.add_row(row);
         }
         text += &format!("{rows}\n");
@@ -195,11 +247,6 @@ impl Report {
         }
         format!("growth of the bands, dB per 10⁶ passages\n{rows}\n")
     }
-}
-
-/// Months that an outcome takes to its limit, if known.
-pub(super) fn months_to_limit(outcome: &Outcome) -> Option<f64> {
-    Some(outcome.passages_to_limit? / outcome.passages_per_day? / DAYS_PER_MONTH)
 }
 
 /// Speeds of the wheel of the case: as asked for, or the middle of its map.

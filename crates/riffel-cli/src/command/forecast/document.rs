@@ -16,12 +16,20 @@ pub(super) struct Document<'a> {
     inputs: Inputs<'a>,
     horizon: Amount,
     spectrum_now: Vec<Level>,
-    spectrum_then: Vec<Level>,
+    /// Levels are null where the forecast ends before.
+    spectrum_then: Vec<Then>,
+    /// Where the forecast ends, for the wheel leaves the rail; null where it never does.
+    valid_to_passages: Option<f64>,
+    valid_to_mgt: Option<f64>,
+    valid_to_months: Option<f64>,
+    valid_to_date: Option<String>,
     growth_rate_per_passage: Vec<Rate>,
     /// Change of the rates on halving the step in speed.
     growth_rate_error: f64,
     limit: LimitDocument<'a>,
-    /// Of the first band that reaches the limit: the grinding interval; null where none ever does.
+    /// after | beyond-linear-range | never, of the first band that reaches the limit.
+    limit_reached: &'static str,
+    /// Of that band: the grinding interval; null unless it is reached within the linear range.
     passages_to_limit: Option<f64>,
     mgt_to_limit: Option<f64>,
     months_to_limit: Option<f64>,
@@ -41,8 +49,11 @@ pub(super) struct Document<'a> {
 struct Inputs<'a> {
     case: &'a riffel_case::file::CaseFile,
     traffic: &'a riffel_case::traffic::TrafficFile,
-    spectrum: String,
-    records: usize,
+    /// The file, if the rail was measured.
+    spectrum: Option<String>,
+    records: Option<usize>,
+    /// What the rail will be ground to, if that is where the forecast begins.
+    ground: Option<&'a str>,
     date: Option<String>,
 }
 
@@ -58,6 +69,12 @@ struct Amount {
 struct Rate {
     wavelength_m: f64,
     growth_rate_per_passage: f64,
+}
+
+#[derive(Serialize)]
+struct Then {
+    wavelength_m: f64,
+    level_db: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -79,9 +96,11 @@ struct LinearDocument<'a> {
 struct Band {
     wavelength_m: f64,
     level_now_db: f64,
-    level_then_db: f64,
+    level_then_db: Option<f64>,
     limit_db: Option<f64>,
     growth_rate_per_passage: f64,
+    /// after | beyond-linear-range | never; null without a limit.
+    limit_reached: Option<&'static str>,
     passages_to_limit: Option<f64>,
     mgt_to_limit: Option<f64>,
     force_ratio_now: f64,
@@ -130,15 +149,24 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
         speed_deviation_m_per_s: vehicle.speeds.deviation(),
         growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
     };
-    let mut remarks = report.survey.warnings.clone();
+    let valid_to = linear.passages;
+    let mut remarks = report.warnings().to_vec();
     remarks.extend(report.on.remarks.iter().cloned());
     Document {
         riffel_version: env!("CARGO_PKG_VERSION"),
         inputs: Inputs {
             case: &report.case.file,
             traffic: &report.traffic.file,
-            spectrum: arguments.spectra.spectrum.display().to_string(),
-            records: report.survey.records.len(),
+            spectrum: match report.ground {
+                Some(_) => None,
+                None => arguments
+                    .spectra
+                    .spectrum
+                    .as_ref()
+                    .map(|path| path.display().to_string()),
+            },
+            records: report.survey.as_ref().map(|survey| survey.records.len()),
+            ground: report.ground.as_ref().map(|ground| ground.words.as_str()),
             date: report.date.map(|date| date.to_string()),
         },
         horizon: Amount {
@@ -149,8 +177,28 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
                 .date_after(report.passages)
                 .map(|date| date.to_string()),
         },
-        spectrum_now: spectrum(report, 0.0),
-        spectrum_then: spectrum(report, report.passages),
+        spectrum_now: forecast
+            .bands()
+            .iter()
+            .map(|band| Level {
+                wavelength_m: band.now.band.wavelength(),
+                level_db: band.now.level,
+            })
+            .collect(),
+        spectrum_then: forecast
+            .bands()
+            .iter()
+            .map(|band| Then {
+                wavelength_m: band.now.band.wavelength(),
+                level_db: forecast.level(band, report.passages),
+            })
+            .collect(),
+        valid_to_passages: valid_to,
+        valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
+        valid_to_months: valid_to.and_then(|passages| report.months(passages)),
+        valid_to_date: valid_to
+            .and_then(|passages| report.date_after(passages))
+            .map(|date| date.to_string()),
         growth_rate_per_passage: rates(&|band| forecast.growth_rate(band)),
         growth_rate_error: traffic.rate_error(),
         limit: LimitDocument {
@@ -158,6 +206,7 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
             edition: &report.table.edition,
             source: &report.table.source,
         },
+        limit_reached: forecast.grinding_interval(&report.limit).name(),
         passages_to_limit: first.map(|first| first.passages),
         mgt_to_limit: first.map(|first| traffic.mgt(first.passages)),
         months_to_limit: first.and_then(|first| report.months(first.passages)),
@@ -198,31 +247,22 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
     }
 }
 
-fn spectrum(report: &Report, passages: f64) -> Vec<Level> {
-    let bands = report.forecast.bands().iter();
-    bands
-        .map(|band| Level {
-            wavelength_m: band.now.band.wavelength(),
-            level_db: band.level(passages),
-        })
-        .collect()
-}
-
 fn bands(report: &Report) -> Vec<Band> {
     let forecast = &report.forecast;
-    let limits = forecast.passages_to(&report.limit);
+    let limits = forecast.reaches(&report.limit);
     let bands = forecast.bands().iter();
     bands
         .map(|band| {
             let limit = limits.iter().find(|limit| limit.0 == band);
-            let passages_to_limit = limit.and_then(|limit| limit.2);
+            let passages_to_limit = limit.and_then(|limit| limit.2.passages());
             let linear = forecast.linear_range([band]);
             Band {
                 wavelength_m: band.now.band.wavelength(),
                 level_now_db: band.now.level,
-                level_then_db: band.level(report.passages),
+                level_then_db: forecast.level(band, report.passages),
                 limit_db: limit.map(|limit| limit.1),
                 growth_rate_per_passage: forecast.growth_rate(band),
+                limit_reached: limit.map(|limit| limit.2.name()),
                 passages_to_limit,
                 mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),
                 force_ratio_now: linear.force_ratio,

@@ -7,15 +7,23 @@ use crate::command::roughness::figure::{level_panel, levels};
 
 pub(super) fn figure(report: &Report) -> LineFigure {
     let traffic = report.forecast.traffic();
-    let now = levels("now", &report.measured, LineStyle::Solid, OKABE_ITO[1]);
-    let bands = report.forecast.bands().iter();
+    let now = match &report.ground {
+        Some(_) => "after grinding",
+        None => "now",
+    };
+    let now = levels(now, &report.measured, LineStyle::Solid, OKABE_ITO[1]);
+    let valid_to = report.forecast.valid_to();
+    let (until, end) = match report.passages <= valid_to {
+        true => (report.passages, ""),
+        false => (valid_to, ", where the forecast ends"),
+    };
+    let bands = || report.forecast.bands().iter();
     let then = Series {
-        label: format!("after {} MGT", number(traffic.mgt(report.passages))),
-        x: bands
-            .clone()
+        label: format!("after {} MGT{end}", number(traffic.mgt(until))),
+        x: bands()
             .map(|band| 1e3 * band.now.band.wavelength())
             .collect(),
-        y: bands.map(|band| band.level(report.passages)).collect(),
+        y: bands().map(|band| band.level(until)).collect(),
         style: LineStyle::Solid,
         color: Some(OKABE_ITO[2]),
     };
@@ -52,10 +60,16 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
         caption: format!(
             "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
-             grows: what each kind of vehicle adds, and their sum. Levels hold while wheel and rail touch.",
-            report.amount(report.passages)
+             grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.",
+            report.amount(until)
         ),
-        panels: vec![level_panel(vec![now, then, limit]), rate_panel(rates)],
+        panels: vec![
+            level_panel(match until > 0.0 {
+                true => vec![now, then, limit],
+                false => vec![now, limit],
+            }),
+            rate_panel(rates),
+        ],
         arrangement: Arrangement::Stacked,
     }
 }

@@ -3,17 +3,18 @@
 mod dated;
 mod document;
 mod figure;
+mod ground;
 mod wear;
 
 use jiff::ToSpan;
 use jiff::civil::Date;
-use riffel::forecast::{Forecast, ForecastBand};
+use riffel::forecast::{Forecast, ForecastBand, Reach};
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::roughness::{Limit, LimitTable, Survey};
+use riffel_case::roughness::{GroundRail, Limit, LimitTable, Survey};
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, WearReport, bands_of};
 use riffel_case::{Case, Variant};
 
-use crate::arguments::{Forecast as Arguments, Horizon};
+use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::output::{Progress, json, print, print_remarks, table};
@@ -22,13 +23,20 @@ use dated::Dated;
 use wear::wear_report;
 
 pub(crate) use figure::{rate_panel, zero};
+pub(crate) use ground::ground_rail;
+
+/// What stands in the place of a number that the linear loop cannot give.
+pub(crate) const BEYOND: &str = "beyond the linear range";
 
 /// Everything that is reported.
 pub(super) struct Report {
     pub(super) case: Case,
     pub(super) traffic: Traffic,
     pub(super) on: TrafficOnCase,
-    pub(super) survey: Survey,
+    /// The records of what was measured; none for a rail that will be ground.
+    pub(super) survey: Option<Survey>,
+    /// What the rail will be ground to.
+    pub(super) ground: Option<GroundRail>,
     /// The whole spectrum now, bands that are not forecast included.
     pub(super) measured: Spectrum,
     pub(super) forecast: Forecast,
@@ -50,7 +58,11 @@ pub(super) struct Crossing<'a> {
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let spectra = &arguments.spectra;
-    let report = Report::new(arguments, survey(&spectra.spectrum, &spectra.layout)?)?;
+    let survey = match &spectra.spectrum {
+        Some(path) => Some(survey(path, &spectra.layout)?),
+        None => None,
+    };
+    let report = Report::new(arguments, survey)?;
     let document = json(&document::document(&report, arguments));
     if arguments.json {
         print(&document);
@@ -69,31 +81,51 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
             ));
         }
     }
-    print_remarks(&report.survey.warnings);
+    print_remarks(report.warnings());
     print_remarks(&report.on.remarks);
     Ok(())
 }
 
 impl Report {
-    /// The forecast of what was measured; `survey` holds all spectra of `--spectrum`.
-    pub(super) fn new(arguments: &Arguments, survey: Survey) -> miette::Result<Self> {
+    /// The forecast of the rail that will be ground, or else of what was measured; `survey` holds all spectra of
+    /// `--spectrum`.
+    pub(super) fn new(arguments: &Arguments, survey: Option<Survey>) -> miette::Result<Self> {
         let case = arguments.case.read()?;
         let traffic = Traffic::read(&arguments.traffic)?;
         let (table, limit) = level_limit(&arguments.limit)?;
-        let dated = Dated::new(&arguments.spectra, survey)?;
+        let ground = ground_rail(&arguments.ground, &table, &limit)?;
+        let dated = match (&ground, survey) {
+            (None, Some(survey)) => Some(Dated::new(&arguments.spectra, survey)?),
+            _ => None,
+        };
         let progress = Progress::new("growth under traffic", traffic.file.vehicle.len());
         let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|by| {
             progress.advance(by);
         })?;
         drop(progress);
-        let measured = dated.now.mean();
-        let forecast = Forecast::new(&measured, on.growth.clone())
-            .map_err(|error| outside(&arguments.spectra.spectrum, &case, error))?;
+        let measured = match (&ground, &dated) {
+            (Some(ground), _) => ground.spectrum.clone(),
+            (None, Some(dated)) => dated.now.mean(),
+            (None, None) => Err(CliError::Argument {
+                argument: "--spectrum",
+                value: "left out".to_owned(),
+                rule: "given, or else --ground or --from-limit".to_owned(),
+            })?,
+        };
+        let forecast = Forecast::new(&measured, on.growth.clone()).map_err(|error| {
+            let path = arguments.spectra.spectrum.as_deref();
+            outside(&arguments.ground, path, &case, error)
+        })?;
         let passages = passages(&arguments.horizon, &on)?;
-        let date = arguments.date.or(dated.date);
-        let wear = wear_report(&arguments.spectra, &dated, &on, &case)?;
+        let measured_on = dated.as_ref().and_then(|dated| dated.date);
+        let date = arguments.date.or(measured_on);
+        let wear = match &dated {
+            Some(dated) => wear_report(&arguments.spectra, dated, &on, &case)?,
+            None => None,
+        };
         Ok(Self {
-            survey: dated.now,
+            survey: dated.map(|dated| dated.now),
+            ground,
             case,
             traffic,
             on,
@@ -105,6 +137,11 @@ impl Report {
             date,
             wear,
         })
+    }
+
+    /// What is to be said of the records.
+    pub(super) fn warnings(&self) -> &[String] {
+        self.survey.as_ref().map_or(&[], |survey| &survey.warnings)
     }
 
     /// Months that some passages take, if the traffic says how much of it there is.
@@ -125,13 +162,13 @@ impl Report {
     pub(super) fn crossings(&self) -> Vec<Crossing<'_>> {
         let mut crossings: Vec<Crossing<'_>> = self
             .forecast
-            .passages_to(&self.limit)
+            .reaches(&self.limit)
             .into_iter()
-            .filter_map(|(band, limit, passages)| {
+            .filter_map(|(band, limit, reach)| {
                 Some(Crossing {
                     band,
                     limit,
-                    passages: passages?,
+                    passages: reach.passages()?,
                 })
             })
             .collect();
@@ -184,19 +221,8 @@ impl Report {
             "passages to limit",
             "wheel leaves rail",
         ]);
-        let limits = self.forecast.passages_to(&self.limit);
-        for band in self.forecast.bands().iter().rev() {
-            let limit = limits.iter().find(|limit| limit.0 == band);
-            let linear = self.forecast.linear_range([band]);
-            rows.add_row([
-                format!("{}", band.now.band.nominal_millimetres()),
-                format!("{:.1}", band.now.level),
-                format!("{:.1}", band.level(self.passages)),
-                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
-                format!("{:+.3}", per_million(self.forecast.growth_rate(band))),
-                limit.map_or_else(String::new, |limit| when(limit.2)),
-                when(linear.passages),
-            ]);
+        for row in self.rows() {
+            rows.add_row(row);
         }
         text += &format!("{rows}\n");
         for sentence in self.findings() {
@@ -208,34 +234,63 @@ impl Report {
         text
     }
 
+    /// The cells of the table by band, the longest wavelength first.
+    pub(super) fn rows(&self) -> Vec<[String; 7]> {
+        let forecast = &self.forecast;
+        let limits = forecast.reaches(&self.limit);
+        let row = |band: &ForecastBand| {
+            let limit = limits.iter().find(|limit| limit.0 == band);
+            let then = forecast.level(band, self.passages);
+            [
+                format!("{}", band.now.band.nominal_millimetres()),
+                format!("{:.1}", band.now.level),
+                then.map_or_else(|| BEYOND.to_owned(), |level| format!("{level:.1}")),
+                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
+                format!("{:+.3}", per_million(forecast.growth_rate(band))),
+                limit.map_or_else(String::new, |limit| reached(limit.2)),
+                when(forecast.linear_range([band]).passages),
+            ]
+        };
+        forecast.bands().iter().rev().map(row).collect()
+    }
+
     /// What follows, in sentences.
     pub(super) fn findings(&self) -> Vec<String> {
         let mut findings = Vec::new();
         let edition = &self.table.edition;
-        findings.push(match self.crossings().first() {
-            Some(first) if first.passages == 0.0 => format!(
+        let from = match &self.ground {
+            Some(ground) => format!(" from {}", ground.words),
+            None => String::new(),
+        };
+        let interval = self.forecast.grinding_interval(&self.limit);
+        findings.push(match (self.crossings().first(), interval) {
+            (Some(first), _) if first.passages == 0.0 => format!(
                 "over the limit now: {edition} at {} mm by {:.1} dB",
                 first.band.now.band.nominal_millimetres(),
                 first.band.now.level - first.limit
             ),
-            Some(first) => format!(
-                "grinding interval: {edition} is reached at {} mm after {}",
+            (Some(first), _) => format!(
+                "grinding interval{from}: {edition} is reached at {} mm after {}",
                 first.band.now.band.nominal_millimetres(),
                 self.amount(first.passages)
             ),
-            None => format!("no band forecast ever reaches {edition}"),
+            (None, Reach::Never) => format!("no band forecast ever reaches {edition}"),
+            (None, _) => format!(
+                "grinding interval{from}: {edition} is not reached before the wheel leaves the rail, where the forecast \
+                 ends"
+            ),
         });
         let linear = self.forecast.linear_range(self.forecast.bands());
         let vehicle = &self.forecast.traffic().vehicles()[linear.vehicle].name;
         findings.push(match linear.passages {
             Some(0.0) => format!(
                 "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
-                 corrugation then grows otherwise than forecast",
+                 corrugation then grows otherwise than the linear loop says, and nothing is forecast",
                 linear.force_ratio
             ),
             Some(passages) => format!(
-                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; from there on the \
-                 wheel leaves the rail and levels are not to be relied on",
+                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; there the wheel \
+                 leaves the rail, and the forecast ends",
                 linear.force_ratio,
                 self.amount(passages)
             ),
@@ -333,10 +388,23 @@ pub(crate) fn passages(horizon: &Horizon, on: &TrafficOnCase) -> Result<f64, Cli
 }
 
 /// A spectrum without a band in the window of the case.
-pub(crate) fn outside(path: &std::path::Path, case: &Case, error: riffel::Error) -> CliError {
+pub(crate) fn outside(
+    ground: &Ground,
+    spectrum: Option<&std::path::Path>,
+    case: &Case,
+    error: riffel::Error,
+) -> CliError {
+    let (argument, value) = match (&ground.ground, &ground.from_limit, spectrum) {
+        (Some(name), _, _) => ("--ground", name.clone()),
+        (_, Some(decibels), _) => ("--from-limit", decibels.clone()),
+        (_, _, spectrum) => (
+            "--spectrum",
+            spectrum.map_or_else(String::new, |path| path.display().to_string()),
+        ),
+    };
     CliError::Argument {
-        argument: "--spectrum",
-        value: path.display().to_string(),
+        argument,
+        value,
         rule: format!(
             "of bands between {:.0} and {:.0} mm, map.wavelength of the case: {error}",
             1e3 * case.wavelength.min(),
@@ -356,6 +424,14 @@ pub(crate) fn when(passages: Option<f64>) -> String {
         Some(0.0) => "now".to_owned(),
         Some(passages) => format!("{passages:.2e}"),
         None => "never".to_owned(),
+    }
+}
+
+/// When a limit is reached.
+pub(crate) fn reached(reach: Reach) -> String {
+    match reach {
+        Reach::BeyondLinearRange => BEYOND.to_owned(),
+        reach => when(reach.passages()),
     }
 }
 

@@ -284,7 +284,14 @@ fn outlooks(
     ) {
         (Some(case), Some(traffic), Some(limit)) => {
             let case = CaseArguments::of(case, &arguments.overrides);
-            outlook::forecast(case, traffic.clone(), limit, &now, arguments.months)?
+            outlook::forecast(
+                case,
+                traffic.clone(),
+                limit,
+                &now,
+                arguments.ground.clone(),
+                arguments.months,
+            )?
         }
         (_, _, None) => Outlook::left_out("Forecast", NO_LEVEL_LIMIT),
         _ => Outlook::left_out("Forecast", "no traffic was given (--traffic)."),
@@ -308,7 +315,14 @@ fn what_if(
         ));
     }
     let case = CaseArguments::of(case, &arguments.overrides);
-    outlook::what_if(case, arguments.variants.clone(), limit, now)
+    outlook::what_if(
+        case,
+        arguments.variants.clone(),
+        arguments.hold,
+        limit,
+        arguments.ground.clone(),
+        now,
+    )
 }
 
 /// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.

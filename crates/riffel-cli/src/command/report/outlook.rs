@@ -2,12 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
+use riffel::forecast::Reach;
 use riffel_case::roughness::Survey;
+use riffel_case::what_if::{Effect, Outcome};
 use riffel_plot::LineFigure;
 
 use super::page::{Section, escape, figure, list, table};
-use crate::arguments::{CaseArguments, Compare, Forecast, Horizon, Layout, Spectra};
-use crate::command::forecast::{number, per_million, when};
+use crate::arguments::{
+    CaseArguments, Compare, Forecast, Ground, HoldArgument, Horizon, Layout, Spectra,
+};
+use crate::command::forecast::number;
 use crate::command::{compare, forecast};
 use crate::error::CliError;
 
@@ -60,12 +64,13 @@ pub(super) fn forecast(
     traffic: PathBuf,
     limit: String,
     now: &Now<'_>,
+    ground: Ground,
     months: Option<f64>,
 ) -> miette::Result<Outlook> {
     let forecast = Forecast {
         case,
         spectra: Spectra {
-            spectrum: now.path.to_owned(),
+            spectrum: Some(now.path.to_owned()),
             layout: Layout::default(),
             choose: Vec::new(),
             date_column: None,
@@ -73,6 +78,7 @@ pub(super) fn forecast(
             earlier_choose: Vec::new(),
             passages_between: None,
         },
+        ground,
         traffic,
         limit,
         horizon: Horizon {
@@ -84,27 +90,12 @@ pub(super) fn forecast(
         output: None,
         json: false,
     };
-    let report = forecast::Report::new(&forecast, now.survey.clone())?;
-    let limits = report.forecast.passages_to(&report.limit);
-    let rows: Vec<Vec<String>> = report
-        .forecast
-        .bands()
-        .iter()
-        .rev()
-        .map(|band| {
-            let limit = limits.iter().find(|limit| limit.0 == band);
-            let linear = report.forecast.linear_range([band]);
-            vec![
-                format!("{}", band.now.band.nominal_millimetres()),
-                format!("{:.1}", band.now.level),
-                format!("{:.1}", band.level(report.passages)),
-                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
-                format!("{:+.3}", per_million(report.forecast.growth_rate(band))),
-                limit.map_or_else(String::new, |limit| when(limit.2)),
-                when(linear.passages),
-            ]
-        })
-        .collect();
+    let report = forecast::Report::new(&forecast, Some(now.survey.clone()))?;
+    let rows = report
+        .rows()
+        .into_iter()
+        .map(|row| row.map(|cell| escape(&cell)).into());
+    let rows: Vec<Vec<String>> = rows.collect();
     let header = [
         "wavelength [mm]",
         "now [dB]",
@@ -121,16 +112,19 @@ pub(super) fn forecast(
         .title
         .as_deref()
         .unwrap_or("the traffic");
+    let from = match &report.ground {
+        Some(ground) => format!("; now is after grinding to {}", escape(&ground.words)),
+        None => String::new(),
+    };
     let mut html = format!(
-        "<p>{} under {}: then is after {}.</p>\n",
-        "One-third-octave levels",
+        "<p>One-third-octave levels under {}{from}; then is after {}.</p>\n",
         escape(title),
         escape(&report.amount(report.passages))
     );
     html += &list(findings.clone());
     html += &drawing(report.figure())?;
     html += &table("", &header, &rows);
-    let mut warnings = report.survey.warnings.clone();
+    let mut warnings = report.warnings().to_vec();
     warnings.extend(report.on.remarks.iter().cloned());
     warnings.push(
         "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two \
@@ -152,7 +146,9 @@ pub(super) fn forecast(
 pub(super) fn what_if(
     case: CaseArguments,
     variants: Vec<PathBuf>,
+    hold: Option<HoldArgument>,
     limit: String,
+    ground: Ground,
     now: Option<&Now<'_>>,
 ) -> miette::Result<Outlook> {
     let traffic = now.and_then(|now| now.traffic.map(Path::to_owned));
@@ -164,7 +160,9 @@ pub(super) fn what_if(
             .map(|now| riffel_case::quantity::Quantity::new(now.speed)),
         speed_deviation: None,
         traffic,
+        hold,
         spectrum: now.map(|now| now.path.to_owned()),
+        ground,
         layout: Layout::default(),
         choose: Vec::new(),
         limit,
@@ -172,78 +170,114 @@ pub(super) fn what_if(
         json: false,
     };
     let report = compare::Report::new(&compare, now.map(|now| now.survey.clone()))?;
-    let base = report.comparison.base();
-    let rows: Vec<Vec<String>> = report
-        .comparison
-        .outcomes
-        .iter()
-        .map(|outcome| {
-            let change = 100.0 * (outcome.fastest.rate / base.fastest.rate - 1.0);
-            let changes = base.fastest.rate > 0.0 && !std::ptr::eq(outcome, base);
-            let mut row = vec![
-                escape(&outcome.title),
-                format!("{:.1}", 1e3 * outcome.fastest.wavelength),
-                format!("{:+.3}", per_million(outcome.fastest.rate)),
-                if changes {
-                    format!("{change:+.0} %")
-                } else {
-                    String::new()
-                },
-                outcome
-                    .ridge_frequency
-                    .map_or_else(String::new, |f| format!("{f:.0}")),
-            ];
-            if now.is_some() {
-                row.push(when(outcome.passages_to_limit));
-                row.push(
-                    outcome
-                        .passages_to_limit
-                        .map_or_else(String::new, |passages| number(outcome.growth.mgt(passages))),
-                );
-            }
-            row
-        })
-        .collect();
-    let mut header = vec![
-        "variant",
-        "fastest [mm]",
-        "growth [dB per 10⁶ passages]",
-        "change",
-        "ridge [Hz]",
-    ];
+    let rows = report.comparison.outcomes.iter().map(|outcome| {
+        let mut row = vec![escape(&outcome.title)];
+        row.extend(report.row(outcome).iter().map(|cell| escape(cell)));
+        row
+    });
+    let rows: Vec<Vec<String>> = rows.collect();
+    let mut header = vec!["variant"];
+    header.extend(report.header());
     let mut limit = String::new();
-    if now.is_some() {
-        header.extend(["passages to the limit", "MGT to the limit"]);
+    if report.spectrum.is_some() {
         limit = format!("; limit: {}", escape(&report.table.edition));
     }
-    let html = format!(
-        "<p>The case and its variants at {}{limit}.</p>\n{}{}",
+    if let Some(ground) = &report.ground {
+        limit += &format!("; from {}", escape(&ground.words));
+    }
+    let mut html = format!(
+        "<p>The case and its variants at {}{limit}.</p>\n{}",
         escape(&report.speeds),
         table("", &header, &rows),
-        drawing(report.figure())?
     );
-    let best = report
-        .comparison
-        .outcomes
-        .iter()
-        .skip(1)
-        .min_by(|a, b| a.fastest.rate.total_cmp(&b.fastest.rate));
-    // A change below a hundredth helps nobody.
-    let brief = best.filter(|_| base.fastest.rate > 0.0).map(|best| {
-        match best.fastest.rate / base.fastest.rate - 1.0 {
-            change if change < -0.01 => format!(
-                "Of the variants \u{201c}{}\u{201d} lowers the fastest growth most, by {:.0} %.",
-                escape(&best.title),
-                -100.0 * change
-            ),
-            _ => "None of the variants lowers the fastest growth.".to_owned(),
-        }
-    });
+    let held = report.comparison.outcomes.iter();
+    if held.clone().any(|outcome| !outcome.held.is_empty()) {
+        html += "<p class=\"small\">Held is what a change of friction or load leaves as it is: the traction force, the \
+                 tractive ratio Q₀/μP₀ or the creepage.</p>\n";
+    }
+    html += &list(report.effects().into_iter().map(str::to_owned));
+    html += &drawing(report.figure())?;
+    let brief = best(&report).into_iter().chain(months(&report));
     Ok(Outlook {
         section: Section::There("What-if", html),
-        brief: brief.into_iter().collect(),
-        warnings: base.remarks.clone(),
+        brief: brief.collect(),
+        warnings: report.comparison.base().remarks.clone(),
     })
+}
+
+/// Which variant lowers growth most, of those that act.
+fn best(report: &compare::Report) -> Option<String> {
+    let base = report.comparison.base();
+    let variants = &report.comparison.outcomes[1..];
+    if base.fastest.rate <= 0.0 {
+        return None;
+    }
+    let changes = variants
+        .iter()
+        .filter_map(|outcome| Some((outcome, outcome.change_from(base)?)));
+    let Some((best, change)) = changes.min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return Some("None of the variants can act on this case.".to_owned());
+    };
+    // A change below a hundredth helps nobody.
+    let held = match best.held_name() {
+        Some(held) if held != "mixed" => format!(" (held: {held})"),
+        _ => String::new(),
+    };
+    let lowers = match change < -0.01 {
+        true => format!(
+            "Of the variants \u{201c}{}\u{201d} lowers the fastest growth most, by {:.0} %{held}.",
+            escape(&best.title),
+            -100.0 * change
+        ),
+        false => format!("None of the variants lowers the fastest growth{held}."),
+    };
+    let idle: Vec<String> = variants
+        .iter()
+        .filter(|outcome| !outcome.effect.acts())
+        .map(|outcome| format!("\u{201c}{}\u{201d}", escape(&outcome.title)))
+        .collect();
+    Some(match idle.is_empty() {
+        true => lowers,
+        false => format!("{lowers} Without any effect: {}.", idle.join(", ")),
+    })
+}
+
+/// How long the case and each variant take to the limit.
+fn months(report: &compare::Report) -> Option<String> {
+    let edition = escape(&report.table.edition);
+    let from = match &report.ground {
+        Some(ground) => format!("From {} the", escape(&ground.words)),
+        None => "The".to_owned(),
+    };
+    if report.comparison.base().reach? == Reach::After(0.0) {
+        return Some(format!(
+            "The limit ({edition}) is passed already; --ground or --from-limit says how long each variant lasts after \
+             grinding."
+        ));
+    }
+    let when = |outcome: &Outcome| {
+        let title = match outcome.effect {
+            Effect::None => "as it is".to_owned(),
+            _ => format!("with \u{201c}{}\u{201d}", escape(&outcome.title)),
+        };
+        Some(match outcome.reach? {
+            Reach::After(passages) => {
+                let tonnes = format!("{} MGT", number(outcome.growth.mgt(passages)));
+                let time = outcome.months_to_limit();
+                let time = time.map_or(tonnes, |months| format!("{} months", number(months)));
+                format!("after {time} {title}")
+            }
+            Reach::BeyondLinearRange => {
+                format!("not before the wheel leaves the rail {title}")
+            }
+            Reach::Never => format!("never {title}"),
+        })
+    };
+    let times: Vec<String> = report.comparison.outcomes.iter().filter_map(when).collect();
+    Some(format!(
+        "{from} limit ({edition}) is reached {}.",
+        times.join(", ")
+    ))
 }
 
 /// A figure of the program with its caption below.

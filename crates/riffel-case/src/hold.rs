@@ -1,0 +1,159 @@
+//! What stays as it is where friction or load change.
+
+use std::fmt;
+use std::str::FromStr;
+
+use riffel::SteadyRolling;
+use serde::Serialize;
+
+use crate::file::CaseFile;
+use crate::{Case, CaseError, Variant};
+
+/// What of the mean state of rolling is held where a variant changes friction or load.
+///
+/// One number of it must come from outside the contact. A train that pulls or brakes asks for a force, a curve
+/// for a creepage; with a tractive ratio held, less friction means less traction, too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Hold {
+    /// The tangential force Q₀ \[N\]: τ changes inversely with μP₀.
+    Force,
+    /// The tractive ratio τ = Q₀/μP₀.
+    Ratio,
+    /// The creepage ξ₀.
+    Creepage,
+}
+
+impl Hold {
+    /// What is held where nobody says it: the creepage where the case gives that, else the force.
+    pub(crate) fn usual(file: &CaseFile) -> Self {
+        match file.contact.creepage {
+            Some(_) => Self::Creepage,
+            None => Self::Force,
+        }
+    }
+
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Force => "force",
+            Self::Ratio => "ratio",
+            Self::Creepage => "creepage",
+        }
+    }
+}
+
+/// What a variant holds of the mean state of one wheel.
+pub(crate) struct Held {
+    pub(crate) hold: Hold,
+    /// The mean state before the change.
+    steady: SteadyRolling,
+    /// Friction times load μP₀ \[N\] after it.
+    limit: f64,
+    /// The override `key=value` that holds it.
+    assignment: [String; 1],
+}
+
+impl Held {
+    /// On the wheel that the overrides `own` make of that of the case, in a window; none where friction and load
+    /// stay, or the variant gives the mean state itself.
+    ///
+    /// # Errors
+    /// Those of [`Case::with`] for the wheel before the change.
+    pub(crate) fn of(
+        variant: &Variant,
+        case: &Case,
+        own: &[String],
+        window: &[String],
+    ) -> Result<Option<Self>, CaseError> {
+        let keys = [
+            case.keys_with(&[own]),
+            case.keys_with(&[own, &variant.overrides]),
+        ];
+        // What is wrong with the keys is said where the case is built of them.
+        let [Ok(before), Ok(after)] = keys else {
+            return Ok(None);
+        };
+        let Some(hold) = variant.holds(&before, &after) else {
+            return Ok(None);
+        };
+        let steady = case.of_vehicle(&[own, window])?.steady;
+        let limit = after.contact.friction.si() * after.contact.normal_load.si();
+        let assignment = match hold {
+            Hold::Force => format!(
+                "contact.tractive_ratio={:e}",
+                steady.tangential_force / limit
+            ),
+            Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
+            Hold::Creepage => format!("contact.creepage={:e}", steady.creepage),
+        };
+        Ok(Some(Self {
+            hold,
+            steady,
+            limit,
+            assignment: [assignment],
+        }))
+    }
+
+    /// The overrides that hold it.
+    pub(crate) fn assignments(held: Option<&Self>) -> &[String] {
+        held.map_or(&[], |held| &held.assignment)
+    }
+
+    /// Why it cannot be held, where its override is refused for a reason.
+    pub(crate) fn refusal(&self, reason: &str) -> String {
+        let state = match self.hold {
+            Hold::Force => format!(
+                "the traction force of {:.3} kN on a wheel is {:.2} times what friction can carry, μP₀ = {:.3} kN",
+                1e-3 * self.steady.tangential_force,
+                self.steady.tangential_force / self.limit,
+                1e-3 * self.limit
+            ),
+            Hold::Ratio => format!(
+                "at the tractive ratio of {:.3}, {reason}",
+                self.steady.tractive_ratio()
+            ),
+            Hold::Creepage => {
+                format!(
+                    "at the creepage of {:.3} %, {reason}",
+                    1e2 * self.steady.creepage
+                )
+            }
+        };
+        let others = [Hold::Force, Hold::Ratio, Hold::Creepage].into_iter();
+        let others: Vec<&str> = others
+            .filter(|hold| *hold != self.hold)
+            .map(Hold::name)
+            .collect();
+        format!(
+            "what it holds is out of reach: {state}; choose --hold {}, or give contact.tractive_ratio with the change",
+            others.join(" or --hold ")
+        )
+    }
+}
+
+impl fmt::Display for Hold {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(self.name())
+    }
+}
+
+impl FromStr for Hold {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        [Self::Force, Self::Ratio, Self::Creepage]
+            .into_iter()
+            .find(|hold| hold.name() == name)
+            .ok_or_else(|| format!("hold is \"{name}\", but must be force, ratio or creepage"))
+    }
+}
+
+/// The keys of a mean state that a file of changes may give itself.
+pub(crate) const MEAN_STATE: [&str; 2] = ["contact.tractive_ratio", "contact.creepage"];
+
+/// Whether friction and load are the same in two sets of keys.
+pub(crate) fn rolls_alike(before: &CaseFile, after: &CaseFile) -> bool {
+    let of = |file: &CaseFile| (file.contact.friction.si(), file.contact.normal_load.si());
+    of(before) == of(after)
+}

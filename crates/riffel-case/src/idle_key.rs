@@ -1,0 +1,74 @@
+//! Keys that cannot change growth in a case.
+
+use crate::Case;
+use crate::file::{ContactDynamics, CreepLawName, Rotation, TrackModel};
+
+impl Case {
+    /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
+    pub(crate) fn idle_because(&self, key: &str) -> Option<String> {
+        let (table, inner) = key.split_once('.').unwrap_or((key, ""));
+        let contact = &self.file.contact;
+        let words = match table {
+            "track" if inner == "model" => return None,
+            "track" | "rail" => return self.idle_in_track(table, inner),
+            "corrugation" => "growth rates do not depend on the amplitude",
+            "map" => "the bands are those of the case, and the speeds those of the traffic",
+            "wheel" if inner == "inertia" && self.file.wheel.rotation != Rotation::Inertia => {
+                "wheel.rotation is the limit of no inertia or of infinite inertia"
+            }
+            "contact"
+                if inner.starts_with("polach") && self.creep_law() != CreepLawName::Polach =>
+            {
+                "it belongs to contact.creep_law = \"polach\""
+            }
+            "contact" if inner == "grid" && self.creep_law() != CreepLawName::HalfSpace => {
+                "it belongs to contact.creep_law = \"half-space\""
+            }
+            "contact"
+                if inner == "dissipation_phase"
+                    && contact.response == ContactDynamics::NonSteady =>
+            {
+                "a non-steady contact finds the place of wear itself"
+            }
+            _ => return None,
+        };
+        Some(words.to_owned())
+    }
+
+    fn idle_in_track(&self, table: &str, key: &str) -> Option<String> {
+        let track = &self.file.track;
+        if self.builder.given.track.is_some() {
+            return Some("the track is a receptance given in place of the model".to_owned());
+        }
+        if track.model == TrackModel::Measured {
+            return (!key.starts_with("measurement")).then(|| {
+                "the track is a measured receptance, with the rail and the supports that were measured".to_owned()
+            });
+        }
+        if table == "rail" {
+            return None;
+        }
+        let layer = key.split('.').next().unwrap_or_default();
+        let model = track.model.name();
+        let without_support = || format!("track.model = \"{model}\" is a rail without supports");
+        match (track.model, layer) {
+            (TrackModel::FreeBeam, _) => Some(without_support()),
+            (TrackModel::MovingBeam, _) if track.pad.is_none() && track.ballast.is_none() => {
+                Some(without_support())
+            }
+            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => Some(format!(
+                "track.model = \"{model}\" has no sleepers without ballast"
+            )),
+            (TrackModel::OneLayer | TrackModel::OneLayerPeriodic, "sleeper" | "ballast") => {
+                Some(format!("track.model = \"{model}\" has one layer, the pads"))
+            }
+            (_, "position") if track.model.is_periodic() => {
+                Some("growth is the mean over the bay".to_owned())
+            }
+            (_, "position") => Some(format!(
+                "track.model = \"{model}\" is the same everywhere along the rail"
+            )),
+            _ => None,
+        }
+    }
+}
