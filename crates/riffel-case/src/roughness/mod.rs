@@ -433,6 +433,33 @@ mod tests {
         );
     }
 
+    #[test]
+    fn bands_may_be_columns() {
+        for header in [
+            "site;31,5 mm;40 mm;50 mm;63 mm",
+            "site / wavelength mm;31,5;40;50;63",
+            "site;L_31.5mm;L_40mm;L_50mm;L_63mm",
+        ] {
+            let text = format!("{header}\nBern;2,5;3;20,1;\nThun;1,5;2;4,5;3\n");
+            let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+                panic!("{header}: {:?}", parse(text.as_bytes(), None));
+            };
+            assert_eq!(spectra.len(), 2, "{header}");
+            assert_eq!(spectra[0].spectrum.levels().len(), 3, "{header}");
+            assert_eq!(spectra[1].spectrum.levels().len(), 4, "{header}");
+            assert_eq!(spectra[1].labels[0].1, "Thun");
+        }
+        let rails = "wavelength_mm,left,right\n50,2,3\n40,1,5\n";
+        let Ok(RoughnessFile::Spectra(spectra)) = parse(rails.as_bytes(), None) else {
+            panic!("no spectra");
+        };
+        assert_eq!(spectra[1].label("rail"), Some("right"));
+        assert_eq!(spectra[1].spectrum.levels()[0].level, 5.0);
+        let bare = "site;31.5;40;50;63;80\nBern;2;3;20;3;2\n";
+        let wrong = parse(bare.as_bytes(), None).unwrap_err();
+        assert!(wrong.contains("have no unit"), "{wrong}");
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(300))]
         /// Whatever is in a file, it is read or refused with a sentence.

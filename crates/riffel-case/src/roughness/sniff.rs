@@ -64,7 +64,7 @@ impl Table {
 
     /// The table read in one way, and how well it fits.
     fn read(all: &[&[u8]], (delimiter, decimal): (Delimiter, DecimalMark)) -> Option<(f64, Self)> {
-        let rows: Vec<(usize, Vec<&[u8]>)> = all
+        let mut rows: Vec<(usize, Vec<&[u8]>)> = all
             .iter()
             .enumerate()
             .filter(|(_, line)| !is_comment(line))
@@ -90,6 +90,16 @@ impl Table {
         numeric.truncate(count);
         let text_behind = count < widest;
         let columns = numeric.iter().filter(|&&numeric| numeric).count();
+        // An empty cell at the end is a missing value where it stands for a number.
+        for (index, cells) in &mut rows {
+            let line = all[*index].strip_suffix(b"\r").unwrap_or(all[*index]);
+            if cells.len() + 1 == count
+                && delimiter != Delimiter::Space
+                && line.ends_with(&[delimiter.byte()])
+            {
+                cells.push(b"");
+            }
+        }
         let is_data = |cells: &[&[u8]]| {
             let with_numbers = || (0..count).filter(|&column| numeric[column]);
             cells.len() >= count
@@ -99,7 +109,17 @@ impl Table {
                     || text_behind
                     || is_remark(cells[count], delimiter, decimal.byte()))
         };
-        let first = rows.iter().position(|row| is_data(&row.1))?;
+        let mut first = rows.iter().position(|row| is_data(&row.1))?;
+        // Bare wavelengths of bands are names of columns.
+        let values = |cells: &[&[u8]]| -> Vec<f64> {
+            let numbers = (0..count).filter(|&column| numeric[column]);
+            numbers.filter_map(|column| number(cells[column])).collect()
+        };
+        if are_bands(&values(&rows[first].1))
+            && let Some(next) = rows[first + 1..].iter().position(|row| is_data(&row.1))
+        {
+            first += 1 + next;
+        }
         let data: Vec<_> = rows[first..].iter().filter(|row| is_data(&row.1)).collect();
         let share = data.len() as f64 / (rows.len() - first) as f64;
         let header_lines = rows[first].0;
@@ -399,6 +419,18 @@ const IGNORED: [&str; 23] = [
 const OTHER_UNITS: [&str; 9] = [
     "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
 ];
+
+/// Whether numbers follow each other as the wavelengths of one-third octaves do, by a factor of 10^0.1 either way; nominal
+/// ones are up to 3 % off.
+fn are_bands(numbers: &[f64]) -> bool {
+    let steps = |up: f64| {
+        let pairs = numbers.windows(2);
+        pairs
+            .map(|pair| (pair[1] / pair[0]).log10() * up)
+            .all(|step| (0.08..0.12).contains(&step))
+    };
+    numbers.len() > 2 && (steps(1.0) || steps(-1.0))
+}
 
 fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
     let mut counts = std::collections::BTreeMap::new();
