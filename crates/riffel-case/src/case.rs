@@ -41,7 +41,7 @@ pub struct Case {
 }
 
 impl Case {
-    /// Read a case file and apply overrides `key=value` in their order.
+    /// Read a case file, or standard input for the path `-`, and apply overrides `key=value` in their order.
     ///
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.

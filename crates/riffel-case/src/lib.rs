@@ -21,6 +21,7 @@ mod creep_laws;
 mod date;
 pub mod diagnosis;
 mod error;
+mod excerpt;
 pub mod file;
 mod fill_in;
 mod given;
@@ -72,6 +73,19 @@ pub use written_case::WrittenCase;
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.
 pub const NOMINAL_CASE: &str = include_str!("../../../cases/nominal.toml");
+
+/// `cases/metro.toml`, commented: a metro on a slab, and the file that `riffel init --metro` writes.
+pub const METRO_CASE: &str = include_str!("../../../cases/metro.toml");
+
+/// `cases/main-line.toml`, commented: a passenger train on ballast, and the file that `riffel init --main-line`
+/// writes.
+pub const MAIN_LINE_CASE: &str = include_str!("../../../cases/main-line.toml");
+
+/// `cases/tram.toml`, commented: a tram on a slab, and the file that `riffel init --tram` writes.
+pub const TRAM_CASE: &str = include_str!("../../../cases/tram.toml");
+
+/// `cases/freight.toml`, commented: laden wagons on ballast, and the file that `riffel init --freight` writes.
+pub const FREIGHT_CASE: &str = include_str!("../../../cases/freight.toml");
 
 /// `cases/bhaskar-track.toml`: the nominal wheel on the track of Bhaskar et al., values inferred.
 pub const BHASKAR_TRACK_CASE: &str = include_str!("../../../cases/bhaskar-track.toml");

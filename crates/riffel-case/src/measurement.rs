@@ -216,7 +216,10 @@ pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Optio
              {first:.0} und {last:.0} Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst {})",
             remedy.words(Language::German),
         ),
-    ))
+    )
+    .in_short(format!(
+        "the measured receptance gives energy away (Im H > 0) at {count} of {points} frequencies: check its phase"
+    )))
 }
 
 impl Response {

@@ -5,9 +5,11 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 use serde::Deserialize;
+use serde_json::json;
 use toml::{Table, Value};
 
-use crate::CaseError;
+use crate::excerpt::clipped;
+use crate::{CaseError, CaseKey};
 
 /// The data files, built into the program.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../presets");
@@ -151,6 +153,29 @@ impl Preset {
         })
     }
 
+    /// The preset as one JSON document: each value as written and, where it is a quantity, in SI with its unit.
+    pub fn document(&self) -> serde_json::Value {
+        let values = self.values.iter().map(|value| {
+            let quantity = CaseKey::find(&value.key).and_then(|key| key.quantity);
+            let document = json!({
+                "value": value.value,
+                "value_si": quantity.and_then(|kind| kind.read(&value.value).ok()),
+                "unit_si": quantity.map(|kind| kind.unit),
+                "badge": value.badge.to_string(),
+                "source": value.source,
+            });
+            (value.key.clone(), document)
+        });
+        json!({
+            "kind": self.kind.name(),
+            "key": self.kind.key(),
+            "name": self.name,
+            "aliases": self.aliases,
+            "title": self.title,
+            "values": values.collect::<serde_json::Map<_, _>>(),
+        })
+    }
+
     /// Name and aliases.
     fn names(&self) -> impl Iterator<Item = &String> {
         std::iter::once(&self.name).chain(&self.aliases)
@@ -221,7 +246,7 @@ pub fn preset(name: &str) -> Result<&'static Preset, CaseError> {
         .flat_map(Preset::names)
         .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
     Err(CaseError::UnknownPreset {
-        name: name.to_owned(),
+        name: clipped(name).into_owned(),
         nearest: nearest.cloned().unwrap_or_default(),
     })
 }
@@ -241,6 +266,22 @@ mod tests {
                 assert!(value.source.len() > 20, "{value:?}");
             }
         }
+    }
+
+    /// Every value reads in SI, so that no preset fails only when it is used.
+    #[test]
+    fn documents_give_every_quantity_in_si() {
+        for preset in presets() {
+            let document = preset.document();
+            for (key, value) in document["values"].as_object().unwrap() {
+                assert!(value["value_si"].is_f64(), "{} {key}: {value}", preset.name);
+            }
+        }
+        let rail = preset("UIC60").unwrap().document();
+        assert_eq!(rail["values"]["rail.second_moment"]["unit_si"], "m4");
+        // 3038.3 cm4; ten digits to spare for the conversion.
+        let si = rail["values"]["rail.second_moment"]["value_si"].as_f64();
+        assert!((si.unwrap() / 3.0383e-5 - 1.0).abs() < 1e-6);
     }
 
     #[test]

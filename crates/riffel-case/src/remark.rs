@@ -13,6 +13,8 @@ use crate::Language;
 pub struct Remark {
     english: String,
     german: String,
+    /// The English sentence in short, where it is longer than a line.
+    short: Option<String>,
 }
 
 impl Remark {
@@ -21,7 +23,19 @@ impl Remark {
         Self {
             english: english.into(),
             german: Language::German.numbers(german.as_ref()),
+            short: None,
         }
+    }
+
+    /// The same remark, which the program prints in these few words unless it is asked for the whole.
+    pub(crate) fn in_short(mut self, short: impl Into<String>) -> Self {
+        self.short = Some(short.into());
+        self
+    }
+
+    /// The English sentence in one line.
+    pub fn short(&self) -> &str {
+        self.short.as_deref().unwrap_or(&self.english)
     }
 
     /// The sentence in a language.
@@ -52,5 +66,9 @@ mod tests {
         assert_eq!(remark.to_string(), "below 4.5 mm");
         assert_eq!(serde_json::to_string(&remark).unwrap(), "\"below 4.5 mm\"");
         assert_eq!(remark.in_language(Language::German), "unter 4,5 mm");
+        assert_eq!(remark.short(), "below 4.5 mm");
+        let remark = remark.in_short("short");
+        assert_eq!(remark.short(), "short");
+        assert_eq!(remark.to_string(), "below 4.5 mm");
     }
 }

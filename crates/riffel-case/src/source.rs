@@ -5,14 +5,18 @@ use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use miette::{NamedSource, SourceSpan};
+use miette::NamedSource;
 use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 use toml::{Table, Value};
 
+use crate::excerpt::{clipped, excerpt};
 use crate::preset::PresetKind;
-use crate::text_file::{command_in, printable, printable_in_place};
+use crate::text_file::{command_in, printable};
 use crate::{CaseError, Remark, WrittenCase};
+
+/// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
+const DEEPEST: usize = 16;
 
 /// A file of TOML, each key with the place where it was set: what a case, a traffic and a plan are read from,
 /// and what makes errors that show the line.
@@ -42,10 +46,13 @@ impl Source {
     /// # Errors
     /// [`CaseError::Syntax`] with the place.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let syntax = |error: toml::de::Error| CaseError::Syntax {
-            message: printable(error.message()).into_owned(),
-            source_code: excerpt(name, text),
-            span: error.span().map_or((0..0).into(), SourceSpan::from),
+        let syntax = |error: toml::de::Error| {
+            let (excerpt, span) = excerpt(text, error.span().unwrap_or(0..0));
+            CaseError::Syntax {
+                message: clipped(error.message()).into_owned(),
+                source_code: Arc::new(NamedSource::new(name, excerpt)),
+                span: span.into(),
+            }
         };
         let spans = DeTable::parse(text).map_err(syntax)?;
         let mut read = Text::empty(name);
@@ -176,10 +183,12 @@ impl Source {
 
     /// Apply one `key=value` override; the value is TOML, or a string if it does not read as such.
     fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
-        let malformed = || CaseError::Override {
-            assignment: assignment.to_owned(),
-            message: "write --set key=value, as in --set contact.friction=0.3".to_owned(),
+        let wrong = |message: String| CaseError::Override {
+            assignment: clipped(assignment).into_owned(),
+            message: clipped(&message).into_owned(),
         };
+        let malformed =
+            || wrong("write --set key=value, as in --set contact.friction=0.3".to_owned());
         let (path, value) = assignment.split_once('=').ok_or_else(malformed)?;
         let (path, value) = (path.trim(), value.trim());
         // The rail 60E1 is not the number 600.
@@ -195,6 +204,12 @@ impl Source {
             .unwrap_or_else(|| Value::String(value.to_owned()));
 
         let parts: Vec<&str> = path.split('.').map(str::trim).collect();
+        if parts.len() > DEEPEST {
+            return Err(wrong(format!(
+                "a key has at most {DEEPEST} parts, and this one {}",
+                parts.len()
+            )));
+        }
         let Some((last, parents)) = parts.split_last() else {
             return Err(malformed());
         };
@@ -207,9 +222,10 @@ impl Source {
                 .entry((*parent).to_owned())
                 .or_insert_with(|| Value::Table(Table::new()))
                 .as_table_mut()
-                .ok_or_else(|| CaseError::Override {
-                    assignment: assignment.to_owned(),
-                    message: format!("`{parent}` is a value, not a table of keys, in `{path}`"),
+                .ok_or_else(|| {
+                    wrong(format!(
+                        "`{parent}` is a value, not a table of keys, in `{path}`"
+                    ))
                 })?;
         }
         table.insert((*last).to_owned(), value);
@@ -314,13 +330,7 @@ impl Source {
 
     /// A sentence about a key, which need not begin with it.
     pub fn refuse(&self, key: &str, message: &str) -> CaseError {
-        CaseError::Invalid {
-            key: key.to_owned(),
-            message: message.to_owned(),
-            help: None,
-            source_code: excerpt(&self.text.name, &self.text.text),
-            span: self.text.span(key),
-        }
+        self.invalid_at(key, message, None)
     }
 
     /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.
@@ -340,19 +350,26 @@ impl Source {
         let help = (!help.is_empty()).then(|| help.to_owned());
         if let Some(assignment) = self.overrides.get(key) {
             return CaseError::Override {
-                assignment: assignment.clone(),
+                assignment: clipped(assignment).into_owned(),
                 message: match help {
-                    Some(help) => format!("{message}; {help}"),
-                    None => message,
+                    Some(help) => format!("{}; {help}", clipped(&message)),
+                    None => clipped(&message).into_owned(),
                 },
             };
         }
+        self.invalid_at(key, &message, help)
+    }
+
+    /// The error, with the text where the key stands.
+    fn invalid_at(&self, key: &str, message: &str, help: Option<String>) -> CaseError {
+        let span = self.text.span(key);
+        let (excerpt, range) = excerpt(&self.text.text, span.clone().unwrap_or(0..0));
         CaseError::Invalid {
-            key: shown.into_owned(),
-            message,
+            key: clipped(key).into_owned(),
+            message: clipped(message).into_owned(),
             help,
-            source_code: excerpt(&self.text.name, &self.text.text),
-            span: self.text.span(key),
+            source_code: Arc::new(NamedSource::new(&self.text.name, excerpt)),
+            span: span.map(|_| range.into()),
         }
     }
 }
@@ -389,7 +406,7 @@ impl Text {
     }
 
     /// The value of the key, the key itself, or the nearest table around it.
-    fn span(&self, key: &str) -> Option<SourceSpan> {
+    fn span(&self, key: &str) -> Option<Range<usize>> {
         let mut path = key;
         loop {
             let found = match self.values.get(path) {
@@ -398,16 +415,11 @@ impl Text {
                 _ => self.keys.get(path),
             };
             if let Some(range) = found {
-                return Some(range.clone().into());
+                return Some(range.clone());
             }
             path = path.rsplit_once('.')?.0;
         }
     }
-}
-
-/// A text of which errors show a line.
-fn excerpt(name: &str, text: &str) -> Arc<NamedSource<String>> {
-    Arc::new(NamedSource::new(name, printable_in_place(text)))
 }
 
 fn within(key: &str, table: &str) -> bool {

@@ -3,8 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use crate::CaseError;
 
@@ -121,7 +122,30 @@ impl Encoding {
     }
 }
 
-/// The bytes of a file, which is `what` in errors, as in "case file".
+/// True for the path `-`, which stands for standard input wherever a file is read.
+pub fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// What stands on standard input, up to so many bytes: the same as often as it is asked for.
+fn standard_input(most: u64) -> io::Result<Vec<u8>> {
+    static READ: Mutex<Option<Vec<u8>>> = Mutex::new(None);
+    let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(bytes) = &*read {
+        return Ok(bytes.clone());
+    }
+    let bytes = read_to(io::stdin().lock(), most)?;
+    *read = Some(bytes.clone());
+    Ok(bytes)
+}
+
+fn read_to(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(most).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The bytes of a file, or of standard input for the path `-`, which is `what` in errors, as in "case file".
 ///
 /// # Errors
 /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] if it is larger than `largest` bytes, so that
@@ -132,12 +156,12 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
         path: path.to_owned(),
         reason,
     };
-    let mut file = File::open(path).map_err(failed)?;
-    let mut bytes = Vec::new();
-    file.by_ref()
-        .take(largest + 1)
-        .read_to_end(&mut bytes)
-        .map_err(failed)?;
+    let bytes = if is_standard_input(path) {
+        standard_input(largest + 1)
+    } else {
+        File::open(path).and_then(|file| read_to(file, largest + 1))
+    };
+    let bytes = bytes.map_err(failed)?;
     if bytes.len() as u64 > largest {
         let message = format!(
             "is larger than {} MiB, the most that Riffel reads of a {what}",

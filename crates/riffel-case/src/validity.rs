@@ -73,7 +73,7 @@ pub(crate) fn remarks(
                 "die Schiene liegt nirgends auf: unter etwa {FREE_BEAM_FROM_HZ} Hz ({window_de}: ab \
                  {lowest:.0} Hz) ändern Zwischenlagen, Schwellen und Schotter ihre Rezeptanz"
             ),
-        ));
+        ).in_short(format!("the rail has no support: wrong below about {FREE_BEAM_FROM_HZ} Hz ({window} from {lowest:.0} Hz)")));
     }
     let bends_only = builder.beam_model() == BeamModel::EulerBernoulli;
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
@@ -86,7 +86,7 @@ pub(crate) fn remarks(
                 "die Schiene biegt sich ohne Schub: ihre Rezeptanz weicht bei {EULER_BEAM_UP_TO_HZ} Hz um etwa 9° \
                  ab, bei 1500 Hz um 24° und 14 % ({window_de}: bis {highest:.0} Hz)"
             ),
-        ));
+        ).in_short(format!("the rail bends without shear: 24° and 14 % off at 1500 Hz ({window} to {highest:.0} Hz)")));
     }
     if !measured && bends_only && file.track.model.is_periodic() {
         remarks.push(Remark::new(
@@ -94,7 +94,7 @@ pub(crate) fn remarks(
              not named (choose rail.beam = \"timoshenko\")",
             "die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch \
              und wird nicht genannt (rail.beam = \"timoshenko\" wählen)",
-        ));
+        ).in_short("the rail bends without shear: its pinned-pinned frequency is too high and not named"));
     }
     if let Some(pinned) = evenly_supported_pinned_pinned(builder).filter(|_| !measured)
         && highest > EVEN_SUPPORT_UP_TO * pinned
@@ -110,7 +110,7 @@ pub(crate) fn remarks(
                  {pinned:.0} Hz fehlt, und darunter weicht die Rezeptanz um 10 bis 50 % ab, auf sehr steifen \
                  Zwischenlagen um mehr ({window_de}: bis {highest:.0} Hz; ein Modell wählen, das auf -periodic endet)"
             ),
-        ));
+        ).in_short(format!("supports are spread evenly: no pinned-pinned resonance near {pinned:.0} Hz ({window} to {highest:.0} Hz)")));
     }
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
     let resolved = file.contact.response == ContactDynamics::NonSteady;
@@ -125,7 +125,7 @@ pub(crate) fn remarks(
                 "der Kontakt ist quasistatisch und mittelt nicht über seine Fläche: unter {shortest:.0} mm ist das \
                  Wachstum zu hoch"
             ),
-        ));
+        ).in_short(format!("the contact does not average over its patch: growth is overstated below {shortest:.0} mm")));
     }
     if builder.hertz_theory() == HertzTheory::Paper
         && let Ok(exact) = HertzContact::exact(
@@ -147,7 +147,7 @@ pub(crate) fn remarks(
                     "die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der \
                      Kontaktellipse weicht quer zur Schiene um {percent:.0} % ab (contact.hertz = \"exact\" wählen)"
                 ),
-            ));
+            ).in_short(format!("the closed form of the contact ellipse is {percent:.0} % off (contact.hertz = \"exact\" is not)")));
         }
     }
     let polach = file.contact.polach.as_ref();
@@ -162,7 +162,7 @@ pub(crate) fn remarks(
                 "die fallende Reibung ist die beim Schlupf bei {rolling}, contact.polach.speed, bei jeder \
                  Geschwindigkeit ({window_de})"
             ),
-        ));
+        ).in_short(format!("falling friction is that at {rolling} at every speed of the {window}")));
     }
     // Outside the frequencies of a measurement there is nothing to look at.
     let (known_from, known_to) = measurement::range(&*feedback.track);
@@ -192,7 +192,7 @@ pub(crate) fn remarks(
                  sich; Kräfte sind bis {limit:.1} µm linear (Wachstumsraten gelten für kleine Amplituden und \
                  ändern sich nicht)"
             ),
-        ));
+        ).in_short(format!("{amplitude:.1} µm make wheel and rail part (|P₁/P₀| = {worst:.2}); forces are linear up to {limit:.1} µm")));
     }
     remarks
 }

@@ -8,10 +8,13 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
+use riffel_case::text_file::is_standard_input;
 use riffel_case::{Case, CaseError};
 use riffel_figures::paper::Model;
 
 use crate::error::CliError;
+use crate::messages::Verbosity;
+use crate::staging::add_input;
 
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
@@ -21,7 +24,7 @@ pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 #[derive(Parser)]
 #[command(
     name = "riffel",
-    version,
+    version = env!("RIFFEL_VERSION"),
     after_help = "Example: riffel init case.toml && riffel map case.toml\n\n\
         Exit status: 0 done, 1 a validation check failed or a merged study is not whole, 2 bad input or a file that \
         cannot be written, 130 stopped by Ctrl-C."
@@ -29,6 +32,25 @@ pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
+
+    /// Print results and errors only: no notes, no progress.
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+
+    /// Print notes in full.
+    #[arg(short, long, global = true)]
+    verbose: bool,
+}
+
+impl Arguments {
+    /// How much is to be said beside the results.
+    pub(crate) fn verbosity(&self) -> Verbosity {
+        match (self.quiet, self.verbose) {
+            (true, _) => Verbosity::Quiet,
+            (false, true) => Verbosity::Verbose,
+            (false, false) => Verbosity::Normal,
+        }
+    }
 }
 
 #[derive(Subcommand)]
@@ -63,6 +85,10 @@ pub(crate) enum Command {
     Presets(Presets),
     /// Print the JSON schema of the case file, of the traffic file or of the plan of a study.
     Schema(Schema),
+    /// Print completions of this command line for a shell.
+    Completions(Completions),
+    /// Print the manual page, or write those of all commands.
+    Man(ManPages),
     /// Hold the program against reference numbers and published statements.
     Validate,
 }
@@ -70,7 +96,7 @@ pub(crate) enum Command {
 /// A case file with overrides.
 #[derive(Args)]
 pub(crate) struct CaseArguments {
-    /// Case file.
+    /// Case file, or - for standard input.
     #[arg(value_name = "CASE")]
     path: PathBuf,
 
@@ -89,7 +115,10 @@ impl CaseArguments {
     }
 
     pub(crate) fn read(&self) -> miette::Result<Case> {
-        Ok(Case::read(&self.path, &self.overrides)?)
+        Ok(protected(
+            &self.path,
+            Case::read(&self.path, &self.overrides)?,
+        ))
     }
 
     /// The case with the wheel at another place of the bay.
@@ -112,20 +141,35 @@ impl CaseArguments {
                     case.file.track.model.name()
                 ),
             })?,
-            case => Ok(case?),
+            case => Ok(protected(&self.path, case?)),
         }
     }
 
     /// The folder given for results, or one named after the case and what it holds.
     pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
         given.map_or_else(
-            || {
-                let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
-                PathBuf::from(format!("{stem}-{what}"))
-            },
+            || PathBuf::from(format!("{}-{what}", stem(&self.path))),
             Path::to_owned,
         )
     }
+}
+
+/// What results are named after that are made from a file.
+pub(crate) fn stem(path: &Path) -> String {
+    if is_standard_input(path) {
+        return "stdin".to_owned();
+    }
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// The case, whose file of a measured track must not be replaced by results.
+fn protected(path: &Path, case: Case) -> Case {
+    if let Some(measurement) = &case.file.track.measurement {
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        add_input(folder.join(&measurement.file));
+    }
+    case
 }
 
 /// The case with a contact that answers from one wavelength \[m\] to another.
@@ -153,18 +197,34 @@ pub(crate) fn positive<D: Dimension>(
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel init metro.toml")]
+#[command(after_help = "Example: riffel init --metro && riffel map metro.toml")]
 pub(crate) struct Init {
-    /// File to write [default: case.toml, traffic.toml with --traffic, study.toml with --study].
+    /// File to write [default: case.toml, or one named after what it holds, as metro.toml].
     #[arg(value_name = "FILE")]
     pub(crate) path: Option<PathBuf>,
 
+    /// Write the case of a metro on a slab with direct fastenings.
+    #[arg(long, group = "kind")]
+    pub(crate) metro: bool,
+
+    /// Write the case of a passenger train on a ballasted main line.
+    #[arg(long, group = "kind")]
+    pub(crate) main_line: bool,
+
+    /// Write the case of a tram on a slab with direct fastenings.
+    #[arg(long, group = "kind")]
+    pub(crate) tram: bool,
+
+    /// Write the case of laden freight wagons on a ballasted line.
+    #[arg(long, group = "kind")]
+    pub(crate) freight: bool,
+
     /// Write a traffic file for `riffel forecast`.
-    #[arg(long, conflicts_with = "study")]
+    #[arg(long, group = "kind")]
     pub(crate) traffic: bool,
 
     /// Write the plan of a study, on a case nominal.toml beside it.
-    #[arg(long)]
+    #[arg(long, group = "kind")]
     pub(crate) study: bool,
 
     /// Replace the file if it is there.
@@ -378,4 +438,27 @@ pub(crate) struct Presets {
     /// Preset to show.
     #[arg(value_name = "NAME")]
     pub(crate) name: Option<String>,
+
+    /// Print one JSON document: each value as written and in SI, with its unit and its source.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+        riffel completions bash > ~/.local/share/bash-completion/completions/riffel\n  \
+        riffel completions zsh > ~/.zfunc/_riffel\n  \
+        riffel completions fish > ~/.config/fish/completions/riffel.fish")]
+pub(crate) struct Completions {
+    /// The shell.
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel man -o ~/.local/share/man/man1 && man riffel-map")]
+pub(crate) struct ManPages {
+    /// Folder for the pages of all commands, made if need be [default: the first page, on standard output].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
 }

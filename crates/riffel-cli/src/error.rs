@@ -12,9 +12,38 @@ pub(crate) enum CliError {
     #[error("cannot write to {path}: {reason}", path = path.display())]
     Write { path: PathBuf, reason: io::Error },
 
+    #[error("only one file can be -, standard input")]
+    StandardInput,
+
+    #[error("cannot write to standard output: {reason}")]
+    StandardOutput { reason: io::Error },
+
+    #[error("{path} is {what}; only a regular file is replaced by another", path = path.display())]
+    NotAFile { path: PathBuf, what: &'static str },
+
+    #[error("{path} is {what}, not a folder for results", path = path.display())]
+    NotAFolder { path: PathBuf, what: &'static str },
+
+    #[error("{path} is read by this command, and an input is never replaced", path = path.display())]
+    #[diagnostic(help("give another name with --output"))]
+    IsAnInput { path: PathBuf },
+
+    #[error("{path} is there already and was not written by Riffel", path = path.display())]
+    #[diagnostic(help(
+        "give another folder with --output, or move the file away; riffel-manifest.json lists what Riffel wrote"
+    ))]
+    Foreign { path: PathBuf },
+
+    #[error("{path} is no list of files that Riffel wrote: {reason}", path = path.display())]
+    #[diagnostic(help("give another folder with --output, or move the file away"))]
+    Manifest { path: PathBuf, reason: io::Error },
+
     #[error("{path} is there already", path = path.display())]
-    #[diagnostic(help("give another name, or --force to replace it"))]
-    Exists { path: PathBuf },
+    #[diagnostic(help("give another name, or {way_out}"))]
+    Exists {
+        path: PathBuf,
+        way_out: &'static str,
+    },
 
     #[error("{argument} is {value}, but must be {rule}")]
     Argument {

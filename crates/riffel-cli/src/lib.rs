@@ -6,15 +6,21 @@ mod arguments;
 mod bay;
 mod command;
 mod error;
+mod fingerprint;
+mod messages;
 mod observations;
 mod output;
 mod staging;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 
-use clap::Parser;
+use clap::{ArgMatches, CommandFactory, FromArgMatches};
 
 use arguments::{Arguments, Command};
+use error::CliError;
+use messages::complain;
+use riffel_case::text_file::is_standard_input;
 
 /// Exit status after an error of the user.
 const BAD_INPUT: u8 = 2;
@@ -25,14 +31,32 @@ const BAD_INPUT: u8 = 2;
 /// `arguments` begin with the name of the program, as those of a process do. `program` is a command that runs it once
 /// more, for work that `riffel serve` does in processes of their own.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
-    let arguments = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => arguments,
+    let parsed = Arguments::command().try_get_matches_from(arguments);
+    let parsed = parsed.and_then(|matches| {
+        Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
+    });
+    let (arguments, inputs) = match parsed {
+        Ok(parsed) => parsed,
         Err(usage) => {
-            // Help that nobody reads is no failure.
-            let _ = usage.print();
-            return u8::from(usage.use_stderr()) * BAD_INPUT;
+            if usage.use_stderr() {
+                let _ = usage.print();
+                return BAD_INPUT;
+            }
+            return match output::heard(usage.print()) {
+                Ok(()) => 0,
+                Err(error) => {
+                    complain(error);
+                    BAD_INPUT
+                }
+            };
         }
     };
+    if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
+        complain(CliError::StandardInput);
+        return BAD_INPUT;
+    }
+    messages::begin(arguments.verbosity());
+    staging::set_inputs(inputs);
     // The page ends its own work.
     if !matches!(arguments.command, Command::Serve(_)) {
         staging::clean_up_on_interrupt();
@@ -40,7 +64,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     match execute(arguments.command, program) {
         Ok(status) => status,
         Err(report) => {
-            eprintln!("{report:?}");
+            complain(format_args!("{report:?}"));
             BAD_INPUT
         }
     }
@@ -62,8 +86,29 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Compare(arguments) => command::compare::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
         Command::Study(arguments) => return command::study::run(&arguments),
-        Command::Schema(arguments) => command::schema::run(&arguments),
+        Command::Completions(arguments) => command::completions::run(&arguments)?,
+        Command::Man(arguments) => command::man::run(&arguments)?,
+        Command::Schema(arguments) => command::schema::run(&arguments)?,
         Command::Validate => return command::validate::run(),
     }
     Ok(0)
+}
+
+/// The files that a command line names and that are not where results go: none of them may be replaced.
+fn inputs(matches: &ArgMatches) -> Vec<PathBuf> {
+    const RESULTS: [&str; 3] = ["output", "save_format", "into"];
+    match matches.subcommand() {
+        // Its only file is the one that it writes.
+        Some(("init", _)) => Vec::new(),
+        Some((_, below)) => inputs(below),
+        None => matches
+            .ids()
+            .filter(|id| !RESULTS.contains(&id.as_str()))
+            // Groups of arguments have no values of their own.
+            .filter_map(|id| matches.try_get_raw(id.as_str()).ok().flatten())
+            .flatten()
+            .map(PathBuf::from)
+            .filter(|path| path.is_file() || is_standard_input(path))
+            .collect(),
+    }
 }

@@ -1,6 +1,5 @@
-//! What goes to the terminal.
+//! What is printed as the result, and how far the work is.
 
-use std::fmt::Display;
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
@@ -8,17 +7,32 @@ use comfy_table::{CellAlignment, ContentArrangement, Table, TableStyle, presets}
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-/// Print to standard output; a reader that has gone away (`riffel … | head`) is not an error.
-pub(crate) fn print(text: &str) {
+use crate::error::CliError;
+use crate::messages::is_quiet;
+
+/// Print to standard output.
+pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
-    let _ = stdout
-        .write_all(text.as_bytes())
-        .and_then(|()| stdout.flush());
+    heard(
+        stdout
+            .write_all(text.as_bytes())
+            .and_then(|()| stdout.flush()),
+    )
+}
+
+/// The outcome of writing to standard output: a reader that has gone away (`riffel … | head`) is not an error.
+pub(crate) fn heard(outcome: io::Result<()>) -> Result<(), CliError> {
+    match outcome {
+        Err(reason) if reason.kind() != io::ErrorKind::BrokenPipe => {
+            Err(CliError::StandardOutput { reason })
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Print one JSON document.
-pub(crate) fn print_json(document: &impl Serialize) {
-    print(&json(document));
+pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
+    print(&json(document))
 }
 
 /// A JSON document, indented, with a final line feed.
@@ -56,15 +70,8 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
     table
 }
 
-/// Remarks on the validity of the models, on standard error.
-pub(crate) fn print_remarks(remarks: &[impl Display]) {
-    for remark in remarks {
-        eprintln!("note: {remark}");
-    }
-}
-
 /// A progress bar on standard error that appears only where the work takes longer than a second,
-/// and only on a terminal.
+/// and only on a terminal, unless `--quiet` was given.
 pub(crate) struct Progress {
     bar: ProgressBar,
     begun: Instant,
@@ -85,7 +92,7 @@ impl Progress {
 
     pub(crate) fn advance(&self, by: usize) {
         self.bar.inc(by as u64);
-        if self.bar.is_hidden() && self.begun.elapsed() > Duration::from_secs(1) {
+        if self.bar.is_hidden() && !is_quiet() && self.begun.elapsed() > Duration::from_secs(1) {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
     }

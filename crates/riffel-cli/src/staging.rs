@@ -1,5 +1,9 @@
 //! Results appear whole or not at all.
 
+mod manifest;
+mod place;
+mod scratch;
+
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -7,9 +11,13 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 use riffel_study::Stop;
-use tempfile::TempDir;
+use tempfile::TempPath;
 
 use crate::error::CliError;
+use crate::fingerprint::fingerprint;
+use manifest::{Files, Manifest};
+pub(crate) use place::{add_input, set_inputs};
+use scratch::Scratch;
 
 /// Exit status of a program that Ctrl-C stopped.
 pub(crate) const INTERRUPTED: u8 = 130;
@@ -18,14 +26,14 @@ pub(crate) const INTERRUPTED: u8 = 130;
 static ACTIVE: Mutex<Option<Active>> = Mutex::new(None);
 
 struct Active {
-    temporary: TempDir,
+    scratch: Scratch,
     /// The folder of results, if it was made for this run.
     made: Option<PathBuf>,
 }
 
 impl Active {
     fn discard(self) {
-        let _ = self.temporary.close();
+        self.scratch.close();
         if let Some(made) = self.made {
             // Fails, as it should, where something has been put there meanwhile.
             let _ = fs::remove_dir(made);
@@ -66,33 +74,38 @@ pub(crate) fn clean_up_on_interrupt() {
 /// A folder of results in the making: files are written to a temporary folder inside it and renamed
 /// all together at the end. Dropped before [`publish`](Self::publish), nothing remains.
 pub(crate) struct Staging {
+    command: &'static str,
     folder: PathBuf,
     temporary: PathBuf,
     files: Vec<String>,
 }
 
 impl Staging {
-    /// Prepare the folder, making it if need be.
-    pub(crate) fn new(folder: &Path) -> Result<Self, CliError> {
-        let cannot_write = |reason| CliError::Write {
-            path: folder.to_owned(),
-            reason,
-        };
+    /// Prepare the folder for the files of a command, making it if need be.
+    pub(crate) fn new(command: &'static str, folder: &Path) -> Result<Self, CliError> {
+        place::check_folder(folder)?;
+        // What is wrong with the folder is better known before the work than after it.
+        Manifest::read(folder)?;
         let mut guard = active();
         let made = !folder.exists();
-        fs::create_dir_all(folder).map_err(cannot_write)?;
-        let temporary = tempfile::Builder::new()
-            .prefix(".riffel-")
-            .tempdir_in(folder)
-            .map_err(cannot_write)?;
-        let path = temporary.path().to_owned();
-        *guard = Some(Active {
-            temporary,
-            made: made.then(|| folder.to_owned()),
-        });
+        fs::create_dir_all(folder).map_err(|reason| cannot_write(folder, reason))?;
+        let made = made.then(|| folder.to_owned());
+        Self::within(&mut guard, command, folder, made)
+    }
+
+    fn within(
+        active: &mut Option<Active>,
+        command: &'static str,
+        folder: &Path,
+        made: Option<PathBuf>,
+    ) -> Result<Self, CliError> {
+        let scratch = Scratch::new_in(folder).map_err(|reason| cannot_write(folder, reason))?;
+        let temporary = scratch.path().to_owned();
+        *active = Some(Active { scratch, made });
         Ok(Self {
+            command,
             folder: folder.to_owned(),
-            temporary: path,
+            temporary,
             files: Vec::new(),
         })
     }
@@ -136,24 +149,40 @@ impl Staging {
             .map_err(|reason| self.cannot_write(name, reason))
     }
 
-    /// Rename every file to its place; returns their names.
+    /// Rename every file to its place and remove those of the last run that this one has not written; returns the
+    /// names.
     pub(crate) fn publish(mut self) -> Result<Vec<String>, CliError> {
-        let mut guard = active();
+        let mut manifest = Manifest::read(&self.folder)?;
+        let mut written = Files::new();
         for name in &self.files {
+            let path = self.folder.join(name);
+            place::check(&path)?;
+            if path.exists() && !manifest.lists(name) {
+                return Err(CliError::Foreign { path });
+            }
+            let fingerprint = fingerprint(&self.temporary.join(name))
+                .map_err(|reason| self.cannot_write(name, reason))?;
+            written.insert(name.clone(), fingerprint);
+        }
+        let stale = manifest.replace(self.command, &written);
+        place::check(&self.folder.join(manifest::NAME))?;
+        let names = self.files.clone();
+        self.write(manifest::NAME, crate::output::json(&manifest))?;
+        let mut guard = active();
+        // The manifest first: what it lists and does not find does no harm, what it does not list is never replaced.
+        for name in self.files.iter().rev() {
             fs::rename(self.temporary.join(name), self.folder.join(name))
                 .map_err(|reason| self.cannot_write(name, reason))?;
         }
+        manifest::remove(&self.folder, &stale);
         if let Some(active) = guard.take() {
-            let _ = active.temporary.close();
+            active.scratch.close();
         }
-        Ok(std::mem::take(&mut self.files))
+        Ok(names)
     }
 
     fn cannot_write(&self, name: &str, reason: io::Error) -> CliError {
-        CliError::Write {
-            path: self.folder.join(name),
-            reason,
-        }
+        cannot_write(&self.folder.join(name), reason)
     }
 }
 
@@ -166,33 +195,46 @@ impl Drop for Staging {
     }
 }
 
-/// Write one file whole, by a temporary name beside it.
-pub(crate) fn write_file(path: &Path, text: &str, replace: bool) -> Result<(), CliError> {
-    let cannot_write = |reason| CliError::Write {
-        path: path.to_owned(),
-        reason,
-    };
+/// What is done with a regular file that is there already.
+#[derive(Clone, Copy)]
+pub(crate) enum Existing {
+    /// Replace it, unless it is an input.
+    Replace,
+    /// Keep it, and tell what else one can do than give another name.
+    Keep(&'static str),
+}
+
+/// Write one file whole.
+pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<(), CliError> {
+    const NAME: &str = "file";
+    place::check(path)?;
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".riffel-");
-    // A temporary file is for its owner alone; this one becomes a file like any other.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder).map_err(cannot_write)?;
-    file.write_all(text.as_bytes()).map_err(cannot_write)?;
-    let placed = if replace {
-        file.persist(path)
-    } else {
-        file.persist_noclobber(path)
+    let mut staging = Staging::within(&mut active(), "", folder, None)?;
+    staging.write(NAME, text)?;
+    let file = staging.temporary.join(NAME);
+    let _placing = active();
+    let placed = match existing {
+        Existing::Replace => fs::rename(&file, path),
+        Existing::Keep(_) => TempPath::try_from_path(&file)
+            .and_then(|file| file.persist_noclobber(path).map_err(|error| error.error)),
     };
-    match placed {
-        Ok(_) => Ok(()),
-        Err(error) if error.error.kind() == io::ErrorKind::AlreadyExists => Err(CliError::Exists {
-            path: path.to_owned(),
-        }),
-        Err(error) => Err(cannot_write(error.error)),
+    placed.map_err(|reason| match existing {
+        Existing::Keep(way_out) if reason.kind() == io::ErrorKind::AlreadyExists => {
+            CliError::Exists {
+                path: path.to_owned(),
+                way_out,
+            }
+        }
+        _ => cannot_write(path, reason),
+    })
+}
+
+fn cannot_write(path: &Path, reason: io::Error) -> CliError {
+    CliError::Write {
+        path: path.to_owned(),
+        reason,
     }
 }

@@ -12,7 +12,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 16] = [
+const COMMANDS: [&str; 18] = [
     "init",
     "point",
     "map",
@@ -28,6 +28,8 @@ const COMMANDS: [&str; 16] = [
     "serve",
     "presets",
     "schema",
+    "completions",
+    "man",
     "validate",
 ];
 

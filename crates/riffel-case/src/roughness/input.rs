@@ -1,12 +1,12 @@
 //! The bytes of a record, which may be large: looked at first, then read within bounds.
 
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::record::Refusal;
 use crate::CaseError;
-use crate::text_file::{Encoding, decode};
+use crate::text_file::{Encoding, decode, is_standard_input};
 
 /// Bytes that are looked at first.
 const HEAD: usize = 1 << 16;
@@ -28,8 +28,13 @@ pub(super) fn read(
         path: path.to_owned(),
         reason,
     };
-    let mut file = File::open(path).map_err(failed)?;
-    let size = file.metadata().ok().filter(std::fs::Metadata::is_file);
+    let mut file: Box<dyn Read> = if is_standard_input(path) {
+        Box::new(io::stdin().lock())
+    } else {
+        Box::new(File::open(path).map_err(failed)?)
+    };
+    let size = std::fs::metadata(path).ok();
+    let size = size.filter(std::fs::Metadata::is_file);
     let size = size.map(|file| file.len() as usize);
     let mut bytes = Vec::new();
     file.by_ref()

@@ -45,8 +45,8 @@ pub enum RoughnessFile {
 }
 
 impl RoughnessFile {
-    /// Read a file: as the layout says, or as its first lines let it be understood. `progress` is told of bytes done,
-    /// from several threads.
+    /// Read a file, or standard input for the path `-`: as the layout says, or as its first lines let it be understood.
+    /// `progress` is told of bytes done, from several threads.
     ///
     /// Text in columns, with or without a header, in UTF-8, UTF-16 or Windows-1252; blank lines and those that begin
     /// with `#` or `%` are left out, but units are read from remarks above the numbers. A profile needs columns of

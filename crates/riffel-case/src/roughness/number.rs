@@ -120,9 +120,10 @@ pub(super) fn kilometrage(text: &str, decimal: u8) -> Option<f64> {
         .split_once(char::from(decimal))
         .unwrap_or((metres, ""));
     let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    if !((1..=5).contains(&kilometres.len()) && whole.len() == 3 && digits(decimals))
-        || !(digits(kilometres) && digits(whole))
-    {
+    let is_chainage = (1..=5).contains(&kilometres.len())
+        && whole.len() == 3
+        && [kilometres, whole, decimals].into_iter().all(digits);
+    if !is_chainage {
         return None;
     }
     format!("{kilometres}{whole}.{decimals}0").parse().ok()

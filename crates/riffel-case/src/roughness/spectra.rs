@@ -162,7 +162,7 @@ fn band_name(name: &str, decimal: DecimalMark) -> Option<(f64, Option<f64>)> {
         .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
         .unwrap_or(rest.len());
     let mark = char::from(decimal.byte());
-    let number = rest[..length].replace(mark, ".").replace(',', ".");
+    let number = rest[..length].replace([mark, ','], ".");
     let behind = tokens(&rest[length..]);
     let unit = match behind.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] | ["db"] => None,

@@ -69,7 +69,7 @@ impl Default for Statistics {
         A file whose heights are in mm and does not say so: riffel roughness trolley.txt --height-unit mm"
 )]
 pub(crate) struct Roughness {
-    /// Longitudinal profile, or table of one-third-octave levels: text in columns.
+    /// Longitudinal profile, or table of one-third-octave levels: text in columns, or - for standard input.
     #[arg(value_name = "FILE", required_unless_present = "synthesise")]
     pub(crate) path: Option<PathBuf>,
 

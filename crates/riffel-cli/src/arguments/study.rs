@@ -36,7 +36,7 @@ pub(crate) enum StudyCommand {
 
 #[derive(Args)]
 pub(crate) struct Run {
-    /// Plan of the study.
+    /// Plan of the study, or - for standard input.
     #[arg(value_name = "PLAN", required = true)]
     pub(crate) plan: Option<PathBuf>,
 

@@ -9,7 +9,7 @@ use crate::output::{Progress, print};
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
-    let mut staging = Staging::new(&arguments.output)?;
+    let mut staging = Staging::new("figures", &arguments.output)?;
     let progress = Progress::new("figures of the paper", paper::FIGURES.len());
     let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
@@ -27,6 +27,6 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
         "{}: {}\n",
         arguments.output.display(),
         files.join(" ")
-    ));
+    ))?;
     Ok(())
 }

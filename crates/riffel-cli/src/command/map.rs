@@ -11,8 +11,9 @@ use serde::Serialize;
 use crate::arguments::{Map, covering, positive};
 use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
+use crate::messages::print_remarks;
 use crate::observations;
-use crate::output::{Progress, json, print, print_remarks, table};
+use crate::output::{Progress, json, print, table};
 use crate::staging::Staging;
 
 /// Rows of the table on the terminal.
@@ -137,7 +138,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     };
     let folder = arguments.case.folder(arguments.output.as_deref(), "map");
 
-    let staging = Staging::new(&folder)?;
+    let staging = Staging::new("map", &folder)?;
     let progress = Progress::new("growth map", case.speed.points());
     let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
         progress.advance(rows);
@@ -157,7 +158,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let files = staging.publish()?;
 
     if arguments.json {
-        print(&summary);
+        print(&summary)?;
     } else {
         let sentence = BranchDocument::sentence(&branches).to_string();
         print(&readable(
@@ -167,7 +168,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
             bay.as_ref(),
             &folder,
             &files,
-        ));
+        ))?;
     }
     print_remarks(&case.remarks);
     Ok(())

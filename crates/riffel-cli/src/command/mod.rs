@@ -1,11 +1,13 @@
 //! One file for each command.
 
 pub(crate) mod compare;
+pub(crate) mod completions;
 pub(crate) mod contact;
 pub(crate) mod diagnose;
 pub(crate) mod figures;
 pub(crate) mod forecast;
 pub(crate) mod init;
+pub(crate) mod man;
 pub(crate) mod map;
 pub(crate) mod point;
 pub(crate) mod presets;

@@ -4,7 +4,8 @@ use riffel::LoopState;
 use riffel_case::{Case, Point as Document};
 
 use crate::arguments::{Point, covering, positive};
-use crate::output::{print, print_json, print_remarks, table};
+use crate::messages::print_remarks;
+use crate::output::{print, print_json, table};
 
 pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
@@ -14,9 +15,9 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let case = covering(&case, wavelength, wavelength)?;
     let state = case.feedback.at(wavelength, speed);
     if arguments.json {
-        print_json(&Document::new(&case, &state));
+        print_json(&Document::new(&case, &state))?;
     } else {
-        print(&readable(&case, &state));
+        print(&readable(&case, &state))?;
     }
     print_remarks(&case.remarks);
     Ok(())

@@ -1,11 +1,18 @@
 //! `riffel presets`
 
-use riffel_case::{preset, presets};
+use riffel_case::{Preset, preset, presets};
 
 use crate::arguments::Presets;
-use crate::output::{print, text_table};
+use crate::output::{print, print_json, text_table};
 
 pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
+    if arguments.json {
+        match &arguments.name {
+            None => print_json(&presets().iter().map(Preset::document).collect::<Vec<_>>())?,
+            Some(name) => print_json(&preset(name)?.document())?,
+        }
+        return Ok(());
+    }
     let text = match &arguments.name {
         None => {
             let mut table = text_table(&["name", "key", "what it is"]);
@@ -25,6 +32,6 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
             format!("{title}\n{key} = \"{name}\"\n{table}\n")
         }
     };
-    print(&text);
+    print(&text)?;
     Ok(())
 }

@@ -11,7 +11,8 @@ use serde::Serialize;
 
 use crate::arguments::{DirectionArgument, Receptance, positive};
 use crate::error::CliError;
-use crate::output::{print, print_json, print_remarks, table};
+use crate::messages::print_remarks;
+use crate::output::{print, print_json, table};
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
@@ -40,7 +41,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         _ => track.resonances(),
     };
     if arguments.json {
-        print_json(&curves.document(&resonances));
+        print_json(&curves.document(&resonances))?;
         print_remarks(&case.remarks);
         if arguments.output.is_none() {
             return Ok(());
@@ -57,7 +58,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let folder = arguments
         .case
         .folder(arguments.output.as_deref(), "receptance");
-    let mut staging = Staging::new(&folder)?;
+    let mut staging = Staging::new("receptance", &folder)?;
     staging.write_figure("receptance", &curves.figure(&case, &resonances))?;
     staging.write_with("receptance.csv", |file| curves.table(file))?;
     staging.write_with("resonances.csv", |file| resonance_table(&resonances, file))?;
@@ -69,7 +70,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let files = staging.publish()?;
     if !arguments.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(readable(&case, &track, &resonances, decay.as_deref()) + &place));
+        print(&(readable(&case, &track, &resonances, decay.as_deref()) + &place))?;
         print_remarks(&case.remarks);
     }
     Ok(())

@@ -6,6 +6,7 @@ use riffel_web::{Options, ServeError, serve};
 
 use crate::arguments::Serve;
 use crate::error::CliError;
+use crate::messages::{complain, say};
 use crate::output::print;
 
 pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()> {
@@ -16,14 +17,17 @@ pub(crate) fn run(arguments: &Serve, program: &[OsString]) -> miette::Result<()>
         program: program.to_vec(),
     };
     if !options.address.is_loopback() {
-        eprintln!(
+        complain(format_args!(
             "warning: other machines can reach this page at {} and let this one compute; there is no password",
             options.address
-        );
+        ));
     }
     let outcome = serve(options, |url| {
-        print(&format!("{url}\n"));
-        eprintln!("the page is served until Ctrl-C");
+        // Whoever cannot be told the address on standard output is told it here.
+        if let Err(error) = print(&format!("{url}\n")) {
+            complain(format_args!("{error}; the page is at {url}"));
+        }
+        say("the page is served until Ctrl-C");
     });
     outcome.map_err(|error| match error {
         ServeError::Listen { .. } => CliError::Listen { error },

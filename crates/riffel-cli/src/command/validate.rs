@@ -27,6 +27,6 @@ pub(crate) fn run() -> miette::Result<u8> {
     print(&format!(
         "{table}\n{} of {total} checks hold\n",
         total - failed
-    ));
+    ))?;
     Ok(u8::from(failed > 0))
 }

@@ -86,11 +86,12 @@ impl Sandbox {
         serde_json::from_slice(&output.stdout).unwrap()
     }
 
-    /// Names of all that lies in a folder of the sandbox, sorted.
+    /// Names of all that lies in a folder of the sandbox, sorted, but for the list of what Riffel wrote.
     pub(crate) fn list(&self, name: &str) -> Vec<String> {
         let mut names: Vec<String> = fs::read_dir(self.path(name))
             .unwrap()
             .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter(|name| name != "riffel-manifest.json")
             .collect();
         names.sort();
         names

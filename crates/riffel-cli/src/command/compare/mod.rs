@@ -14,7 +14,8 @@ use super::forecast::{ground_rail, level_limit, number, outside, per_million, re
 use super::roughness::survey;
 use crate::arguments::{Compare, positive};
 use crate::error::CliError;
-use crate::output::{Progress, json, print, print_remarks, table};
+use crate::messages::print_remarks;
+use crate::output::{Progress, json, print, table};
 use crate::staging::Staging;
 
 /// Everything that is reported.
@@ -37,13 +38,13 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     let report = Report::new(arguments, survey)?;
     let document = json(&document::document(&report));
     if arguments.json {
-        print(&document);
+        print(&document)?;
     }
     if !arguments.json || arguments.output.is_some() {
         let folder = arguments
             .case
             .folder(arguments.output.as_deref(), "compare");
-        let mut staging = Staging::new(&folder)?;
+        let mut staging = Staging::new("compare", &folder)?;
         staging.write_figure("compare", &report.figure())?;
         staging.write_with("bands.csv", |file| document::band_table(&report, file))?;
         staging.write_with("growth.csv", |file| document::line_table(&report, file))?;
@@ -55,7 +56,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
                 "{text}{}: {}\n",
                 folder.display(),
                 files.join(" ")
-            ));
+            ))?;
         }
     }
     print_remarks(&report.effects());

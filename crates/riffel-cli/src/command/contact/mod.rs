@@ -12,7 +12,8 @@ use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
-use crate::output::{Progress, print, print_json, print_remarks, table};
+use crate::messages::print_remarks;
+use crate::output::{Progress, print, print_json, table};
 use crate::staging::Staging;
 use document::document;
 use patch_figure::{patch_figure, patch_table};
@@ -31,7 +32,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     drop(progress);
 
     if arguments.json {
-        print_json(&document(&patch, &curves, &response));
+        print_json(&document(&patch, &curves, &response))?;
         print_remarks(&case.remarks);
         if arguments.output.is_none() {
             return Ok(());
@@ -41,7 +42,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let folder = arguments
         .case
         .folder(arguments.output.as_deref(), "contact");
-    let mut staging = Staging::new(&folder)?;
+    let mut staging = Staging::new("contact", &folder)?;
     staging.write_figure("contact", &figure(&case, &patch, &curves, &response))?;
     staging.write_figure("patch", &patch_figure(&case, &patch))?;
     staging.write_with("creep-curve.csv", |file| creep_curves::table(&curves, file))?;
@@ -52,7 +53,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let files = staging.publish()?;
     if !arguments.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(readable(&case, &patch, &curves) + &place));
+        print(&(readable(&case, &patch, &curves) + &place))?;
         print_remarks(&case.remarks);
     }
     Ok(())

@@ -10,7 +10,8 @@ use riffel_case::diagnosis::{Diagnosis, DiagnosisDocument};
 
 use super::roughness::read;
 use crate::arguments::Diagnose;
-use crate::output::{json, print, print_remarks};
+use crate::messages::print_remarks;
+use crate::output::{json, print};
 use crate::staging::Staging;
 
 pub(crate) use request::diagnosis;
@@ -23,7 +24,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let file = arguments.roughness.display().to_string();
     let document = json(&DiagnosisDocument::new(&file, &diagnosis));
     if arguments.json {
-        print(&document);
+        print(&document)?;
         print_remarks(&diagnosis.warnings);
         if arguments.output.is_none() {
             return Ok(());
@@ -32,14 +33,14 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let folder = arguments
         .case
         .folder(arguments.output.as_deref(), "diagnosis");
-    let mut staging = Staging::new(&folder)?;
+    let mut staging = Staging::new("diagnose", &folder)?;
     staging.write_figure("diagnosis", &figure::of(&file, &diagnosis))?;
     staging.write_with("candidates.csv", |file| candidates(&diagnosis, file))?;
     staging.write("diagnosis.json", document)?;
     let files = staging.publish()?;
     if !arguments.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(words::readable(&diagnosis, &file, &case) + &place));
+        print(&(words::readable(&diagnosis, &file, &case) + &place))?;
         print_remarks(&diagnosis.warnings);
     }
     Ok(())

@@ -17,7 +17,8 @@ use riffel_case::{Case, Variant};
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
-use crate::output::{Progress, json, print, print_remarks, table};
+use crate::messages::print_remarks;
+use crate::output::{Progress, json, print, table};
 use crate::staging::Staging;
 use dated::Dated;
 use wear::wear_report;
@@ -65,7 +66,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let report = Report::new(arguments, survey)?;
     let document = json(&document::document(&report, arguments));
     if arguments.json {
-        print(&document);
+        print(&document)?;
     }
     if !arguments.json || arguments.output.is_some() {
         let folder = arguments
@@ -78,7 +79,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
                 "{text}{}: {}\n",
                 folder.display(),
                 files.join(" ")
-            ));
+            ))?;
         }
     }
     print_remarks(report.warnings());
@@ -195,7 +196,7 @@ impl Report {
     }
 
     fn write(&self, folder: &std::path::Path, document: &str) -> miette::Result<Vec<String>> {
-        let mut staging = Staging::new(folder)?;
+        let mut staging = Staging::new("forecast", folder)?;
         staging.write_figure("forecast", &self.figure())?;
         staging.write_with("bands.csv", |file| document::band_table(self, file))?;
         staging.write_with("growth.csv", |file| document::line_table(self, file))?;

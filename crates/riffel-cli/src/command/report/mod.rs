@@ -1,6 +1,6 @@
 //! `riffel report`
 
-mod fingerprint;
+mod inputs;
 mod mechanism;
 mod outlook;
 mod page;
@@ -18,8 +18,8 @@ use crate::command::roughness::spectra::Means;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
 use crate::output::print;
-use crate::staging::write_file;
-use fingerprint::Inputs;
+use crate::staging::{Existing, write_file};
+use inputs::Inputs;
 use outlook::{Now, Outlook};
 use page::{Head, Section, escape};
 
@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let case = arguments
         .case
         .as_deref()
-        .map(|path| Case::read(path, &arguments.overrides))
+        .map(|path| CaseArguments::of(path, &arguments.overrides).read())
         .transpose()?;
     let limits = limits(&arguments.limit)?;
     let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
@@ -170,11 +170,15 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         remarks: site.remarks.as_deref(),
         brief,
     };
-    write_file(&arguments.output, &page::page(&head, &sections), true)?;
+    write_file(
+        &arguments.output,
+        &page::page(&head, &sections),
+        Existing::Replace,
+    )?;
     print(&format!(
         "wrote {}; open it in a browser, print it to A4 from there\n",
         arguments.output.display()
-    ));
+    ))?;
     Ok(())
 }
 

@@ -12,7 +12,7 @@ use std::sync::Mutex;
 
 use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 
-use crate::arguments::{Layout, Roughness, positive};
+use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
 use crate::output::Progress;
 
@@ -120,10 +120,7 @@ pub(crate) fn with_progress<T>(
 /// The folder given for results, or one named after the file.
 fn folder(path: &Path, given: Option<&Path>) -> PathBuf {
     given.map_or_else(
-        || {
-            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-            PathBuf::from(format!("{stem}-roughness"))
-        },
+        || PathBuf::from(format!("{}-roughness", stem(path))),
         Path::to_owned,
     )
 }

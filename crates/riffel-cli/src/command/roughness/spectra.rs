@@ -142,13 +142,13 @@ pub(super) fn run(
     };
     let document = json(&document);
     if arguments.json {
-        print(&document);
+        print(&document)?;
         if arguments.output.is_none() {
             return Ok(());
         }
     }
     let folder = folder(path, arguments.output.as_deref());
-    let mut staging = Staging::new(&folder)?;
+    let mut staging = Staging::new("roughness", &folder)?;
     staging.write_figure("roughness", &figure::of_spectra(path, &means, limits))?;
     staging.write_with("spectrum.csv", |file| mean_table(&means, file))?;
     staging.write("summary.json", document)?;
@@ -171,7 +171,7 @@ pub(super) fn run(
             "{text}{}: {}\n",
             folder.display(),
             files.join(" ")
-        ));
+        ))?;
     }
     Ok(())
 }

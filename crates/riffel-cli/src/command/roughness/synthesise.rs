@@ -8,7 +8,7 @@ use riffel_case::roughness::{DEFAULT_RECIPE, RecipeFile};
 
 use crate::arguments::Roughness;
 use crate::output::print;
-use crate::staging::write_file;
+use crate::staging::{Existing, write_file};
 
 pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Result<()> {
     let file = match recipe {
@@ -44,13 +44,13 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     let text = String::from_utf8(text).unwrap_or_default();
     match &arguments.output {
         Some(path) => {
-            write_file(path, &text, true)?;
+            write_file(path, &text, Existing::Replace)?;
             print(&format!(
                 "wrote {p}; next: riffel roughness {p}\n",
                 p = path.display()
-            ));
+            ))?;
         }
-        None => print(&text),
+        None => print(&text)?,
     }
     Ok(())
 }

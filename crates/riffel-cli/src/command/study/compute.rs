@@ -8,8 +8,9 @@ use serde::Serialize;
 
 use super::progress::SampleProgress;
 use super::statistics::{Statistics, table_of};
-use crate::arguments::Run;
-use crate::output::{print, print_json, print_remarks};
+use crate::arguments::{Run, stem};
+use crate::messages::{complain, print_remarks, say};
+use crate::output::{print, print_json};
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
 
 /// What `--json` prints.
@@ -32,19 +33,21 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     // The plan is given where there is no sub-command.
     let plan = arguments.plan.clone().unwrap_or_default();
     let study = Study::read(&plan)?;
-    let path = arguments.output.clone().unwrap_or_else(|| {
-        let stem = plan.file_stem().unwrap_or_default().to_string_lossy();
-        PathBuf::from(format!("{stem}-results"))
-    });
+    let path = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}-results", stem(&plan))));
     let shard = arguments.shard.unwrap_or(Shard::ALL);
     let stop = stop_on_interrupt();
-    eprintln!("{}", beginning(&study));
+    say(beginning(&study));
     let folder = ResultFolder::begin(&study, &path)?;
     let states = folder.states(shard)?;
     for (chunk, state) in &states {
         if let ChunkState::Damaged(file) = state {
             let file = file.display();
-            eprintln!("note: {file} is damaged; chunk {chunk} is computed anew");
+            say(format_args!(
+                "note: {file} is damaged; chunk {chunk} is computed anew"
+            ));
         }
     }
     let pending: Vec<u64> = states
@@ -54,7 +57,10 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
         .collect();
     let kept = states.len() - pending.len();
     if kept > 0 {
-        eprintln!("{kept} of {} chunks are finished and kept", states.len());
+        say(format_args!(
+            "{kept} of {} chunks are finished and kept",
+            states.len()
+        ));
     }
     let size = |chunk: &u64| {
         let samples = study.samples_of(*chunk);
@@ -81,12 +87,12 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let summary = folder.summary()?;
     let whole = summary.chunks_finished == summary.chunks;
     if stop.is_asked() && !pending.is_empty() && !whole {
-        eprintln!(
+        complain(format_args!(
             "stopped: {} of {} chunks are finished and kept in {}; the same command goes on from there",
             summary.chunks_finished,
             summary.chunks,
             path.display()
-        );
+        ));
         return Ok(INTERRUPTED);
     }
     if whole && shard == Shard::ALL {
@@ -110,7 +116,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
             seconds,
             outputs,
             remarks: &study.plan.remarks,
-        });
+        })?;
     } else {
         let title = study.plan.file.title.as_deref().unwrap_or("Study");
         let left = match summary.chunks - summary.chunks_finished {
@@ -125,14 +131,14 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
             table_of(&outputs),
             super::failures(&summary),
             path.display(),
-        ));
+        ))?;
     }
     if samples > 0 {
-        eprintln!(
+        say(format_args!(
             "{samples} samples in {}, {:.0} a second",
             super::progress::duration(seconds),
             samples as f64 / seconds
-        );
+        ));
     }
     print_remarks(&study.plan.remarks);
     Ok(0)

@@ -5,6 +5,7 @@ use std::path::Path;
 use riffel_study::ResultFolder;
 
 use crate::arguments::Merge;
+use crate::messages::complain;
 use crate::output::{print, print_json};
 
 /// Most missing chunks that are named.
@@ -15,7 +16,7 @@ pub(super) fn run(arguments: &Merge) -> miette::Result<u8> {
     let report = ResultFolder::merge(&arguments.into, &from)?;
     let whole = report.missing.is_empty();
     if arguments.json {
-        print_json(&report);
+        print_json(&report)?;
     } else {
         let into = arguments.into.display();
         let already = match report.there_already {
@@ -28,7 +29,7 @@ pub(super) fn run(arguments: &Merge) -> miette::Result<u8> {
             report.summary.chunks,
             report.copied,
             super::failures(&report.summary)
-        ));
+        ))?;
     }
     if !whole {
         let named: Vec<String> = report
@@ -42,12 +43,12 @@ pub(super) fn run(arguments: &Merge) -> miette::Result<u8> {
         } else {
             ""
         };
-        eprintln!(
+        complain(format_args!(
             "note: {} chunks are missing: {}{more}; riffel study PLAN -o {} computes them",
             report.missing.len(),
             named.join(" "),
             arguments.into.display()
-        );
+        ));
     }
     Ok(u8::from(!whole))
 }

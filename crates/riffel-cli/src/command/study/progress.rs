@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::messages::{is_quiet, say};
+
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
 const LINE_EVERY: Duration = Duration::from_secs(60);
 
@@ -42,7 +44,8 @@ impl SampleProgress {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if self.terminal {
             self.bar.inc(1);
-            if self.bar.is_hidden() && self.begun.elapsed() > Duration::from_secs(1) {
+            if self.bar.is_hidden() && !is_quiet() && self.begun.elapsed() > Duration::from_secs(1)
+            {
                 self.bar.set_draw_target(ProgressDrawTarget::stderr());
             }
             return;
@@ -54,10 +57,10 @@ impl SampleProgress {
             *last = Instant::now();
             let rate = done as f64 / self.begun.elapsed().as_secs_f64();
             let left = duration((self.total - done) as f64 / rate);
-            eprintln!(
+            say(format_args!(
                 "{done} of {} samples, {rate:.1} a second, {left} left",
                 self.total
-            );
+            ));
         }
     }
 }

@@ -19,8 +19,9 @@ use super::verdict::Verdict;
 use super::{figure, folder, with_progress};
 use crate::arguments::{Roughness, Statistics};
 use crate::error::CliError;
-use crate::output::{json, print, print_remarks};
-use crate::staging::{Staging, write_file};
+use crate::messages::print_remarks;
+use crate::output::{json, print};
+use crate::staging::{Existing, Staging, write_file};
 
 /// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
 const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
@@ -46,18 +47,19 @@ pub(super) fn run(
 ) -> miette::Result<()> {
     let report = Report::new(path, record, limits, &arguments.statistics)?;
     if let Some(format) = &arguments.save_format {
-        write_file(format, &report.record.format.toml(), true)?;
+        let existing = Existing::Keep("remove the file first");
+        write_file(format, &report.record.format.toml(), existing)?;
     }
     let document = json(&report.document(path));
     if arguments.json {
-        print(&document);
+        print(&document)?;
         print_remarks(&report.warnings);
         if arguments.output.is_none() {
             return Ok(());
         }
     }
     let folder = folder(path, arguments.output.as_deref());
-    let mut staging = Staging::new(&folder)?;
+    let mut staging = Staging::new("roughness", &folder)?;
     staging.write_figure("roughness", &figure::of_profile(path, &report, limits))?;
     staging.write_with("spectrum.csv", |file| report.spectrum_table(file))?;
     staging.write_with("blocks.csv", |file| report.block_table(file))?;
@@ -66,7 +68,7 @@ pub(super) fn run(
     let files = staging.publish()?;
     if !arguments.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(report.readable(path) + &place));
+        print(&(report.readable(path) + &place))?;
         print_remarks(&report.warnings);
     }
     Ok(())

@@ -13,6 +13,7 @@ use self::document::Document;
 use super::statistics::figures;
 use crate::arguments::Sensitivity;
 use crate::error::CliError;
+use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
 use crate::staging::Staging;
 
@@ -97,16 +98,14 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
         .map(|to| write(to, &study, &analyses, &tornado, bands.as_ref(), &document))
         .transpose()?;
     if arguments.json {
-        print_json(&document);
+        print_json(&document)?;
     } else {
-        print(&readable(&study, &analyses, &tornado, confidence));
+        print(&readable(&study, &analyses, &tornado, confidence))?;
         if let (Some(to), Some(files)) = (to, files) {
-            print(&format!("{}: {}\n", to.display(), files.join(" ")));
+            print(&format!("{}: {}\n", to.display(), files.join(" ")))?;
         }
     }
-    for note in &notes {
-        eprintln!("note: {note}");
-    }
+    print_remarks(&notes);
     Ok(0)
 }
 
@@ -228,7 +227,7 @@ fn write(
     bands: Option<&Bands>,
     document: &Document<'_>,
 ) -> Result<Vec<String>, CliError> {
-    let mut staging = Staging::new(to)?;
+    let mut staging = Staging::new("study sensitivity", to)?;
     if analyses.iter().any(|analysis| analysis.indices.is_some()) {
         staging.write_picture("sobol-indices", &figure::indices(study, analyses).svg()?)?;
     }

@@ -1,0 +1,107 @@
+//! Where a file may be put: where there is none yet, or in place of a regular file that is no input of the run.
+
+use std::fs::{self, FileType, Metadata};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use crate::error::CliError;
+
+/// The files that this run reads.
+static INPUTS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn inputs() -> MutexGuard<'static, Vec<PathBuf>> {
+    INPUTS.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Begin a run that reads these files; those of an earlier run in the same process are forgotten.
+pub(crate) fn set_inputs(paths: Vec<PathBuf>) {
+    *inputs() = paths;
+}
+
+/// One more file that this run reads.
+pub(crate) fn add_input(path: PathBuf) {
+    inputs().push(path);
+}
+
+/// `Ok` if a file may be put at the path.
+pub(super) fn check(path: &Path) -> Result<(), CliError> {
+    let there = match fs::symlink_metadata(path) {
+        Ok(there) => there,
+        Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(reason) => {
+            return Err(CliError::Write {
+                path: path.to_owned(),
+                reason,
+            });
+        }
+    };
+    if !there.is_file() {
+        return Err(CliError::NotAFile {
+            path: path.to_owned(),
+            what: kind(there.file_type()),
+        });
+    }
+    let is_input = |input: &PathBuf| {
+        fs::metadata(input).is_ok_and(|known| is_same(path, &there, input, &known))
+    };
+    if inputs().iter().any(is_input) {
+        return Err(CliError::IsAnInput {
+            path: path.to_owned(),
+        });
+    }
+    Ok(())
+}
+
+/// `Ok` if the path is a folder, leads to one, or is free for one.
+pub(super) fn check_folder(path: &Path) -> Result<(), CliError> {
+    match fs::metadata(path) {
+        Ok(there) if !there.is_dir() => Err(CliError::NotAFolder {
+            path: path.to_owned(),
+            what: kind(there.file_type()),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// What something on a disk is, with its article.
+fn kind(file: FileType) -> &'static str {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if file.is_block_device() || file.is_char_device() {
+            return "a device";
+        }
+        if file.is_fifo() {
+            return "a pipe";
+        }
+        if file.is_socket() {
+            return "a socket";
+        }
+    }
+    if file.is_dir() {
+        "a folder"
+    } else if file.is_symlink() {
+        "a link"
+    } else if file.is_file() {
+        "a file"
+    } else {
+        "no regular file"
+    }
+}
+
+/// True if two paths are the same file, also under two names.
+#[cfg(unix)]
+fn is_same(_: &Path, one: &Metadata, _: &Path, other: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+/// True if two paths are the same file, links followed.
+#[cfg(not(unix))]
+fn is_same(one: &Path, _: &Metadata, other: &Path, _: &Metadata) -> bool {
+    match (fs::canonicalize(one), fs::canonicalize(other)) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => false,
+    }
+}
