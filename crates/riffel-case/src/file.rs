@@ -258,18 +258,20 @@ pub struct Measurement {
     /// The file: a table (CSV), or a universal file with dataset 58 if its name ends in .uff, .unv
     /// or .u58. Relative to the case file.
     pub file: String,
-    /// What was measured; a universal file says so itself.
-    #[serde(default)]
-    pub quantity: Response,
-    /// Unit of the values in a table; left out, m/N, m/(s N) or m/(s² N).
+    /// What was measured; left out, what the unit of a table tells, else a receptance. A universal
+    /// file says so itself.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<Response>,
+    /// Unit of the values in a table, such as "mm/s/kN", "g/N" or, of a modulus, "dB re 1 m/N"; left
+    /// out, the one in its header, else m/N, m/(s N) or m/(s² N).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
-    /// Column of the frequency.
-    #[serde(default = "Measurement::frequency_column")]
-    pub frequency: String,
-    /// Unit of the frequency.
-    #[serde(default = "Measurement::hertz")]
-    pub frequency_unit: String,
+    /// Column of the frequency; left out, like those of the values, the one that the header tells.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frequency: Option<String>,
+    /// Unit of the frequency; left out, the one in the header, else Hz.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frequency_unit: Option<String>,
     /// Column of the real part; with `imaginary`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub real: Option<String>,
@@ -282,24 +284,50 @@ pub struct Measurement {
     /// Column of the phase.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phase: Option<String>,
-    /// Unit of the phase.
-    #[serde(default)]
-    pub phase_unit: AngleUnit,
+    /// Unit of the phase; left out, the one in the header, else degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phase_unit: Option<AngleUnit>,
+    /// Column of the coherence γ². Where it is below 0.8 the lines around are averaged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coherence: Option<String>,
     /// Number of the function in a universal file with several, from one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub function: Option<u32>,
+    /// Vertical axis of a universal file: its function must respond along it to a force along it.
+    #[serde(default, skip_serializing_if = "VerticalAxis::is_z")]
+    pub vertical_axis: VerticalAxis,
     /// True for values that follow exp(−iωt): their imaginary parts change sign.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub conjugate: bool,
 }
 
-impl Measurement {
-    fn frequency_column() -> String {
-        "frequency_hz".to_owned()
+/// An axis of a tested structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VerticalAxis {
+    /// x.
+    X,
+    /// y.
+    Y,
+    /// z.
+    #[default]
+    Z,
+}
+
+impl VerticalAxis {
+    /// Its letter.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
     }
 
-    fn hertz() -> String {
-        "Hz".to_owned()
+    // Asked by serde, which has a reference.
+    #[allow(clippy::trivially_copy_pass_by_ref)]
+    fn is_z(&self) -> bool {
+        *self == Self::Z
     }
 }
 

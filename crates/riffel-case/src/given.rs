@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use riffel::{Complex64, MeasuredReceptance, Receptance};
 
+use crate::file::VerticalAxis;
 use crate::track::Origin;
 use crate::{CaseError, Remark, measurement};
 
@@ -83,6 +84,8 @@ pub struct UniversalFunction {
     pub response_direction: i32,
     /// Direction of the excitation.
     pub reference_direction: i32,
+    /// The axis that is vertical.
+    pub vertical_axis: VerticalAxis,
     /// What the abscissa is: 18 for frequency.
     pub abscissa_kind: i32,
     /// What the numerator is, and its unit; SI where there is none.

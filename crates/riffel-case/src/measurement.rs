@@ -1,5 +1,8 @@
 //! A measured receptance, read from a file that the case names.
 
+mod columns;
+mod response_unit;
+mod smoothing;
 mod table;
 mod universal;
 mod universal_file;
@@ -10,11 +13,15 @@ use riffel::{Complex64, MeasuredReceptance, Receptance};
 
 use crate::file::{Measurement, Response};
 use crate::unit::Exponents;
-use crate::{Language, Remark, UniversalFunction};
+use crate::{Language, Remark, UniversalFunction, text_file};
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.
 const WIDEST_STEP: f64 = 2.0;
+
+/// Receptances that a rail may have \[m/N\]: those of tracks under `presets/` are 1e-11 to 3e-8 from 20 Hz to 5 kHz. The
+/// median of a table lies between these, or its unit is another one.
+const OF_A_RAIL: (f64, f64) = (1e-14, 1e-4);
 
 /// What is wrong with a measurement.
 #[derive(Debug)]
@@ -44,6 +51,8 @@ struct FrequencyResponse {
     /// \[Hz\].
     frequencies: Vec<f64>,
     values: Vec<Complex64>,
+    /// Coherence γ² of each value, if the file has it.
+    coherence: Option<Vec<f64>>,
     /// Where each value stands, as "line 12".
     places: Vec<String>,
 }
@@ -57,45 +66,26 @@ pub(crate) struct Measured {
 /// Read the measurement; file names are relative to `folder`.
 pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
     let path = folder.join(&measurement.file);
-    let bytes = std::fs::read(&path).map_err(|reason| {
-        MeasurementError::file(format!("cannot read {}: {reason}", path.display()))
-    })?;
+    let bytes = text_file::read_bounded(&path, "measurement", text_file::LARGEST_RESPONSES)
+        .map_err(|error| MeasurementError::file(error.to_string()))?;
     let remedy = Remedy::SetKey;
     if is_universal_file(&path) {
-        let response = universal::read(&bytes, measurement)?;
-        transformed(response, measurement.conjugate, remedy)
-    } else {
-        let response = table::read(&bytes, measurement)?;
-        response.measured(measurement.conjugate, remedy)
+        let universal::Chosen { response, remarks } = universal::read(&bytes, measurement)?;
+        let mut measured = response.measured(measurement.conjugate, remedy)?;
+        measured.remarks.splice(0..0, remarks);
+        return Ok(measured);
     }
+    let text = text_file::decode(bytes).map_err(|byte| MeasurementError::file(byte.to_string()))?;
+    let table::Table { response, remarks } = table::read(&text, measurement)?;
+    let mut measured = response.measured(measurement.conjugate, remedy)?;
+    measured.remarks.splice(0..0, remarks);
+    measured.check_size()?;
+    Ok(measured)
 }
 
 /// A function that was read elsewhere.
 pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
-    transformed(universal::of_function(function)?, false, Remedy::Conjugate)
-}
-
-/// A response of a Fourier transform, whose even abscissa begins at zero; no receptance does.
-fn transformed(
-    mut response: FrequencyResponse,
-    conjugate: bool,
-    remedy: Remedy,
-) -> Result<Measured, MeasurementError> {
-    let from_zero = response.frequencies.first() == Some(&0.0);
-    if from_zero {
-        response.frequencies.remove(0);
-        response.values.remove(0);
-        response.places.remove(0);
-    }
-    let mut measured = response.measured(conjugate, remedy)?;
-    if from_zero {
-        let remark = Remark::new(
-            "the measured value at 0 Hz is left out",
-            "der gemessene Wert bei 0 Hz bleibt weg",
-        );
-        measured.remarks.insert(0, remark);
-    }
-    Ok(measured)
+    universal::of_function(function)?.measured(false, Remedy::Conjugate)
 }
 
 fn is_universal_file(path: &Path) -> bool {
@@ -108,13 +98,39 @@ fn is_universal_file(path: &Path) -> bool {
 
 impl FrequencyResponse {
     /// Checked, as a receptance; `remedy` as for [`activity`].
-    fn measured(self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
+    fn measured(mut self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
+        let mut remarks = Vec::new();
+        remarks.extend(self.leave_out_zero());
         self.check()?;
-        let receptance = self.receptance(conjugate)?;
+        let (angular, mut receptances) = self.receptances(conjugate);
+        if let Some(coherence) = &self.coherence {
+            remarks.extend(smoothing::smooth(&angular, &mut receptances, coherence));
+        }
+        let receptance = MeasuredReceptance::new(&angular, receptances)
+            .map_err(|error| MeasurementError::file(error.to_string()))?;
+        remarks.extend(activity(&receptance, remedy));
         Ok(Measured {
-            remarks: activity(&receptance, remedy).into_iter().collect(),
             receptance,
+            remarks,
         })
+    }
+
+    /// A Fourier transform begins at 0 Hz, where mobility and accelerance are zero whatever the receptance is, and
+    /// which has no place on a logarithmic axis.
+    fn leave_out_zero(&mut self) -> Option<Remark> {
+        if self.frequencies.first() != Some(&0.0) {
+            return None;
+        }
+        self.frequencies.remove(0);
+        self.values.remove(0);
+        self.places.remove(0);
+        if let Some(coherence) = &mut self.coherence {
+            coherence.remove(0);
+        }
+        Some(Remark::new(
+            "the measured value at 0 Hz is left out",
+            "der gemessene Wert bei 0 Hz bleibt weg",
+        ))
     }
 
     /// Frequencies positive, rising and without gaps, values finite.
@@ -152,7 +168,8 @@ impl FrequencyResponse {
         Ok(())
     }
 
-    fn receptance(&self, conjugate: bool) -> Result<MeasuredReceptance, MeasurementError> {
+    /// Angular frequencies \[rad/s\] and receptances \[m/N\].
+    fn receptances(&self, conjugate: bool) -> (Vec<f64>, Vec<Complex64>) {
         let angular: Vec<f64> = self
             .frequencies
             .iter()
@@ -171,8 +188,23 @@ impl FrequencyResponse {
                 value / Complex64::new(0.0, w).powi(power)
             })
             .collect();
-        MeasuredReceptance::new(&angular, receptances)
-            .map_err(|error| MeasurementError::file(error.to_string()))
+        (angular, receptances)
+    }
+}
+
+impl Measured {
+    /// `Ok` where the median of the modulus is one that a rail may have.
+    fn check_size(&self) -> Result<(), MeasurementError> {
+        let mut moduli: Vec<f64> = self.receptance.lines().map(|(_, h)| h.norm()).collect();
+        let middle = moduli.len() / 2;
+        let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
+        if (OF_A_RAIL.0..=OF_A_RAIL.1).contains(&median) {
+            return Ok(());
+        }
+        Err(MeasurementError::file(format!(
+            "half of its receptances are above {median:.1e} m/N, but those of rails are some 1e-11 to 1e-7 m/N: check \
+             track.measurement.quantity and unit (a modulus in decibels has unit = \"dB re 1 m/N\")"
+        )))
     }
 }
 
@@ -229,6 +261,15 @@ impl Response {
             Self::Receptance => Exponents::new(-1, 0, 2),
             Self::Mobility => Exponents::new(-1, 0, 1),
             Self::Accelerance => Exponents::new(-1, 0, 0),
+        }
+    }
+
+    /// Unit in SI.
+    fn si_unit(self) -> &'static str {
+        match self {
+            Self::Receptance => "m/N",
+            Self::Mobility => "m/s/N",
+            Self::Accelerance => "m/s2/N",
         }
     }
 

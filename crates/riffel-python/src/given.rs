@@ -5,10 +5,11 @@ use std::sync::{Arc, Mutex};
 
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
 use riffel::{Frequencies, MeasuredReceptance, Receptance, SplitComplex};
+use riffel_case::file::VerticalAxis;
 use riffel_case::{GivenReceptance, UniversalFunction};
 
 use crate::array::owned;
@@ -155,18 +156,30 @@ impl Universal {
         function_type: i32,
         load_case: i32,
         directions: (i32, i32),
+        vertical_axis: &str,
         abscissa_kind: i32,
         numerator: (i32, String),
         denominator: (i32, String),
         frequencies: PyReadonlyArray1<'_, f64>,
         values: PyReadonlyArray1<'_, Complex64>,
     ) -> PyResult<Self> {
+        let vertical_axis = match vertical_axis {
+            "x" => VerticalAxis::X,
+            "y" => VerticalAxis::Y,
+            "z" => VerticalAxis::Z,
+            other => {
+                let sentence =
+                    format!("vertical_axis is \"{other}\", but must be \"x\", \"y\" or \"z\"");
+                return Err(PyValueError::new_err(sentence));
+            }
+        };
         let function = UniversalFunction {
             title,
             function_type,
             load_case,
             response_direction: directions.0,
             reference_direction: directions.1,
+            vertical_axis,
             abscissa_kind,
             numerator,
             denominator,
@@ -190,6 +203,7 @@ impl Universal {
             function.function_type,
             function.load_case,
             (function.response_direction, function.reference_direction),
+            function.vertical_axis.name(),
             function.abscissa_kind,
             function.numerator,
             function.denominator,

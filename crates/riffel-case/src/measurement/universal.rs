@@ -1,10 +1,11 @@
 //! A frequency response in a universal file.
 
+use super::response_unit::STANDARD_GRAVITY;
 use super::universal_file::{self, Axis, Freedom, Function, Units};
 use super::{FrequencyResponse, MeasurementError};
-use crate::UniversalFunction;
-use crate::file::{Measurement, Response};
+use crate::file::{Measurement, Response, VerticalAxis};
 use crate::unit::{Exponents, Unit};
+use crate::{Remark, UniversalFunction};
 
 /// Kinds of the format, dataset 58.
 const FREQUENCY_RESPONSE: i32 = 4;
@@ -15,11 +16,15 @@ const ACCELERATION: i32 = 12;
 const REACTION_FORCE: i32 = 9;
 const EXCITATION_FORCE: i32 = 13;
 
-/// The function that the case asks for, or the only frequency response of the file.
-pub(super) fn read(
-    bytes: &[u8],
-    measurement: &Measurement,
-) -> Result<FrequencyResponse, MeasurementError> {
+/// The response of a file, and what its reader should know.
+pub(super) struct Chosen {
+    pub(super) response: FrequencyResponse,
+    pub(super) remarks: Vec<Remark>,
+}
+
+/// The function that the case asks for, or the only vertical frequency response of the file.
+pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, MeasurementError> {
+    let axis = measurement.vertical_axis;
     let file =
         universal_file::read(bytes).map_err(|error| MeasurementError::file(error.to_string()))?;
     let function = match measurement.function {
@@ -35,15 +40,62 @@ pub(super) fn read(
                     ),
                 )
             })?,
-        None => only(&file.functions)?,
+        None => only(&file.functions, axis)?,
     };
-    response(function, file.units)
+    Ok(Chosen {
+        response: response(function, file.units, axis)?,
+        remarks: between_nodes(function).into_iter().collect(),
+    })
 }
 
-fn only(functions: &[Function]) -> Result<&Function, MeasurementError> {
-    let mut candidates = functions
-        .iter()
-        .filter(|function| function.function_type == FREQUENCY_RESPONSE);
+/// A point receptance has response and force at one node; on a rail head they stand side by side.
+fn between_nodes(function: &Function) -> Option<Remark> {
+    let (response, reference) = (function.response.node, function.reference.node);
+    (response != reference).then(|| {
+        Remark::new(
+            format!(
+                "the measured response is at node {response} and its force at node {reference}: it is taken as the \
+                 receptance at the contact"
+            ),
+            format!(
+                "gemessen ist die Antwort am Knoten {response} auf eine Kraft am Knoten {reference}: sie gilt als \
+                 Rezeptanz am Kontakt"
+            ),
+        )
+    })
+}
+
+/// Whether a function responds along an axis to a force along it.
+fn is_along(function: &Function, axis: VerticalAxis) -> bool {
+    let code = match axis {
+        VerticalAxis::X => 1,
+        VerticalAxis::Y => 2,
+        VerticalAxis::Z => 3,
+    };
+    [&function.response, &function.reference]
+        .into_iter()
+        .all(|freedom| freedom.direction.abs() == code)
+}
+
+/// A direction by its code.
+fn direction(code: i32) -> &'static str {
+    match code.abs() {
+        1 => "x",
+        2 => "y",
+        _ => "z",
+    }
+}
+
+fn only(functions: &[Function], axis: VerticalAxis) -> Result<&Function, MeasurementError> {
+    let is_response = |function: &&Function| function.function_type == FREQUENCY_RESPONSE;
+    let vertical = || {
+        let responses = functions.iter().filter(is_response);
+        responses.filter(|function| is_along(function, axis))
+    };
+    if let (Some(function), None) = (vertical().next(), vertical().nth(1)) {
+        return Ok(function);
+    }
+    let mut candidates = functions.iter().filter(is_response);
     match (candidates.next(), candidates.count()) {
         (Some(function), 0) => Ok(function),
         (None, _) => Err(MeasurementError::file(
@@ -60,6 +112,7 @@ fn only(functions: &[Function]) -> Result<&Function, MeasurementError> {
 pub(super) fn of_function(
     function: &UniversalFunction,
 ) -> Result<FrequencyResponse, MeasurementError> {
+    let vertical = function.vertical_axis;
     let axis = |kind: i32, unit: &str| Axis {
         kind,
         length: 0,
@@ -87,12 +140,13 @@ pub(super) fn of_function(
         abscissa: function.frequencies.clone(),
         ordinate: function.values.clone(),
     };
-    response(&function, None)
+    response(&function, None, vertical)
 }
 
 fn response(
     function: &Function,
     units: Option<Units>,
+    vertical: VerticalAxis,
 ) -> Result<FrequencyResponse, MeasurementError> {
     // What was not read here has no line.
     let place = |value: String| match function.line {
@@ -125,6 +179,15 @@ fn response(
     if !translation(function.response.direction) || !translation(function.reference.direction) {
         return wrong("is not along x, y or z");
     }
+    if !is_along(function, vertical) {
+        return wrong(&format!(
+            "responds along {} to a force along {}, but a vertical receptance has both along the vertical axis, here {}: \
+             choose another function, or the axis by track.measurement.vertical_axis",
+            direction(function.response.direction),
+            direction(function.reference.direction),
+            vertical.name()
+        ));
+    }
     let (length, force) = units.map_or((1.0, 1.0), |units| (units.length, units.force));
     let motion = match quantity {
         Response::Receptance => Exponents::new(0, 1, 0),
@@ -149,6 +212,7 @@ fn response(
             .iter()
             .map(|value| value * factor)
             .collect(),
+        coherence: None,
         places: (1..=function.ordinate.len())
             .map(|number| place(format!("value {number}")))
             .collect(),
@@ -160,6 +224,10 @@ fn size(axis: &Axis, exponents: Exponents, per_si: f64) -> Option<f64> {
     let label = axis.unit.trim();
     if label.is_empty() || label.eq_ignore_ascii_case("none") {
         return Some(per_si.recip());
+    }
+    // Of an acceleration, "g" is no gram.
+    if label == "g" && exponents == Exponents::new(0, 1, -2) {
+        return Some(STANDARD_GRAVITY);
     }
     let unit = Unit::parse(label).ok()?;
     (unit.exponents == exponents).then_some(unit.factor)

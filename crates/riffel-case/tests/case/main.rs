@@ -4,6 +4,7 @@ mod branches;
 mod case_file;
 mod contact;
 mod measured_resonances;
+mod measured_tables;
 mod measurement;
 mod remarks;
 mod track;

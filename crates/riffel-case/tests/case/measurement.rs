@@ -187,10 +187,48 @@ fn is_not_extrapolated() {
     "line 3: the frequency falls from 2 Hz to 1 Hz"
 )]
 #[case(
-    "frequency_hz,re,im\n0,1,-1\n1,1,-1\n",
+    "frequency_hz,re,im\n1,1,-1\n0,1,-1\n",
     CARTESIAN,
-    "line 2: the frequency is 0 Hz, but must be greater than zero"
+    "line 3: the frequency is 0 Hz, but must be greater than zero"
 )]
+#[case(
+    "frequency_hz,mod,phase\n100,1e-9,-10\n110,-1e-9,-20\n",
+    "",
+    "line 3: column `mod` is -0.000000001, but a modulus is not negative (for a column in decibels write \
+     track.measurement.unit = \"dB re 1 m/N\")"
+)]
+#[case(
+    "frequency_hz,mod [dB],phase\n100,-170,-10\n110,-171,-20\n",
+    "",
+    "`track.measurement.unit` is left out, but column `mod [dB]` is in decibels: write the \
+     reference, as unit = \"dB re 1 m/N\""
+)]
+#[case(
+    "frequency_hz,mod,phase\n100,60,-10\n110,61,-20\n",
+    "",
+    "those of rails are some 1e-11 to 1e-7 m/N: check track.measurement.quantity and unit"
+)]
+#[case(
+    "frequency_hz,mod,phase\n100,1e-9,-0.1\n110,1e-9,-0.2\n",
+    "",
+    "`track.measurement.phase_unit` is left out, and column `phase` stays within ±0.20"
+)]
+#[case(
+    "frequency_hz,re,im,coherence\n100,1e-9,-1e-9,0.9\n110,1e-9,-1e-9,1.2\n",
+    "",
+    "line 3: column `coherence` is 1.2, but a coherence lies between 0 and 1"
+)]
+#[case(
+    "frequency_hz;re;im\n1.000,5;1e-9;-1e-9\n1.001,5;1e-9;-1e-9\n",
+    "",
+    "line 2: column `frequency_hz` is \"1.000,5\", not a number"
+)]
+#[case(
+    "frequency_hz,rail re,wheel re,im\n100,1,1,-1\n",
+    "",
+    "`track.measurement.real` is left out, and more than one column could be it: `rail re`, `wheel re`"
+)]
+#[case("100,1e-9,-1e-9\n110,1e-9,-1e-9\n", "", "has no header")]
 #[case(
     "frequency_hz,re,im\n-1,1,-1\n1,1,-1\n",
     CARTESIAN,
@@ -207,13 +245,13 @@ fn is_not_extrapolated() {
     "needs two frequencies or more"
 )]
 #[case("frequency_hz,re,im\n", CARTESIAN, "needs two frequencies or more")]
-#[case("frequency_hz,re,im\n100,1\n", CARTESIAN, "found record with 2 fields")]
+#[case("frequency_hz,re,im\n100,1\n", CARTESIAN, "column `im` is empty")]
+#[case("", CARTESIAN, "`track.measurement.frequency` is left out")]
 #[case(
-    "",
-    CARTESIAN,
-    "`track.measurement.frequency` is \"frequency_hz\", but the file has no such column"
+    "f,re,im\n1,1,-1\n",
+    "frequency = \"frequency_hz\"\nreal = \"re\"\nimaginary = \"im\"",
+    "`track.measurement.frequency` is \"frequency_hz\", but the file has no such column; it has f, re, im"
 )]
-#[case("f,re,im\n1,1,-1\n", CARTESIAN, "it has f, re, im")]
 #[case(
     "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
     "real = \"re\"",
@@ -222,7 +260,7 @@ fn is_not_extrapolated() {
 #[case(
     "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
     "real = \"re\"\nimaginary = \"im\"\nunit = \"m/s\"",
-    "`track.measurement.unit` is \"m/s\", which is no unit of a receptance in m/N"
+    "`track.measurement.unit` is \"m/s\", which is no unit of a receptance in m/N, a mobility"
 )]
 #[case(
     "frequency_hz,re,im\n1,1,-1\n2,1,-1\n",
@@ -273,7 +311,7 @@ fn a_missing_file_is_named() {
         .unwrap()
         .to_string();
     assert!(
-        error.contains("`track.measurement.file`: cannot read nowhere.csv"),
+        error.contains("`track.measurement.file`: cannot read the measurement nowhere.csv"),
         "{error}"
     );
 }

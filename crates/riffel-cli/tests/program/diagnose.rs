@@ -128,6 +128,45 @@ fn a_wheelset_mode_is_taken_as_given() {
     assert!(share(finding, "pinned-pinned, lateral") < 0.02);
 }
 
+/// Corrugation at the peak of a hammer test is led by that peak, and not by a grinding mark.
+#[test]
+fn a_measured_peak_is_a_candidate() {
+    let sandbox = Sandbox::new();
+    sandbox.riffel(
+        "receptance cases/discrete-supports.toml --from 30 --to 4000 --points 2000 -o hammer",
+    );
+    let measured = "--set track.model=measured --set track.measurement='{file=\"../hammer/receptance.csv\", \
+                    real=\"rail_m_per_n_re\", imaginary=\"rail_m_per_n_im\"}'";
+    let listed = sandbox.json(&format!(
+        "receptance cases/discrete-supports.toml {measured} --json"
+    ));
+    let peak = listed["resonances"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|found| (number(&found["frequency_hz"]) / 492.0 - 1.0).abs() < 0.01)
+        .unwrap();
+    assert_eq!(peak["resonance"], "peak of the measured receptance");
+    assert!(number(&peak["damping_ratio"]) > 0.01 && number(&peak["resolution_hz"]) > 0.1);
+    // 498 Hz at 100 km/h is 55.8 mm.
+    record(&sandbox, "rail.csv", 100.0 / 3.6 / 498.0, 8.0);
+    let document = sandbox.json(&format!(
+        "diagnose cases/discrete-supports.toml {measured} --roughness rail.csv --speed \"100 km/h\" --json"
+    ));
+    let finding = &document["dominant_wavelengths"][0];
+    let peaks = share(finding, "peak of the measured receptance");
+    assert!(peaks > 3.0 * share(finding, "grinding mark"), "{finding}");
+    let text = document.to_string();
+    assert!(
+        !text.contains("no support") && !text.contains("has none"),
+        "{text}"
+    );
+    let outcome = sandbox.riffel(&format!(
+        "receptance cases/discrete-supports.toml {measured} -o out"
+    ));
+    assert!(outcome.text.contains("damping %"), "{}", outcome.text);
+}
+
 #[test]
 fn noise_has_no_dominant_wavelength() {
     let sandbox = Sandbox::new();

@@ -60,7 +60,7 @@ def _table(frequency: Floats, receptance: Any, name: str) -> tuple[Floats, Compl
     return np.array(frequency), np.array(values, dtype=np.complex128, order="C")
 
 
-def receptance_from_uff(dataset: Mapping[str, Any]) -> _riffel.Universal:
+def receptance_from_uff(dataset: Mapping[str, Any], vertical_axis: str = "z") -> _riffel.Universal:
     """The receptance in a function of a universal file that `pyuff` has read.
 
     Parameters
@@ -69,6 +69,8 @@ def receptance_from_uff(dataset: Mapping[str, Any]) -> _riffel.Universal:
         A dataset 58 as ``pyuff.UFF(path).read_sets(n)`` returns it: a complex frequency response of displacement,
         velocity or acceleration per force, with time factor exp(+i omega t). Units are those of its labels, SI where
         it has none. A value at 0 Hz is left out.
+    vertical_axis : {"z", "x", "y"}
+        The axis that is vertical in the test: response and force must lie along it.
 
     Returns
     -------
@@ -78,7 +80,7 @@ def receptance_from_uff(dataset: Mapping[str, Any]) -> _riffel.Universal:
     Raises
     ------
     ValueError
-        If it is another dataset or function, has a unit that does not fit, or leaves out an octave or more.
+        If it is another dataset or function, is not vertical, has a unit that does not fit, or leaves out an octave or more.
 
     Examples
     --------
@@ -114,6 +116,7 @@ def receptance_from_uff(dataset: Mapping[str, Any]) -> _riffel.Universal:
         int(dataset["func_type"]),
         int(dataset.get("load_case_id", 0)),
         (int(dataset.get("rsp_dir", 0)), int(dataset.get("ref_dir", 0))),
+        vertical_axis,
         int(dataset.get("abscissa_spec_data_type", 0)),
         axis("ordinate"),
         axis("orddenom"),

@@ -39,6 +39,7 @@ class Universal:
         function_type: int,
         load_case: int,
         directions: tuple[int, int],
+        vertical_axis: str,
         abscissa_kind: int,
         numerator: tuple[int, str],
         denominator: tuple[int, str],

@@ -1,0 +1,277 @@
+//! Which column of a table holds what.
+
+use super::MeasurementError;
+use crate::file::Measurement;
+
+/// The columns that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Columns {
+    pub(super) frequency: usize,
+    pub(super) values: Parts,
+    pub(super) coherence: Option<usize>,
+}
+
+/// The two columns of a complex value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Parts {
+    Cartesian([usize; 2]),
+    Polar([usize; 2]),
+}
+
+/// What a column holds by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Role {
+    Frequency,
+    Real,
+    Imaginary,
+    Modulus,
+    Phase,
+    Coherence,
+}
+
+impl Role {
+    /// From a word of the name, in English or German; the first role that has one is taken, so that "phase of the frequency response" is
+    /// a phase.
+    const WORDS: [(Self, &'static [&'static str]); 6] = [
+        (
+            Self::Coherence,
+            &[
+                "coherence",
+                "coh",
+                "kohärenz",
+                "kohaerenz",
+                "gamma2",
+                "γ²",
+                "γ2",
+            ],
+        ),
+        (
+            Self::Phase,
+            &["phase", "arg", "angle", "winkel", "phasenwinkel"],
+        ),
+        (
+            Self::Imaginary,
+            &[
+                "im",
+                "imag",
+                "imaginary",
+                "imaginär",
+                "imaginärteil",
+                "imaginaerteil",
+            ],
+        ),
+        (Self::Real, &["re", "real", "realteil"]),
+        (
+            Self::Modulus,
+            &[
+                "modulus",
+                "mod",
+                "magnitude",
+                "mag",
+                "abs",
+                "amplitude",
+                "amp",
+                "betrag",
+            ],
+        ),
+        (
+            Self::Frequency,
+            &["frequency", "freq", "f", "frequenz", "hz"],
+        ),
+    ];
+
+    fn of(name: &str) -> Option<Self> {
+        let own = without_unit(name);
+        let words: Vec<String> = own
+            .split(|c: char| !c.is_alphanumeric())
+            .map(str::to_lowercase)
+            .collect();
+        let role = Self::WORDS.into_iter().find(|(_, known)| {
+            let mut words = words.iter();
+            words.any(|word| known.contains(&word.as_str()))
+        });
+        match role {
+            // |H| is a modulus whatever it is called.
+            None if own.trim().starts_with('|') => Some(Self::Modulus),
+            role => role.map(|(role, _)| role),
+        }
+    }
+}
+
+impl Columns {
+    /// The columns that the case names, and for those it does not, the ones that the header tells.
+    pub(super) fn find(
+        header: &[String],
+        measurement: &Measurement,
+    ) -> Result<Self, MeasurementError> {
+        let frequency = match &measurement.frequency {
+            Some(name) => named(header, "frequency", name)?,
+            None => told(header, Role::Frequency, "frequency")?.ok_or_else(|| {
+                let message = format!(
+                    "is left out, and the header names no frequency; {}",
+                    list(header)
+                );
+                MeasurementError::new("frequency", message)
+            })?,
+        };
+        let coherence = match &measurement.coherence {
+            Some(name) => Some(named(header, "coherence", name)?),
+            None => told(header, Role::Coherence, "coherence")?,
+        };
+        Ok(Self {
+            frequency,
+            values: Parts::find(header, measurement)?,
+            coherence,
+        })
+    }
+
+    /// All of them.
+    pub(super) fn all(&self) -> impl Iterator<Item = usize> {
+        let (Parts::Cartesian(values) | Parts::Polar(values)) = self.values;
+        [self.frequency].into_iter().chain(values)
+    }
+}
+
+impl Parts {
+    fn find(header: &[String], measurement: &Measurement) -> Result<Self, MeasurementError> {
+        let Measurement {
+            real,
+            imaginary,
+            modulus,
+            phase,
+            ..
+        } = measurement;
+        match (real, imaginary, modulus, phase) {
+            (Some(real), Some(imaginary), None, None) => Ok(Self::Cartesian([
+                named(header, "real", real)?,
+                named(header, "imaginary", imaginary)?,
+            ])),
+            (None, None, Some(modulus), Some(phase)) => Ok(Self::Polar([
+                named(header, "modulus", modulus)?,
+                named(header, "phase", phase)?,
+            ])),
+            (None, None, None, None) => Self::told(header),
+            _ => Err(MeasurementError::new(
+                "",
+                "names its values by `real` and `imaginary`, or by `modulus` and `phase`: give the two \
+                 columns of one pair",
+            )),
+        }
+    }
+
+    fn told(header: &[String]) -> Result<Self, MeasurementError> {
+        let real = told(header, Role::Real, "real")?;
+        let imaginary = told(header, Role::Imaginary, "imaginary")?;
+        if let (Some(real), Some(imaginary)) = (real, imaginary) {
+            return Ok(Self::Cartesian([real, imaginary]));
+        }
+        let modulus = told(header, Role::Modulus, "modulus")?;
+        let phase = told(header, Role::Phase, "phase")?;
+        if let (Some(modulus), Some(phase)) = (modulus, phase) {
+            return Ok(Self::Polar([modulus, phase]));
+        }
+        Err(MeasurementError::new(
+            "",
+            format!(
+                "does not name the columns of the values, by `real` and `imaginary` or by `modulus` and `phase`, and the \
+                 header does not tell them; {}",
+                list(header)
+            ),
+        ))
+    }
+}
+
+fn list(header: &[String]) -> String {
+    format!("it has {}", header.join(", "))
+}
+
+/// The column that the case names.
+fn named(header: &[String], key: &'static str, name: &str) -> Result<usize, MeasurementError> {
+    header
+        .iter()
+        .position(|known| known == name)
+        .ok_or_else(|| {
+            let message = format!(
+                "is \"{name}\", but the file has no such column; {}",
+                list(header)
+            );
+            MeasurementError::new(key, message)
+        })
+}
+
+/// The one column whose name has a word of the role.
+fn told(
+    header: &[String],
+    role: Role,
+    key: &'static str,
+) -> Result<Option<usize>, MeasurementError> {
+    let mut columns = (0..header.len()).filter(|&column| Role::of(&header[column]) == Some(role));
+    match (columns.next(), columns.next()) {
+        (Some(first), Some(second)) => Err(MeasurementError::new(
+            key,
+            format!(
+                "is left out, and more than one column could be it: `{}`, `{}`",
+                header[first], header[second]
+            ),
+        )),
+        (first, _) => Ok(first),
+    }
+}
+
+/// The unit in the name of a column: "|H| [m/N]", "Accelerance ((m/s²)/N)", "f / Hz", "modulus in m/N", "phase_deg".
+pub(super) fn unit_in_name(name: &str) -> Option<&str> {
+    let unit = if let Some((_, rest)) = name.split_once('[') {
+        rest.strip_suffix(']')
+    } else if let Some((_, rest)) = name.split_once('(') {
+        // The outer pair goes, unless it is the first of "(m/s²)/N".
+        match rest.strip_suffix(')') {
+            Some(inside) => Some(inside),
+            None => Some(&name[name.len() - rest.len() - 1..]),
+        }
+    } else if let Some((_, rest)) = name.split_once(" / ").or_else(|| name.split_once(" in ")) {
+        Some(rest)
+    } else {
+        let known = ["Hz", "hz", "kHz", "khz", "deg", "rad", "dB", "db"];
+        let tail = name.rsplit('_').next().filter(|tail| known.contains(tail));
+        tail.filter(|tail| tail.len() < name.len()).or_else(|| {
+            // As in rail_m_per_n_re.
+            let from = name.find("m_per_")?;
+            let length = name[from..].find("_per_n")? + "_per_n".len();
+            Some(&name[from..from + length])
+        })
+    };
+    unit.map(str::trim).filter(|unit| !unit.is_empty())
+}
+
+/// The name without what [`unit_in_name`] finds in brackets or behind a slash: in "dB re 1 m/N" nothing is real.
+fn without_unit(name: &str) -> &str {
+    let ends = ["[", "(", " / ", " in "].into_iter();
+    let end = ends.filter_map(|mark| name.find(mark)).min();
+    &name[..end.unwrap_or(name.len())]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    #[rstest]
+    #[case("frequency_hz", Role::Frequency, Some("hz"))]
+    #[case("f / kHz", Role::Frequency, Some("kHz"))]
+    #[case("Frequenz [Hz]", Role::Frequency, Some("Hz"))]
+    #[case("rail_m_per_n_re", Role::Real, Some("m_per_n"))]
+    #[case("Imaginärteil in m/N", Role::Imaginary, Some("m/N"))]
+    #[case("|H| (dB re 1 m/N)", Role::Modulus, Some("dB re 1 m/N"))]
+    #[case("Accelerance magnitude ((m/s²)/N)", Role::Modulus, Some("(m/s²)/N"))]
+    #[case("Mag (m/s²)/N", Role::Modulus, Some("(m/s²)/N"))]
+    #[case("Phase of the frequency response [°]", Role::Phase, Some("°"))]
+    #[case("Coherence", Role::Coherence, None)]
+    fn names_tell_role_and_unit(
+        #[case] name: &str,
+        #[case] role: Role,
+        #[case] unit: Option<&str>,
+    ) {
+        assert_eq!(Role::of(name), Some(role));
+        assert_eq!(unit_in_name(name), unit);
+    }
+}

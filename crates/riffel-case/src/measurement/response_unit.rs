@@ -1,0 +1,291 @@
+//! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
+
+use super::MeasurementError;
+use crate::Remark;
+use crate::file::Response;
+use crate::unit::Unit;
+
+/// Standard acceleration of free fall \[m/s²\], the unit "g" of accelerometers (ISO 80000-3).
+pub(super) const STANDARD_GRAVITY: f64 = 9.806_65;
+
+/// What is known of the unit of a column.
+pub(super) struct ValueUnit<'a> {
+    /// Key `unit`.
+    pub(super) key: Option<&'a str>,
+    /// Key `quantity`.
+    pub(super) quantity: Option<Response>,
+    /// Name of the column.
+    pub(super) column: &'a str,
+    /// What the file says.
+    pub(super) in_file: Option<&'a str>,
+    /// Whether the column is a modulus, and not a part.
+    pub(super) is_modulus: bool,
+}
+
+/// What makes a response in SI of a number.
+pub(super) struct Decoded {
+    pub(super) response: Response,
+    scale: Scale,
+    /// What was taken for granted.
+    pub(super) remarks: Vec<Remark>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Scale {
+    /// SI units in one unit of the column.
+    Linear(f64),
+    /// Decibels over a reference in SI.
+    Decibels(f64),
+}
+
+impl Decoded {
+    /// The modulus in SI; none for a negative one.
+    pub(super) fn modulus(&self, value: f64) -> Option<f64> {
+        match self.scale {
+            Scale::Linear(_) if value < 0.0 => None,
+            Scale::Linear(factor) => Some(factor * value),
+            Scale::Decibels(reference) => Some(reference * 10f64.powf(value / 20.0)),
+        }
+    }
+
+    /// SI units in one unit of a part; parts are never in decibels.
+    pub(super) fn linear(&self) -> f64 {
+        match self.scale {
+            Scale::Linear(factor) | Scale::Decibels(factor) => factor,
+        }
+    }
+}
+
+impl ValueUnit<'_> {
+    /// The unit of the case, or else of the file.
+    pub(super) fn decode(&self) -> Result<Decoded, MeasurementError> {
+        let wrong = |message: String| Err(MeasurementError::new("unit", message));
+        let column = self.column;
+        let decibels = self.in_file.and_then(after_decibel);
+        let name = self.quantity.unwrap_or_default();
+        let example = format!("unit = \"dB re 1 {}\"", name.si_unit());
+        if let (Some(key), Some(_)) = (self.key, decibels)
+            && after_decibel(key).is_none()
+        {
+            return wrong(format!(
+                "is \"{key}\", but column `{column}` is in decibels: write the reference, as {example}"
+            ));
+        }
+        let Some(unit) = self.key.or(self.in_file) else {
+            return Ok(self.taken_for_granted(name));
+        };
+        let Some(reference) = after_decibel(unit) else {
+            return match (response_of(unit), self.key) {
+                (Some((response, factor)), _) => {
+                    self.checked(unit, response, Scale::Linear(factor))
+                }
+                (None, None) => Ok(self.taken_for_granted(name)),
+                (None, Some(_)) => wrong(match Unit::parse(unit) {
+                    Err(part) => format!("is \"{unit}\", with the unknown unit \"{part}\""),
+                    Ok(_) => format!("is \"{unit}\", which is no unit of {}", self.expected()),
+                }),
+            };
+        };
+        if !self.is_modulus {
+            return wrong(format!(
+                "is in decibels, but column `{column}` is a part of a complex number: decibels are of a modulus"
+            ));
+        }
+        match reference_of(reference) {
+            Some((response, size)) => self.checked(unit, response, Scale::Decibels(size)),
+            None if reference.is_empty() => wrong(match self.key {
+                Some(key) => format!(
+                    "is \"{key}\", decibels without a reference: write the reference, as {example}"
+                ),
+                None => format!(
+                    "is left out, but column `{column}` is in decibels: write the reference, as {example}"
+                ),
+            }),
+            None => wrong(format!(
+                "is \"{unit}\", whose reference \"{reference}\" is no unit of {}: write it as {example}",
+                self.expected()
+            )),
+        }
+    }
+
+    fn expected(&self) -> &'static str {
+        self.quantity.map_or(
+            "a receptance in m/N, a mobility in m/s/N or an accelerance in m/s2/N",
+            Response::name,
+        )
+    }
+
+    fn checked(
+        &self,
+        unit: &str,
+        response: Response,
+        scale: Scale,
+    ) -> Result<Decoded, MeasurementError> {
+        match self.quantity {
+            Some(quantity) if quantity != response => Err(MeasurementError::new(
+                if self.key.is_some() {
+                    "unit"
+                } else {
+                    "quantity"
+                },
+                match self.key {
+                    Some(_) => format!("is \"{unit}\", which is no unit of {}", quantity.name()),
+                    None => format!(
+                        "is {}, but column `{}` is in {unit}, {}",
+                        quantity.name(),
+                        self.column,
+                        response.name()
+                    ),
+                },
+            )),
+            _ => Ok(Decoded {
+                response,
+                scale,
+                remarks: Vec::new(),
+            }),
+        }
+    }
+
+    /// SI, with a remark where nobody says what was measured.
+    fn taken_for_granted(&self, response: Response) -> Decoded {
+        let column = self.column;
+        let remark = self.quantity.is_none().then(|| {
+            Remark::new(
+                format!(
+                    "column `{column}` names no unit: taken as {} (else set track.measurement.quantity and unit)",
+                    response.name()
+                ),
+                format!(
+                    "Spalte `{column}` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst \
+                     track.measurement.quantity und unit setzen)"
+                ),
+            )
+        });
+        Decoded {
+            response,
+            scale: Scale::Linear(1.0),
+            remarks: remark.into_iter().collect(),
+        }
+    }
+}
+
+/// What follows "dB", "dB re", "dB rel.", "dB ref", without a colon and an outer pair of brackets.
+fn after_decibel(unit: &str) -> Option<&str> {
+    let head = unit.get(..2)?;
+    let rest = head
+        .eq_ignore_ascii_case("db")
+        .then(|| inside(unit[2..].trim()))?;
+    let word = ["relative to", "rel.", "rel", "ref.", "ref", "re", "//"]
+        .into_iter()
+        .find(|word| {
+            rest.get(..word.len())
+                .is_some_and(|head| head.eq_ignore_ascii_case(word))
+        });
+    let rest = word.map_or(rest, |word| &rest[word.len()..]);
+    Some(inside(rest.trim_start_matches([':', ' ', '.']).trim()))
+}
+
+/// What stands within the brackets around a text, or the text.
+fn inside(text: &str) -> &str {
+    match text
+        .strip_prefix('(')
+        .and_then(|rest| rest.strip_suffix(')'))
+    {
+        Some(inside) if !inside.contains(')') => inside,
+        _ => text,
+    }
+}
+
+/// A reference: a number, 1 if there is none, with a unit.
+fn reference_of(text: &str) -> Option<(Response, f64)> {
+    let end = text
+        .find(|c: char| {
+            c.is_whitespace() || c.is_alphabetic() && !matches!(c, 'e' | 'E') || c == '('
+        })
+        .unwrap_or(text.len());
+    let (number, unit) = text.split_at(end);
+    let number: f64 = match number.trim() {
+        "" => 1.0,
+        number => number.parse().ok()?,
+    };
+    let (response, factor) = response_of(unit.trim())?;
+    (number > 0.0).then_some((response, number * factor))
+}
+
+/// Which response a unit is of, and its size in SI.
+pub(super) fn response_of(unit: &str) -> Option<(Response, f64)> {
+    let plain = without_brackets(unit);
+    // Per force, "g" is no gram.
+    let per_force = plain
+        .strip_prefix('g')
+        .and_then(|rest| rest.trim_start().strip_prefix('/'));
+    let (text, gravity) = match per_force {
+        Some(force) => (format!("m/s2/{force}"), STANDARD_GRAVITY),
+        None => (plain, 1.0),
+    };
+    let parsed = Unit::parse(&text).ok()?;
+    [
+        Response::Receptance,
+        Response::Mobility,
+        Response::Accelerance,
+    ]
+    .into_iter()
+    .find(|response| response.exponents() == parsed.exponents)
+    .map(|response| (response, gravity * parsed.factor))
+}
+
+/// "(m/s²)/N" as "m/s²/N", "m/(s N)" as "m/s/N", "m_per_s_per_n" as "m/s/N".
+fn without_brackets(unit: &str) -> String {
+    if let Some((motion, _)) = unit.rsplit_once("_per_n") {
+        return format!("{}/N", motion.replace("_per_", "/"));
+    }
+    let mut plain = String::new();
+    let mut divided = false;
+    let mut before = ' ';
+    for character in unit.chars() {
+        match character {
+            '(' => divided = before == '/',
+            ')' => divided = false,
+            ' ' | '·' | '*' if divided => plain.push('/'),
+            _ => plain.push(character),
+        }
+        if character != ' ' {
+            before = character;
+        }
+    }
+    plain
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    #[rstest]
+    #[case("m/N", Response::Receptance, 1.0)]
+    #[case("mm/kN", Response::Receptance, 1e-6)]
+    #[case("m/s/N", Response::Mobility, 1.0)]
+    #[case("m/(s N)", Response::Mobility, 1.0)]
+    #[case("mm/(s·kN)", Response::Mobility, 1e-6)]
+    #[case("(m/s²)/N", Response::Accelerance, 1.0)]
+    #[case("g/N", Response::Accelerance, 9.806_65)]
+    #[case("g/kN", Response::Accelerance, 9.806_65e-3)]
+    fn units(#[case] text: &str, #[case] response: Response, #[case] size: f64) {
+        let (found, factor) = response_of(text).unwrap();
+        assert_eq!(found, response);
+        assert!((factor / size - 1.0).abs() < 1e-12, "{factor} {size}");
+    }
+
+    #[rstest]
+    #[case("dB re 1 m/N", Some((Response::Receptance, 1.0)))]
+    #[case("dB re 1e-6 m/s/N", Some((Response::Mobility, 1e-6)))]
+    #[case("dB (re 1 m/N)", Some((Response::Receptance, 1.0)))]
+    #[case("DB REF 1 g/N", Some((Response::Accelerance, 9.806_65)))]
+    #[case("dB(m/N)", Some((Response::Receptance, 1.0)))]
+    #[case("dB re 0 m/N", None)]
+    #[case("dB re 1 s", None)]
+    #[case("dB", None)]
+    fn references(#[case] text: &str, #[case] expected: Option<(Response, f64)>) {
+        assert_eq!(reference_of(after_decibel(text).unwrap()), expected);
+    }
+}

@@ -1,0 +1,152 @@
+//! Measured receptances as measuring systems and scripts write them, made with NumPy and pyuff from a closed form
+//! (tests/measured-tables/make_fixtures.py), against the model of the same track.
+
+use std::f64::consts::TAU;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use riffel::diagnosis::MechanismKind;
+use riffel_case::Case;
+use rstest::rstest;
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/measured-tables")
+}
+
+fn model() -> Case {
+    Case::read(&folder().join("case.toml"), &[]).unwrap()
+}
+
+/// The case on a file, with keys of `track.measurement`.
+fn measured(file: &str, keys: &str) -> Result<Case, riffel_case::CaseError> {
+    let text = fs::read_to_string(folder().join("case.toml")).unwrap();
+    let text = text.replace("\"two-layer\"", "\"measured\"")
+        + &format!(
+            "\n[track.measurement]\nfile = {:?}\n{keys}\n",
+            folder().join(file)
+        );
+    Case::parse("case.toml", &text, &[])
+}
+
+/// Digits of the files are nine, those of text in a universal file twelve with frequencies of six.
+#[rstest]
+#[case("accelerance_g.csv", "")]
+#[case("receptance_db.txt", "")]
+#[case("mobility_savetxt.txt", "unit = \"mm/s/kN\"")]
+#[case("receptance_quoted.csv", "")]
+#[case("three_directions.uff", "")]
+fn every_file_is_the_same_track(#[case] file: &str, #[case] keys: &str) {
+    let (model, case) = (model(), measured(file, keys).unwrap());
+    for frequency in [50.0, 80.0, 250.0, 490.0, 1200.0, 2500.0] {
+        let h = case.feedback.track.receptance(TAU * frequency, 0.0);
+        let expected = model.feedback.track.receptance(TAU * frequency, 0.0);
+        let error = (h - expected).norm() / expected.norm();
+        assert!(error < 1e-7, "{frequency} Hz: {h} {expected}");
+    }
+    // A point of the map on a line, 25 m/s over 50 mm.
+    let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate;
+    assert!((rate(&case) / rate(&model) - 1.0).abs() < 1e-6);
+    // Between two lines the receptance is a chord.
+    let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate;
+    assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
+    // The same rail on its pads is a candidate, within a line.
+    let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {
+        let mechanisms = case.mechanisms().0.into_iter();
+        mechanisms
+            .filter(|mechanism| mechanism.kind == kind)
+            .filter_map(|mechanism| mechanism.frequency())
+            .collect()
+    };
+    let expected = of(&model, MechanismKind::RailOnPad)[0];
+    let peaks = of(&case, MechanismKind::MeasuredPeak);
+    assert!(
+        peaks.iter().any(|peak| (peak - expected).abs() < 10.0),
+        "{peaks:?} {expected}"
+    );
+}
+
+#[test]
+fn remarks_say_what_was_done() {
+    let words = |file: &str, keys: &str| {
+        let remarks = measured(file, keys).unwrap().remarks;
+        let words: Vec<String> = remarks.iter().map(ToString::to_string).collect();
+        words.join("\n")
+    };
+    let analyser = words("accelerance_g.csv", "");
+    assert!(
+        analyser.contains("the measured value at 0 Hz is left out"),
+        "{analyser}"
+    );
+    assert!(
+        analyser.contains("coherence is below 0.8 at 4 of 250 frequencies, between 10 and 40 Hz"),
+        "{analyser}"
+    );
+    assert!(!analyser.contains("names no unit"), "{analyser}");
+    // Nothing is said where nothing had to be guessed, and it is where something was.
+    let spreadsheet = words("receptance_db.txt", "");
+    assert!(
+        !spreadsheet.contains("measured") && !spreadsheet.contains("taken as"),
+        "{spreadsheet}"
+    );
+    let unnamed = words(
+        "mobility_savetxt.txt",
+        "quantity = \"mobility\"\nunit = \"mm/s/kN\"",
+    );
+    assert!(!unnamed.contains("names no unit"), "{unnamed}");
+}
+
+#[rstest]
+// Without a unit, values of 1e-2 are not those of a rail.
+#[case(
+    "mobility_savetxt.txt",
+    "",
+    "but those of rails are some 1e-11 to 1e-7 m/N"
+)]
+#[case(
+    "accelerance_g.csv",
+    "unit = \"m/N\"\nquantity = \"mobility\"",
+    "no unit of a mobility"
+)]
+#[case(
+    "accelerance_g.csv",
+    "quantity = \"receptance\"",
+    "is in g/N, an accelerance"
+)]
+#[case(
+    "receptance_db.txt",
+    "unit = \"m/N\"",
+    "is in decibels: write the reference"
+)]
+#[case(
+    "receptance_db.txt",
+    "unit = \"dB\"",
+    "without a reference: write the reference, as unit = \"dB re 1 m/N\""
+)]
+#[case(
+    "three_directions.uff",
+    "function = 1",
+    "responds along y to a force along y"
+)]
+#[case(
+    "three_directions.uff",
+    "function = 3",
+    "responds along z to a force along y"
+)]
+#[case(
+    "three_directions.uff",
+    "vertical_axis = \"x\"",
+    "3 frequency responses: choose one"
+)]
+fn what_does_not_fit_is_refused(#[case] file: &str, #[case] keys: &str, #[case] sentence: &str) {
+    let error = measured(file, keys).err().expect("refused").to_string();
+    assert!(error.contains(sentence), "{error}");
+}
+
+/// A case may say that the test stood on its side.
+#[test]
+fn another_axis_may_be_vertical() {
+    let soft = measured("three_directions.uff", "vertical_axis = \"y\"").unwrap();
+    let [h, vertical] =
+        [&soft, &model()].map(|case| case.feedback.track.receptance(TAU * 490.0, 0.0));
+    assert!((h - 3.0 * vertical).norm() < 1e-6 * h.norm());
+}
