@@ -226,7 +226,9 @@ impl CreepLaw for Polach {
     /// A scan of ∂Q/∂ξ in steps of 2 % up to a creepage of one, then bisection to rounding.
     fn limit(&self, normal_force: f64) -> ForceLimit {
         let [stiffness, _] = self.ellipse.under(normal_force).linear_slopes();
-        let mut low = 1e-3 * self.friction.static_friction * normal_force / stiffness;
+        let first = 1e-3 * self.friction.static_friction * normal_force / stiffness;
+        // From zero, steps of 2 % lead nowhere.
+        let mut low = first.max(f64::MIN_POSITIVE);
         while low < 1.0 {
             let mut high = 1.02 * low;
             if self.longitudinal_slope(normal_force, high) < 0.0 {
@@ -291,6 +293,20 @@ mod tests {
                 .to_string()
                 .contains("must not exceed the one in the area of adhesion")
         );
+    }
+
+    /// The scan for the limit ends, also where its first step would be lost to rounding.
+    #[test]
+    fn the_limit_is_found_in_bounded_time() {
+        let reduction = SlopeReduction {
+            adhesion: 1.0,
+            slip: 1.0,
+        };
+        for friction in [5e-324, 1e-320, 1e-300, 1e-12] {
+            let friction = FallingFriction::constant(friction);
+            let law = Polach::new(ELLIPSE, friction, reduction, 1.0).unwrap();
+            assert!(matches!(law.limit(50e3), ForceLimit::None));
+        }
     }
 
     proptest! {

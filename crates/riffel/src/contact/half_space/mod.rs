@@ -286,14 +286,19 @@ impl HalfSpace {
         })
     }
 
+    /// Shortest wavelength \[m\] that the grid resolves.
+    pub(super) fn shortest_wavelength(&self) -> f64 {
+        /// A step of 2π/6 in phase from one element to the next on the coarse grid.
+        const FEWEST_ELEMENTS: f64 = 6.0;
+        FEWEST_ELEMENTS * self.coarse.patch.dx
+    }
+
     /// `Ok` if the grid resolves a wavelength \[m\].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if it has fewer than six elements of the half grid.
     pub(super) fn check_wavelength(&self, wavelength: f64) -> Result<(), Error> {
-        /// A step of 2π/6 in phase from one element to the next on the coarse grid.
-        const FEWEST_ELEMENTS: f64 = 6.0;
-        if wavelength >= FEWEST_ELEMENTS * self.coarse.patch.dx {
+        if wavelength >= self.shortest_wavelength() {
             return Ok(());
         }
         Err(Error::OutOfRange {

@@ -189,6 +189,26 @@ fn too_coarse_a_grid_is_refused() {
     assert!(error.contains("refine the grid"), "{error}");
 }
 
+/// A table that was made for one wavelength says the same, bit for bit, as one that was made for a wide window.
+#[test]
+fn table_of_the_response_does_not_depend_on_its_window() {
+    let contact = contact(16);
+    let state = contact.roll_at_tractive_ratio(0.2).unwrap();
+    let table = |from, to| crate::NonSteady::new(&contact, &state, from, to).unwrap();
+    let wide = table(0.02, 0.1);
+    for wavelength in [0.02, 0.0311, 0.055, 0.1] {
+        for other in [
+            table(wavelength, wavelength),
+            table(0.6 * wavelength, 1.7 * wavelength),
+        ] {
+            assert_eq!(
+                crate::RollingContact::response(&other, wavelength),
+                crate::RollingContact::response(&wide, wavelength)
+            );
+        }
+    }
+}
+
 /// The table between its nodes, at places that are none of those it was checked at.
 #[test]
 fn table_of_the_response() {
