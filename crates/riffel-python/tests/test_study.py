@@ -337,6 +337,23 @@ def test_sobol_indices_are_those_of_salib(tmp_path: Path) -> None:
         assert (indices[f"{name}_high"].values >= np.array(known) - 1e-3).all()
 
 
+def test_sobol_indices_of_an_output_by_its_name(tmp_path: Path) -> None:
+    study = riffel.Study.from_toml(written(tmp_path, method="saltelli", samples=16))
+    with pytest.raises(ValueError, match="has no results to take highest_growth_rate from: run it"):
+        study.sobol_indices("highest_growth_rate")
+    study.run(tmp_path / "part", shard="1/2")
+    with pytest.raises(ValueError, match="part is not finished: .* chunks are missing"):
+        study.sobol_indices("highest_growth_rate")
+    results = study.run(tmp_path / "results")
+    by_array = study.sobol_indices(results["highest_growth_rate"])
+    assert study.sobol_indices("highest_growth_rate").identical(by_array)
+    assert riffel.Study.open(tmp_path / "results").sobol_indices("highest_growth_rate").identical(by_array)
+    with pytest.raises(ValueError, match="has no output growth, but .*highest_growth_rate"):
+        study.sobol_indices("growth")
+    with pytest.raises(ValueError, match="must be one number for each"):
+        study.sobol_indices("mean_growth_rate")
+
+
 def test_tornado(plan: Path) -> None:
     tornado = riffel.Study.from_toml(plan).tornado("highest_growth_rate")
     assert tornado["parameter"].values.tolist()[0] == "contact.friction"

@@ -203,6 +203,33 @@ fn a_bad_plan_leaves_no_folder() {
     assert!(!sandbox.path("plan-results").exists());
 }
 
+/// Also by a design whose tornado needs no results.
+#[test]
+fn an_unfinished_study_is_not_analysed() {
+    for plan in [LONG.to_owned(), LONG.replace("\"sobol\"", "\"saltelli\"")] {
+        let sandbox = sandbox(
+            &plan
+                .replace("600", "64")
+                .replace("points = 60", "points = 5"),
+        );
+        let part = sandbox.riffel("study plan.toml -o part --shard 1/2");
+        assert_eq!(part.status, Some(0), "{}", part.text);
+        let before = sandbox.list("part");
+        for words in ["study sensitivity part", "study sensitivity part --json"] {
+            let outcome = sandbox.riffel(words);
+            assert_eq!(outcome.status, Some(1), "{}", outcome.text);
+            assert!(
+                outcome.text.contains("part is not finished: ")
+                    && outcome.text.contains(" chunks are missing"),
+                "{}",
+                outcome.text
+            );
+            assert!(!outcome.text.contains("alone"), "{}", outcome.text);
+        }
+        assert_eq!(sandbox.list("part"), before);
+    }
+}
+
 #[test]
 fn sensitivity_answers_in_tables_and_pictures() {
     let plan = LONG

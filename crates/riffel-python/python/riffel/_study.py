@@ -29,10 +29,12 @@ class Study:
     the same plan gives the same numbers bit for bit in one process, in shards and on a cluster.
     """
 
-    __slots__ = ("_study",)
+    __slots__ = ("_folder", "_study")
 
     def __init__(self, study: _riffel.Study) -> None:
         self._study = study
+        # Where its results are, once it was opened or run.
+        self._folder: Path | None = None
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Study:
@@ -83,7 +85,9 @@ class Study:
         ValueError
             If it was begun by another version of Riffel.
         """
-        return cls(_riffel.Study.open(os.fspath(folder)))
+        study = cls(_riffel.Study.open(os.fspath(folder)))
+        study._folder = Path(folder).absolute()
+        return study
 
     @property
     def title(self) -> str | None:
@@ -186,6 +190,7 @@ class Study:
             from riffel import _cluster
 
             _cluster.run(self._study, folder, client, shard=shard, progress=tell, patience=patience, attempts=attempts)
+        self._folder = folder
         return open_results(folder)
 
     def tornado(self, output: str, shares: tuple[float, float] = (0.1, 0.9)) -> xr.Dataset:
@@ -230,7 +235,7 @@ class Study:
         )
 
     def sobol_indices(
-        self, output: xr.DataArray, *, confidence: float = 0.95, resamples: int = 1000, seed: int = 0
+        self, output: str | xr.DataArray, *, confidence: float = 0.95, resamples: int = 1000, seed: int = 0
     ) -> xr.Dataset:
         """First-order and total Sobol indices of an output of a study with the design ``saltelli``.
 
@@ -238,8 +243,9 @@ class Study:
 
         Parameters
         ----------
-        output : xarray.DataArray
-            One number of each sample, as in ``results["ridge_frequency"]``.
+        output : str or xarray.DataArray
+            One number of each sample: the name of an output of a study that was run or opened from its folder, as in
+            ``"highest_growth_rate"``, or an array, as in ``results["highest_growth_rate"]``.
         confidence : float
             Confidence of the intervals.
         resamples, seed : int
@@ -254,11 +260,14 @@ class Study:
         Raises
         ------
         ValueError
-            For another design, an output of another shape, or one that does not vary.
+            For another design, a name that is no output, an output of another shape, or one that does not vary; for a
+            name also where the study has no results yet.
         """
         width = len(self.parameters) + 2
         if not self._study.is_saltelli:
             raise ValueError("Sobol indices need the design: method = \"saltelli\" in [design]")
+        if isinstance(output, str):
+            output = self._output(output)
         if output.dims != ("sample",) or output.size != self.samples:
             raise ValueError(
                 f"the output has the dimensions {dict(output.sizes)}, but must be one number for each of the "
@@ -274,6 +283,25 @@ class Study:
                 columns[name + suffix] = ("parameter", column)
         attributes = {"output": str(output.name), "confidence": confidence, "left_out": left_out}
         return xr.Dataset(columns, {"parameter": self.parameters}, attributes | _attributes(self.title))
+
+    def _output(self, name: str) -> xr.DataArray:
+        """The results of an output, every chunk of them finished."""
+        if self._folder is None:
+            raise ValueError(
+                f"the study has no results to take {name} from: run it, open it from its folder with "
+                "riffel.Study.open, or give the array, as in results[\"highest_growth_rate\"]"
+            )
+        results = open_results(self._folder)
+        outputs = [str(known) for known in results.data_vars if known not in self.parameters]
+        if name not in outputs:
+            raise ValueError(f"the study has no output {name}, but {', '.join(outputs)}")
+        summary = study_summary(self._folder)
+        missing = summary["chunks"] - summary["chunks_finished"]
+        if missing:
+            raise ValueError(
+                f"{self._folder} is not finished: {missing} of {summary['chunks']} chunks are missing; run the study again"
+            )
+        return results[name]
 
     def salib_problem(self) -> dict[str, Any]:
         """The problem as SALib wants it, for its other analyses of given samples.

@@ -51,6 +51,17 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
         })?;
     }
     let (study, folder) = ResultFolder::open(&arguments.folder)?;
+    let summary = folder.summary()?;
+    if summary.chunks_finished < summary.chunks {
+        let folder = arguments.folder.display();
+        eprintln!(
+            "note: nothing is analysed, for {folder} is not finished: {} of {} chunks are missing; \
+             riffel study PLAN -o {folder} computes them, riffel study merge brings shards together",
+            summary.chunks - summary.chunks_finished,
+            summary.chunks,
+        );
+        return Ok(1);
+    }
     let is_saltelli = study.plan.file.design.method == Method::Saltelli;
     let mut notes = Vec::new();
     let mut analyses = chosen(&study, &arguments.results)?;
