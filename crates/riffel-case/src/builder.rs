@@ -15,7 +15,7 @@ use riffel::{
 use crate::case::Case;
 use crate::file::{CaseFile, DissipationPhase, Rotation};
 use crate::given::Given;
-use crate::quantity::{Dimension, Quantity, Ratio};
+use crate::quantity::{Dimension, Quantity};
 use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::validity::{self, Window};
@@ -26,7 +26,7 @@ const MOST_AXIS_POINTS: u64 = 100_000;
 /// Most points of a map: 16 bytes each in memory, some 100 in its table on disk.
 const MOST_MAP_POINTS: u64 = 100_000_000;
 
-/// A case file on its way to a case.
+/// A case file on its way to a case. Every quantity that is written lies in its physical range.
 #[derive(Clone)]
 pub(crate) struct Builder {
     pub(crate) source: Source,
@@ -85,7 +85,7 @@ impl Builder {
 
         let (wavelength, speed) = self.window()?;
         let track = self.track(Direction::Vertical)?;
-        let wheel = RigidMass::new(self.positive("wheel.mass", file.wheel.mass)?);
+        let wheel = RigidMass::new(file.wheel.mass.si());
         let mut wheel: Arc<dyn Receptance> = Arc::new(self.physics("wheel.mass", wheel)?);
         if let Some(given) = &self.given.wheel {
             wheel = given.receptance.clone();
@@ -100,8 +100,8 @@ impl Builder {
             steady.tractive_ratio(),
         );
         let wear = EnergyWear::new(
-            self.positive("wear.coefficient", file.wear.coefficient)?,
-            self.positive("wear.density", file.wear.density)?,
+            file.wear.coefficient.si(),
+            file.wear.density.si(),
             hertz.semi_axis_lateral(),
         );
         let feedback = FeedbackLoop {
@@ -113,7 +113,7 @@ impl Builder {
             rolling_radius: hertz.rolling_radius(),
             place_of_wear,
             wear: self.physics("wear", wear)?,
-            amplitude: self.positive("corrugation.amplitude", file.corrugation.amplitude)?,
+            amplitude: file.corrugation.amplitude.si(),
         };
         let mut remarks = self.source.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
@@ -142,12 +142,7 @@ impl Builder {
 
     fn steel(&self) -> Result<ElasticMaterial, CaseError> {
         let steel = &self.file.steel;
-        let poisson = steel.poisson_ratio.si();
-        self.positive("steel.youngs_modulus", steel.youngs_modulus)?;
-        if !(poisson > -1.0 && poisson < 0.5) {
-            return Err(self.out_of_range("steel.poisson_ratio", poisson, "between -1 and 0.5"));
-        }
-        let steel = ElasticMaterial::new(steel.youngs_modulus.si(), poisson);
+        let steel = ElasticMaterial::new(steel.youngs_modulus.si(), steel.poisson_ratio.si());
         self.physics("steel", steel)
     }
 
@@ -191,8 +186,7 @@ impl Builder {
     fn rotation(&self, radius: f64) -> Result<Arc<dyn WheelRotation>, CaseError> {
         let wheel = &self.file.wheel;
         // Filled in above; the mass it may come from is checked.
-        let inertia = self.required("wheel.inertia", wheel.inertia)?;
-        let inertia = self.positive("wheel.inertia", inertia)?;
+        let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
         Ok(match wheel.rotation {
             Rotation::Inertia => {
                 let rigid = RigidInertia::new(inertia, radius);
@@ -234,8 +228,7 @@ impl Builder {
         max: Quantity<D>,
         points: u64,
     ) -> Result<Axis, CaseError> {
-        let low = self.positive(&format!("{key}.min"), min)?;
-        let high = self.positive(&format!("{key}.max"), max)?;
+        let (low, high) = (min.si(), max.si());
         if low >= high {
             return Err(self.source.invalid(
                 &format!("{key}.max"),
@@ -252,35 +245,6 @@ impl Builder {
         }
         // At most MOST_AXIS_POINTS, which any usize holds.
         self.physics(key, Axis::new(low, high, points as usize))
-    }
-
-    pub(crate) fn positive<D: Dimension>(
-        &self,
-        key: &str,
-        value: Quantity<D>,
-    ) -> Result<f64, CaseError> {
-        if value.si() > 0.0 {
-            return Ok(value.si());
-        }
-        Err(self.out_of_range(key, value, "greater than zero"))
-    }
-
-    pub(crate) fn not_negative<D: Dimension>(
-        &self,
-        key: &str,
-        value: Quantity<D>,
-    ) -> Result<f64, CaseError> {
-        if value.si() >= 0.0 {
-            return Ok(value.si());
-        }
-        Err(self.out_of_range(key, value, "zero or more"))
-    }
-
-    pub(crate) fn fraction(&self, key: &str, value: Quantity<Ratio>) -> Result<f64, CaseError> {
-        if value.si() > 0.0 && value.si() <= 1.0 {
-            return Ok(value.si());
-        }
-        Err(self.out_of_range(key, value, "above 0 and at most 1"))
     }
 
     pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {

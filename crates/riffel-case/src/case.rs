@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, SteadyRolling};
+use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, LoopState, SteadyRolling};
 
 use crate::builder::Builder;
 use crate::creep_laws::CreepLaws;
@@ -12,7 +12,7 @@ use crate::quantity::Quantity;
 use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::validity::Window;
-use crate::{CaseError, Remark, text_file};
+use crate::{CaseError, PhysicalRange, Point, Remark, text_file};
 
 /// A case ready to compute.
 #[derive(Clone)]
@@ -91,6 +91,7 @@ impl Case {
         let mut source = written.clone();
         source.fill_in()?;
         let file: CaseFile = source.deserialize()?;
+        source.judge_case()?;
         if folder.is_none() && file.track.measurement.is_some() {
             return Err(Builder::names_a_file(&source));
         }
@@ -197,6 +198,38 @@ impl Case {
             feedback: builder.build(self.written.clone())?.feedback,
             ..self.clone()
         })
+    }
+
+    /// One turn of the loop at a wavelength \[m\] and a speed \[m/s\], inside or outside the window of the map.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a point outside its physical range, where the track is not known or the contact not resolved,
+    /// and where a number would not be finite.
+    pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
+        self.check_points([wavelength; 2], [speed; 2])?;
+        let case = self.covering(wavelength, wavelength)?;
+        let state = case.feedback.at(wavelength, speed);
+        match Point::new(&case, &state).not_finite() {
+            None => Ok(state),
+            Some(quantity) => Err(CaseError::Point {
+                message: format!(
+                    "{} at {wavelength} m and {speed} m/s is not a finite number: values of the case are too large or \
+                     too small to compute with",
+                    quantity.name()
+                ),
+            }),
+        }
+    }
+
+    /// `Ok` if wavelengths \[m\] and speeds \[m/s\] from the smallest to the largest are within their physical
+    /// ranges, and the track is known there.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the value and the rule.
+    pub fn check_points(&self, wavelengths: [f64; 2], speeds: [f64; 2]) -> Result<(), CaseError> {
+        PhysicalRange::check("--wavelength", "wavelength", wavelengths)?;
+        PhysicalRange::check("--speed", "speed", speeds)?;
+        self.check_frequencies(speeds[0] / wavelengths[1], speeds[1] / wavelengths[0])
     }
 
     /// How the rail bends: as written, or with shear where supports are discrete.

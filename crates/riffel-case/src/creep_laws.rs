@@ -77,11 +77,8 @@ impl Builder {
     pub(crate) fn polach(&self, friction: f64) -> Result<PolachTerms, CaseError> {
         let written = self.file.contact.polach.clone().unwrap_or_default();
         let reduction = SlopeReduction {
-            adhesion: self.fraction(
-                "contact.polach.adhesion_reduction",
-                written.adhesion_reduction,
-            )?,
-            slip: self.fraction("contact.polach.slip_reduction", written.slip_reduction)?,
+            adhesion: written.adhesion_reduction.si(),
+            slip: written.slip_reduction.si(),
         };
         if reduction.slip > reduction.adhesion {
             return Err(self.out_of_range(
@@ -115,11 +112,11 @@ impl Builder {
             )
         };
         let key = "contact.polach.limit_friction_ratio";
-        let limit_ratio = self.fraction(key, limit_friction_ratio.ok_or_else(|| missing(key))?)?;
+        let limit_ratio = limit_friction_ratio.ok_or_else(|| missing(key))?.si();
         let key = "contact.polach.friction_decay";
-        let decay = self.not_negative(key, friction_decay.ok_or_else(|| missing(key))?)?;
+        let decay = friction_decay.ok_or_else(|| missing(key))?.si();
         let key = "contact.polach.speed";
-        let speed = self.positive(key, speed.ok_or_else(|| missing(key))?)?;
+        let speed = speed.ok_or_else(|| missing(key))?.si();
         Ok(PolachTerms {
             friction: FallingFriction {
                 static_friction: friction,

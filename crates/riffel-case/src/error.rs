@@ -67,6 +67,13 @@ pub enum CaseError {
         error: riffel::Error,
     },
 
+    /// A wavelength and a speed at which the case cannot be computed.
+    #[error("{message}")]
+    Point {
+        /// What is asked for, and the rule.
+        message: String,
+    },
+
     /// An override is malformed or sets a value that is not allowed.
     #[error("--set {assignment}: {message}")]
     Override {

@@ -1,6 +1,6 @@
 //! The keys of a case file, as written.
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
 use crate::quantity::{
@@ -549,10 +549,24 @@ impl Default for Wear {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Map {
-    /// Wavelengths λ.
+    /// Wavelengths λ, as a table or as in "20-80 mm".
+    #[schemars(schema_with = "wavelength_range")]
     pub wavelength: WavelengthRange,
-    /// Speeds V.
+    /// Speeds V, as a table or as in "60-90 km/h".
+    #[schemars(schema_with = "speed_range")]
     pub speed: SpeedRange,
+}
+
+fn wavelength_range(generator: &mut SchemaGenerator) -> Schema {
+    table_or_range(generator.subschema_for::<WavelengthRange>(), "20-80 mm")
+}
+
+fn speed_range(generator: &mut SchemaGenerator) -> Schema {
+    table_or_range(generator.subschema_for::<SpeedRange>(), "60-90 km/h")
+}
+
+fn table_or_range(table: Schema, example: &str) -> Schema {
+    json_schema!({ "anyOf": [table, { "type": "string", "examples": [example] }] })
 }
 
 impl Default for Map {
@@ -561,12 +575,12 @@ impl Default for Map {
             wavelength: WavelengthRange {
                 min: Quantity::new(0.020),
                 max: Quantity::new(0.080),
-                points: 241,
+                points: WavelengthRange::default_points(),
             },
             speed: SpeedRange {
                 min: Quantity::new(5.0),
                 max: Quantity::new(60.0),
-                points: 221,
+                points: SpeedRange::default_points(),
             },
         }
     }
@@ -581,8 +595,15 @@ pub struct WavelengthRange {
     /// Longest.
     pub max: Quantity<Length>,
     /// How many.
+    #[serde(default = "WavelengthRange::default_points")]
     #[schemars(range(min = 2, max = 100_000))]
     pub points: u64,
+}
+
+impl WavelengthRange {
+    fn default_points() -> u64 {
+        241
+    }
 }
 
 /// Equally spaced speeds, both ends included.
@@ -594,6 +615,13 @@ pub struct SpeedRange {
     /// Highest.
     pub max: Quantity<Speed>,
     /// How many.
+    #[serde(default = "SpeedRange::default_points")]
     #[schemars(range(min = 2, max = 100_000))]
     pub points: u64,
+}
+
+impl SpeedRange {
+    fn default_points() -> u64 {
+        221
+    }
 }

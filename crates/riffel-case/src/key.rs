@@ -4,6 +4,7 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
+use crate::file::CaseFile;
 use crate::quantity::{KINDS, Kind};
 
 /// A key of the case file, dotted, and what it takes.
@@ -15,15 +16,17 @@ pub struct CaseKey {
     pub description: String,
     /// The quantity it takes; none for a choice, a name or a whole number.
     pub quantity: Option<Kind>,
+    /// Where it stands in the schema, as a JSON pointer.
+    pub(crate) pointer: String,
 }
 
 impl CaseKey {
     /// Every key that takes a value, in the order of the schema.
     pub fn all() -> &'static [Self] {
         static KEYS: LazyLock<Vec<CaseKey>> = LazyLock::new(|| {
-            let schema = crate::json_schema().to_value();
+            let schema = schemars::schema_for!(CaseFile).to_value();
             let mut keys = Vec::new();
-            collect("", &schema, &schema, &mut keys);
+            collect("", "", &schema, &mut keys);
             keys
         });
         &KEYS
@@ -44,9 +47,10 @@ impl CaseKey {
     }
 }
 
-/// The keys below a schema of a table.
-fn collect(parent: &str, schema: &Value, root: &Value, keys: &mut Vec<CaseKey>) {
-    let Some(properties) = schema["properties"].as_object() else {
+/// The keys below the schema of a table, which stands at a pointer.
+fn collect(parent: &str, pointer: &str, root: &Value, keys: &mut Vec<CaseKey>) {
+    let table = root.pointer(pointer);
+    let Some(properties) = table.and_then(|table| table["properties"].as_object()) else {
         return;
     };
     for (name, property) in properties {
@@ -54,29 +58,30 @@ fn collect(parent: &str, schema: &Value, root: &Value, keys: &mut Vec<CaseKey>) 
             "" => name.clone(),
             parent => format!("{parent}.{name}"),
         };
-        let description = property["description"].as_str().unwrap_or_default();
-        let resolved = resolve(property, root);
-        if resolved["properties"].is_object() {
-            collect(&key, resolved, root, keys);
+        let own = format!("{pointer}/properties/{name}");
+        if let Some(table) = referred(property)
+            && root
+                .pointer(table)
+                .is_some_and(|table| table["properties"].is_object())
+        {
+            collect(&key, table, root, keys);
             continue;
         }
+        let description = property["description"].as_str().unwrap_or_default();
         let unit = property["unit"].as_str();
         keys.push(CaseKey {
             key,
             description: description.trim_end_matches('.').to_owned(),
             quantity: unit.and_then(|unit| KINDS.iter().find(|kind| kind.unit == unit).copied()),
+            pointer: own,
         });
     }
 }
 
-/// The schema behind a reference, also behind one that may be null.
-fn resolve<'a>(schema: &'a Value, root: &'a Value) -> &'a Value {
+/// The pointer of the schema behind a reference, also behind one that may be null or something shorter.
+fn referred(schema: &Value) -> Option<&str> {
     let inner = schema["anyOf"].as_array().and_then(|any| any.first());
-    let schema = inner.unwrap_or(schema);
-    schema["$ref"]
-        .as_str()
-        .and_then(|reference| root.pointer(reference.strip_prefix('#')?))
-        .unwrap_or(schema)
+    inner.unwrap_or(schema)["$ref"].as_str()?.strip_prefix('#')
 }
 
 #[cfg(test)]

@@ -34,6 +34,7 @@ mod mechanisms;
 mod point;
 mod preset;
 pub mod quantity;
+mod range;
 mod receptance_curves;
 mod remark;
 mod resonances;
@@ -61,6 +62,7 @@ pub use key::CaseKey;
 pub use language::Language;
 pub use point::{Point, PointQuantity, PointValue};
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
+pub use range::{PhysicalRange, RANGES};
 pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
 pub use remark::Remark;
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
@@ -96,10 +98,18 @@ pub const TRAFFIC: &str = include_str!("../../../cases/traffic.toml");
 
 /// JSON schema of the case file.
 pub fn json_schema() -> schemars::Schema {
-    schemars::schema_for!(file::CaseFile)
+    let mut schema = schemars::schema_for!(file::CaseFile);
+    let keys = CaseKey::all().iter();
+    range::bound(
+        &mut schema,
+        keys.map(|key| (key.key.as_str(), key.pointer.as_str())),
+    );
+    schema
 }
 
 /// JSON schema of the traffic file.
 pub fn traffic_schema() -> schemars::Schema {
-    schemars::schema_for!(traffic::TrafficFile)
+    let mut schema = schemars::schema_for!(traffic::TrafficFile);
+    range::bound(&mut schema, traffic::POINTERS);
+    schema
 }

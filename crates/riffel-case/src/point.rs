@@ -302,6 +302,18 @@ impl Point {
     }
 }
 
+impl Point {
+    /// The first quantity that is infinite or not a number.
+    pub(crate) fn not_finite(&self) -> Option<PointQuantity> {
+        let finite = |value: &PointValue| match value {
+            PointValue::Real(value) => value.is_finite(),
+            PointValue::Complex(value) => value.is_finite(),
+        };
+        let found = self.quantities.iter().find(|(_, value)| !finite(value));
+        found.map(|&(quantity, _)| quantity)
+    }
+}
+
 impl Serialize for PointValue {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {

@@ -34,7 +34,7 @@ pub struct Kind {
 
 impl Kind {
     /// The words of a dimension.
-    pub(crate) const fn of<D: Dimension>() -> Self {
+    pub const fn of<D: Dimension>() -> Self {
         Self {
             name: D::NAME,
             unit: D::UNIT,
@@ -57,6 +57,63 @@ impl Kind {
     /// # Errors
     /// [`QuantityError`] for a text that is no quantity of this kind.
     pub fn read(&self, text: &str) -> Result<f64, QuantityError> {
+        self.read_written(text).map(|written| written.si)
+    }
+
+    /// [`read`](Self::read), with number and unit as they were written.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub(crate) fn read_written(&self, text: &str) -> Result<Written, QuantityError> {
+        self.read_one(text)
+            .map_err(|error| match self.read_range(text) {
+                Some(_) => QuantityError::Range {
+                    text: text.to_owned(),
+                    name: self.name,
+                    example: self.example,
+                },
+                None => error,
+            })
+    }
+
+    /// The lowest and the highest value of a range: `"60-90 km/h"`, `"60..90 km/h"`, `"0.02 to 0.08 m"`,
+    /// `"5 m/s – 60 m/s"`. A unit at the end is that of both. None for a text that is no range of this kind.
+    pub(crate) fn read_range(&self, text: &str) -> Option<[Written; 2]> {
+        /// No range is longer; foreign data may be.
+        const LONGEST: usize = 100;
+        if text.len() > LONGEST {
+            return None;
+        }
+        const MARKS: [&str; 8] = ["...", "..", "…", "–", "—", " to ", " bis ", "-"];
+        let both = |low: &str, high: &str| {
+            let (mut low, high) = (self.read_one(low).ok()?, self.read_one(high).ok()?);
+            match (low.unit.is_empty(), high.unit.is_empty()) {
+                (true, false) => {
+                    low = self
+                        .read_one(&format!("{} {}", low.number, high.unit))
+                        .ok()?
+                }
+                // "5 m-1" is no range of 5 m to 1.
+                (false, true) => return None,
+                _ => {}
+            }
+            Some([low, high])
+        };
+        MARKS.iter().find_map(|mark| {
+            text.match_indices(mark)
+                .find_map(|(place, _)| both(&text[..place], &text[place + mark.len()..]))
+        })
+    }
+
+    /// The ends of a range as [`read`](Self::read) takes them: "60 km/h" and "90 km/h" for "60-90 km/h".
+    pub fn range_in_words(&self, text: &str) -> Option<[String; 2]> {
+        let ends = self.read_range(text)?;
+        Some(ends.map(|end| format!("{} {}", end.number, end.unit).trim_end().to_owned()))
+    }
+
+    fn read_one(&self, text: &str) -> Result<Written, QuantityError> {
+        /// Characters of the largest number written out, and some to spare; foreign data may be longer.
+        const LONGEST_NUMBER: usize = 400;
         let Self {
             name,
             unit,
@@ -64,7 +121,7 @@ impl Kind {
         } = *self;
         let trimmed = text.trim();
         // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
-        let number = (1..=trimmed.len())
+        let number = (1..=trimmed.len().min(LONGEST_NUMBER))
             .rev()
             .filter(|&end| trimmed.is_char_boundary(end))
             .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
@@ -75,30 +132,47 @@ impl Kind {
                 example,
             });
         };
-        if rest.trim().is_empty() {
-            return self.finite(number, trimmed);
-        }
-        let written = Unit::parse(rest).map_err(|unit| QuantityError::UnknownUnit {
-            text: text.to_owned(),
-            unit,
-            name,
-            example,
-        })?;
-        // The unit of a dimension is a constant that the tests read for every dimension.
-        let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
-        if written.exponents != own {
-            return Err(QuantityError::WrongUnit {
+        // No unit begins with a digit: "50,000", "50 000", "50'000" and "50.000.000" are numbers with separators.
+        let after = rest
+            .trim_start()
+            .trim_start_matches([',', '.', '\'', '’', '_', '\u{202f}']);
+        if after.starts_with(|c: char| c.is_ascii_digit()) {
+            return Err(QuantityError::Separator {
                 text: text.to_owned(),
-                got: written.exponents.to_string(),
                 name,
-                in_unit: match unit {
-                    "" => String::new(),
-                    unit => format!(" in {unit}"),
-                },
                 example,
             });
         }
-        self.finite(number * written.factor, trimmed)
+        let mut written = Written {
+            number,
+            unit: rest.trim().to_owned(),
+            si: number,
+        };
+        if !written.unit.is_empty() {
+            let read = Unit::parse(&written.unit).map_err(|unit| QuantityError::UnknownUnit {
+                text: text.to_owned(),
+                unit,
+                name,
+                example,
+            })?;
+            // The unit of a dimension is a constant that the tests read for every dimension.
+            let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
+            if read.exponents != own {
+                return Err(QuantityError::WrongUnit {
+                    text: text.to_owned(),
+                    got: read.exponents.to_string(),
+                    name,
+                    in_unit: match unit {
+                        "" => String::new(),
+                        unit => format!(" in {unit}"),
+                    },
+                    example,
+                });
+            }
+            written.si = number * read.factor;
+        }
+        self.finite(written.si, trimmed)?;
+        Ok(written)
     }
 
     fn finite(&self, si: f64, text: &str) -> Result<f64, QuantityError> {
@@ -109,6 +183,44 @@ impl Kind {
             text: text.to_owned(),
             name: self.name,
         })
+    }
+}
+
+/// A quantity as it was written.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Written {
+    /// The number.
+    pub(crate) number: f64,
+    /// Its unit, empty for a bare number.
+    pub(crate) unit: String,
+    /// The value in SI.
+    pub(crate) si: f64,
+}
+
+impl Written {
+    /// A bare number in SI.
+    pub(crate) fn bare(si: f64) -> Self {
+        Self {
+            number: si,
+            unit: String::new(),
+            si,
+        }
+    }
+
+    /// Number and unit; a bare number with the unit in which it is read.
+    pub(crate) fn in_words(&self, kind: &Kind) -> String {
+        let unit = match self.unit.as_str() {
+            "" => kind.unit,
+            unit => unit,
+        };
+        match self.number.abs() {
+            size if size != 0.0 && !(1e-6..1e12).contains(&size) => {
+                format!("{:e} {unit}", self.number)
+            }
+            _ => format!("{} {unit}", self.number),
+        }
+        .trim_end()
+        .to_owned()
     }
 }
 
@@ -212,6 +324,29 @@ pub enum QuantityError {
         text: String,
         /// What is needed, with its article.
         name: &'static str,
+    },
+    /// A comma or a separator of thousands in the number.
+    #[error(
+        "\"{text}\" has a comma or a gap in its number; write a decimal point and no separators of thousands, as in \
+         \"{example}\" for {name}"
+    )]
+    Separator {
+        /// What was written.
+        text: String,
+        /// What is needed, with its article.
+        name: &'static str,
+        /// How to write it.
+        example: &'static str,
+    },
+    /// A range where one value is needed.
+    #[error("\"{text}\" is a range, but one value is needed; write {name} as in \"{example}\"")]
+    Range {
+        /// What was written.
+        text: String,
+        /// What is needed, with its article.
+        name: &'static str,
+        /// How to write it.
+        example: &'static str,
     },
     /// A unit that is not known.
     #[error("unknown unit \"{unit}\" in \"{text}\"; write {name} as in \"{example}\"")]
@@ -385,10 +520,55 @@ mod tests {
     #[case("1e400 N/m", "1e400 N/m is not finite, as a stiffness must be")]
     #[case(
         "0,4 MN/m",
-        "unknown unit \",4\" in \"0,4 MN/m\"; write a stiffness as in \"280 MN/m\""
+        "\"0,4 MN/m\" has a comma or a gap in its number; write a decimal point and no separators of thousands, \
+         as in \"280 MN/m\" for a stiffness"
+    )]
+    #[case(
+        "280 000 000 N/m",
+        "\"280 000 000 N/m\" has a comma or a gap in its number; write a decimal point and no separators of \
+         thousands, as in \"280 MN/m\" for a stiffness"
+    )]
+    #[case(
+        "100-280 MN/m",
+        "\"100-280 MN/m\" is a range, but one value is needed; write a stiffness as in \"280 MN/m\""
     )]
     fn refuses_with_a_sentence(#[case] text: &str, #[case] sentence: &str) {
         assert_eq!(si::<Stiffness>(text), Err(sentence.to_owned()));
+    }
+
+    #[rstest]
+    #[case("60-90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("60..90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("60 – 90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("36 km/h to 90 km/h", [10.0, 25.0])]
+    #[case("36 km/h bis 25 m/s", [10.0, 25.0])]
+    #[case("10-25", [10.0, 25.0])]
+    #[case("1e-3-2e-3 m/s", [1e-3, 2e-3])]
+    #[case("1.5...2.5", [1.5, 2.5])]
+    #[case("0-25 m/s", [0.0, 25.0])]
+    #[case("-5--3", [-5.0, -3.0])]
+    #[case("10 m s-1 - 25 m s-1", [10.0, 25.0])]
+    fn reads_ranges(#[case] text: &str, #[case] ends: [f64; 2]) {
+        let read = Kind::of::<Speed>().read_range(text).unwrap();
+        for (read, end) in read.into_iter().zip(ends) {
+            let read = read.si;
+            assert!(
+                (read - end).abs() <= 4.0 * f64::EPSILON * end.abs(),
+                "{read}"
+            );
+        }
+    }
+
+    #[rstest]
+    #[case("60 km/h")]
+    #[case("1e-3")]
+    #[case("-5")]
+    #[case("5 m s-1")]
+    #[case("60-90 kg")]
+    #[case("5 km/h-10")]
+    #[case("fast-slow")]
+    fn what_is_no_range(#[case] text: &str) {
+        assert_eq!(Kind::of::<Speed>().read_range(text), None);
     }
 
     /// The example of every dimension reads as that dimension, and what is written reads back.

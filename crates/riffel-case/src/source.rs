@@ -12,8 +12,10 @@ use toml::{Table, Value};
 
 use crate::excerpt::{clipped, excerpt};
 use crate::preset::PresetKind;
+use crate::quantity::{Kind, Length, Speed, Written};
+use crate::range::Judgement;
 use crate::text_file::{command_in, printable};
-use crate::{CaseError, Remark, WrittenCase};
+use crate::{CaseError, CaseKey, PhysicalRange, Remark, WrittenCase};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
 const DEEPEST: usize = 16;
@@ -58,12 +60,13 @@ impl Source {
         let mut read = Text::empty(name);
         text.clone_into(&mut read.text);
         read.index("", spans.get_ref());
-        let source = Self {
+        let mut source = Self {
             text: Arc::new(read),
             table: text.parse().map_err(syntax)?,
             ..Self::empty(name)
         };
         source.refuse_commands("", &source.table)?;
+        source.spread_axes();
         Ok(source)
     }
 
@@ -231,6 +234,7 @@ impl Source {
         table.insert((*last).to_owned(), value);
         self.overrides
             .insert(parts.join("."), assignment.to_owned());
+        self.spread_axes();
         Ok(())
     }
 
@@ -255,10 +259,67 @@ impl Source {
         self.value(key).is_some()
     }
 
+    /// The value of a key such as `vehicle[0].speed.mean`.
     fn value(&self, key: &str) -> Option<&Value> {
-        let mut parts = key.split('.');
+        let mut parts = key.split(['.', '[']);
         let first = self.table.get(parts.next()?)?;
-        parts.try_fold(first, |value, part| value.as_table()?.get(part))
+        parts.try_fold(first, |value, part| match part.strip_suffix(']') {
+            Some(index) => value.as_array()?.get(index.parse::<usize>().ok()?),
+            None => value.as_table()?.get(part),
+        })
+    }
+
+    /// What is to be asked about the value of a key, if it is set and not usual.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a value outside its physical range.
+    pub fn judge(&self, key: &str) -> Result<Option<Remark>, CaseError> {
+        let Some(range) = PhysicalRange::of(key) else {
+            return Ok(None);
+        };
+        let written = match self.value(key) {
+            Some(Value::String(text)) => range.kind.read_written(text).ok(),
+            Some(Value::Integer(number)) => Some(Written::bare(*number as f64)),
+            Some(Value::Float(number)) => Some(Written::bare(*number)),
+            _ => None,
+        };
+        let Some(written) = written else {
+            return Ok(None);
+        };
+        match range.judge(key, &written) {
+            Judgement::Usual => Ok(None),
+            Judgement::Unusual(remark) => Ok(Some(remark)),
+            Judgement::Impossible { rule, help } => Err(self.invalid(key, &rule, &help)),
+        }
+    }
+
+    /// [`judge`](Self::judge) for every key of a case; what is unusual becomes a remark.
+    pub(crate) fn judge_case(&mut self) -> Result<(), CaseError> {
+        for key in CaseKey::all() {
+            let remark = self.judge(&key.key)?;
+            self.remarks.extend(remark);
+        }
+        Ok(())
+    }
+
+    /// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, into tables.
+    fn spread_axes(&mut self) {
+        let Some(Value::Table(map)) = self.table.get_mut("map") else {
+            return;
+        };
+        for (name, kind) in [
+            ("wavelength", Kind::of::<Length>()),
+            ("speed", Kind::of::<Speed>()),
+        ] {
+            let Some(Value::String(text)) = map.get(name) else {
+                continue;
+            };
+            if let Some(ends) = kind.range_in_words(text) {
+                let ends = ["min", "max"].into_iter().zip(ends);
+                let ends = ends.map(|(name, end)| (name.to_owned(), Value::String(end)));
+                map.insert(name.to_owned(), Value::Table(ends.collect()));
+            }
+        }
     }
 
     /// Set a key to a text. A value where a table is needed stays, for the reader to complain of.
@@ -317,6 +378,18 @@ impl Source {
             let rule = format!("\"{variant}\" is not one of its choices");
             return self.invalid(path, &rule, &suggestion(variant, allowed));
         }
+        if let "map.wavelength" | "map.speed" = path
+            && let Some(text) = self.text_of(path)
+        {
+            let example = match path {
+                "map.speed" => "60-90 km/h",
+                _ => "20-80 mm",
+            };
+            let rule = format!(
+                "is \"{text}\", but must be a range as in \"{example}\", or a table of min, max and points"
+            );
+            return self.invalid(path, &rule, "");
+        }
         if message.contains("expected struct") {
             return self.invalid(path, "is not a table of keys, as it must be", "");
         }
@@ -348,7 +421,10 @@ impl Source {
             format!("`{shown}`: {rule}")
         };
         let help = (!help.is_empty()).then(|| help.to_owned());
-        if let Some(assignment) = self.overrides.get(key) {
+        // The override may have set a table around the key.
+        let tables = key.match_indices('.').rev().map(|(end, _)| &key[..end]);
+        let mut places = std::iter::once(key).chain(tables);
+        if let Some(assignment) = places.find_map(|place| self.overrides.get(place)) {
             return CaseError::Override {
                 assignment: clipped(assignment).into_owned(),
                 message: match help {

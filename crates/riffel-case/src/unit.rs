@@ -1,4 +1,4 @@
-//! Units as engineers write them: `"50 kN"`, `"80 km/h"`, `"63 kNs/m"`, `"27.77 kg m2"`, `"0.4 %"`.
+//! Units as engineers write them: `"50 kN"`, `"80 km/h"`, `"63 kNs/m"`, `"27.77 kg m2"`, `"0.4 %"`, `"115 lb/yd"`.
 
 use std::fmt;
 
@@ -67,13 +67,39 @@ const PREFIXED: [(&str, f64, Exponents); 8] = [
     ("Hz", 1.0, Exponents::new(0, 0, -1)),
 ];
 
-/// Units that stand alone.
-const ALONE: [(&str, f64, Exponents); 5] = [
+/// Newtons of a pound-force: a pound, 0.453 592 37 kg, under standard gravity.
+const POUND_FORCE: f64 = 0.453_592_37 * riffel::forecast::STANDARD_GRAVITY;
+/// Metres of an inch.
+const INCH: f64 = 0.0254;
+
+/// Units that take no prefix. Those of the inch and the pound are exact by the agreement of 1959; a pound is a mass,
+/// and its weight is `lbf`.
+const ALONE: [(&str, f64, Exponents); 17] = [
     ("%", 1e-2, Exponents::new(0, 0, 0)),
     ("‰", 1e-3, Exponents::new(0, 0, 0)),
     ("t", 1e3, Exponents::new(1, 0, 0)),
     ("h", 3600.0, Exponents::new(0, 0, 1)),
     ("min", 60.0, Exponents::new(0, 0, 1)),
+    ("in", INCH, Exponents::new(0, 1, 0)),
+    ("ft", 12.0 * INCH, Exponents::new(0, 1, 0)),
+    ("yd", 36.0 * INCH, Exponents::new(0, 1, 0)),
+    ("mi", 63_360.0 * INCH, Exponents::new(0, 1, 0)),
+    ("mph", 63_360.0 * INCH / 3600.0, Exponents::new(0, 1, -1)),
+    ("kph", 1.0 / 3.6, Exponents::new(0, 1, -1)),
+    ("lb", 0.453_592_37, Exponents::new(1, 0, 0)),
+    ("lbs", 0.453_592_37, Exponents::new(1, 0, 0)),
+    ("lbf", POUND_FORCE, Exponents::new(1, 1, -2)),
+    ("kip", 1e3 * POUND_FORCE, Exponents::new(1, 1, -2)),
+    (
+        "psi",
+        POUND_FORCE / (INCH * INCH),
+        Exponents::new(1, -1, -2),
+    ),
+    (
+        "ksi",
+        1e3 * POUND_FORCE / (INCH * INCH),
+        Exponents::new(1, -1, -2),
+    ),
 ];
 
 const PREFIXES: [(&str, f64); 9] = [
@@ -231,6 +257,20 @@ mod tests {
     #[case("min", 60.0, [0, 0, 1])]
     #[case("%", 1e-2, [0, 0, 0])]
     #[case("", 1.0, [0, 0, 0])]
+    #[case("mph", 0.44704, [0, 1, -1])]
+    #[case("mi/h", 0.44704, [0, 1, -1])]
+    #[case("kph", 1.0 / 3.6, [0, 1, -1])]
+    #[case("in", 0.0254, [0, 1, 0])]
+    #[case("in4", 4.162_314_256e-7, [0, 4, 0])]
+    #[case("ft", 0.3048, [0, 1, 0])]
+    #[case("lb", 0.453_592_37, [1, 0, 0])]
+    #[case("lbs/yd", 0.453_592_37 / 0.9144, [1, -1, 0])]
+    #[case("lbf", 4.448_221_615_260_5, [1, 1, -2])]
+    #[case("kip", 4_448.221_615_260_5, [1, 1, -2])]
+    #[case("kip/in", 4_448.221_615_260_5 / 0.0254, [1, 0, -2])]
+    #[case("lb ft2", 0.042_140_110_093_804_8, [1, 2, 0])]
+    #[case("ksi", 6_894_757.293_168_361, [1, -1, -2])]
+    #[case("t", 1e3, [1, 0, 0])]
     fn reads(#[case] text: &str, #[case] factor: f64, #[case] exponents: [i8; 3]) {
         let unit = Unit::parse(text).unwrap();
         assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{unit:?}");

@@ -6,12 +6,12 @@ use riffel::forecast::SpeedDistribution;
 use serde::Deserialize;
 use toml::{Table, Value};
 
-use crate::CaseError;
 use crate::file::CaseFile;
 use crate::hold::{Hold, MEAN_STATE, rolls_alike};
 use crate::quantity::{Quantity, Ratio, Speed};
 use crate::source::Source;
 use crate::text_file::read_keys;
+use crate::{CaseError, Remark};
 
 /// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
 ///
@@ -28,6 +28,8 @@ pub struct Variant {
     /// What is held where friction or load change; left out, the creepage where the case or the vehicle gives
     /// that, else the force.
     pub hold: Option<Hold>,
+    /// What is to be asked about speeds that are not usual.
+    pub(crate) remarks: Vec<Remark>,
     /// The file, where it was read from one.
     source: Option<Source>,
 }
@@ -60,6 +62,7 @@ impl Variant {
             speed: SpeedChange::default(),
             overrides: Vec::new(),
             hold: None,
+            remarks: Vec::new(),
             source: None,
         }
     }
@@ -93,19 +96,9 @@ impl Variant {
                 "give one of the two",
             ));
         }
-        let positive = [
-            ("speed.mean", change.mean.map(|mean| mean.si())),
-            ("speed.factor", change.factor.map(|factor| factor.si())),
-        ];
-        for (key, value) in positive {
-            if let Some(value) = value.filter(|value| *value <= 0.0) {
-                let rule = format!("is {value}, but must be greater than zero");
-                return Err(source.invalid(key, &rule, ""));
-            }
-        }
-        if let Some(deviation) = change.standard_deviation.filter(|sd| sd.si() < 0.0) {
-            let rule = format!("is {deviation}, but must be zero or more");
-            return Err(source.invalid("speed.standard_deviation", &rule, ""));
+        let mut remarks = Vec::new();
+        for key in ["speed.mean", "speed.factor", "speed.standard_deviation"] {
+            remarks.extend(source.judge(key)?);
         }
         let mut keys = source.table().clone();
         keys.remove("title");
@@ -124,6 +117,7 @@ impl Variant {
             speed: change,
             overrides,
             hold: None,
+            remarks,
             source: Some(source),
         })
     }

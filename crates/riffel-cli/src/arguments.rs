@@ -1,5 +1,6 @@
 //! The command line.
 
+mod asked;
 mod forecast;
 mod roughness;
 mod study;
@@ -16,6 +17,7 @@ use crate::error::CliError;
 use crate::messages::Verbosity;
 use crate::staging::add_input;
 
+pub(crate) use asked::{Asked, within};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
@@ -26,7 +28,7 @@ pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
     name = "riffel",
     version = env!("RIFFEL_VERSION"),
     after_help = "Example: riffel init case.toml && riffel map case.toml\n\n\
-        Exit status: 0 done, 1 a validation check failed or a merged study is not whole, 2 bad input or a file that \
+        Exit status: 0 done, 1 a validation check failed or a study to merge or analyse is not whole, 2 bad input or a file that \
         cannot be written, 130 stopped by Ctrl-C."
 )]
 pub(crate) struct Arguments {
@@ -242,11 +244,11 @@ pub(crate) struct Point {
 
     /// Wavelength, in metres or with its unit.
     #[arg(long, value_name = "LENGTH")]
-    pub(crate) wavelength: Quantity<Length>,
+    pub(crate) wavelength: Asked<Length>,
 
     /// Speed, in m/s or with its unit.
     #[arg(long, value_name = "SPEED")]
-    pub(crate) speed: Quantity<Speed>,
+    pub(crate) speed: Asked<Speed>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
     #[arg(long, value_name = "LENGTH")]
@@ -283,11 +285,11 @@ pub(crate) struct Map {
 
     /// Wavelength of the curve over the bay [default: where the mean grows fastest].
     #[arg(long, value_name = "LENGTH", requires = "bay", requires = "speed")]
-    pub(crate) wavelength: Option<Quantity<Length>>,
+    pub(crate) wavelength: Option<Asked<Length>>,
 
     /// Speed of the curve over the bay.
     #[arg(long, value_name = "SPEED", requires = "bay", requires = "wavelength")]
-    pub(crate) speed: Option<Quantity<Speed>>,
+    pub(crate) speed: Option<Asked<Speed>>,
 
     /// Print the summary as one JSON document.
     #[arg(long)]
@@ -306,11 +308,11 @@ pub(crate) struct Receptance {
 
     /// Lowest frequency, in Hz or with its unit [default: 20 Hz, or the lowest measured].
     #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) from: Option<Quantity<Frequency>>,
+    pub(crate) from: Option<Asked<Frequency>>,
 
     /// Highest frequency, in Hz or with its unit [default: 5 kHz, or the highest measured].
     #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) to: Option<Quantity<Frequency>>,
+    pub(crate) to: Option<Asked<Frequency>>,
 
     /// Number of frequencies, equally spaced in their logarithm.
     #[arg(long, value_name = "N", default_value_t = 600, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
@@ -318,7 +320,7 @@ pub(crate) struct Receptance {
 
     /// Speed of the load, in m/s or with its unit [default: the highest of the map].
     #[arg(long, value_name = "SPEED")]
-    pub(crate) speed: Option<Quantity<Speed>>,
+    pub(crate) speed: Option<Asked<Speed>>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
     #[arg(long, value_name = "LENGTH")]

@@ -52,6 +52,13 @@ pub(crate) enum CliError {
         rule: String,
     },
 
+    #[error("{argument}{message}")]
+    Range {
+        argument: &'static str,
+        /// After the name of the argument, with what separates it.
+        message: String,
+    },
+
     #[error(
         "--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail"
     )]

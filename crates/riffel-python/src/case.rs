@@ -139,7 +139,7 @@ impl Case {
     ) -> PyResult<Arc<riffel_case::Case>> {
         let ((shortest, longest), (slowest, fastest)) = (ends(wavelengths), ends(speeds));
         self.case
-            .check_frequencies(slowest / longest, fastest / shortest)
+            .check_points([shortest, longest], [slowest, fastest])
             .map_err(of_case)?;
         if self.case.wavelength.min() <= shortest && longest <= self.case.wavelength.max() {
             return Ok(self.case.clone());

@@ -517,3 +517,50 @@ async fn a_measured_rail_needs_its_file() {
     let answer = send(&page, question("/api/measure", body.to_string())).await;
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
 }
+
+/// A window of frequencies that overflow used to keep a worker for good; two of them stopped the page.
+#[tokio::test]
+async fn windows_beyond_physics_are_refused_at_once() {
+    for (from, to, key) in [
+        ("min = \"20 mm\"", "min = 1e-300", "map.wavelength.min"),
+        ("max = \"60 m/s\"", "max = 1e300", "map.speed.max"),
+        ("friction = 0.4", "friction = 1e-320", "contact.friction"),
+    ] {
+        for path in ["/api/map", "/api/point"] {
+            let mut body = nominal(&[(from, to)]);
+            body["wavelength_m"] = json!(0.055);
+            body["speed_m_per_s"] = json!(30.0);
+            let answer = tokio::time::timeout(Duration::from_secs(60), ask(path, &body));
+            let answer = answer.await.unwrap();
+            assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{path}");
+            assert!(
+                answer.message().contains("but must be between"),
+                "{}",
+                answer.message()
+            );
+            assert_eq!(answer.json()["key"], key, "{path}");
+        }
+    }
+}
+
+/// The sliders of the page move within what is usual, so that none of their places is asked about.
+#[test]
+fn sliders_stay_within_what_is_usual() {
+    let form = include_str!("../assets/form.js");
+    let sliders = form.split_once("const SLIDERS = {").unwrap().1;
+    let sliders = sliders.split_once("};").unwrap().0;
+    let mut seen = 0;
+    for slider in sliders.split("],").filter(|slider| slider.contains('[')) {
+        let (key, ends) = slider.trim().split_once(": [").unwrap();
+        let mut ends = ends.split(", ").map(|end| end.parse::<f64>());
+        let [low, high] = [(); 2].map(|()| ends.next().unwrap().unwrap());
+        let key = key.trim_matches('\'');
+        let range = riffel_case::PhysicalRange::of(key).unwrap();
+        assert!(
+            range.usual[0] <= low && low < high && high <= range.usual[1],
+            "{key}"
+        );
+        seen += 1;
+    }
+    assert_eq!(seen, 5);
+}

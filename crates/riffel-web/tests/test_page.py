@@ -129,7 +129,7 @@ def test_an_error_that_is_typed_goes_when_it_is_mended(open_page):
     page.set("contact.normal_load", "-50")
     fault = page.page.locator("#key-contact-normal_load-fault")
     page.until(fault.is_visible)
-    assert "greater than zero" in fault.inner_text()
+    assert "must be between 1 N and 2 MN" in fault.inner_text()
     page.set("contact.normal_load", "60")
     page.until(lambda: not fault.is_visible())
     page.close(complaints=1)

@@ -4,6 +4,7 @@ mod decay_rate;
 mod marked;
 mod place_of_wear;
 mod presets;
+mod ranges;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -56,6 +57,7 @@ pub fn pages(program: &Path) -> Result<Vec<(&'static str, String)>, String> {
         ("docs/src/study.schema.json", study),
         ("docs/src/decay-rate.md", decay_rate::page()?),
         ("docs/src/presets.md", presets::page()),
+        ("docs/src/ranges.md", ranges::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),
     ])
 }

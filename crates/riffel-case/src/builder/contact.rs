@@ -58,9 +58,9 @@ impl Builder {
 
     pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
-        let radius = self.positive("wheel.rolling_radius", self.file.wheel.rolling_radius)?;
-        let across = self.positive("contact.transverse_radius", contact.transverse_radius)?;
-        let load = self.positive("contact.normal_load", contact.normal_load)?;
+        let radius = self.file.wheel.rolling_radius.si();
+        let across = contact.transverse_radius.si();
+        let load = contact.normal_load.si();
         let hertz = match self.hertz_theory() {
             HertzTheory::Paper => HertzContact::new(steel, radius, across, load),
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
@@ -70,7 +70,7 @@ impl Builder {
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
-        let friction = self.positive("contact.friction", self.file.contact.friction)?;
+        let friction = self.file.contact.friction.si();
         let mean = self.mean_state()?;
         let name = self.creep_law_name();
         if self.file.contact.response == ContactDynamics::NonSteady
@@ -196,20 +196,8 @@ impl Builder {
                 "contact.tractive_ratio",
                 "give contact.tractive_ratio or contact.creepage",
             )),
-            (Some(ratio), None) => {
-                let ratio = ratio.si();
-                if !(ratio > 0.0 && ratio < 1.0) {
-                    return Err(self.out_of_range(
-                        "contact.tractive_ratio",
-                        ratio,
-                        "between 0 and 1, both excluded",
-                    ));
-                }
-                Ok(MeanState::TractiveRatio(ratio))
-            }
-            (None, Some(creepage)) => Ok(MeanState::Creepage(
-                self.positive("contact.creepage", creepage)?,
-            )),
+            (Some(ratio), None) => Ok(MeanState::TractiveRatio(ratio.si())),
+            (None, Some(creepage)) => Ok(MeanState::Creepage(creepage.si())),
         }
     }
 }

@@ -9,7 +9,7 @@ use riffel::{
 
 use super::Builder;
 use crate::file::{BeamModel, Support, TrackModel};
-use crate::quantity::{Dimension, Length, Quantity};
+use crate::quantity::{Dimension, Quantity};
 use crate::track::{Direction, Origin, Track};
 use crate::{CaseError, measurement};
 
@@ -19,7 +19,7 @@ const RAIL_DENSITY: f64 = 7850.0;
 impl Builder {
     /// The track in one direction, over a support or where the case says.
     pub(crate) fn track(&self, direction: Direction) -> Result<Track, CaseError> {
-        self.check_track()?;
+        self.check_position()?;
         let steel = self.steel()?;
         let model = self.file.track.model;
         if let Some(given) = &self.given.track {
@@ -235,11 +235,11 @@ impl Builder {
                     area: self.of_rail("rail.area", rail.area)?,
                     shear_coefficient: self.of_rail(shear_coefficient.0, shear_coefficient.1)?,
                     shear_modulus: match rail.shear_modulus {
-                        Some(modulus) => self.positive("rail.shear_modulus", modulus)?,
+                        Some(modulus) => modulus.si(),
                         None => steel.shear_modulus(),
                     },
                     density: match rail.density {
-                        Some(density) => self.positive("rail.density", density)?,
+                        Some(density) => density.si(),
                         None => RAIL_DENSITY,
                     },
                 };
@@ -291,7 +291,7 @@ impl Builder {
             _ => "give it, or name a preset by rail.section",
         };
         let value = value.ok_or_else(|| self.source.missing(key, help))?;
-        self.positive(key, value)
+        Ok(value.si())
     }
 
     /// One support, values per support, and their distance \[m\].
@@ -347,57 +347,13 @@ impl Builder {
         self.physics(key, layer)
     }
 
-    /// Every value of the track that is written, whether its model needs it or not.
-    fn check_track(&self) -> Result<(), CaseError> {
+    /// The position, if there is one, lies within one bay, whether its model needs it or not.
+    fn check_position(&self) -> Result<(), CaseError> {
         let track = &self.file.track;
-        if let Some(spacing) = track.support_spacing {
-            self.positive("track.support_spacing", spacing)?;
-        }
-        if let Some(position) = track.position {
-            self.check_position(position)?;
-        }
-        for (key, support) in [("track.pad", &track.pad), ("track.ballast", &track.ballast)] {
-            let Some(support) = support else { continue };
-            for (name, stiffness) in [
-                ("stiffness", support.stiffness),
-                ("lateral_stiffness", support.lateral_stiffness),
-                ("longitudinal_stiffness", support.longitudinal_stiffness),
-            ] {
-                if let Some(stiffness) = stiffness {
-                    self.positive(&format!("{key}.{name}"), stiffness)?;
-                }
-            }
-            if let Some(damping) = support.damping {
-                self.not_negative(&format!("{key}.damping"), damping)?;
-            }
-            if let Some(loss_factor) = support.loss_factor {
-                self.not_negative(&format!("{key}.loss_factor"), loss_factor)?;
-            }
-        }
-        if let Some(mass) = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass) {
-            self.not_negative("track.sleeper.mass", mass)?;
-        }
-        if let Some(damping) = track.rail_damping {
-            self.not_negative("track.rail_damping", damping)?;
-        }
-        if let Some(loss_factor) = self.file.rail.loss_factor {
-            self.not_negative("rail.loss_factor", loss_factor)?;
-        }
-        if let Some(coefficient) = self.file.rail.shear_coefficient
-            && !(coefficient.si() > 0.0 && coefficient.si() <= 1.0)
-        {
-            let rule = "above 0 and at most 1";
-            return Err(self.out_of_range("rail.shear_coefficient", coefficient, rule));
-        }
-        Ok(())
-    }
-
-    /// A position lies within one bay.
-    fn check_position(&self, position: Quantity<Length>) -> Result<(), CaseError> {
-        let track = &self.file.track;
-        self.not_negative("track.position", position)?;
-        match track.support_spacing {
-            Some(spacing) if track.model.is_periodic() && position.si() > spacing.si() => {
+        match (track.position, track.support_spacing) {
+            (Some(position), Some(spacing))
+                if track.model.is_periodic() && position.si() > spacing.si() =>
+            {
                 let rule = format!("at most the support spacing, {spacing}");
                 Err(self.out_of_range("track.position", position, &rule))
             }

@@ -15,11 +15,33 @@ pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 pub use wear_report::{WearDocument, WearReport};
 
 use crate::hold::Held;
-use crate::quantity::{Dimension, Quantity, Ratio};
+use crate::quantity::{Dimension, Force, Quantity, Ratio};
 use crate::source::Source;
 use crate::text_file::read_keys;
 use crate::variant::assignments;
-use crate::{Case, CaseError, Hold, Variant};
+use crate::{Case, CaseError, Hold, Remark, Variant};
+
+/// Keys of the traffic file that have a range, each with its place in the schema.
+pub(crate) const POINTERS: [(&str, &str); 9] = [
+    ("vehicle.axle_load", "/$defs/Vehicle/properties/axle_load"),
+    ("vehicle.wheel_load", "/$defs/Vehicle/properties/wheel_load"),
+    ("vehicle.wheel_mass", "/$defs/Vehicle/properties/wheel_mass"),
+    (
+        "vehicle.rolling_radius",
+        "/$defs/Vehicle/properties/rolling_radius",
+    ),
+    (
+        "vehicle.tractive_ratio",
+        "/$defs/Vehicle/properties/tractive_ratio",
+    ),
+    ("vehicle.creepage", "/$defs/Vehicle/properties/creepage"),
+    ("vehicle.speed.mean", "/$defs/NormalSpeed/properties/mean"),
+    (
+        "vehicle.speed.standard_deviation",
+        "/$defs/NormalSpeed/properties/standard_deviation",
+    ),
+    ("vehicle.speeds.speed", "/$defs/SpeedShare/properties/speed"),
+];
 
 /// How far the sum of shares may be from one: shares in tenths of a per cent.
 const SHARE_TOLERANCE: f64 = 2e-3;
@@ -36,6 +58,8 @@ pub struct Traffic {
     pub file: TrafficFile,
     /// Speeds of each vehicle.
     speeds: Vec<SpeedDistribution>,
+    /// What is to be asked about values that are not usual.
+    remarks: Vec<Remark>,
 }
 
 /// Traffic on a case: growth rates, and what the reader should know.
@@ -116,8 +140,9 @@ impl Traffic {
         if file.vehicle.is_empty() {
             return Err(source.missing("vehicle", "write one [[vehicle]] or more"));
         }
-        let mut speeds = Vec::new();
+        let (mut speeds, mut remarks) = (Vec::new(), Vec::new());
         for (index, vehicle) in file.vehicle.iter().enumerate() {
+            remarks.extend(judged(&source, index, vehicle)?);
             let key = |name: &str| format!("vehicle[{index}].{name}");
             if vehicle.name.trim().is_empty() {
                 return Err(source.invalid(&key("name"), "is empty, but tables need a name", ""));
@@ -130,8 +155,6 @@ impl Traffic {
                 return Err(source.invalid(&key("name"), &rule, ""));
             }
             above_zero(&source, &key("share"), Some(vehicle.share))?;
-            above_zero(&source, &key("axle_load"), vehicle.axle_load)?;
-            above_zero(&source, &key("wheel_load"), vehicle.wheel_load)?;
             if let Some(share) = vehicle.traction_share
                 && !(0.0..=1.0).contains(&share.si())
             {
@@ -152,6 +175,7 @@ impl Traffic {
             source,
             file,
             speeds,
+            remarks,
         })
     }
 
@@ -178,6 +202,7 @@ impl Traffic {
                 }],
             },
             speeds: vec![speeds],
+            remarks: Vec::new(),
         }
     }
 
@@ -206,7 +231,10 @@ impl Traffic {
             held.extend(vehicle.held.filter(|hold| !held.contains(hold)));
             progress(1);
         }
+        let own = self.remarks.iter().chain(&variant.remarks);
+        let own: Vec<String> = own.map(Remark::to_string).collect();
         let mut remarks = self.merged(remarks);
+        remarks.splice(0..0, own);
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
         let line = self.file.line;
@@ -344,7 +372,7 @@ fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
         }
     };
     let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
-    let si = |force: Quantity<crate::quantity::Force>| force.si();
+    let si = |force: Quantity<Force>| force.si();
     add(
         "axle_load",
         "contact.normal_load",
@@ -400,6 +428,25 @@ fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<String> {
     ]
 }
 
+/// What is to be asked about the values of a vehicle that are not usual.
+fn judged(source: &Source, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark>, CaseError> {
+    let speeds = 0..vehicle.speeds.as_ref().map_or(0, Vec::len);
+    let speeds = speeds.map(|place| format!("speeds[{place}].speed"));
+    let keys = [
+        "axle_load",
+        "wheel_load",
+        "wheel_mass",
+        "rolling_radius",
+        "speed.mean",
+        "speed.standard_deviation",
+        "tractive_ratio",
+        "creepage",
+    ];
+    let keys = keys.map(str::to_owned).into_iter().chain(speeds);
+    keys.filter_map(|key| source.judge(&format!("vehicle[{index}].{key}")).transpose())
+        .collect()
+}
+
 fn distribution(
     source: &Source,
     index: usize,
@@ -414,7 +461,6 @@ fn distribution(
              speeds = [{ speed = \"100 km/h\", share = 1 }]",
         )),
         (Some(normal), None) => {
-            above_zero(source, &key("speed.mean"), Some(normal.mean))?;
             let deviation = normal
                 .standard_deviation
                 .map_or(0.0, |deviation| deviation.si());
@@ -425,7 +471,6 @@ fn distribution(
         (None, Some(list)) => {
             for (place, entry) in list.iter().enumerate() {
                 let key = |name: &str| key(&format!("speeds[{place}].{name}"));
-                above_zero(source, &key("speed"), Some(entry.speed))?;
                 above_zero(source, &key("share"), Some(entry.share))?;
             }
             let shares = list.iter().map(|entry| entry.share.si());

@@ -104,37 +104,37 @@ fn a_written_case_is_restored() -> Result<(), CaseError> {
 #[case::negative_mass(
     "\"350 kg\"",
     "\"-350 kg\"",
-    "`wheel.mass` is -350 kg, but must be greater than zero",
+    "`wheel.mass` is -350 kg, but must be between 10 g and 100 t",
     "\"-350 kg\""
 )]
 #[case::zero_radius(
     "\"460 mm\"",
     "0",
-    "`wheel.rolling_radius` is 0 m, but must be greater than zero",
+    "`wheel.rolling_radius` is 0 m, but must be between 5 mm and 5 m",
     "0"
 )]
 #[case::zero_friction(
     "friction = 0.4",
     "friction = 0",
-    "`contact.friction` is 0, but must be greater than zero",
+    "`contact.friction` is 0, but must be between 0.001 and 1.5",
     "0"
 )]
 #[case::poisson(
     "poisson_ratio = 0.3",
     "poisson_ratio = 0.5",
-    "`steel.poisson_ratio` is 0.5, but must be between -1 and 0.5",
+    "`steel.poisson_ratio` is 0.5, but must be between -0.9 and 0.499",
     "0.5"
 )]
 #[case::no_traction(
     "tractive_ratio = 0.1",
     "tractive_ratio = 0",
-    "`contact.tractive_ratio` is 0, but must be between 0 and 1",
+    "`contact.tractive_ratio` is 0, but must be between 1e-6 and 0.999999",
     "0"
 )]
 #[case::full_traction(
     "tractive_ratio = 0.1",
     "tractive_ratio = 1.0",
-    "`contact.tractive_ratio` is 1, but must be between 0 and 1",
+    "`contact.tractive_ratio` is 1, but must be between 1e-6 and 0.999999",
     "1.0"
 )]
 #[case::full_slip(
@@ -257,11 +257,17 @@ fn a_mistyped_key_is_put_right() {
 
 #[test]
 fn a_load_that_outruns_its_waves_is_refused() {
-    let overrides = ["track.model=moving-beam", "map.wavelength.max=200 m"];
+    // A rail that bends easily is outrun by long waves at high speeds.
+    let overrides = [
+        "track.model=moving-beam",
+        "rail.second_moment=1e-6 m4",
+        "map.wavelength.max=10 m",
+        "map.speed.max=180 m/s",
+    ];
     let error = Case::parse("case.toml", NOMINAL_CASE, &overrides.map(str::to_owned)).err();
     let error = error.expect("supercritical").to_string();
     assert!(
-        error.contains("`map`: a load of wavelength 200 m outruns"),
+        error.contains("`map`: a load of wavelength 10 m outruns"),
         "{error}"
     );
 }
@@ -380,4 +386,109 @@ proptest! {
     fn fuzz_override(assignment in "[a-z._]{0,24}=?[ -~µ]{0,16}") {
         let _ = Case::parse("case.toml", NOMINAL_CASE, &[assignment]);
     }
+}
+
+/// The axes of a map as ranges, in the file and in overrides, which go on to their keys.
+#[test]
+fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
+    let text = format!(
+        "{}\n[map]\nwavelength = \"25-60 mm\"\nspeed = \"60..90 km/h\"\n",
+        NOMINAL_CASE.split("[map]").next().unwrap_or_default()
+    );
+    let case = Case::parse("case.toml", &text, &[])?;
+    assert_eq!(
+        (case.wavelength.min(), case.wavelength.max()),
+        (0.025, 0.06)
+    );
+    assert_eq!(case.wavelength.points(), 241);
+    assert!((case.speed.min() - 60.0 / 3.6).abs() < 1e-12 && case.speed.max() == 25.0);
+    assert_eq!(case.speed.points(), 221);
+    let sets = [
+        "map.speed=40 – 70 mph",
+        "map.speed.points=5",
+        "map.wavelength=1e-2-2e-1",
+    ];
+    let case = Case::parse("case.toml", &text, &sets.map(str::to_owned))?;
+    assert_eq!((case.speed.min(), case.speed.points()), (40.0 * 0.44704, 5));
+    assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.01, 0.2));
+    // What the file says of a written case comes back.
+    let again = Case::restore(&case.written(), None, None)?;
+    assert_eq!(again.file, case.file);
+    Ok(())
+}
+
+#[rstest]
+#[case(
+    "map.speed=60 km/h",
+    "`map.speed` is \"60 km/h\", but must be a range as in \"60-90 km/h\""
+)]
+#[case(
+    "map.speed=90-60 km/h",
+    "`map.speed.max` is 16.666666666666668 m/s, but the window is empty"
+)]
+#[case(
+    "map.speed=60-90 kg",
+    "`map.speed` is \"60-90 kg\", but must be a range"
+)]
+#[case(
+    "map.wavelength=20-80",
+    " m, but must be between 100 µm and 10 m; did you mean "
+)]
+#[case(
+    "contact.friction=0.2-0.4",
+    "\"0.2-0.4\" is a range, but one value is needed"
+)]
+fn wrong_ranges_are_refused(#[case] set: &str, #[case] part: &str) {
+    let error = Case::parse("case.toml", NOMINAL_CASE, &[set.to_owned()]).err();
+    let error = error.expect("a mistake").to_string();
+    assert!(error.starts_with(&format!("--set {set}: ")), "{error}");
+    assert!(error.contains(part), "{error}");
+}
+
+/// What is unusual is computed, and asked about.
+#[test]
+fn unusual_values_are_remarks() -> Result<(), CaseError> {
+    let sets = ["contact.normal_load=5000", "map.speed.max=58"].map(str::to_owned);
+    let case = Case::parse("case.toml", NOMINAL_CASE, &sets)?;
+    let remarks: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+    for part in [
+        "contact.normal_load is 5000 N; usual values are 10 kN to 250 kN",
+        "map.speed.max has no unit and is read as 58 m/s = 208.8 km/h (did you mean \"58 km/h\"",
+    ] {
+        assert!(
+            remarks.iter().any(|remark| remark.starts_with(part)),
+            "{remarks:?}"
+        );
+    }
+    let nominal = Case::parse("case.toml", NOMINAL_CASE, &[])?;
+    let said = |remark: &riffel_case::Remark| remark.to_string().contains("usual values");
+    assert!(!nominal.remarks.iter().any(said));
+    Ok(())
+}
+
+/// A point outside the window is computed, one outside of physics is not.
+#[test]
+fn points_are_checked() -> Result<(), CaseError> {
+    let case = Case::parse("case.toml", NOMINAL_CASE, &[])?;
+    assert_eq!(case.point(0.055, 30.0)?, case.feedback.at(0.055, 30.0));
+    assert!(case.point(0.5, 80.0)?.growth_rate.is_finite());
+    for (wavelength, speed, sentence) in [
+        (1e-300, 30.0, "wavelength is"),
+        (
+            55.0,
+            30.0,
+            "wavelength is 55 m, but must be between 100 µm and 10 m",
+        ),
+        (
+            0.055,
+            1e9,
+            "speed is 1000000000 m/s, but must be between 0.01 m/s and 200 m/s",
+        ),
+        (0.055, f64::NAN, "speed is NaN m/s"),
+        (0.055, -3.0, "speed is -3 m/s"),
+    ] {
+        let error = case.point(wavelength, speed).unwrap_err().to_string();
+        assert!(error.starts_with(sentence), "{error}");
+    }
+    Ok(())
 }

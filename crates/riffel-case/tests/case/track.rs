@@ -174,7 +174,7 @@ fn lateral_needs_its_keys() {
 #[case(&["track.pad.loss_factor=-0.1"], "`track.pad.loss_factor` is -0.1")]
 #[case(&["track.preset=br-stiff", "track.model=two-layer-periodic", "track.position=0.8 m"], "`track.position` is 0.8 m, but must be at most the support spacing, 0.7 m")]
 #[case(&["track.preset=br-stiff", "track.model=two-layer-periodic", "track.support_spacing=0"], "`track.support_spacing` is 0 m")]
-#[case(&["track.preset=br-stiff", "track.model=two-layer-periodic", "track.support_spacing=20 m"], "must be above zero and at most 10 m")]
+#[case(&["track.preset=br-stiff", "track.model=two-layer-periodic", "track.support_spacing=20 m"], "`track.support_spacing` is 20 m, but must be between 10 mm and 10 m")]
 #[case(&["track.preset=br-stiff", "track.model=two-layer-periodic", "track.pad.damping=-1"], "`track.pad.damping` is -1 N s/m")]
 #[case(&["track.preset=br-stiff", "track.model=two-layer", "track.sleeper.mass=0", "track.ballast.stiffness=0"], "`track.ballast.stiffness` is 0 N/m")]
 #[case(&["track.preset=pad-soft"], "`track.preset` is \"pad-soft\", but no track preset has that name")]

@@ -85,6 +85,31 @@ fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
     Ok(())
 }
 
+/// A speed without its unit is asked about where it may be in km/h, once, and not of the window that follows from it.
+#[test]
+fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
+    let asked = |mean: &str| -> Result<Vec<String>, CaseError> {
+        let text = format!("{VEHICLE}speed = {{ mean = {mean} }}\n");
+        let case = nominal();
+        let traffic = Traffic::parse("t.toml", &text)?;
+        let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+        let remarks = on.remarks.into_iter();
+        Ok(remarks
+            .filter(|remark| remark.contains("did you mean"))
+            .collect())
+    };
+    assert_eq!(
+        asked("52")?,
+        [
+            "vehicle[0].speed.mean has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \
+             \"52 mph\"?)"
+        ]
+    );
+    assert!(asked("\"52 m/s\"")?.is_empty());
+    assert!(asked("14.5")?.is_empty());
+    Ok(())
+}
+
 #[rstest]
 #[case("[[vehicle]]\nname = \"unit\"\n", "`vehicle[0].share` is missing")]
 #[case("vehicle = []\n", "`vehicle` is missing")]
@@ -130,6 +155,18 @@ fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
     "`vehicle[0].traction` is not a key"
 )]
 #[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntractive_ratio = 1.2\n",
+    "`vehicle[0].tractive_ratio` is 1.2, but must be between 1e-6 and 0.999999"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"20 kN\"\n",
+    "is in kg m s-2, not a mass in kg"
+)]
+#[case(
+    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 300, share = 1 }]\n",
+    "`vehicle[0].speeds[0].speed` is 300 m/s, but must be between 0.01 m/s and 200 m/s"
+)]
+#[case(
     "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n",
     "`line.passages_per_day` is 0"
 )]
@@ -141,14 +178,9 @@ fn wrong_traffic_is_refused(#[case] text: &str, #[case] part: &str) {
 /// What is wrong only with the case is found with it, and said of the vehicle, with its line.
 #[rstest]
 #[case(
-    "tractive_ratio = 1.2\n",
-    "vehicle[0].tractive_ratio",
-    "between 0 and 1"
-)]
-#[case(
     "[vehicle.set]\ncontact.friction = -0.2\n",
     "vehicle[0].set.contact.friction",
-    "greater than zero"
+    "between 0.001 and 1.5"
 )]
 #[case(
     "[vehicle.set]\ncontact.frction = 0.2\n",

@@ -8,7 +8,7 @@ use riffel_case::Hold;
 use riffel_case::quantity::{Quantity, Speed};
 use riffel_case::read_date;
 
-use super::{CaseArguments, Layout};
+use super::{Asked, CaseArguments, Layout};
 
 #[derive(Args)]
 #[command(
@@ -162,7 +162,7 @@ pub(crate) struct Compare {
 
     /// Speed of the wheel of the case, in m/s or with its unit [default: the middle of map.speed].
     #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
-    pub(crate) speed: Option<Quantity<Speed>>,
+    pub(crate) speed: Option<Asked<Speed>>,
 
     /// Standard deviation of the speed.
     #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]

@@ -8,7 +8,7 @@ use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
 use riffel_plot::Observation;
 use serde::Serialize;
 
-use crate::arguments::{Map, covering, positive};
+use crate::arguments::{Map, covering};
 use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
 use crate::messages::print_remarks;
@@ -121,11 +121,10 @@ impl<'a> Summary<'a> {
 pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
     case.check_window()?;
-    let curve = match (arguments.wavelength, arguments.speed) {
-        (Some(wavelength), Some(speed)) => Some((
-            positive("--wavelength", wavelength)?,
-            positive("--speed", speed)?,
-        )),
+    let curve = match (&arguments.wavelength, &arguments.speed) {
+        (Some(wavelength), Some(speed)) => {
+            Some((wavelength.within("--wavelength")?, speed.within("--speed")?))
+        }
         _ => None,
     };
     let case = match curve {

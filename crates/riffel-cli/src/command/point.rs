@@ -3,17 +3,17 @@
 use riffel::LoopState;
 use riffel_case::{Case, Point as Document};
 
-use crate::arguments::{Point, covering, positive};
+use crate::arguments::{Point, covering};
 use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
 
 pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
-    let wavelength = positive("--wavelength", arguments.wavelength)?;
-    let speed = positive("--speed", arguments.speed)?;
-    case.check_frequencies(speed / wavelength, speed / wavelength)?;
+    let wavelength = arguments.wavelength.within("--wavelength")?;
+    let speed = arguments.speed.within("--speed")?;
+    case.check_points([wavelength; 2], [speed; 2])?;
     let case = covering(&case, wavelength, wavelength)?;
-    let state = case.feedback.at(wavelength, speed);
+    let state = case.point(wavelength, speed)?;
     if arguments.json {
         print_json(&Document::new(&case, &state))?;
     } else {

@@ -9,7 +9,7 @@ use riffel_figures::parameters;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;
 
-use crate::arguments::{DirectionArgument, Receptance, positive};
+use crate::arguments::{DirectionArgument, Receptance};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
@@ -23,8 +23,8 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         DirectionArgument::Longitudinal => Direction::Longitudinal,
     };
     let track = case.track_in(direction)?;
-    let speed = match arguments.speed {
-        Some(speed) => positive("--speed", speed)?,
+    let speed = match &arguments.speed {
+        Some(speed) => speed.within("--speed")?,
         None => case.speed.max(),
     };
     let (from, to) = range(arguments, &track)?;
@@ -80,12 +80,12 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
 /// has.
 fn range(arguments: &Receptance, track: &Track) -> Result<(f64, f64), CliError> {
     let (usual_from, usual_to) = ReceptanceCurves::default_range(&*track.receptance);
-    let from = match arguments.from {
-        Some(from) => positive("--from", from)?,
+    let from = match &arguments.from {
+        Some(from) => from.within("--from")?,
         None => usual_from,
     };
-    let to = match arguments.to {
-        Some(to) => to.si(),
+    let to = match &arguments.to {
+        Some(to) => to.within("--to")?,
         None => usual_to,
     };
     if from < to {

@@ -183,17 +183,17 @@ fn non_steady_contacts_refuse_bad_input() {
         (
             "map",
             "--set contact.normal_load=0 -o out",
-            "`contact.normal_load` is 0 N, but must be greater than zero",
+            "`contact.normal_load` is 0 N, but must be between 1 N and 2 MN",
         ),
         (
             "contact",
             "--set contact.normal_load=-1 -o out",
-            "`contact.normal_load` is -1 N, but must be greater than zero",
+            "`contact.normal_load` is -1 N, but must be between 1 N and 2 MN",
         ),
         (
             "map",
             "--set contact.transverse_radius=-0.3 -o out",
-            "`contact.transverse_radius` is -0.3 m, but must be greater than zero",
+            "`contact.transverse_radius` is -0.3 m, but must be between 1 mm and 10000 m",
         ),
         (
             "contact",

@@ -3,7 +3,7 @@
 mod band;
 
 use riffel::{Complex64, Ridge, RidgeRow, RowEvaluator};
-use riffel_case::{Case, CaseError, Source};
+use riffel_case::{Case, CaseError, Remark, Source};
 
 use crate::file::{MapQuantity, OutputsFile};
 
@@ -65,8 +65,13 @@ pub struct Outputs {
 const RIDGE_FREQUENCY: &str = "ridge_frequency";
 
 impl Outputs {
-    /// What a plan asks for on the window of its case.
-    pub(crate) fn new(source: &Source, file: &OutputsFile, case: &Case) -> Result<Self, CaseError> {
+    /// What a plan asks for on the window of its case, with what is to be asked about points that are not usual.
+    pub(crate) fn new(
+        source: &Source,
+        file: &OutputsFile,
+        case: &Case,
+    ) -> Result<(Self, Vec<Remark>), CaseError> {
+        let mut remarks = Vec::new();
         let mut outputs = Self {
             file: file.clone(),
             wavelengths: case.wavelength.values(),
@@ -77,14 +82,8 @@ impl Outputs {
         };
         for (index, point) in file.point.iter().enumerate() {
             let key = |name: &str| format!("outputs.point[{index}].{name}");
-            for (name, value) in [
-                ("wavelength", point.wavelength.si()),
-                ("speed", point.speed.si()),
-            ] {
-                if value <= 0.0 {
-                    let rule = format!("is {value}, but must be greater than zero");
-                    return Err(source.invalid(&key(name), &rule, ""));
-                }
+            for name in ["wavelength", "speed"] {
+                remarks.extend(source.judge(&key(name))?);
             }
             if point.quantities.is_empty() {
                 return Err(source.invalid(
@@ -119,7 +118,7 @@ impl Outputs {
             .iter()
             .map(|variable| outputs.length(variable))
             .collect();
-        Ok(outputs)
+        Ok((outputs, remarks))
     }
 
     /// The arrays, in their order.
@@ -231,7 +230,7 @@ impl Outputs {
                 "highest_growth_at_edge",
                 &[],
                 "1",
-                "1 where the highest growth sits at the shortest or longest wavelength of the window, else 0",
+                "1 where the highest growth sits at an end of the window, of wavelengths or of speeds, else 0",
             );
         }
         if file.ridge_over_speed {
@@ -324,8 +323,7 @@ impl Outputs {
             case.check_window()?;
         }
         for point in &self.file.point {
-            let frequency = point.speed.si() / point.wavelength.si();
-            case.check_frequencies(frequency, frequency)?;
+            case.check_points([point.wavelength.si(); 2], [point.speed.si(); 2])?;
         }
         Ok(case)
     }
@@ -339,13 +337,12 @@ impl Outputs {
         }
         for point in &self.file.point {
             let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
-            let case = case
-                .covering(wavelength, wavelength)
+            let state = case
+                .point(wavelength, speed)
                 .map_err(|error| crate::plan::sentence(&error))?;
-            let state = case.feedback.at(wavelength, speed);
             for &quantity in &point.quantities {
                 let value = quantity
-                    .number(&case, &state)
+                    .number(case, &state)
                     .ok_or_else(|| format!("{} is none of this creep law", quantity.key()))?;
                 values.push(value.re);
                 if quantity.is_complex() {
@@ -388,12 +385,14 @@ impl Outputs {
             values.push(ridge.best_fit_frequency().unwrap_or(f64::NAN));
             // A window has speeds.
             if let Some(highest) = ridge.highest() {
+                // A lower or a higher speed would grow faster.
+                let at_end_of_speeds = [speed.min(), speed.max()].contains(&highest.speed);
                 values.extend([
                     highest.growth_rate,
                     highest.wavelength,
                     highest.speed,
                     highest.frequency,
-                    flag(highest.at_edge),
+                    flag(highest.at_edge || at_end_of_speeds),
                 ]);
             }
         }

@@ -101,7 +101,7 @@ impl Plan {
         let parameters = Self::parameters(&source, &file)?;
         let design = Self::design(&source, &file, &parameters)?;
         let copula = Self::copula(&source, &file, &parameters)?;
-        let outputs = Outputs::new(&source, &file.outputs, &case)?;
+        let (outputs, of_points) = Outputs::new(&source, &file.outputs, &case)?;
         if outputs.has_axes()
             && let Some(index) = file
                 .parameter
@@ -146,6 +146,8 @@ impl Plan {
         }
         plan.remarks
             .extend(case.remarks.iter().map(ToString::to_string));
+        plan.remarks
+            .extend(of_points.iter().map(ToString::to_string));
         plan.remarks.extend(plan.own_remarks());
         bounds::check(&source, &mut plan, &case)?;
         Ok((plan, case, path.to_owned()))

@@ -36,7 +36,7 @@ fn the_example_reads() {
 #[case(
     "min = 0.2",
     "min = -0.2",
-    "`contact.friction` is -0.2, but must be greater than zero"
+    "`contact.friction` is -0.2, but must be between 0.001 and 1.5"
 )]
 #[case(
     "min = 0.2",
@@ -139,7 +139,7 @@ fn the_example_reads() {
 #[case(
     "\"55 mm\"",
     "\"-55 mm\"",
-    "`outputs.point[0].wavelength` is -0.055, but must be greater than zero"
+    "`outputs.point[0].wavelength` is -0.055 m, but must be between 100 µm and 10 m"
 )]
 fn a_bad_plan_is_refused_with_a_sentence(
     #[case] good: &str,

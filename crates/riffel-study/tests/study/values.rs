@@ -156,3 +156,24 @@ fn correlated_parameters_vary_together() {
     let expected = 6.0 / std::f64::consts::PI * (-0.3f64).asin();
     assert!((rank - expected).abs() < 0.01, "{rank} {expected}");
 }
+
+/// Growth that still rises with the speed at the end of the window is flagged, as one that rises with the wavelength.
+#[test]
+fn the_highest_growth_may_sit_at_an_end_of_the_speeds() {
+    let mut beyond = 0;
+    for (slowest, fastest) in [(20, 22), (38, 40)] {
+        let window = format!("min = \"{slowest} m/s\", max = \"{fastest} m/s\"");
+        let study = study_of(&PLAN.replace("min = \"20 m/s\", max = \"40 m/s\"", &window));
+        let sample = study.sample(0);
+        let values = sample.outputs.unwrap();
+        let speed = of(&study, &values, "highest_growth_speed")[0];
+        let wavelengths = [study.case.wavelength.min(), study.case.wavelength.max()];
+        let wavelength = of(&study, &values, "highest_growth_wavelength")[0];
+        let at_end = [f64::from(slowest), f64::from(fastest)].contains(&speed);
+        let at_edge = of(&study, &values, "highest_growth_at_edge")[0];
+        assert_eq!(at_edge == 1.0, at_end || wavelengths.contains(&wavelength));
+        beyond += i32::from(at_end && !wavelengths.contains(&wavelength));
+    }
+    // One of the two windows lies on a slope.
+    assert!(beyond > 0);
+}

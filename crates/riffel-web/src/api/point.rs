@@ -149,7 +149,7 @@ pub(crate) async fn post(
                 slowest,
                 fastest,
             )?;
-            let state = case.feedback.at(wavelength, speed);
+            let state = case.point(wavelength, speed)?;
             let spectrum = Spectrum::new(&case, speed);
             if !wanted.still() {
                 return Err(Fault::busy(

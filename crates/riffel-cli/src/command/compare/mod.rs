@@ -12,7 +12,7 @@ use riffel_case::{Case, CaseError, Hold, Variant};
 
 use super::forecast::{ground_rail, level_limit, number, outside, per_million, reached, when};
 use super::roughness::survey;
-use crate::arguments::{Compare, positive};
+use crate::arguments::Compare;
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
@@ -252,8 +252,8 @@ impl Report {
 
 /// Speeds of the wheel of the case: as asked for, or the middle of its map.
 fn speeds(case: &Case, arguments: &Compare) -> Result<SpeedDistribution, CliError> {
-    let mean = match arguments.speed {
-        Some(speed) => positive("--speed", speed)?,
+    let mean = match &arguments.speed {
+        Some(speed) => speed.within("--speed")?,
         None => 0.5 * (case.speed.min() + case.speed.max()),
     };
     let deviation = arguments

@@ -6,11 +6,11 @@ use jiff::civil::Date;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::Case;
 use riffel_case::diagnosis::{Diagnosis, DiagnosisSettings, RailRecord};
-use riffel_case::quantity::{Frequency, Quantity, Speed};
+use riffel_case::quantity::{Frequency, Kind, Quantity, Speed};
 use riffel_case::roughness::RoughnessFile;
 use riffel_case::traffic::Traffic;
 
-use crate::arguments::{DiagnosisArguments, positive};
+use crate::arguments::{DiagnosisArguments, positive, within};
 use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
 
@@ -115,17 +115,13 @@ fn speeds(
     }
     let mut ranges = Vec::new();
     for written in &arguments.speed {
-        let parse = |text: &str| -> miette::Result<f64> {
-            let speed: Quantity<Speed> = text
-                .trim()
-                .parse()
-                .map_err(|error| miette::miette!("--speed: {error}"))?;
-            Ok(positive("--speed", speed)?)
-        };
-        let (slowest, fastest) = match written.split_once("..") {
-            Some((slowest, fastest)) => (parse(slowest)?, parse(fastest)?),
+        let (slowest, fastest) = match Kind::of::<Speed>().range_in_words(written) {
+            Some([slowest, fastest]) => (
+                within::<Speed>("--speed", &slowest)?,
+                within::<Speed>("--speed", &fastest)?,
+            ),
             None => {
-                let speed = parse(written)?;
+                let speed = within::<Speed>("--speed", written)?;
                 (speed, speed)
             }
         };

@@ -157,7 +157,7 @@ pub(super) fn what_if(
         variants,
         speed: now
             .filter(|_| traffic.is_none())
-            .map(|now| riffel_case::quantity::Quantity::new(now.speed)),
+            .map(|now| riffel_case::quantity::Quantity::new(now.speed).into()),
         speed_deviation: None,
         traffic,
         hold,

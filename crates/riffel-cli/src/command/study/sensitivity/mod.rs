@@ -13,7 +13,7 @@ use self::document::Document;
 use super::statistics::figures;
 use crate::arguments::Sensitivity;
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{complain, print_remarks};
 use crate::output::{print, print_json, table};
 use crate::staging::Staging;
 
@@ -54,12 +54,12 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
     let summary = folder.summary()?;
     if summary.chunks_finished < summary.chunks {
         let folder = arguments.folder.display();
-        eprintln!(
+        complain(format_args!(
             "note: nothing is analysed, for {folder} is not finished: {} of {} chunks are missing; \
              riffel study PLAN -o {folder} computes them, riffel study merge brings shards together",
             summary.chunks - summary.chunks_finished,
             summary.chunks,
-        );
+        ));
         return Ok(1);
     }
     let is_saltelli = study.plan.file.design.method == Method::Saltelli;

@@ -1,0 +1,290 @@
+//! The table of physical ranges.
+
+use super::PhysicalRange;
+use crate::quantity::{
+    Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind, Length,
+    Mass, MassPerLength, Modulus, Ratio, SecondMoment, Speed, Stiffness, VelocityDecay,
+    WearCoefficient,
+};
+
+const fn row<D: Dimension>(
+    keys: &'static [&'static str],
+    hard: [f64; 2],
+    usual: [f64; 2],
+    reason: &'static str,
+) -> PhysicalRange {
+    PhysicalRange {
+        keys,
+        kind: Kind::of::<D>(),
+        hard,
+        usual,
+        bare_up_to: f64::INFINITY,
+        reason,
+    }
+}
+
+/// Largest speed \[m/s\] that is taken without a question where no unit is written: 144 km/h. Faster lines exist, but
+/// most numbers above it are kilometres an hour without their unit.
+const BARE_SPEED: f64 = 40.0;
+
+/// Every range, in the order of the case file. Hard ranges leave room for roller rigs and twin-disc machines (wheels of
+/// 5 mm, loads of 1 N, discs of polymer) and for limits that a thought experiment takes; where a limit has a key of
+/// its own, such as `wheel.rotation`, the range ends far beyond where it is reached.
+pub static RANGES: &[PhysicalRange] = &[
+    row::<Modulus>(
+        &["steel.youngs_modulus"],
+        [1e9, 1e12],
+        [150e9, 230e9],
+        "Polymer discs have 1 to 3 GPa, no metal more than 600; steels 190 to 215, cast iron from 150.",
+    ),
+    row::<Ratio>(
+        &["steel.poisson_ratio"],
+        [-0.9, 0.499],
+        [0.2, 0.4],
+        "An isotropic solid is stable between -1 and 0.5; steels have 0.27 to 0.31.",
+    ),
+    row::<Length>(
+        &["wheel.rolling_radius", "vehicle.rolling_radius"],
+        [0.005, 5.0],
+        [0.15, 0.70],
+        "Twin discs begin at 10 mm; wheels in service have 165 mm (rolling highway) to 625 mm (locomotives).",
+    ),
+    row::<Mass>(
+        &["wheel.mass", "vehicle.wheel_mass"],
+        [0.01, 1e5],
+        [50.0, 3000.0],
+        "Discs of a rig weigh grams; a wheel with its share of wheelset and drive 150 to 2500 kg.",
+    ),
+    row::<Inertia>(
+        &["wheel.inertia"],
+        [1e-7, 1e7],
+        [1.0, 500.0],
+        "Follows from mass and radius; the limits of none and of infinite inertia are wheel.rotation.",
+    ),
+    row::<MassPerLength>(
+        &["rail.mass_per_length"],
+        [0.01, 1e4],
+        [10.0, 130.0],
+        "Model rails weigh grams a metre; rails 15 kg/m (mines) to 75, crane rails to 120.",
+    ),
+    row::<SecondMoment>(
+        &["rail.second_moment"],
+        [1e-14, 1e-2],
+        [1e-6, 1e-4],
+        "Rails of 15 to 75 kg/m have 150 to 4500 cm4.",
+    ),
+    row::<SecondMoment>(
+        &["rail.lateral_second_moment"],
+        [1e-14, 1e-2],
+        [2e-7, 5e-5],
+        "Rails of 15 to 75 kg/m have 30 to 1000 cm4.",
+    ),
+    row::<Area>(
+        &["rail.area"],
+        [1e-7, 1.0],
+        [1e-3, 2e-2],
+        "The mass per length over the density of steel: 19 to 96 cm2.",
+    ),
+    row::<Ratio>(
+        &["rail.shear_coefficient", "rail.lateral_shear_coefficient"],
+        [0.01, 1.0],
+        [0.2, 0.95],
+        "At most 1 by its definition; 0.34 to 0.45 for rails, 0.85 for a rectangle.",
+    ),
+    row::<Modulus>(
+        &["rail.shear_modulus"],
+        [1e8, 1e12],
+        [60e9, 90e9],
+        "E/2(1 + v) of the range of Young's modulus; steels 77 to 83 GPa.",
+    ),
+    row::<Density>(
+        &["rail.density", "wear.density"],
+        [100.0, 3e4],
+        [7000.0, 8100.0],
+        "Polymers have 1000 kg/m3, no metal more than 22 600; steels 7700 to 8000, cast iron from 7000.",
+    ),
+    row::<Ratio>(
+        &["rail.loss_factor"],
+        [0.0, 2.0],
+        [0.0, 0.2],
+        "Steel has 0.0002, with joints and clips 0.02; rails with dampers up to 0.2.",
+    ),
+    row::<Length>(
+        &["track.support_spacing"],
+        [0.01, 10.0],
+        [0.3, 1.6],
+        "Model tracks begin at centimetres; sleepers lie 0.5 to 0.75 m apart, steel ones and bridges up to 1.5 m.",
+    ),
+    row::<Stiffness>(
+        &["track.pad.stiffness"],
+        [1.0, 1e13],
+        [5e6, 5e9],
+        "Baseplates on tunnel slabs have from 6 MN/m, stiff thin pads under dynamic load up to 3 GN/m.",
+    ),
+    row::<Stiffness>(
+        &["track.ballast.stiffness"],
+        [1.0, 1e13],
+        [5e6, 5e9],
+        "Under a sleeper end: soft peat 10 MN/m, frozen ballast on rock or a slab some GN/m.",
+    ),
+    row::<Stiffness>(
+        &[
+            "track.pad.lateral_stiffness",
+            "track.ballast.lateral_stiffness",
+            "track.pad.longitudinal_stiffness",
+            "track.ballast.longitudinal_stiffness",
+        ],
+        [1.0, 1e13],
+        [5e5, 5e9],
+        "A tenth of the vertical stiffness and more.",
+    ),
+    row::<Damping>(
+        &["track.pad.damping", "track.ballast.damping"],
+        [0.0, 1e10],
+        [0.0, 5e6],
+        "Pads have 5 to 100 kN s/m, ballast 20 to 500.",
+    ),
+    row::<Ratio>(
+        &["track.pad.loss_factor", "track.ballast.loss_factor"],
+        [0.0, 10.0],
+        [0.0, 3.0],
+        "Pads of rubber have 0.1 to 0.4, ballast up to 2.",
+    ),
+    row::<Mass>(
+        &["track.sleeper.mass"],
+        [0.0, 1e5],
+        [0.0, 1000.0],
+        "Per rail: baseplates from 5 kg, half of a concrete sleeper 100 to 200, blocks and slabs more.",
+    ),
+    row::<Length>(
+        &["track.position", "--position"],
+        [0.0, 10.0],
+        [0.0, 1.6],
+        "Within one spacing of supports.",
+    ),
+    row::<DampingPerLength>(
+        &["track.rail_damping"],
+        [0.0, 1e9],
+        [0.0, 1e6],
+        "Free rails have next to none; embedded ones some 100 kN s/m2.",
+    ),
+    row::<Length>(
+        &["contact.transverse_radius"],
+        [1e-3, 1e4],
+        [0.02, 20.0],
+        "Rail heads have 10 to 600 mm; a conformal contact is flatter, a line contact as flat as one likes.",
+    ),
+    row::<Force>(
+        &["contact.normal_load", "vehicle.wheel_load"],
+        [1.0, 2e6],
+        [10e3, 250e3],
+        "Twin discs press with 10 N to some kN; wheels with 15 kN (light rail) to 200 kN (40 t axles).",
+    ),
+    row::<Ratio>(
+        &["contact.friction"],
+        [0.001, 1.5],
+        [0.02, 0.8],
+        "Leaves and ice have 0.02 to 0.05, dry rails 0.3 to 0.6, clean ones in vacuum more than 1.",
+    ),
+    row::<Ratio>(
+        &["contact.tractive_ratio", "vehicle.tractive_ratio"],
+        [1e-6, 0.999_999],
+        [1e-6, 0.999_999],
+        "Above 0 and below 1 by its definition; nearer to an end its digits are lost.",
+    ),
+    row::<Ratio>(
+        &["contact.creepage", "vehicle.creepage"],
+        [1e-9, 1.0],
+        [1e-6, 0.1],
+        "Free rolling wheels have 0.01 %, full slip begins at 0.3 to 1 %, a locked wheel has 1.",
+    ),
+    row::<Ratio>(
+        &["contact.polach.limit_friction_ratio"],
+        [0.001, 1.0],
+        [0.1, 1.0],
+        "At most 1 by its definition; Polach (2005) gives 0.36 to 0.44.",
+    ),
+    row::<VelocityDecay>(
+        &["contact.polach.friction_decay"],
+        [0.0, 1e3],
+        [0.0, 10.0],
+        "Polach (2005) gives 0.2 to 0.6 s/m.",
+    ),
+    row::<Ratio>(
+        &[
+            "contact.polach.adhesion_reduction",
+            "contact.polach.slip_reduction",
+        ],
+        [0.001, 1.0],
+        [0.05, 1.0],
+        "At most 1 by their definition; Polach (2005) gives 0.1 to 1.",
+    ),
+    row::<Length>(
+        &["corrugation.amplitude"],
+        [1e-12, 0.01],
+        [1e-8, 2e-3],
+        "Smooth rails have 0.1 µm, the worst corrugation 0.5 mm.",
+    ),
+    row::<WearCoefficient>(
+        &["wear.coefficient"],
+        [1e-16, 1e-2],
+        [1e-11, 1e-6],
+        "Mild wear of rail steel has 1e-9 kg/J, severe wear a hundred times that.",
+    ),
+    row::<Length>(
+        &[
+            "map.wavelength.min",
+            "map.wavelength.max",
+            "--wavelength",
+            "outputs.point.wavelength",
+        ],
+        [1e-4, 10.0],
+        [2e-3, 3.0],
+        "Shorter than a tenth of any contact patch nothing grows; corrugation has 10 mm to 1.5 m.",
+    ),
+    PhysicalRange {
+        bare_up_to: BARE_SPEED,
+        ..row::<Speed>(
+            &[
+                "map.speed.min",
+                "map.speed.max",
+                "contact.polach.speed",
+                "--speed",
+                "outputs.point.speed",
+                "vehicle.speed.mean",
+                "vehicle.speeds.speed",
+                "speed.mean",
+            ],
+            [0.01, 200.0],
+            [1.0, 100.0],
+            "Roller rigs begin at centimetres a second; trains in service run at up to 350 km/h, 97 m/s.",
+        )
+    },
+    row::<Speed>(
+        &[
+            "vehicle.speed.standard_deviation",
+            "speed.standard_deviation",
+        ],
+        [0.0, 50.0],
+        [0.0, 20.0],
+        "Less than a quarter of the mean.",
+    ),
+    row::<Ratio>(
+        &["speed.factor"],
+        [1e-3, 1e3],
+        [0.1, 10.0],
+        "Of the speeds of the traffic, which keep their own range.",
+    ),
+    row::<Mass>(
+        &["vehicle.axle_load"],
+        [0.2, 4e5],
+        [2e3, 5e4],
+        "Twice the load of a wheel: 3 t (light rail) to 40 t (ore lines).",
+    ),
+    row::<Frequency>(
+        &["--from", "--to"],
+        [1e-3, 2e6],
+        [1.0, 5e4],
+        "The slowest speed over the longest wavelength to the fastest over the shortest.",
+    ),
+];
