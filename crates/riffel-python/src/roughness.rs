@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis, RmsLimit,
-    Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, grind_sections,
+    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
+    RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_case::roughness::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
@@ -202,6 +202,7 @@ pub(crate) fn analyse<'py>(
     block: f64,
     limit: Option<&str>,
     merge: f64,
+    grinding_length: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let settings = AnalysisSettings {
         longest_wavelength: longest,
@@ -213,7 +214,10 @@ pub(crate) fn analyse<'py>(
     let profiles = profiles(&stretches, spacing)?;
     let analysis = interruptible(py, move || RailAnalysis::new(profiles, &settings, &|| ()))?;
     let analysis = analysis.map_err(of_physics)?;
-    let sections = grind_sections(analysis.over_limit, merge);
+    let sections = analysis.grind(&GrindSettings {
+        merge,
+        shortest: grinding_length,
+    });
     let result = PyDict::new(py);
     result.set_item("spikes", analysis.spikes)?;
     result.set_item("pits", analysis.pits)?;
@@ -236,7 +240,8 @@ pub(crate) fn analyse<'py>(
     });
     result.set_item("bands", bands.collect::<Vec<_>>())?;
     let blocks = analysis.blocks.iter().map(|block| {
-        let rms = block.rms.iter().map(|&rms| missing(rms));
+        let rms = block.rms.iter().chain(&block.moving_rms_max);
+        let rms = rms.map(|&rms| missing(rms));
         [block.from, block.to]
             .into_iter()
             .chain(rms)

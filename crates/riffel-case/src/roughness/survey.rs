@@ -145,6 +145,19 @@ impl Survey {
         Ok(groups)
     }
 
+    /// The column that names the rail of each record, if there is one.
+    pub fn rail_column(&self) -> Option<&str> {
+        self.columns()
+            .find(|column| ["rail", "schiene"].contains(&column.to_lowercase().as_str()))
+    }
+
+    /// The records of each rail, in the order of the file; all under an empty name where rails are not named.
+    pub fn by_rail(&self) -> Vec<(String, Self)> {
+        self.rail_column()
+            .and_then(|column| self.groups(Some(column)).ok())
+            .unwrap_or_else(|| vec![(String::new(), self.clone())])
+    }
+
     /// The records by the dates in a column, the earliest first.
     ///
     /// # Errors

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use riffel::roughness::AnalysisSettings;
+use riffel::roughness::{AnalysisSettings, GrindSettings};
 use riffel_case::quantity::{Frequency, Length, Quantity};
 use riffel_case::read_date;
-use riffel_case::roughness::LengthUnit;
+use riffel_case::roughness::{LengthUnit, RecordPart};
 
 use super::{CaseArguments, Ground, HoldArgument};
 
-/// How files of roughness are laid out.
+/// How files of roughness are laid out, and what is taken of them.
 #[derive(Args, Default)]
 pub(crate) struct Layout {
     /// Reader profile that says how profiles are laid out [default: found from their first lines].
@@ -29,6 +29,46 @@ pub(crate) struct Layout {
     /// their step].
     #[arg(long, value_name = "UNIT")]
     pub(crate) position_unit: Option<LengthUnit>,
+
+    #[command(flatten)]
+    pub(crate) part: Part,
+}
+
+/// One rail, or a place along the line.
+#[derive(Args, Clone, Default)]
+pub(crate) struct Part {
+    /// Take this rail alone [default: all, each judged on its own].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) rail: Option<String>,
+
+    /// Take profiles from this position on, as in --from "12.4 km".
+    #[arg(long, value_name = "POSITION", allow_negative_numbers = true)]
+    pub(crate) from: Option<Quantity<Length>>,
+
+    /// Take profiles up to this position.
+    #[arg(long, value_name = "POSITION", allow_negative_numbers = true)]
+    pub(crate) to: Option<Quantity<Length>>,
+}
+
+impl Part {
+    /// The first argument given.
+    fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--rail", self.rail.is_some()),
+            ("--from", self.from.is_some()),
+            ("--to", self.to.is_some()),
+        ];
+        given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
+    }
+
+    /// What is taken of a file.
+    pub(crate) fn of_record(&self) -> RecordPart {
+        RecordPart {
+            rail: self.rail.clone(),
+            from: self.from,
+            to: self.to,
+        }
+    }
 }
 
 /// What is computed of a profile.
@@ -47,9 +87,23 @@ pub(crate) struct Statistics {
     #[arg(long, value_name = "LENGTH", default_value_t = Self::default().block)]
     pub(crate) block: Quantity<Length>,
 
-    /// Good length below which two sections are ground as one.
+    /// Good length up to which two sections are ground as one.
     #[arg(long, value_name = "LENGTH", default_value_t = Self::default().merge)]
     pub(crate) merge: Quantity<Length>,
+
+    /// Shortest length that is ground; shorter sections are widened to it.
+    #[arg(long, value_name = "LENGTH", default_value_t = Self::default().grinding_length)]
+    pub(crate) grinding_length: Quantity<Length>,
+}
+
+impl Statistics {
+    /// What one piece of grinding is.
+    pub(crate) fn grinding(&self) -> GrindSettings {
+        GrindSettings {
+            merge: self.merge.si(),
+            shortest: self.grinding_length.si(),
+        }
+    }
 }
 
 impl Default for Statistics {
@@ -58,7 +112,8 @@ impl Default for Statistics {
             longest: None,
             window: None,
             block: Quantity::new(AnalysisSettings::default().block),
-            merge: Quantity::new(5.0),
+            merge: Quantity::new(GrindSettings::default().merge),
+            grinding_length: Quantity::new(GrindSettings::default().shortest),
         }
     }
 }
@@ -177,7 +232,8 @@ impl DiagnosisArguments {
             ("--bending", !self.bending.is_empty()),
             ("--from-vehicle", self.from_vehicle),
         ];
-        given.into_iter().find(|(_, is)| *is).map(|(name, _)| name)
+        let own = given.into_iter().find(|(_, is)| *is).map(|(name, _)| name);
+        own.or(self.layout.part.given())
     }
 }
 

@@ -4,8 +4,9 @@ use std::fs;
 
 use crate::sandbox::Sandbox;
 
-const SECTIONS: [&str; 10] = [
+const SECTIONS: [&str; 11] = [
     "Profile",
+    "Moving RMS along the line",
     "Spectrum and limits",
     "Wavelength bands",
     "What to grind",

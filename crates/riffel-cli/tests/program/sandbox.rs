@@ -24,6 +24,14 @@ pub(crate) struct Outcome {
     pub(crate) status: Option<i32>,
 }
 
+impl Outcome {
+    /// The text without the line breaks and bars that a terminal puts between its words.
+    pub(crate) fn sentence(&self) -> String {
+        let words = self.text.split_whitespace().filter(|word| *word != "│");
+        words.collect::<Vec<_>>().join(" ")
+    }
+}
+
 impl Sandbox {
     pub(crate) fn new() -> Self {
         let folder = TempDir::new().unwrap();

@@ -51,7 +51,7 @@ class Analysis:
     bands: xr.Dataset
     """Statistics of the bands of grinding over ``band``."""
     blocks: xr.Dataset
-    """RMS of consecutive blocks over ``block`` and ``band``."""
+    """RMS of consecutive blocks over ``block`` and ``band``, and the highest moving RMS in each."""
     grind: xr.Dataset
     """Lengths over the limit over ``section``: what to grind from where to where."""
     spikes: int
@@ -199,7 +199,8 @@ def analyse(
     window: Quantity | None = None,
     block: Quantity = 10.0,
     limit: str | None = None,
-    merge: Quantity = 5.0,
+    merge: Quantity = 10.0,
+    grinding_length: Quantity = 10.0,
 ) -> Analysis:
     """Everything about one rail: spikes, levels, bands, limits, what to grind.
 
@@ -218,7 +219,9 @@ def analyse(
     limit : str, optional
         Limit of the moving RMS by name or as a TOML file, such as "grassie-1999".
     merge : quantity
-        Lengths over the limit that lie nearer than this are ground as one.
+        Good length up to which two lengths over the limit are ground as one.
+    grinding_length : quantity
+        Shortest length that is ground; shorter ones are widened to it.
 
     Examples
     --------
@@ -236,6 +239,7 @@ def analyse(
         scalar(block, "block", "length"),
         limit,
         scalar(merge, "merge", "length"),
+        scalar(grinding_length, "grinding_length", "length"),
     )
     bands = np.array(found["bands"], dtype=np.float64).reshape(-1, 9).T
     blocks = np.array(found["blocks"], dtype=np.float64)
@@ -254,7 +258,8 @@ def analyse(
             {
                 "from": ("block", blocks[:, 0], metres),
                 "to": ("block", blocks[:, 1], metres),
-                "rms": (("block", "band"), blocks[:, 2:], metres),
+                "rms": (("block", "band"), blocks[:, 2:6], metres),
+                "moving_rms_max": (("block", "band"), blocks[:, 6:], metres),
             }
         ),
         grind=xr.Dataset(

@@ -1,8 +1,8 @@
 //! Everything about the roughness of one rail, in one call.
 
 use super::{
-    BandPass, BandSettings, BandStatistics, GrindSection, PIT_DEPTH, PowerSpectrum, Profile,
-    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, PowerSpectrum,
+    Profile, RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand, grind_sections,
 };
 use crate::Error;
 
@@ -53,6 +53,8 @@ pub struct RailAnalysis {
     pub blocks: Vec<BlockRms>,
     /// Where a band is over its limit, each on its own.
     pub over_limit: Vec<GrindSection>,
+    /// Where each stretch without gaps begins and ends \[m\].
+    pub stretches: Vec<(f64, f64)>,
 }
 
 /// A band over the whole rail.
@@ -85,6 +87,8 @@ pub struct BlockRms {
     pub to: f64,
     /// RMS \[m\] by band, in the order of the settings; None where the stretch is too short for the band.
     pub rms: Vec<Option<f64>>,
+    /// Largest moving RMS \[m\] by band of windows with their middle in the block.
+    pub moving_rms_max: Vec<Option<f64>>,
 }
 
 impl RailAnalysis {
@@ -105,6 +109,11 @@ impl RailAnalysis {
         let mut statistics = vec![Vec::new(); settings.bands.len()];
         let mut blocks = Vec::new();
         let mut over_limit = Vec::new();
+        let end = |stretch: &Profile| stretch.start() + stretch.length();
+        let ends: Vec<(f64, f64)> = stretches
+            .iter()
+            .map(|stretch| (stretch.start(), end(stretch)))
+            .collect();
         for stretch in &mut stretches {
             spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
             progress();
@@ -134,7 +143,27 @@ impl RailAnalysis {
                 .collect(),
             blocks,
             over_limit,
+            stretches: ends,
         })
+    }
+
+    /// What to grind, from one end of the rail to the other.
+    pub fn grind(&self, settings: &GrindSettings) -> Vec<GrindSection> {
+        grind_sections(self.over_limit.clone(), &self.stretches, settings)
+    }
+
+    /// Length of rail that was measured \[m\].
+    pub fn length(&self) -> f64 {
+        self.stretches.iter().map(|(from, to)| to - from).sum()
+    }
+
+    /// The parts of some sections that were measured \[m\]: gaps of the record are no part of them.
+    pub fn measured_within(&self, sections: &[GrindSection]) -> Vec<(f64, f64)> {
+        let parts = sections.iter().flat_map(|section| {
+            let stretches = self.stretches.iter();
+            stretches.map(|(from, to)| (section.from.max(*from), section.to.min(*to)))
+        });
+        parts.filter(|(from, to)| from < to).collect()
     }
 
     /// How often [`new`](Self::new) calls its progress.
@@ -184,6 +213,10 @@ fn block_rows<'a>(
         rms: statistics
             .iter()
             .map(|band| band.as_ref().map(|band| band.block_rms[index]))
+            .collect(),
+        moving_rms_max: statistics
+            .iter()
+            .map(|band| band.as_ref().map(|band| band.block_moving_rms_max[index]))
             .collect(),
     })
 }
@@ -285,7 +318,26 @@ mod tests {
             "{over:?}"
         );
         assert!((band.share_over_limit.unwrap() - over.length() / 100.0).abs() < 1e-9);
+        // Half a metre on either side of a gap of 2 m: one piece of grinding, of which the gap is no part.
+        let mut torn = analysis.clone();
+        torn.stretches = vec![(100.0, 130.0), (132.0, 200.0)];
+        torn.over_limit = [(129.5, 130.0), (132.0, 132.5)]
+            .map(|(from, to)| GrindSection {
+                from,
+                to,
+                ..over.clone()
+            })
+            .to_vec();
+        let ground = torn.grind(&GrindSettings::default());
+        assert_eq!(ground.len(), 1);
+        assert_eq!((ground[0].from, ground[0].to), (120.0, 142.0));
+        let measured = torn.measured_within(&ground);
+        assert_eq!(measured, [(120.0, 130.0), (132.0, 142.0)]);
+        assert_eq!(torn.length(), 98.0);
         assert_eq!(analysis.blocks.len(), 10);
+        let highest = |block: usize| analysis.blocks[block].moving_rms_max[1].unwrap();
+        assert!((highest(3) / (12e-6 / 2f64.sqrt()) - 1.0).abs() < 0.02);
+        assert!(highest(0) < 0.8e-6);
         assert!((analysis.blocks[3].rms[1].unwrap() / (12e-6 / 2f64.sqrt()) - 1.0).abs() < 0.02);
         assert_eq!((analysis.spikes, analysis.pits), (0, 0));
         Ok(())

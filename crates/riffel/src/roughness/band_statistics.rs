@@ -27,6 +27,9 @@ pub struct BandStatistics {
     pub exceedances: Vec<Exceedance>,
     /// RMS of consecutive blocks \[m\]; the last may be shorter.
     pub block_rms: Vec<f64>,
+    /// The largest moving RMS \[m\] of windows with their middle in each block; that of the nearest window
+    /// where there is none.
+    pub block_moving_rms_max: Vec<f64>,
 }
 
 /// Samples around which the moving RMS is over a limit.
@@ -93,6 +96,11 @@ impl BandStatistics {
             largest(|part| part.mean_square_max).sqrt(),
             largest(|part| part.peak_to_peak_max),
         );
+        let mut highest = vec![None; squares.len()];
+        for (index, square) in parts.iter().flat_map(|part| &part.moving) {
+            let own: &mut Option<f64> = &mut highest[*index];
+            *own = Some(own.map_or(*square, |own| larger(own, *square)));
+        }
         let over = parts.into_iter().flat_map(|part| part.over);
         Self {
             band: settings.band,
@@ -107,6 +115,7 @@ impl BandStatistics {
                 .enumerate()
                 .map(|(index, sum)| (sum / block.min(samples - index * block) as f64).sqrt())
                 .collect(),
+            block_moving_rms_max: held(&highest),
         }
     }
 
@@ -122,6 +131,8 @@ struct Part {
     peak_to_peak_max: f64,
     /// By the first sample of the window.
     over: Vec<Exceedance>,
+    /// Largest mean squares by block, of windows with their middle there.
+    moving: Vec<(usize, f64)>,
     /// Sums of squares by block, of the section's own samples.
     squares: Vec<(usize, f64)>,
 }
@@ -130,7 +141,11 @@ impl Part {
     /// `samples` is the length of the whole profile.
     fn new(section: &Section<'_>, samples: usize, settings: &BandSettings) -> Self {
         let window = settings.window.clamp(1, samples);
-        let (mean_square_max, over) = moving(section, window, settings.limit);
+        let Moving {
+            mean_square_max,
+            over,
+            blocks,
+        } = Moving::new(section, window, settings);
         let margin = settings.margin.min(samples.saturating_sub(1) / 2);
         let inner = margin..samples - margin;
         Self {
@@ -140,31 +155,63 @@ impl Part {
                 window.min(inner.len()),
             ),
             over,
+            moving: blocks,
             squares: block_squares(section, settings.block.max(1)),
         }
     }
 }
 
-/// The largest moving mean square, and where the RMS is over the limit.
-fn moving(section: &Section<'_>, window: usize, limit: Option<f64>) -> (f64, Vec<Exceedance>) {
-    let limit = limit.map_or(f64::INFINITY, |limit| limit * limit);
-    let (mut largest, mut over) = (0.0f64, Vec::new());
-    let heights = section.windows_within(&(0..usize::MAX), window);
-    moving_mean_squares(heights, window, |start, squares| {
-        let highest = squares.iter().copied().fold(0.0, larger);
-        largest = larger(largest, highest);
-        if highest > limit {
-            for run in runs(squares.iter().map(|square| *square > limit)) {
-                let highest = squares[run.clone()].iter().copied().fold(0.0, larger);
-                let start = section.start + start;
-                over.push(Exceedance {
-                    samples: start + run.start..start + run.end,
-                    rms_max: highest.sqrt(),
-                });
+/// What the moving mean square does in a section.
+struct Moving {
+    mean_square_max: f64,
+    over: Vec<Exceedance>,
+    blocks: Vec<(usize, f64)>,
+}
+
+impl Moving {
+    fn new(section: &Section<'_>, window: usize, settings: &BandSettings) -> Self {
+        let limit = settings.limit.map_or(f64::INFINITY, |limit| limit * limit);
+        let (middle, block) = ((window - 1) / 2, settings.block.max(1));
+        let mut found = Self {
+            mean_square_max: 0.0,
+            over: Vec::new(),
+            blocks: Vec::new(),
+        };
+        let heights = section.windows_within(&(0..usize::MAX), window);
+        moving_mean_squares(heights, window, |start, squares| {
+            let start = section.start + start;
+            let (mut highest, mut from) = (0.0, 0);
+            while from < squares.len() {
+                let index = (start + from + middle) / block;
+                let to = ((index + 1) * block - middle - start).min(squares.len());
+                let own = squares[from..to].iter().copied().fold(0.0, larger);
+                found.blocks.push((index, own));
+                highest = larger(highest, own);
+                from = to;
             }
-        }
+            found.mean_square_max = larger(found.mean_square_max, highest);
+            if highest > limit {
+                for run in runs(squares.iter().map(|square| *square > limit)) {
+                    let highest = squares[run.clone()].iter().copied().fold(0.0, larger);
+                    found.over.push(Exceedance {
+                        samples: start + run.start..start + run.end,
+                        rms_max: highest.sqrt(),
+                    });
+                }
+            }
+        });
+        found
+    }
+}
+
+/// Roots of mean squares by block, the first and the last held to the ends.
+fn held(squares: &[Option<f64>]) -> Vec<f64> {
+    let mut last = squares.iter().flatten().next().copied().unwrap_or(0.0);
+    let roots = squares.iter().map(|square| {
+        last = square.unwrap_or(last);
+        last.sqrt()
     });
-    (largest, over)
+    roots.collect()
 }
 
 /// The larger of two numbers; unlike `max` it takes no time to look for NaN, which a profile never has.
@@ -298,6 +345,17 @@ mod tests {
         // 1001 × 0.16 = 160.2: 161 samples inside.
         assert_eq!(over.samples, 60_000 + 161 - 501..80_000 - 161 + 501);
         assert!((over.rms_max - 10e-6).abs() < 1e-15);
+        // Blocks of 10 000: the middles of windows reach 500 samples beyond the stretch.
+        let highest = &found.block_moving_rms_max;
+        assert_eq!(highest.len(), 20);
+        let beside = 10e-6 * (500.0f64 / 1001.0).sqrt();
+        for (block, expected) in [(4, 0.0), (5, beside), (6, 10e-6), (7, 10e-6), (9, 0.0)] {
+            // One sample of a thousand more or less.
+            assert!(
+                (highest[block] - expected).abs() < 1e-8,
+                "{block} {highest:?}"
+            );
+        }
     }
 
     #[test]
@@ -306,5 +364,11 @@ mod tests {
         assert_eq!(found.window, 50);
         assert_eq!(found.samples_over_limit(), 50);
         assert_eq!(found.block_rms.len(), 8);
+        assert!(
+            found
+                .block_moving_rms_max
+                .iter()
+                .all(|rms| (rms - 1e-6).abs() < 1e-15)
+        );
     }
 }

@@ -22,14 +22,53 @@ impl GrindSection {
     }
 }
 
-/// Join sections that overlap or lie nearer to each other than `gap` \[m\], whatever their bands, as a
-/// grinding train does not stop for a short good length. The worst band gives its name.
-pub fn grind_sections(mut sections: Vec<GrindSection>, gap: f64) -> Vec<GrindSection> {
+/// What one piece of grinding is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrindSettings {
+    /// Good length \[m\] up to which two sections are ground as one.
+    pub merge: f64,
+    /// Shortest length that is ground \[m\].
+    pub shortest: f64,
+}
+
+impl Default for GrindSettings {
+    /// 10 m each, Riffel's choice: a grinding train works at 5–10 km/h and takes four to seven seconds for
+    /// 10 m, about as long as its stones need to be lowered or raised. A shorter section cannot be ground on
+    /// its own, and a shorter good length is not worth the stop.
+    fn default() -> Self {
+        Self {
+            merge: 10.0,
+            shortest: 10.0,
+        }
+    }
+}
+
+/// What to grind of one rail, given where its bands are over their limits and where its stretches without
+/// gaps begin and end \[m\].
+///
+/// A section shorter than the shortest is widened to either side, at the end of a stretch to one side; it
+/// never reaches beyond its stretch. Sections that then overlap or lie no further apart than the good length to be
+/// merged become one, whatever their bands, and also across a gap of the record: the worst band gives its
+/// name.
+pub fn grind_sections(
+    mut sections: Vec<GrindSection>,
+    stretches: &[(f64, f64)],
+    settings: &GrindSettings,
+) -> Vec<GrindSection> {
+    for section in &mut sections {
+        let middle = 0.5 * (section.from + section.to);
+        let own = stretches
+            .iter()
+            .find(|(from, to)| (*from..=*to).contains(&middle));
+        if let Some(&(from, to)) = own {
+            widen(section, settings.shortest.min(to - from), from, to);
+        }
+    }
     sections.sort_by(|a, b| a.from.total_cmp(&b.from));
     let mut joined: Vec<GrindSection> = Vec::new();
     for section in sections {
         match joined.last_mut() {
-            Some(last) if section.from - last.to <= gap => {
+            Some(last) if section.from - last.to <= settings.merge => {
                 last.to = last.to.max(section.to);
                 if section.ratio > last.ratio {
                     last.ratio = section.ratio;
@@ -42,35 +81,114 @@ pub fn grind_sections(mut sections: Vec<GrindSection>, gap: f64) -> Vec<GrindSec
     joined
 }
 
+/// Make a section at least `shortest` long, within `from` and `to` \[m\].
+fn widen(section: &mut GrindSection, shortest: f64, from: f64, to: f64) {
+    let lacking = shortest - section.length();
+    if lacking > 0.0 {
+        // Not `clamp`: rounding may put the one end before the other.
+        section.from = (section.from - 0.5 * lacking).min(to - shortest).max(from);
+        section.to = section.from + shortest;
+    }
+}
+
+/// Length of line \[m\] that some lengths cover, given by their ends; what two rails share counts once.
+pub fn line_length(ends: impl IntoIterator<Item = (f64, f64)>) -> f64 {
+    let mut ends: Vec<(f64, f64)> = ends.into_iter().collect();
+    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (mut length, mut reached) = (0.0, f64::NEG_INFINITY);
+    for (from, to) in ends {
+        length += (to - from.max(reached)).max(0.0);
+        reached = reached.max(to);
+    }
+    length
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
-    #[test]
-    fn near_sections_are_ground_together() {
-        let [short, long, ..] = WavelengthBand::GRINDING;
-        let section = |from, to, band, ratio| GrindSection {
+    const SHORT: WavelengthBand = WavelengthBand::GRINDING[0];
+    const LONG: WavelengthBand = WavelengthBand::GRINDING[1];
+
+    fn section(from: f64, to: f64, band: WavelengthBand, ratio: f64) -> GrindSection {
+        GrindSection {
             from,
             to,
             band,
             ratio,
-        };
+        }
+    }
+
+    fn settings(merge: f64, shortest: f64) -> GrindSettings {
+        GrindSettings { merge, shortest }
+    }
+
+    #[test]
+    fn near_sections_are_ground_together() {
         let joined = grind_sections(
             vec![
-                section(50.0, 60.0, long, 1.1),
-                section(10.0, 20.0, short, 1.5),
-                section(22.0, 24.0, long, 2.0),
-                section(12.0, 14.0, long, 1.2),
+                section(50.0, 60.0, LONG, 1.1),
+                section(10.0, 20.0, SHORT, 1.5),
+                section(22.0, 24.0, LONG, 2.0),
+                section(12.0, 14.0, LONG, 1.2),
             ],
-            5.0,
+            &[(0.0, 100.0)],
+            &settings(5.0, 0.0),
         );
         assert_eq!(
             joined,
             [
-                section(10.0, 24.0, long, 2.0),
-                section(50.0, 60.0, long, 1.1)
+                section(10.0, 24.0, LONG, 2.0),
+                section(50.0, 60.0, LONG, 1.1)
             ]
         );
         assert_eq!(joined[0].length(), 14.0);
+    }
+
+    /// Half a metre in the middle, at either end, and on a stretch that is shorter than what is ground.
+    #[test]
+    fn short_sections_are_widened_on_the_rail() {
+        let spot = |from: f64| section(from, from + 0.5, LONG, 1.2);
+        let ground = grind_sections(
+            vec![spot(50.0), spot(0.2), spot(99.4), spot(203.0)],
+            &[(0.0, 100.0), (200.0, 204.0)],
+            &settings(10.0, 10.0),
+        );
+        let ends: Vec<(f64, f64)> = ground.iter().map(|one| (one.from, one.to)).collect();
+        assert_eq!(
+            ends,
+            [(0.0, 10.0), (45.25, 55.25), (90.0, 100.0), (200.0, 204.0)]
+        );
+    }
+
+    #[test]
+    fn line_counts_once_what_two_rails_need() {
+        assert_eq!(line_length([(50.0, 60.0), (0.0, 20.0), (10.0, 30.0)]), 40.0);
+        assert_eq!(line_length([]), 0.0);
+    }
+
+    proptest! {
+        /// All that is over the limit is ground, no piece is too short or too near to the next, and none
+        /// reaches beyond the rail.
+        #[test]
+        fn everything_over_the_limit_is_ground(
+            spots in prop::collection::vec((0.0..990.0f64, 0.01..10.0f64), 0..30),
+            merge in 0.0..20.0f64,
+            shortest in 0.0..30.0f64,
+        ) {
+            let over: Vec<GrindSection> = spots
+                .iter()
+                .map(|(from, length)| section(*from, from + length, LONG, 1.5))
+                .collect();
+            let ground = grind_sections(over.clone(), &[(0.0, 1000.0)], &settings(merge, shortest));
+            for one in &over {
+                prop_assert!(ground.iter().any(|all| all.from <= one.from + 1e-9 && one.to <= all.to + 1e-9));
+            }
+            for one in &ground {
+                prop_assert!(one.length() >= shortest - 1e-9 && one.from >= 0.0 && one.to <= 1000.0);
+            }
+            prop_assert!(ground.windows(2).all(|pair| pair[1].from - pair[0].to > merge));
+        }
     }
 }

@@ -39,7 +39,7 @@ pub use analysis::{AnalysisSettings, BandSummary, BlockRms, RailAnalysis};
 pub use band_pass::BandPass;
 pub use band_statistics::{BandSettings, BandStatistics, Exceedance};
 pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
-pub use grinding::{GrindSection, grind_sections};
+pub use grinding::{GrindSection, GrindSettings, grind_sections, line_length};
 pub use level::{REFERENCE_ROUGHNESS, level, mean_square};
 pub use limit::{LevelExcess, LevelLimit, RmsLimit};
 pub use method_a::PowerSpectrum;

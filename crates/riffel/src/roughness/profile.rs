@@ -58,8 +58,39 @@ impl Profile {
         self.heights.len() as f64 * self.spacing
     }
 
+    /// The heights at positions from `from` up to but without `to` \[m\]; None where these are fewer than two.
+    pub fn between(&self, from: f64, to: f64) -> Option<Self> {
+        /// Part of a step by which rounding may move a position.
+        const ROUNDING: f64 = 1e-3;
+        let count = self.heights.len();
+        // Numbers below zero become zero.
+        let index = |position: f64| {
+            (((position - self.start) / self.spacing - ROUNDING).ceil() as usize).min(count)
+        };
+        let heights = self.heights.get(index(from)..index(to))?;
+        Self::new(self.position(index(from)), self.spacing, heights.to_vec()).ok()
+    }
+
     /// Position \[m\] of the height `index`.
     pub fn position(&self, index: usize) -> f64 {
         self.start + index as f64 * self.spacing
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_has_the_heights_between_its_ends() {
+        let heights: Vec<f64> = (0..1000).map(f64::from).collect();
+        let profile = Profile::new(12_450.0, 1e-3, heights).unwrap();
+        let part = profile.between(12_450.1, 12_450.3).unwrap();
+        assert_eq!(part.heights().len(), 200);
+        assert_eq!(part.heights()[0], 100.0);
+        assert!((part.start() - 12_450.1).abs() < 1e-9);
+        assert_eq!(profile.between(0.0, f64::INFINITY).unwrap(), profile);
+        assert_eq!(profile.between(12_450.5, 12_450.2), None);
+        assert_eq!(profile.between(12_460.0, 12_470.0), None);
     }
 }

@@ -8,11 +8,12 @@ mod roughness;
 
 use std::path::Path;
 
+use riffel_case::quantity::Quantity;
 use riffel_case::roughness::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_case::{Case, Site};
 
 use crate::arguments::{CaseArguments, DiagnosisArguments, Report, Statistics};
-use crate::command::diagnose::diagnosis;
+use crate::command::diagnose::{capital, diagnosis};
 use crate::command::roughness::profile::Report as ProfileReport;
 use crate::command::roughness::spectra::Means;
 use crate::command::roughness::{choose_nothing, limits, read};
@@ -77,6 +78,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             check_without_roughness(arguments)?;
             let all = [
                 "Profile",
+                "Moving RMS along the line",
                 "Spectrum and limits",
                 "Wavelength bands",
                 "What to grind",
@@ -98,7 +100,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
                 format!(
                     "<b>{:.1} mm</b> stands out. {}",
                     1e3 * finding.measured.peak.wavelength,
-                    escape(&crate::command::diagnose::capital(&finding.summary()))
+                    escape(&capital(&finding.summary()))
                 )
             }));
             warnings.extend(diagnosis.warnings);
@@ -212,12 +214,19 @@ fn measured(
         RoughnessFile::Profile(profile) => {
             choose_nothing(path, &record.choose, record.by.as_deref())?;
             let strips = roughness::strips(&profile)?;
-            let report = ProfileReport::new(path, profile, limits, &Statistics::default())?;
-            let mut brief: Vec<String> = report.verdicts.iter().map(roughness::sentence).collect();
+            let statistics = Statistics {
+                block: Quantity::new(roughness::block_of_strip(&profile)),
+                ..Statistics::default()
+            };
+            let report = ProfileReport::new(path, profile, limits, &statistics)?;
+            let worst = report.worst().map(|worst| escape(&(capital(&worst) + ".")));
+            let verdicts = report.verdicts().map(roughness::sentence);
+            let mut brief: Vec<String> = worst.into_iter().chain(verdicts).collect();
             brief.push(escape(&roughness::total(&report)));
             Measured {
                 sections: vec![
                     strips,
+                    roughness::moving_rms(&report)?,
                     roughness::spectrum_of_profile(path, &report, limits)?,
                     roughness::bands(&report, limits),
                     roughness::grind(&report),
@@ -239,6 +248,7 @@ fn measured(
             Measured {
                 sections: vec![
                     Section::LeftOut("Profile", TABLE),
+                    Section::LeftOut("Moving RMS along the line", TABLE),
                     roughness::spectrum_of_means(path, &means, limits)?,
                     Section::LeftOut("Wavelength bands", TABLE),
                     Section::LeftOut("What to grind", TABLE),

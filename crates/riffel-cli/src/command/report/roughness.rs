@@ -74,6 +74,36 @@ fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
     points.into_iter().unzip()
 }
 
+/// The moving RMS along each rail, with its limits.
+pub(super) fn moving_rms(report: &Report) -> Result<Section, CliError> {
+    let drawing = LineFigure {
+        panels: report
+            .rails
+            .iter()
+            .map(|rail| figures::moving_rms(report, rail))
+            .collect(),
+        arrangement: Arrangement::Strips,
+        ..LineFigure::default()
+    };
+    let blocks = report.rails.iter().flat_map(|rail| &rail.analysis.blocks);
+    let block = blocks
+        .map(|block| block.to - block.from)
+        .fold(0.0, f64::max);
+    let caption = format!(
+        "Highest moving RMS of each {block:.1} m, by band of wavelengths; dashed in the same colour: the limit of the \
+         band. The worst rail is first."
+    );
+    Ok(Section::There(
+        "Moving RMS along the line",
+        figure("strip", &drawing.svg()?, &caption),
+    ))
+}
+
+/// Length \[m\] of the blocks of which a strip shows one value each.
+pub(super) fn block_of_strip(record: &Record) -> f64 {
+    ((record.to - record.from) / COLUMNS as f64).max(1.0)
+}
+
 /// Levels of a profile with their limit.
 pub(super) fn spectrum_of_profile(
     path: &Path,
@@ -89,7 +119,7 @@ pub(super) fn spectrum_of_profile(
         counted(removed.pits, "pit"),
         editions(limits)
     );
-    spectrum(drawing, &caption, &report.verdicts)
+    spectrum(drawing, &caption, report.verdicts())
 }
 
 /// Means of spectra with their limit.
@@ -112,7 +142,7 @@ pub(super) fn spectrum_of_means(
         counts.join(", "),
         editions(limits)
     );
-    let Section::There(heading, html) = spectrum(drawing, &caption, &means.verdicts)? else {
+    let Section::There(heading, html) = spectrum(drawing, &caption, means.verdicts.iter())? else {
         return Ok(Section::LeftOut("Spectrum", "there is none."));
     };
     Ok(Section::There(
@@ -121,7 +151,11 @@ pub(super) fn spectrum_of_means(
     ))
 }
 
-fn spectrum(drawing: LineFigure, caption: &str, verdicts: &[Verdict]) -> Result<Section, CliError> {
+fn spectrum<'a>(
+    drawing: LineFigure,
+    caption: &str,
+    verdicts: impl Iterator<Item = &'a Verdict>,
+) -> Result<Section, CliError> {
     let drawing = LineFigure {
         title: String::new(),
         caption: String::new(),
@@ -164,12 +198,15 @@ fn editions(limits: &[LimitTable]) -> String {
 
 /// Statistics of the bands.
 pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
-    let rows: Vec<Vec<String>> = report
-        .bands
-        .iter()
-        .map(|band| band_row(band).to_vec())
+    let rails = report.rails.iter();
+    let rows: Vec<Vec<String>> = rails
+        .flat_map(|rail| {
+            let bands = rail.analysis.bands.iter();
+            bands.map(|band| band_row(&escape(&rail.name), band).to_vec())
+        })
         .collect();
     let header = [
+        "rail",
         "band [mm]",
         "RMS [µm]",
         "highest moving RMS [µm]",
@@ -184,7 +221,7 @@ pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
         .map(|table| format!("Limit: {} ({}).", table.edition, table.source));
     let rms: Vec<String> = rms.collect();
     let note = format!(
-        "<p class=\"small\">{} Profile without spikes, zero-phase band-pass, all rails together.</p>\n",
+        "<p class=\"small\">{} Profile without spikes, zero-phase band-pass, each rail on its own, the worst first.</p>\n",
         escape(&rms.join(" "))
     );
     Section::There("Wavelength bands", table("", &header, &rows) + &note)
@@ -193,47 +230,53 @@ pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
 /// What to grind.
 pub(super) fn grind(report: &Report) -> Section {
     const HEADING: &str = "What to grind";
-    if report.bands.iter().all(|band| band.limit.is_none()) {
+    if !report.knows_what_to_grind() {
         return Section::LeftOut(HEADING, "it needs a table of RMS limits (--limit).");
     }
-    if report.sections.is_empty() {
+    let sections = report.sections();
+    if sections.is_empty() {
         return Section::There(
             HEADING,
             "<p>Nothing: no band is over its limit anywhere.</p>\n".to_owned(),
         );
     }
-    let rows: Vec<Vec<String>> = report
-        .sections
+    let rows: Vec<Vec<String>> = sections
         .iter()
         .take(GRIND_ROWS)
         .enumerate()
-        .map(|(index, section)| grind_row(index, section).to_vec())
+        .map(|(index, (rail, section))| grind_row(index, &escape(&rail.name), section).to_vec())
         .collect();
     let header = [
         "section",
+        "rail",
         "from [m]",
         "to [m]",
         "length [m]",
         "worst band [mm]",
         "RMS over limit [-]",
     ];
-    let more = match report.sections.len().saturating_sub(GRIND_ROWS) {
+    let more = match sections.len().saturating_sub(GRIND_ROWS) {
         0 => String::new(),
         more => format!(" {more} further sections are in grind.csv of riffel roughness."),
     };
-    let html = table("", &header, &rows) + &format!("<p>{}{more}</p>\n", total(report));
+    let how = format!(
+        "Sections no further apart than {:.0} m are ground as one, and none shorter than {:.0} m.",
+        report.grinding.merge, report.grinding.shortest
+    );
+    let html =
+        table("", &header, &rows) + &format!("<p>{}{more} {how}</p>\n", escape(&total(report)));
     Section::There(HEADING, html)
 }
 
 /// The total to grind in a sentence.
 pub(super) fn total(report: &Report) -> String {
-    let length: f64 = report.sections.iter().map(|section| section.length()).sum();
-    if length == 0.0 {
+    let sections = report.sections().len();
+    if sections == 0 {
         return "No length is over the RMS limits: nothing to grind.".to_owned();
     }
     format!(
-        "{} to grind, {length:.1} m in all: {:.1} % of the length.",
-        counted(report.sections.len(), "section"),
-        100.0 * length / report.length
+        "{} to grind, {}.",
+        counted(sections, "section"),
+        report.total()
     )
 }

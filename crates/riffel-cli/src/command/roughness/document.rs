@@ -1,9 +1,10 @@
 //! `roughness --json`.
 
-use riffel::roughness::{BandSummary, GrindSection, Spectrum};
+use riffel::roughness::{BandSummary, GrindSection, Spectrum, line_length};
 use riffel_case::roughness::ReaderFormat;
 use serde::Serialize;
 
+use super::profile::{RailReport, Report};
 use super::verdict::Verdict;
 
 #[derive(Serialize)]
@@ -11,6 +12,10 @@ pub(super) struct Document {
     pub(super) file: String,
     pub(super) sample_spacing_m: Option<f64>,
     pub(super) length_m: Option<f64>,
+    /// Where there are several rails. Every list has it first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) worst_rail: Option<String>,
+    /// Energy mean over all rails or spectra; each rail is judged by its own.
     pub(super) spectrum: Vec<Level>,
     pub(super) bands: Vec<Band>,
     pub(super) removed: Removed,
@@ -38,6 +43,7 @@ pub(crate) struct Level {
 
 #[derive(Serialize)]
 pub(super) struct Band {
+    rail: String,
     from_m: f64,
     to_m: f64,
     rms_m: f64,
@@ -58,12 +64,17 @@ pub(crate) struct Removed {
 #[derive(Serialize)]
 pub(super) struct Grind {
     sections: Vec<Section>,
+    /// Length of line where a rail is to be ground.
     total_m: f64,
+    /// Of the line that was measured.
     share_of_length: f64,
+    merge_m: f64,
+    grinding_length_m: f64,
 }
 
 #[derive(Serialize)]
 struct Section {
+    rail: String,
     from_m: f64,
     to_m: f64,
     band_from_m: f64,
@@ -73,11 +84,34 @@ struct Section {
 
 #[derive(Serialize)]
 pub(super) struct RailDocument {
-    pub(super) name: String,
-    pub(super) length_m: f64,
-    pub(super) spectrum: Vec<Level>,
-    pub(super) bands: Vec<Band>,
-    pub(super) removed: Removed,
+    name: String,
+    length_m: f64,
+    spectrum: Vec<Level>,
+    bands: Vec<Band>,
+    removed: Removed,
+    verdicts: Vec<Verdict>,
+    grind_total_m: f64,
+    grind_share_of_length: f64,
+}
+
+impl RailDocument {
+    pub(super) fn new(rail: &RailReport) -> Self {
+        let analysis = &rail.analysis;
+        Self {
+            name: rail.name.clone(),
+            length_m: analysis.length(),
+            spectrum: levels(&analysis.spectrum),
+            bands: bands(&rail.name, &analysis.bands),
+            removed: Removed {
+                spikes: analysis.spikes,
+                pits: analysis.pits,
+            },
+            verdicts: rail.verdicts.clone(),
+            grind_total_m: rail.sections.iter().map(GrindSection::length).sum(),
+            grind_share_of_length: line_length(analysis.measured_within(&rail.sections))
+                / analysis.length(),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -98,10 +132,11 @@ pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
         .collect()
 }
 
-pub(super) fn bands(bands: &[BandSummary]) -> Vec<Band> {
+pub(super) fn bands(rail: &str, bands: &[BandSummary]) -> Vec<Band> {
     bands
         .iter()
         .map(|band| Band {
+            rail: rail.to_owned(),
             from_m: band.band.from(),
             to_m: band.band.to(),
             rms_m: band.rms,
@@ -115,20 +150,25 @@ pub(super) fn bands(bands: &[BandSummary]) -> Vec<Band> {
         .collect()
 }
 
-pub(super) fn grind(sections: &[GrindSection], length: f64) -> Grind {
-    let total: f64 = sections.iter().map(GrindSection::length).sum();
-    Grind {
-        sections: sections
-            .iter()
-            .map(|section| Section {
-                from_m: section.from,
-                to_m: section.to,
-                band_from_m: section.band.from(),
-                band_to_m: section.band.to(),
-                rms_over_limit: section.ratio,
-            })
-            .collect(),
-        total_m: total,
-        share_of_length: total / length,
+impl Grind {
+    pub(super) fn new(report: &Report) -> Self {
+        let (total, share) = report.line_to_grind();
+        let sections = report.sections().into_iter();
+        Self {
+            sections: sections
+                .map(|(rail, section)| Section {
+                    rail: rail.name.clone(),
+                    from_m: section.from,
+                    to_m: section.to,
+                    band_from_m: section.band.from(),
+                    band_to_m: section.band.to(),
+                    rms_over_limit: section.ratio,
+                })
+                .collect(),
+            total_m: total,
+            share_of_length: share,
+            merge_m: report.grinding.merge,
+            grinding_length_m: report.grinding.shortest,
+        }
     }
 }

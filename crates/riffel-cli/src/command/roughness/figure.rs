@@ -6,85 +6,97 @@ use riffel::roughness::{Spectrum, WavelengthBand};
 use riffel_case::roughness::{Limit, LimitTable};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
-use super::profile::{Report, name};
+use super::profile::{RailReport, Report, name};
 
-/// Levels with their limit, and the bands along the rail.
+/// Levels with their limit, and the moving RMS along each rail.
 pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) -> LineFigure {
-    let rails = report.rails.len();
     let mut curves: Vec<Series> = report
         .rails
         .iter()
         .enumerate()
-        .map(|(index, (name, rail))| {
+        .map(|(index, rail)| {
             // Black is the mean's and the limit's.
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            levels(name, &rail.spectrum, LineStyle::Solid, color)
+            levels(&rail.name, &rail.analysis.spectrum, LineStyle::Solid, color)
         })
         .collect();
-    if rails > 1 {
+    if report.rails.len() > 1 {
         curves.push(levels(
             "energy mean",
             &report.spectrum,
-            LineStyle::Solid,
+            LineStyle::Dotted,
             Rgb::BLACK,
         ));
     }
     curves.extend(limit_curves(limits));
-    let styles = [LineStyle::Solid, LineStyle::Dashed, LineStyle::Dotted];
-    let mut strips = Vec::new();
-    for (index, (_, rail)) in report.rails.iter().enumerate() {
-        for (place, band) in WavelengthBand::GRINDING.iter().enumerate() {
-            let blocks = || {
-                rail.blocks
-                    .iter()
-                    .filter_map(|block| Some((block, block.rms[place]?)))
-            };
-            strips.push(Series {
-                label: if index == 0 {
+    let mut panels = vec![level_panel(curves)];
+    panels.extend(report.rails.iter().map(|rail| moving_rms(report, rail)));
+    let blocks = report.rails.iter().flat_map(|rail| &rail.analysis.blocks);
+    let block = blocks
+        .map(|block| block.to - block.from)
+        .fold(0.0, f64::max);
+    LineFigure {
+        title: "Rail roughness".to_owned(),
+        caption: format!(
+            "{}: one-third-octave levels after EN 15610:2009 (method A); highest moving RMS in blocks of {block:.1} m, \
+             its limit dashed.",
+            path.file_name().unwrap_or_default().to_string_lossy()
+        ),
+        panels,
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// The moving RMS of each band along a rail, each with its limit.
+pub(crate) fn moving_rms(report: &Report, rail: &RailReport) -> LinePanel {
+    let mut series = Vec::new();
+    for (place, band) in WavelengthBand::GRINDING.iter().enumerate() {
+        let color = Some(OKABE_ITO[place % OKABE_ITO.len()]);
+        let found = rail.analysis.bands.iter().find(|found| found.band == *band);
+        let Some(found) = found else { continue };
+        // A line for each stretch: gaps are gaps.
+        for (from, to) in &rail.analysis.stretches {
+            let blocks = rail.analysis.blocks.iter();
+            let own = blocks.filter(|block| (*from..*to).contains(&block.from));
+            let points = own.filter_map(|block| {
+                let rms = 1e6 * block.moving_rms_max[place]?;
+                Some((0.5 * (block.from + block.to), rms))
+            });
+            let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
+            // One entry of the legend for all stretches.
+            let first = rail
+                .analysis
+                .stretches
+                .first()
+                .is_some_and(|one| one.0 == *from);
+            series.push(Series {
+                label: if first {
                     format!("{} mm", name(band))
                 } else {
                     String::new()
                 },
-                x: blocks()
-                    .map(|(block, _)| 0.5 * (block.from + block.to))
-                    .collect(),
-                y: blocks().map(|(_, rms)| 1e6 * rms).collect(),
-                style: styles[index % styles.len()],
-                color: Some(OKABE_ITO[place % OKABE_ITO.len()]),
+                x,
+                y,
+                style: LineStyle::Solid,
+                color,
             });
         }
+        series.extend(found.limit.map(|limit| Series {
+            label: String::new(),
+            x: vec![report.record.from, report.record.to],
+            y: vec![1e6 * limit; 2],
+            style: LineStyle::Dashed,
+            color,
+        }));
     }
-    let lines = if rails > 1 {
-        let names: Vec<&str> = report.rails.iter().map(|(name, _)| name.as_str()).collect();
-        format!(
-            " Lines below: {} (solid, dashed, dotted).",
-            names.join(", ")
-        )
-    } else {
-        String::new()
-    };
-    let block = report
-        .rails
-        .first()
-        .and_then(|(_, rail)| rail.blocks.first());
-    let block = block.map_or(0.0, |block| block.to - block.from);
-    LineFigure {
-        title: "Rail roughness".to_owned(),
-        caption: format!(
-            "{}: one-third-octave levels after EN 15610:2009 (method A); RMS of blocks of {block:.1} m.{lines}",
-            path.file_name().unwrap_or_default().to_string_lossy()
-        ),
-        panels: vec![
-            level_panel(curves),
-            LinePanel {
-                x_label: "position along the rail [m]".to_owned(),
-                y_label: "RMS [µm]".to_owned(),
-                y_scale: Scale::Log,
-                series: strips,
-                ..LinePanel::default()
-            },
-        ],
-        arrangement: Arrangement::Stacked,
+    LinePanel {
+        subtitle: rail.name.clone(),
+        x_label: "position along the rail [m]".to_owned(),
+        y_label: "moving RMS [µm]".to_owned(),
+        x_range: Some((report.record.from, report.record.to)),
+        y_scale: Scale::Log,
+        series,
+        ..LinePanel::default()
     }
 }
 

@@ -29,13 +29,17 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     ] {
         value.map(|value| positive(argument, value)).transpose()?;
     }
-    let merge = arguments.statistics.merge;
-    if merge.si() < 0.0 {
-        Err(CliError::Argument {
-            argument: "--merge",
-            value: merge.to_string(),
-            rule: "zero or greater".to_owned(),
-        })?;
+    for (argument, value) in [
+        ("--merge", arguments.statistics.merge),
+        ("--grinding-length", arguments.statistics.grinding_length),
+    ] {
+        if value.si() < 0.0 {
+            Err(CliError::Argument {
+                argument,
+                value: value.to_string(),
+                rule: "zero or greater".to_owned(),
+            })?;
+        }
     }
     let limits = limits(&arguments.limit)?;
     match read(path, &arguments.layout)? {
@@ -50,11 +54,12 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     }
 }
 
-/// Read a file, with a bar of how far it is.
+/// Read what is asked for of a file, with a bar of how far it is.
 pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
     if let Some(spacing) = layout.spacing {
         positive("--spacing", spacing)?;
     }
+    let part = layout.part.of_record();
     let format = layout.format.as_deref();
     let layout = riffel_case::roughness::Layout {
         format: format.map(ReaderFormat::read).transpose()?,
@@ -66,7 +71,7 @@ pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile
     let file = with_progress("reading", size, |advance| {
         RoughnessFile::read(path, &layout, advance)
     });
-    Ok(file?)
+    Ok(file?.part(path, &part)?)
 }
 
 /// A choice among spectra means nothing for a profile.

@@ -7,7 +7,7 @@ use riffel_case::CaseError;
 use riffel_case::roughness::{LimitTable, Survey};
 
 use super::document::{Document, GroupDocument, Removed, levels};
-use super::verdict::Verdict;
+use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
 use super::{figure, folder};
 use crate::arguments::Roughness;
 use crate::error::CliError;
@@ -37,7 +37,7 @@ impl Means {
         limits: &[LimitTable],
         by: Option<&str>,
     ) -> Result<Self, CaseError> {
-        let groups: Vec<(String, Vec<Spectrum>)> = survey
+        let surveys: Vec<(String, Survey)> = survey
             .groups(by)?
             .into_iter()
             .map(|(name, group)| {
@@ -45,9 +45,17 @@ impl Means {
                     Some(column) => format!("{column} {name}"),
                     None => name,
                 };
-                (name, group.spectra())
+                (name, group)
             })
             .collect();
+        let verdicts = surveys
+            .iter()
+            .flat_map(|(name, group)| verdicts(name, group, limits));
+        let verdicts = verdicts.collect();
+        let groups = surveys
+            .into_iter()
+            .map(|(name, group)| (name, group.spectra()))
+            .collect::<Vec<_>>();
         let all = survey.spectra();
         let counts: Vec<usize> = groups.iter().map(|group| group.1.len()).collect();
         let means: Option<Vec<Group>> = groups
@@ -67,14 +75,8 @@ impl Means {
                 "there is no spectrum in the file",
             ));
         };
-        // Each group is judged by its own energy mean.
-        let verdicts = groups.iter().flat_map(|(name, energy, _)| {
-            Verdict::all(limits, energy, &[])
-                .into_iter()
-                .map(move |verdict| verdict.of(name))
-        });
         Ok(Self {
-            verdicts: verdicts.collect(),
+            verdicts,
             findings: findings(&groups),
             groups,
             counts,
@@ -82,6 +84,50 @@ impl Means {
             arithmetic,
         })
     }
+}
+
+/// The energy mean of a rail with what is said of it.
+struct RailOfGroup {
+    verdicts: Vec<Verdict>,
+}
+
+impl Judged for RailOfGroup {
+    fn verdicts(&self) -> &[Verdict] {
+        &self.verdicts
+    }
+}
+
+/// Each rail of a group judged by its own energy mean, the worst first.
+fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict> {
+    let rails = survey.by_rail();
+    let several = rails.len() > 1;
+    let named = survey.rail_column().is_some();
+    let mut judged: Vec<RailOfGroup> = rails
+        .into_iter()
+        .map(|(rail, spectra)| {
+            let group = if group == "all" { "" } else { group };
+            let name = match (several, group) {
+                (false, group) => group.to_owned(),
+                (true, "") => rail_in_words(&rail),
+                (true, group) => format!("{group}, {}", rail_in_words(&rail)),
+            };
+            let verdicts = Verdict::all(limits, &spectra.mean(), &[]).into_iter();
+            let verdicts = verdicts.map(|verdict| verdict.of(&name));
+            RailOfGroup {
+                verdicts: verdicts
+                    .map(|verdict| {
+                        if named {
+                            verdict.on_rail(&rail)
+                        } else {
+                            verdict
+                        }
+                    })
+                    .collect(),
+            }
+        })
+        .collect();
+    worst_first(&mut judged);
+    judged.into_iter().flat_map(|rail| rail.verdicts).collect()
 }
 
 pub(super) fn run(
@@ -119,6 +165,7 @@ pub(super) fn run(
         file: path.display().to_string(),
         sample_spacing_m: None,
         length_m: None,
+        worst_rail: None,
         spectrum: levels(&energy),
         bands: Vec::new(),
         removed: Removed { spikes: 0, pits: 0 },

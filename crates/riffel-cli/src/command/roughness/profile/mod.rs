@@ -6,16 +6,16 @@ mod words;
 use std::path::Path;
 
 use riffel::roughness::{
-    AnalysisSettings, BandSummary, GrindSection, Profile, RailAnalysis, RmsLimit, Spectrum,
-    WavelengthBand, grind_sections,
+    AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit,
+    Spectrum, WavelengthBand, line_length,
 };
 use riffel_case::CaseError;
-use riffel_case::roughness::{LabelledSpectrum, Limit, LimitTable, Rail, Record, Survey};
+use riffel_case::roughness::{LabelledSpectrum, Limit, LimitTable, Record, Survey};
 
 pub(crate) use words::{band_row, counted, grind_row, name};
 
-use super::document::{Document, RailDocument, Removed, bands, grind, levels};
-use super::verdict::Verdict;
+use super::document::{Document, Grind, RailDocument, Removed, bands, levels};
+use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
 use super::{figure, folder, with_progress};
 use crate::arguments::{Roughness, Statistics};
 use crate::error::CliError;
@@ -29,14 +29,30 @@ const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
 /// A record with all that was computed of it.
 pub(crate) struct Report {
     pub(crate) record: Record,
-    pub(crate) rails: Vec<(String, RailAnalysis)>,
-    /// Energy mean over the rails.
+    /// Each rail on its own, the worst first.
+    pub(crate) rails: Vec<RailReport>,
+    /// Energy mean over the rails, which is not judged.
     pub(crate) spectrum: Spectrum,
-    pub(crate) bands: Vec<BandSummary>,
-    pub(crate) sections: Vec<GrindSection>,
-    pub(crate) verdicts: Vec<Verdict>,
+    pub(crate) grinding: GrindSettings,
     pub(crate) warnings: Vec<String>,
+    /// Mean length of the rails \[m\].
     pub(crate) length: f64,
+}
+
+/// A rail with what is said of it.
+pub(crate) struct RailReport {
+    pub(crate) name: String,
+    pub(crate) analysis: RailAnalysis,
+    /// What to grind of it.
+    pub(crate) sections: Vec<GrindSection>,
+    /// By limit table; sentences name the rail where there are several.
+    pub(crate) verdicts: Vec<Verdict>,
+}
+
+impl Judged for RailReport {
+    fn verdicts(&self) -> &[Verdict] {
+        &self.verdicts
+    }
 }
 
 pub(super) fn run(
@@ -129,7 +145,6 @@ impl Report {
         if let Some(longest) = arguments.longest {
             settings.longest_wavelength = longest.si();
         }
-        let lengths: Vec<f64> = record.rails.iter().map(Rail::length).collect();
         // The heights are not needed twice.
         let stretches: Vec<Vec<Profile>> = record
             .rails
@@ -137,77 +152,125 @@ impl Report {
             .map(|rail| std::mem::take(&mut rail.stretches))
             .collect();
         let steps = stretches.iter().map(|rail| RailAnalysis::steps(rail)).sum();
-        let rails: Vec<RailAnalysis> = with_progress("roughness", steps, |advance| {
+        let analyses: Vec<RailAnalysis> = with_progress("roughness", steps, |advance| {
             stretches
                 .into_iter()
                 .map(|rail| RailAnalysis::new(rail, &settings, &|| advance(1)))
                 .collect::<Result<_, _>>()
         })
         .map_err(|error| CaseError::data(path, error.to_string()))?;
-        let spectra: Vec<Spectrum> = rails.iter().map(|rail| rail.spectrum.clone()).collect();
+        let spectra: Vec<Spectrum> = analyses.iter().map(|rail| rail.spectrum.clone()).collect();
         let spectrum = Spectrum::energy_mean(&spectra)
             .ok_or_else(|| miette::miette!("there is no rail in the file"))?;
-        let bands = mean_bands(&rails, &settings);
-        let sections = rails
-            .iter()
-            .flat_map(|rail| rail.over_limit.clone())
+        let length =
+            analyses.iter().map(RailAnalysis::length).sum::<f64>() / analyses.len().max(1) as f64;
+        let grinding = arguments.grinding();
+        let several = analyses.len() > 1;
+        let names = record.rails.iter().map(|rail| rail.name.clone());
+        let mut rails: Vec<RailReport> = names
+            .zip(analyses)
+            .map(|(name, analysis)| {
+                let words = if several {
+                    rail_in_words(&name)
+                } else {
+                    String::new()
+                };
+                let verdicts = Verdict::all(limits, &analysis.spectrum, &analysis.bands);
+                RailReport {
+                    sections: analysis.grind(&grinding),
+                    verdicts: verdicts
+                        .into_iter()
+                        .map(|verdict| verdict.on_rail(&name).of(&words))
+                        .collect(),
+                    name,
+                    analysis,
+                }
+            })
             .collect();
-        let sections = grind_sections(sections, arguments.merge.si());
+        worst_first(&mut rails);
+        let bands: Vec<BandSummary> = rails
+            .iter()
+            .flat_map(|rail| rail.analysis.bands.iter().copied())
+            .collect();
         let mut warnings = std::mem::take(&mut record.warnings);
         warnings.extend(remarks(&bands, &settings, record.spacing));
-        let names = record.rails.iter().map(|rail| rail.name.clone());
-        let length = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
         Ok(Self {
-            rails: names.zip(rails).collect(),
-            verdicts: Verdict::all(limits, &spectrum, &bands),
+            rails,
             record,
             spectrum,
-            bands,
-            sections,
+            grinding,
             warnings,
             length,
         })
+    }
+
+    /// The verdicts on all rails, the worst rail first.
+    pub(crate) fn verdicts(&self) -> impl Iterator<Item = &Verdict> {
+        self.rails.iter().flat_map(|rail| &rail.verdicts)
+    }
+
+    /// Which rail is worst, where there are several.
+    pub(crate) fn worst(&self) -> Option<String> {
+        let [worst, _, ..] = &self.rails[..] else {
+            return None;
+        };
+        let name = rail_in_words(&worst.name);
+        let over = worst.verdicts.iter().filter(|one| !one.within).count();
+        Some(match (over, worst.verdicts.len()) {
+            (0, _) => format!("worst is {name}; every rail is within the limits"),
+            (over, all) => format!("worst is {name}, over {over} of {all} limits"),
+        })
+    }
+
+    /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
+    pub(crate) fn line_to_grind(&self) -> (f64, f64) {
+        let sections = self.rails.iter().flat_map(|rail| &rail.sections);
+        let total = line_length(sections.map(|section| (section.from, section.to)));
+        let rails = || self.rails.iter();
+        let ground = rails().flat_map(|rail| rail.analysis.measured_within(&rail.sections));
+        let measured = rails().flat_map(|rail| rail.analysis.stretches.iter().copied());
+        (total, line_length(ground) / line_length(measured))
+    }
+
+    /// Whether there is a limit from which follows what to grind.
+    pub(crate) fn knows_what_to_grind(&self) -> bool {
+        let mut bands = self.rails.iter().flat_map(|rail| &rail.analysis.bands);
+        bands.any(|band| band.limit.is_some())
     }
 
     /// The levels of the rails, to be forecast.
     pub(crate) fn survey(&self, path: &Path) -> Result<Survey, CaseError> {
         let rails = self.rails.iter();
         let records =
-            rails.map(|(name, rail)| LabelledSpectrum::of_rail(name, rail.spectrum.clone()));
+            rails.map(|rail| LabelledSpectrum::of_rail(&rail.name, rail.analysis.spectrum.clone()));
         Survey::new(path, records.collect(), self.warnings.clone())
     }
 
     pub(crate) fn removed(&self) -> Removed {
+        let rails = || self.rails.iter();
         Removed {
-            spikes: self.rails.iter().map(|(_, rail)| rail.spikes).sum(),
-            pits: self.rails.iter().map(|(_, rail)| rail.pits).sum(),
+            spikes: rails().map(|rail| rail.analysis.spikes).sum(),
+            pits: rails().map(|rail| rail.analysis.pits).sum(),
         }
     }
 
     fn document(&self, path: &Path) -> Document {
+        let several = self.rails.len() > 1;
         Document {
             file: path.display().to_string(),
             sample_spacing_m: Some(self.record.spacing),
             length_m: Some(self.length),
+            worst_rail: several.then(|| self.rails[0].name.clone()),
             spectrum: levels(&self.spectrum),
-            bands: bands(&self.bands),
-            removed: self.removed(),
-            verdicts: self.verdicts.clone(),
-            grind: Some(grind(&self.sections, self.length)),
-            rails: self
+            bands: self
                 .rails
                 .iter()
-                .map(|(name, rail)| RailDocument {
-                    name: name.clone(),
-                    length_m: self.length,
-                    spectrum: levels(&rail.spectrum),
-                    bands: bands(&rail.bands),
-                    removed: Removed {
-                        spikes: rail.spikes,
-                        pits: rail.pits,
-                    },
-                })
+                .flat_map(|rail| bands(&rail.name, &rail.analysis.bands))
                 .collect(),
+            removed: self.removed(),
+            verdicts: self.verdicts().cloned().collect(),
+            grind: Some(Grind::new(self)),
+            rails: self.rails.iter().map(RailDocument::new).collect(),
             arithmetic_mean: None,
             groups: Vec::new(),
             findings: Vec::new(),
@@ -215,38 +278,6 @@ impl Report {
             warnings: self.warnings.clone(),
         }
     }
-}
-
-/// Bands over all rails: mean squares and shares weighted by length, the largest extremes.
-fn mean_bands(rails: &[RailAnalysis], settings: &AnalysisSettings) -> Vec<BandSummary> {
-    let of = |band: WavelengthBand| {
-        let found = rails.iter().flat_map(|rail| &rail.bands);
-        let found: Vec<&BandSummary> = found.filter(|summary| summary.band == band).collect();
-        let length: f64 = found.iter().map(|band| band.length).sum();
-        let mean = |value: &dyn Fn(&BandSummary) -> f64| {
-            found
-                .iter()
-                .map(|band| band.length * value(band))
-                .sum::<f64>()
-                / length
-        };
-        let most = |value: fn(&BandSummary) -> f64| {
-            found.iter().map(|band| value(band)).fold(0.0, f64::max)
-        };
-        let first = *found.first()?;
-        Some(BandSummary {
-            length: length / found.len() as f64,
-            rms: mean(&|band| band.rms * band.rms).sqrt(),
-            window: most(|band| band.window),
-            moving_rms_max: most(|band| band.moving_rms_max),
-            peak_to_peak_max: most(|band| band.peak_to_peak_max),
-            share_over_limit: first
-                .limit
-                .map(|_| mean(&|band| band.share_over_limit.unwrap_or(0.0))),
-            ..*first
-        })
-    };
-    settings.bands.iter().filter_map(|band| of(*band)).collect()
 }
 
 /// What the reader should know of the bands.
@@ -265,17 +296,15 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
             remarks.push(format!("no statistics of {} mm: {why}", name(band)));
         }
     }
-    if let Some(band) = bands
-        .iter()
-        .find(|band| band.band == WavelengthBand::GRINDING[1])
-    {
-        let rms = band.rms;
-        if !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&rms) {
-            remarks.push(format!(
-                "an rms of {:.3e} µm between 30 and 100 mm is unlike any rail: check the unit of the heights",
-                1e6 * rms
-            ));
-        }
+    let unlike = |band: &&BandSummary| {
+        band.band == WavelengthBand::GRINDING[1]
+            && !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&band.rms)
+    };
+    if let Some(band) = bands.iter().find(unlike) {
+        remarks.push(format!(
+            "an rms of {:.3e} µm between 30 and 100 mm is unlike any rail: check the unit of the heights",
+            1e6 * band.rms
+        ));
     }
     remarks
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::roughness::{BandSummary, GrindSection, WavelengthBand};
 
-use super::Report;
+use super::{RailReport, Report};
 use crate::output::table;
 
 impl Report {
@@ -58,6 +58,7 @@ impl Report {
             counted(removed.pits, "pit"),
         );
         let mut rows = table(&[
+            "rail",
             "band mm",
             "rms µm",
             "highest moving rms µm",
@@ -66,11 +67,16 @@ impl Report {
             "limit µm",
             "over limit",
         ]);
-        for band in &self.bands {
-            rows.add_row(band_row(band));
+        for rail in &self.rails {
+            for band in &rail.analysis.bands {
+                rows.add_row(band_row(&rail.name, band));
+            }
         }
         text += &format!("{rows}\n");
-        for verdict in &self.verdicts {
+        if let Some(worst) = self.worst() {
+            text += &format!("{worst}\n");
+        }
+        for verdict in self.verdicts() {
             text += &format!("{}\n", verdict.sentence);
         }
         text + &self.grind_in_words()
@@ -79,36 +85,64 @@ impl Report {
     fn grind_in_words(&self) -> String {
         /// Sections that a terminal shows; the file has all.
         const SHOWN: usize = 20;
-        if self.bands.iter().all(|band| band.limit.is_none()) {
+        if !self.knows_what_to_grind() {
             return String::new();
         }
-        if self.sections.is_empty() {
+        let sections = self.sections();
+        if sections.is_empty() {
             return "nothing to grind: no band is over its limit anywhere\n".to_owned();
         }
         let mut rows = table(&[
             "grind",
+            "rail",
             "from m",
             "to m",
             "length m",
             "worst band mm",
             "rms/limit",
         ]);
-        for (index, section) in self.sections.iter().take(SHOWN).enumerate() {
-            rows.add_row(grind_row(index, section));
+        for (index, (rail, section)) in sections.iter().take(SHOWN).enumerate() {
+            rows.add_row(grind_row(index, &rail.name, section));
         }
-        let total: f64 = self.sections.iter().map(GrindSection::length).sum();
-        let more = match self.sections.len().saturating_sub(SHOWN) {
+        let more = match sections.len().saturating_sub(SHOWN) {
             0 => String::new(),
             more => format!("{more} more in grind.csv; "),
         };
-        let share = 100.0 * total / self.length;
-        format!("{rows}\n{more}in all {total:.2} m to grind, {share:.1} % of the length\n")
+        format!("{rows}\n{more}{}\n", self.total())
+    }
+
+    /// What to grind of all rails, the worst rail first.
+    pub(crate) fn sections(&self) -> Vec<(&RailReport, &GrindSection)> {
+        let rails = self.rails.iter();
+        rails
+            .flat_map(|rail| rail.sections.iter().map(move |section| (rail, section)))
+            .collect()
+    }
+
+    /// The sums of what to grind in a sentence.
+    pub(crate) fn total(&self) -> String {
+        let (line, share) = self.line_to_grind();
+        let share = 100.0 * share;
+        let rails: Vec<String> = self
+            .rails
+            .iter()
+            .map(|rail| {
+                let length: f64 = rail.sections.iter().map(GrindSection::length).sum();
+                format!("{} {length:.1} m", rail.name)
+            })
+            .collect();
+        let rails = match &rails[..] {
+            [_, _, ..] => format!(" ({})", rails.join(", ")),
+            _ => String::new(),
+        };
+        format!("in all {line:.1} m of line to grind{rails}, {share:.1} % of the line measured")
     }
 }
 
-/// A band in the table of a reader: name, RMS values \[µm\], window \[m\], limit and share.
-pub(crate) fn band_row(band: &BandSummary) -> [String; 7] {
+/// A band in the table of a reader: rail, name, RMS values \[µm\], window \[m\], limit and share.
+pub(crate) fn band_row(rail: &str, band: &BandSummary) -> [String; 8] {
     [
+        rail.to_owned(),
         name(&band.band),
         format!("{:.2}", 1e6 * band.rms),
         format!("{:.2}", 1e6 * band.moving_rms_max),
@@ -121,10 +155,11 @@ pub(crate) fn band_row(band: &BandSummary) -> [String; 7] {
     ]
 }
 
-/// A section in the table of a reader: number, places and length \[m\], worst band and its ratio.
-pub(crate) fn grind_row(index: usize, section: &GrindSection) -> [String; 6] {
+/// A section in the table of a reader: number, rail, places and length \[m\], worst band and its ratio.
+pub(crate) fn grind_row(index: usize, rail: &str, section: &GrindSection) -> [String; 7] {
     [
         format!("{}", index + 1),
+        rail.to_owned(),
         format!("{:.2}", section.from),
         format!("{:.2}", section.to),
         format!("{:.2}", section.length()),

@@ -1,0 +1,246 @@
+//! Several rails of one record: each judged on its own, and where along the line.
+
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::sandbox::{Sandbox, number};
+
+/// Where the low rail is corrugated \[m\].
+const CORRUGATED: (f64, f64) = (1200.0, 1240.0);
+/// Wavelength \[m\] and amplitude \[µm\] there: 10 lg(7.77²/2) = 14.80 dB.
+const WAVELENGTH: f64 = 0.0559;
+const AMPLITUDE: f64 = 7.77;
+
+/// Heights in µm that look random, about −10 dB re 1 µm in a one-third octave at 55 mm.
+fn noise(x: f64, seed: f64) -> f64 {
+    (0..60)
+        .map(|index| {
+            let wavelength = 0.02 * (1.0 + 0.05 * f64::from(index)).powf(2.7);
+            let phase = seed * f64::from(index * index);
+            0.1 * (TAU * x / wavelength + phase).sin()
+        })
+        .sum()
+}
+
+/// Two kilometres of two rails sampled every 5 mm; the low one is corrugated on 40 m.
+fn two_kilometres() -> String {
+    let mut text = "position [m],high [µm],low [µm]\n".to_owned();
+    for row in 0..400_000 {
+        let x = 5e-3 * f64::from(row);
+        let corrugated = (CORRUGATED.0..CORRUGATED.1).contains(&x);
+        let wave = if corrugated {
+            AMPLITUDE * (TAU * x / WAVELENGTH).sin()
+        } else {
+            0.0
+        };
+        let (high, low) = (noise(x, 1.7), wave + noise(x, 2.3));
+        writeln!(text, "{x:.3},{high:.3},{low:.3}").unwrap();
+    }
+    text
+}
+
+fn list<'a>(document: &'a Value, name: &str) -> &'a Vec<Value> {
+    document[name].as_array().unwrap()
+}
+
+/// 5.5 m of 100 m over the limit: 5.5 % of the low rail, 2.75 % of both. The mean of both rails was within the
+/// limit of 5 %.
+#[test]
+fn a_clean_rail_does_not_excuse_the_other() {
+    let sandbox = Sandbox::new();
+    let mut text = "position [m],high [µm],low [µm]\n".to_owned();
+    for row in 0..100_000 {
+        let x = 1e-3 * f64::from(row);
+        let wave = 20.0 * (TAU * x / 0.05).sin();
+        let low = if (50.0..55.5).contains(&x) {
+            wave
+        } else {
+            0.05 * wave
+        };
+        writeln!(text, "{x:.3},{:.4},{low:.4}", 0.05 * wave).unwrap();
+    }
+    fs::write(sandbox.path("rails.csv"), text).unwrap();
+    let document = sandbox.json("roughness rails.csv --limit grassie-1999 --json");
+    assert_eq!(document["worst_rail"], "low");
+    let verdicts = list(&document, "verdicts");
+    assert_eq!(verdicts.len(), 2);
+    assert_eq!(verdicts[0]["rail"], "low");
+    assert_eq!(verdicts[0]["within"], false);
+    // Windows of 1 m are over 7 µm while a quarter of them is corrugated: 0.25 m more at either end.
+    let share = number(&verdicts[0]["share_over_limit"]);
+    assert!((0.055..0.062).contains(&share), "{share}");
+    assert!(
+        verdicts[0]["sentence"]
+            .as_str()
+            .unwrap()
+            .starts_with("rail low: Grassie")
+    );
+    assert_eq!(verdicts[1]["rail"], "high");
+    assert_eq!(verdicts[1]["within"], true);
+    // Each list says of which rail it speaks, the worst first.
+    for (name, count) in [("bands", 8), ("rails", 2)] {
+        let rows = list(&document, name);
+        assert_eq!(rows.len(), count);
+        let key = if name == "rails" { "name" } else { "rail" };
+        assert_eq!(rows[0][key], "low");
+        assert_eq!(rows[count - 1][key], "high");
+    }
+    let sections = list(&document["grind"], "sections");
+    assert_eq!(sections.len(), 1);
+    assert_eq!(sections[0]["rail"], "low");
+
+    let alone = sandbox.json("roughness rails.csv --limit grassie-1999 --rail low --json");
+    assert_eq!(list(&alone, "verdicts").len(), 1);
+    assert_eq!(
+        number(&list(&alone, "verdicts")[0]["share_over_limit"]),
+        share
+    );
+    let other = sandbox.json("roughness rails.csv --limit grassie-1999 --rail high --json");
+    assert_eq!(other["verdicts"][0]["within"], true);
+    // No part of the record but the bad one, and no place outside it.
+    let there = sandbox.json(
+        "roughness rails.csv --limit grassie-1999 --rail low --from \"51 m\" --to \"54 m\" --json",
+    );
+    assert!((number(&there["length_m"]) - 3.0).abs() < 2e-3);
+    assert_eq!(number(&there["verdicts"][0]["share_over_limit"]), 1.0);
+
+    let outcome = sandbox.riffel("roughness rails.csv --limit grassie-1999 -o out");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(
+        outcome
+            .text
+            .contains("worst is rail low, over 1 of 1 limits"),
+        "{}",
+        outcome.text
+    );
+    for name in ["grind.csv", "blocks.csv", "spectrum.csv"] {
+        let text = fs::read_to_string(sandbox.path(&format!("out/{name}"))).unwrap();
+        assert!(text.starts_with("rail,"), "{name}: {text}");
+        assert!(
+            text.lines().nth(1).unwrap().starts_with("low,"),
+            "{name}: {text}"
+        );
+    }
+    for (arguments, part) in [
+        ("roughness rails.csv --rail middle", "there are high, low"),
+        (
+            "roughness rails.csv --from 200",
+            "reaches from 0.000 m to 100.000 m",
+        ),
+        ("roughness rails.csv --from 60 --to 50", "must rise"),
+        (
+            "roughness rails.csv --from 60 --to 60.5",
+            "no stretch of 1 m",
+        ),
+        (
+            "diagnose cases/nominal.toml --roughness rails.csv --rail middle",
+            "there are high, low",
+        ),
+        (
+            "report --roughness rails.csv --rail middle",
+            "there are high, low",
+        ),
+        ("report cases/nominal.toml --rail low", "--roughness"),
+    ] {
+        let outcome = sandbox.riffel(&format!("{arguments} -o none"));
+        let sentence = outcome.sentence();
+        assert_eq!(outcome.status, Some(2), "{arguments}: {sentence}");
+        assert!(sentence.contains(part), "{arguments}: {sentence}");
+    }
+    assert_eq!(sandbox.list("."), ["cases", "out", "rails.csv"]);
+}
+
+/// Rails of a table of levels are judged one by one as well.
+#[test]
+fn rails_of_a_table_are_judged_one_by_one() {
+    let sandbox = Sandbox::new();
+    // The limit is 4.2 dB at 50 mm; the mean of 6 and −9 dB is 3.1 dB.
+    let text = "site,rail,wavelength_mm,level_db\nA,R,50,-9\nA,R,40,-9\nA,L,50,6\nA,L,40,-2\n";
+    fs::write(sandbox.path("levels.csv"), text).unwrap();
+    let document = sandbox.json("roughness levels.csv --limit iso-3095-2013 --json");
+    let verdicts = list(&document, "verdicts");
+    assert_eq!(verdicts[0]["rail"], "L");
+    assert_eq!(verdicts[0]["within"], false);
+    assert_eq!(verdicts[1]["rail"], "R");
+    assert_eq!(verdicts[1]["within"], true);
+    let one = sandbox.json("roughness levels.csv --limit iso-3095-2013 --rail R --json");
+    assert_eq!(one["verdicts"][0]["within"], true);
+    assert_eq!(list(&one, "verdicts").len(), 1);
+    for (arguments, part) in [
+        ("--rail M", "there are R, L"),
+        ("--from 10", "has no positions"),
+    ] {
+        let outcome = sandbox.riffel(&format!("roughness levels.csv {arguments}"));
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(outcome.sentence().contains(part), "{}", outcome.text);
+    }
+}
+
+/// Spots of a few decimetres along a kilometre are a few pieces of grinding and not a hundred.
+#[test]
+fn grinding_is_a_list_of_what_a_train_can_do() {
+    let sandbox = Sandbox::new();
+    let mut text = "position [m],left [µm]\n".to_owned();
+    for row in 0..200_000 {
+        let x = 5e-3 * f64::from(row);
+        // From 300 m to 500 m half a metre in seven is bad, and another at the very end.
+        let bad = (300.0..500.0).contains(&x) && x % 7.0 < 0.5 || x > 999.5;
+        let wave = 20.0 * (TAU * x / 0.05).sin();
+        writeln!(text, "{x:.3},{:.4}", if bad { wave } else { 0.05 * wave }).unwrap();
+    }
+    fs::write(sandbox.path("spots.csv"), text).unwrap();
+    let document = sandbox.json("roughness spots.csv --json");
+    let grind = &document["grind"];
+    let sections = list(grind, "sections");
+    assert_eq!(sections.len(), 2, "{grind}");
+    assert!(
+        (number(&sections[0]["from_m"]) - 296.5).abs() < 1.0,
+        "{grind}"
+    );
+    assert!(
+        (number(&sections[0]["to_m"]) - 502.0).abs() < 1.0,
+        "{grind}"
+    );
+    let end = &sections[1];
+    assert!(
+        (number(&end["from_m"]) - 990.0).abs() < 0.01
+            && (number(&end["to_m"]) - 1000.0).abs() < 0.01
+    );
+    let total = number(&grind["total_m"]);
+    assert!((total - 215.5).abs() < 2.0, "{total}");
+    assert!((number(&grind["share_of_length"]) - total / 1000.0).abs() < 1e-6);
+    let every = sandbox.json("roughness spots.csv --json --merge 0 --grinding-length 0");
+    assert!(list(&every["grind"], "sections").len() > 28);
+    let outcome = sandbox.riffel("roughness spots.csv --grinding-length=\"-1 m\"");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+}
+
+/// A report draws the moving RMS of each rail with its limits.
+#[test]
+fn a_report_shows_the_moving_rms_of_each_rail() {
+    let sandbox = Sandbox::new();
+    fs::write(sandbox.path("line.csv"), two_kilometres()).unwrap();
+    let drawn = |limit: &str| {
+        let outcome = sandbox.riffel(&format!(
+            "report --roughness line.csv --limit {limit} -o report.html"
+        ));
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+        let html = fs::read_to_string(sandbox.path("report.html")).unwrap();
+        assert!(html.contains("Worst is rail low"));
+        let (_, strip) = html.split_once("Moving RMS along the line").unwrap();
+        strip
+            .split_once("Spectrum and limits")
+            .unwrap()
+            .0
+            .to_owned()
+    };
+    let strip = drawn("grassie-1999");
+    let place = |rail: &str| strip.find(&format!(">\n{rail}\n<")).unwrap();
+    assert!(place("low") < place("high"), "the worst rail is not first");
+    // Limits of the RMS are lines of the drawing; those of levels are not.
+    let lines = |strip: &str| strip.matches("<polyline").count() + strip.matches("<line").count();
+    assert!(lines(&strip) > lines(&drawn("iso-3095-2013")));
+}
