@@ -161,7 +161,15 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
         element('span', { textContent: candidate.mechanism }), element('meter', { value: candidate.share, max: 1, ariaLabel: candidate.mechanism }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));
       return row;
     });
-    return element('section', {}, heading, element('p', { textContent: one.summary.replace(/^./, (c) => c.toUpperCase()) }), ...shares);
+    const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
+    return element('section', {}, heading, ...where, element('p', { textContent: one.summary.replace(/^./, (c) => c.toUpperCase()) }), ...shares);
+  }
+
+  /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
+  function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
+    const metres = (position) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
+    const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
+    return `${t('rail')} ${rail}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
 
   async function drawSpectrum() {
@@ -171,9 +179,11 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       type: 'scatter', mode: 'lines', x: points.map(([wavelength]) => 1e3 * wavelength), y: points.map(([, level]) => level), name,
       line: { color, width: dash === 'solid' ? 1.8 : 1.4, dash }, hovertemplate: `%{x:.3~g} mm · %{y:.1f} dB<extra>${name.replaceAll('<', '&lt;')}</extra>`,
     });
+    // Each rail is judged by its own levels, the worst first.
+    const rails = roughness.rails ?? [];
     const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
     const traces = [
-      curve(levels(roughness.spectrum), t('now'), colors[0]),
+      ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${t('rail')} ${rail.name}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
       ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];

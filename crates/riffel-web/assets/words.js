@@ -41,7 +41,7 @@ const WORDS = {
     over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
 
     speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', in_months: (n) => `in ${n} months`, excess: 'above the trend',
-    nothing_dominant: 'No wavelength stands out.', level_axis: 'level [dB re 1 µm]',
+    nothing_dominant: 'No wavelength stands out.', all_along: 'all along', level_axis: 'level [dB re 1 µm]',
   },
   de: {
     explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
@@ -83,7 +83,7 @@ const WORDS = {
     over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
 
     speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', in_months: (n) => `in ${n} Monaten`, excess: 'über dem Trend',
-    nothing_dominant: 'Keine Wellenlänge ragt heraus.', level_axis: 'Pegel [dB re 1 µm]',
+    nothing_dominant: 'Keine Wellenlänge ragt heraus.', all_along: 'durchgehend', level_axis: 'Pegel [dB re 1 µm]',
   },
 };
 

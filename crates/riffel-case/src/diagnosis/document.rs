@@ -20,11 +20,17 @@ pub struct DiagnosisDocument {
 
 #[derive(Serialize)]
 struct Dominant {
+    /// None for a table of levels.
+    rail: Option<String>,
     wavelength_m: f64,
     from_m: f64,
     to_m: f64,
     frequency_min_hz: f64,
     frequency_max_hz: f64,
+    /// Where it stands along the rail, the highest level first.
+    places: Vec<PlaceDocument>,
+    all_along: bool,
+    /// At the first place.
     level_db: f64,
     prominence_db: f64,
     scatter_db: Option<f64>,
@@ -38,6 +44,13 @@ struct Dominant {
     summary: String,
     candidates: Vec<CandidateDocument>,
     measurements: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct PlaceDocument {
+    from_m: f64,
+    to_m: f64,
+    level_db: f64,
 }
 
 #[derive(Serialize)]
@@ -100,7 +113,17 @@ impl Dominant {
         let peak = &finding.measured.peak;
         let rails = finding.measured.rails.iter();
         let course = finding.measured.course.as_ref();
+        let places = finding.measured.places.iter();
         Self {
+            rail: finding.measured.rail.clone(),
+            places: places
+                .map(|place| PlaceDocument {
+                    from_m: place.from,
+                    to_m: place.to,
+                    level_db: place.level,
+                })
+                .collect(),
+            all_along: finding.measured.all_along,
             wavelength_m: peak.wavelength,
             from_m: peak.from,
             to_m: peak.to,

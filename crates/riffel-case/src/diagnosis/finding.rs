@@ -19,12 +19,39 @@ impl Finding {
     pub fn headline(&self, speeds: &TrafficSpeeds) -> String {
         let peak = &self.measured.peak;
         format!(
-            "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}",
+            "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}{}",
             1e3 * peak.wavelength,
             1e3 * peak.from,
             1e3 * peak.to,
+            self.place()
+                .map_or_else(String::new, |place| format!("{place}, ")),
             frequencies(peak.wavelength, speeds)
         )
+    }
+
+    /// Rail and place: "rail low, 1200–1240 m and 2 more places".
+    pub fn place(&self) -> Option<String> {
+        let Measured {
+            rail,
+            places,
+            all_along,
+            ..
+        } = &self.measured;
+        let name = match rail.as_deref()? {
+            name if name.starts_with("rail") || name.starts_with("column") => name.to_owned(),
+            name => format!("rail {name}"),
+        };
+        let first = places.first().filter(|_| !all_along);
+        let where_on = first.map_or_else(
+            || ", all along".to_owned(),
+            |first| format!(", {:.1}–{:.1} m", first.from, first.to),
+        );
+        let more = match places.len() {
+            0 | 1 => String::new(),
+            2 => " and one more place".to_owned(),
+            count => format!(" and {} more places", count - 1),
+        };
+        Some(name + &where_on + &more)
     }
 
     /// Level, prominence and how sure.

@@ -37,7 +37,8 @@ pub struct DiagnosisSettings<'a> {
 
 /// All findings of a record.
 pub struct Diagnosis {
-    /// The dominant wavelengths with their candidates, the most prominent first.
+    /// The dominant wavelengths with their candidates: rail by rail, the one with the highest level first, and of a
+    /// rail the most prominent first.
     pub findings: Vec<Finding>,
     /// Speeds of the traffic.
     pub speeds: TrafficSpeeds,

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use jiff::civil::Date;
 use riffel::diagnosis::{
-    Course, CoursePoint, DominantWavelength, FineSpectrum, TimeUnit, dominant_levels,
+    CleanRail, Course, CoursePoint, DominantWavelength, FineSpectrum, LocatedWavelength, Place,
+    TimeUnit, WINDOW, dominant_levels,
 };
-use riffel::roughness::{PIT_DEPTH, Profile, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS};
+use riffel::roughness::{Spectrum, ThirdOctave};
 
 use super::{DiagnosisSettings, RailRecord, RailRoughness};
 use crate::CaseError;
@@ -14,20 +15,26 @@ use crate::roughness::{LabelledSpectrum, Rail, Survey};
 
 /// A dominant wavelength with what goes with it.
 pub struct Measured {
+    /// The rail it stands on, where rails are known one by one.
+    pub rail: Option<String>,
+    /// Where along the rail it stands, the highest level first; none for tables of levels.
+    pub places: Vec<Place>,
+    /// Whether it stands all along the rail.
+    pub all_along: bool,
     /// Where it stands, and how far it stands out.
     pub peak: DominantWavelength,
     /// Its levels in time, where there are two records or more.
     pub course: Option<Course>,
     /// The same course on mean energies, where the levels are means of several spectra.
     pub energy_levels: Option<Vec<f64>>,
-    /// Level by rail \[dB re 1 µm\].
+    /// Level of every rail at the first place, where there are several \[dB re 1 µm\].
     pub rails: Vec<(String, f64)>,
 }
 
 /// What a figure shows of the records.
 pub enum Curves {
-    /// Level and trend of a profile in narrow bands.
-    Fine(FineSpectrum),
+    /// Levels of a profile in narrow bands, of each rail and of the places that tell most; the worst first.
+    Fine(Vec<(String, FineSpectrum)>),
     /// Means of levels of one-third octaves, by group.
     Levels(Vec<(String, Spectrum)>),
 }
@@ -76,15 +83,86 @@ impl Records {
                 "is a profile; a choice among spectra is for tables of them",
             ));
         }
+        if rails.is_empty() {
+            return Err(CaseError::data(
+                present.name,
+                "there is no rail in the record",
+            ));
+        }
         let mut warnings = warnings.to_vec();
-        let fine = |name: &Path, stretches: &[Profile]| {
-            FineSpectrum::of_record(stretches)
-                .map_err(|error| CaseError::data(name, error.to_string()))
+        let wrong = |error: riffel::Error| CaseError::data(present.name, error.to_string());
+        let clean: Vec<CleanRail> = rails
+            .iter()
+            .map(|rail| CleanRail::new(rail.stretches.clone()))
+            .collect();
+        let mut found: Vec<(usize, Vec<LocatedWavelength>)> = Vec::new();
+        for (index, rail) in clean.iter().enumerate() {
+            found.push((index, rail.dominant().map_err(wrong)?));
+        }
+        // The rail with the highest of all levels leads.
+        let highest = |peaks: &[LocatedWavelength]| {
+            let levels = peaks.iter().map(|one| one.peak.level);
+            levels.fold(f64::NEG_INFINITY, f64::max)
         };
-        let mut past = Vec::new();
-        for record in earlier {
+        found.sort_by(|a, b| highest(&b.1).total_cmp(&highest(&a.1)));
+        let mut curves = Vec::new();
+        for (index, peaks) in &found {
+            let name = &rails[*index].name;
+            curves.push((name.clone(), clean[*index].spectrum().map_err(wrong)?));
+            // The place of the peak that stands out most, if it has one.
+            let local = peaks.iter().find(|one| !one.all_along);
+            curves.extend(local.and_then(|one| {
+                let place = one.places.first()?;
+                let label = format!("{name}, {:.0}–{:.0} m", place.from, place.to);
+                Some((label, clean[*index].spectrum_between(place.from, place.to)?))
+            }));
+        }
+        let words = format!(
+            "profile, {} of {:.1} m{}, {} segments of {:.2} m averaged{}",
+            counted(rails.len(), "rail", "rails"),
+            rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
+            if clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW) {
+                format!(", whole and in windows of {WINDOW:.0} m")
+            } else {
+                String::new()
+            },
+            curves[0].1.segments(),
+            curves[0].1.segment_length(),
+            match earlier.len() {
+                0 => String::new(),
+                count => format!("; {}", counted(count, "earlier record", "earlier records")),
+            }
+        );
+        let records = || earlier.iter().chain([present]);
+        let dates = dates(records()).unwrap_or_default();
+        let labels: Vec<String> = if dates.is_empty() {
+            records()
+                .map(|record| record.name.display().to_string())
+                .collect()
+        } else {
+            dates.iter().map(Date::to_string).collect()
+        };
+        let (times, unit) = times(labels.len(), &dates);
+        let mut points: Vec<Vec<CoursePoint>> = Vec::new();
+        points.resize_with(found.iter().map(|rail| rail.1.len()).sum(), Vec::new);
+        let mut point =
+            |finding: usize, record: usize, rail: &CleanRail, one: &LocatedWavelength| {
+                let level = level_at(rail, one);
+                points[finding].extend(level.map(|(level, scatter)| CoursePoint {
+                    label: labels[record].clone(),
+                    time: times[record],
+                    level,
+                    scatter: Some(scatter),
+                }));
+                level.is_some()
+            };
+        let all = || {
+            let rails = found.iter();
+            rails.flat_map(|(index, peaks)| peaks.iter().map(move |one| (*index, one)))
+        };
+        for (place, record) in earlier.iter().enumerate() {
             let RailRoughness::Profile {
-                rails,
+                rails: past,
                 warnings: remarks,
             } = record.roughness
             else {
@@ -98,74 +176,56 @@ impl Records {
             };
             let name = record.name.display();
             warnings.extend(remarks.iter().map(|remark| format!("{name}: {remark}")));
-            let [_, rolled] = cleaned(rails);
-            past.push(fine(record.name, &rolled)?);
-        }
-        let [unrolled, rolled] = cleaned(rails);
-        let spectrum = fine(present.name, &rolled)?;
-        let peaks = on_rail_and_wheel(&fine(present.name, &unrolled)?, &spectrum);
-        drop(unrolled);
-        // Rails on their own say something where there are several, and something stands out.
-        let by_rail: Vec<(String, FineSpectrum)> = if rails.len() > 1 && !peaks.is_empty() {
-            let mut rest = &rolled[..];
-            let rails = rails.iter().map(|rail| {
-                let own = rest.split_off(..rail.stretches.len()).unwrap_or_default();
-                Ok((rail.name.clone(), fine(present.name, own)?))
-            });
-            rails.collect::<Result<_, CaseError>>()?
-        } else {
-            Vec::new()
-        };
-        let records = || earlier.iter().chain([present]);
-        let dates = dates(records()).unwrap_or_default();
-        let labels: Vec<String> = if dates.is_empty() {
-            records()
-                .map(|record| record.name.display().to_string())
-                .collect()
-        } else {
-            dates.iter().map(Date::to_string).collect()
-        };
-        let (times, unit) = times(labels.len(), &dates);
-        let measured = peaks.into_iter().map(|peak| {
-            let records = past.iter().chain([&spectrum]);
-            let points = records
-                .zip(&labels)
-                .zip(&times)
-                .map(|((record, label), &time)| {
-                    let (level, scatter) = record.level_between(peak.from, peak.to);
-                    CoursePoint {
-                        label: label.clone(),
-                        time,
-                        level,
-                        scatter: Some(scatter),
+            for (index, rail) in rails.iter().enumerate() {
+                let findings = || all().enumerate().filter(move |(_, (own, _))| *own == index);
+                if findings().next().is_none() {
+                    continue;
+                }
+                let Some(same) = same_rail(past, rails, index) else {
+                    warnings.push(format!(
+                        "{name}: has no rail {}, whose course is not known",
+                        rail.name
+                    ));
+                    continue;
+                };
+                let same = CleanRail::new(same.stretches.clone());
+                for (finding, (_, one)) in findings() {
+                    if !point(finding, place, &same, one) {
+                        let place = one.places[0];
+                        warnings.push(format!(
+                            "{name}: rail {} was not measured from {:.1} m to {:.1} m, so that its course there is not known",
+                            rail.name, place.from, place.to
+                        ));
                     }
-                });
-            let course = Course::new(points.collect(), unit).ok();
-            let levels = by_rail
+                }
+            }
+        }
+        for (finding, (index, one)) in all().enumerate() {
+            point(finding, earlier.len(), &clean[index], one);
+        }
+        let measured = all().zip(points).map(|((index, one), points)| {
+            let levels = clean
                 .iter()
-                .map(|(name, rail)| (name.clone(), rail.level_between(peak.from, peak.to).0))
-                .collect();
+                .zip(rails)
+                .filter_map(|(rail, named)| Some((named.name.clone(), level_at(rail, one)?.0)));
             Measured {
-                peak,
-                course,
+                rail: Some(rails[index].name.clone()),
+                places: one.places.clone(),
+                all_along: one.all_along,
+                peak: one.peak.clone(),
+                course: Course::new(points, unit).ok(),
                 energy_levels: None,
-                rails: levels,
+                rails: if rails.len() > 1 {
+                    levels.collect()
+                } else {
+                    Vec::new()
+                },
             }
         });
         Ok(Self {
             measured: measured.collect(),
-            words: format!(
-                "profile, {} of {:.1} m, {} segments of {:.2} m averaged{}",
-                counted(rails.len(), "rail", "rails"),
-                rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
-                spectrum.segments(),
-                spectrum.segment_length(),
-                match past.len() {
-                    0 => String::new(),
-                    count => format!("; {}", counted(count, "earlier record", "earlier records")),
-                }
-            ),
-            curves: Curves::Fine(spectrum),
+            words,
+            curves: Curves::Fine(curves),
             warnings,
         })
     }
@@ -247,6 +307,9 @@ impl Records {
                 });
             let course = Course::new(points.collect(), unit).ok();
             Measured {
+                rail: None,
+                places: Vec::new(),
+                all_along: true,
                 energy_levels: course.is_some().then_some(energy),
                 peak,
                 course,
@@ -303,33 +366,27 @@ fn dates<'a>(records: impl Iterator<Item = &'a RailRecord<'a>>) -> Option<Vec<Da
     records.map(|record| record.date).collect()
 }
 
-/// The stretches of all rails without spikes, and the same with the wheel rolled over them, as EN 15610 asks.
-fn cleaned(rails: &[Rail]) -> [Vec<Profile>; 2] {
-    let mut stretches: Vec<Profile> = rails
-        .iter()
-        .flat_map(|rail| rail.stretches.clone())
-        .collect();
-    for stretch in &mut stretches {
-        stretch.remove_spikes(SpikeCriterion::EN_15610);
+/// The rail of an earlier record that is this one: that of the same name, or where no name agrees the one at the
+/// same place in the file.
+fn same_rail<'a>(past: &'a [Rail], rails: &[Rail], index: usize) -> Option<&'a Rail> {
+    let named = |name: &str| past.iter().find(|rail| rail.name == name);
+    if let Some(same) = named(&rails[index].name) {
+        return Some(same);
     }
-    let mut rolled = stretches.clone();
-    for stretch in &mut rolled {
-        stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH);
-    }
-    [stretches, rolled]
+    let strange = past.len() == rails.len() && rails.iter().all(|rail| named(&rail.name).is_none());
+    strange.then(|| past.get(index)).flatten()
 }
 
-/// Peaks of the rolled profile that are on the rail as well: edges of pits have waves of their own, which the
-/// wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its own.
-fn on_rail_and_wheel(rail: &FineSpectrum, wheel: &FineSpectrum) -> Vec<DominantWavelength> {
-    let on_rail = rail.dominant();
-    let mut peaks = wheel.dominant();
-    peaks.retain(|peak| {
-        on_rail
-            .iter()
-            .any(|other| other.from <= peak.to && peak.from <= other.to)
-    });
-    peaks
+/// Level of a wavelength at its first place \[dB re 1 µm\], and its standard deviation by chance; None where the
+/// rail was not measured there.
+fn level_at(rail: &CleanRail, one: &LocatedWavelength) -> Option<(f64, f64)> {
+    let spectrum = if one.all_along {
+        rail.spectrum().ok()?
+    } else {
+        let place = one.places.first()?;
+        rail.spectrum_between(place.from, place.to)?
+    };
+    Some(spectrum.level_between(one.peak.from, one.peak.to))
 }
 
 /// Times of the records: years by their dates, or their places in the order.

@@ -186,7 +186,8 @@ fn noise_has_no_dominant_wavelength() {
             "diagnosis.html",
             "diagnosis.json",
             "diagnosis.png",
-            "diagnosis.svg"
+            "diagnosis.svg",
+            "places.csv"
         ]
     );
 }

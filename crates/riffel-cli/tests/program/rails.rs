@@ -244,3 +244,101 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
     let lines = |strip: &str| strip.matches("<polyline").count() + strip.matches("<line").count();
     assert!(lines(&strip) > lines(&drawn("iso-3095-2013")));
 }
+
+/// 40 m of 2 km of one rail: −2 dB in the mean of the rail, 14.8 dB there.
+#[test]
+fn a_local_corrugation_is_diagnosed_where_it_is() {
+    let sandbox = Sandbox::new();
+    fs::write(sandbox.path("line.csv"), two_kilometres()).unwrap();
+    let document = sandbox
+        .json("diagnose cases/nominal.toml --roughness line.csv --speed \"108 km/h\" --json");
+    let findings = list(&document, "dominant_wavelengths");
+    assert_eq!(findings.len(), 1, "{findings:?}");
+    let finding = &findings[0];
+    assert_eq!(finding["rail"], "low");
+    assert_eq!(finding["all_along"], false);
+    assert!((number(&finding["wavelength_m"]) / WAVELENGTH - 1.0).abs() < 0.01);
+    // Ends known to a metre are 0.1 dB; noise and the window have the rest.
+    let level = 10.0 * (AMPLITUDE.powi(2) / 2.0).log10();
+    assert!(
+        (number(&finding["level_db"]) - level).abs() < 0.4,
+        "{finding}"
+    );
+    let places = list(finding, "places");
+    assert_eq!(places.len(), 1);
+    assert!(
+        (number(&places[0]["from_m"]) - CORRUGATED.0).abs() < 1.0,
+        "{places:?}"
+    );
+    assert!(
+        (number(&places[0]["to_m"]) - CORRUGATED.1).abs() < 1.0,
+        "{places:?}"
+    );
+    // The other rail has nothing of it there.
+    let rails = list(finding, "rails");
+    let high = rails.iter().find(|rail| rail["name"] == "high").unwrap();
+    assert!(number(&high["level_db"]) < 0.0, "{rails:?}");
+    assert_eq!(finding["candidates"][0]["mechanism"], "growth ridge");
+
+    let clean = sandbox.json(
+        "diagnose cases/nominal.toml --roughness line.csv --rail high --speed \"108 km/h\" --json",
+    );
+    assert!(list(&clean, "dominant_wavelengths").is_empty());
+    let beyond = sandbox.json(
+        "diagnose cases/nominal.toml --roughness line.csv --to \"1.1 km\" --speed \"108 km/h\" --json",
+    );
+    assert!(list(&beyond, "dominant_wavelengths").is_empty());
+    let outcome = sandbox.riffel(
+        "diagnose cases/nominal.toml --roughness line.csv --from \"1 km\" --to \"1.5 km\" --speed \"108 km/h\" -o out",
+    );
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(
+        outcome.sentence().contains("rail low, 1200."),
+        "{}",
+        outcome.text
+    );
+    let table = fs::read_to_string(sandbox.path("out/places.csv")).unwrap();
+    assert!(
+        table.lines().nth(1).unwrap().starts_with("low,0.0559"),
+        "{table}"
+    );
+}
+
+/// The course of a place is that of the place, and not of the rail.
+#[test]
+fn a_local_course_is_that_of_its_place() {
+    let sandbox = Sandbox::new();
+    for (name, amplitude) in [("old.csv", 4.0), ("new.csv", 8.0)] {
+        let mut text = "position [m],left [µm],right [µm]\n".to_owned();
+        for row in 0..60_000 {
+            let x = 5e-3 * f64::from(row);
+            let there = (100.0..140.0).contains(&x);
+            let wave = if there {
+                amplitude * (TAU * x / WAVELENGTH).sin()
+            } else {
+                0.0
+            };
+            writeln!(
+                text,
+                "{x:.3},{:.3},{:.3}",
+                noise(x, 1.7),
+                wave + noise(x, 2.3)
+            )
+            .unwrap();
+        }
+        fs::write(sandbox.path(name), text).unwrap();
+    }
+    let document = sandbox.json(
+        "diagnose cases/nominal.toml --roughness new.csv --earlier old.csv --dates 2024-03-01,2025-03-01 \
+         --speed \"108 km/h\" --json",
+    );
+    let finding = &document["dominant_wavelengths"][0];
+    assert_eq!(finding["rail"], "right");
+    // 20 lg 2 = 6.02 dB.
+    assert!(
+        (number(&finding["course"]["slope_db"]) - 6.02).abs() < 0.2,
+        "{finding}"
+    );
+    let levels = list(&finding["course"], "levels_db");
+    assert!((number(&levels[1]) - 15.05).abs() < 0.6, "{levels:?}");
+}

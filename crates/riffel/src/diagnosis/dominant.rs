@@ -19,7 +19,7 @@ const FALSE_ALARMS: f64 = 0.01;
 /// Shortest wavelength \[m\]; below, rails are not measured.
 const SHORTEST: f64 = 0.005;
 /// Most that are named: those that stand out most.
-const MOST: usize = 6;
+pub(super) const MOST: usize = 6;
 
 /// A wavelength that stands out of the roughness.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +37,8 @@ pub struct DominantWavelength {
     pub prominence: f64,
     /// Standard deviation of the prominence by chance \[dB\]; unknown for a single spectrum.
     pub scatter: Option<f64>,
-    /// How many peaks as high a spectrum of pure noise has, in the mean; unknown for a single spectrum.
+    /// How many peaks as high a spectrum of pure noise has, in the mean, or all windows of a rail together; unknown
+    /// for a single spectrum.
     pub false_peaks: Option<f64>,
     /// Number n of a longer dominant wavelength nλ of which this may be a harmonic.
     pub harmonic_of: Option<(u32, f64)>,
@@ -118,7 +119,9 @@ impl FineSpectrum {
 
     /// Level of all that lies between two wavelengths \[dB re 1 µm\], and its standard deviation by chance.
     pub fn level_between(&self, from: f64, to: f64) -> (f64, f64) {
-        let inside = |k: f64| (to.recip()..=from.recip()).contains(&k);
+        // Lines stand for half a step to either side, as in the level of a peak.
+        let half = 0.5 * self.power.segment_length().recip();
+        let inside = |k: f64| (to.recip() - half..=from.recip() + half).contains(&k);
         let lines = self.power.lines().filter(|(k, _)| inside(*k));
         let (count, sum) = lines.fold((0u32, 0.0), |(count, sum), line| (count + 1, sum + line.1));
         let freedom = freedom(f64::from(count.max(1)), self.power.segments());
@@ -129,11 +132,17 @@ impl FineSpectrum {
     /// The wavelengths that stand 3 dB or more above the trend, and so far that pure noise of the same
     /// trend has such a peak in one spectrum of a hundred; the most prominent first, six at most.
     pub fn dominant(&self) -> Vec<DominantWavelength> {
+        self.dominant_among(1)
+    }
+
+    /// The same where this is one of several spectra: noise has such a peak in one of a hundred sets of so many.
+    pub(super) fn dominant_among(&self, spectra: usize) -> Vec<DominantWavelength> {
         let excess = |index: usize| self.bands[index].level - self.bands[index].trend;
         let false_peaks = |index: usize| {
             let band = &self.bands[index];
             let ratio = 10f64.powf(excess(index) / 10.0);
-            normal::above(normal::of_mean_square(ratio, band.freedom)) * self.bands.len() as f64
+            let chances = (spectra * self.bands.len()) as f64;
+            normal::above(normal::of_mean_square(ratio, band.freedom)) * chances
         };
         let stands_out =
             |index: usize| excess(index) >= PROMINENT && false_peaks(index) < FALSE_ALARMS;
@@ -219,7 +228,10 @@ impl FineSpectrum {
 }
 
 /// The longer wavelength of which this is a harmonic, to a fiftieth, if it stands out as much.
-fn harmonic(short: &DominantWavelength, all: &[DominantWavelength]) -> Option<(u32, f64)> {
+pub(super) fn harmonic(
+    short: &DominantWavelength,
+    all: &[DominantWavelength],
+) -> Option<(u32, f64)> {
     const NEAR: f64 = 0.02;
     all.iter()
         .filter(|long| long.level > short.level)

@@ -1,6 +1,6 @@
 //! From dominant wavelengths of a measured rail to the mechanisms that may have made them.
 //!
-//! A [`FineSpectrum`] or a set of one-third-octave spectra gives [`DominantWavelength`]s; a
+//! A [`CleanRail`], window by window, or a set of one-third-octave spectra gives [`DominantWavelength`]s; a
 //! [`Mechanism`] says which wavelengths it makes at the speeds of the traffic; dated records give a
 //! [`Course`]. [`rank`] holds them together and answers with [`Candidate`]s, each with the reasons for and
 //! against it and a share of the belief, and [`tell_apart`] says which measurements would decide between
@@ -20,6 +20,7 @@ mod course;
 mod dominant;
 mod growth_density;
 mod levels;
+mod located;
 mod measurement;
 mod mechanism;
 mod median_line;
@@ -32,6 +33,7 @@ pub use course::{Course, CoursePoint, TimeUnit};
 pub use dominant::{DominantWavelength, FineBand, FineSpectrum};
 pub use growth_density::GrowthDensity;
 pub use levels::dominant_levels;
+pub use located::{CleanRail, LocatedWavelength, Place, WINDOW};
 pub use measurement::tell_apart;
 pub use mechanism::{Expectation, MechanismKind};
 pub use prediction::{Mechanism, Prediction};

@@ -95,7 +95,7 @@ impl Report {
         let ground = ground_rail(&arguments.ground, &table, &limit)?;
         let spectrum = match (&ground, survey) {
             (Some(ground), _) => Some(ground.spectrum.clone()),
-            (None, Some(survey)) => Some(survey.choose(&arguments.choose)?.mean()),
+            (None, Some(survey)) => Some(survey.choose(&arguments.choose)?.leading()),
             (None, None) => None,
         };
         if let Some(spectrum) = &spectrum {

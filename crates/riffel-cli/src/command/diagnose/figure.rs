@@ -1,34 +1,47 @@
 //! The figure of a diagnosis.
 
+use riffel::diagnosis::{FineBand, FineSpectrum};
 use riffel_case::diagnosis::{Curves, Diagnosis};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
 
 /// Spectra with the dominant wavelengths marked.
 pub(crate) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {
     let (series, label, what) = match &diagnosis.curves {
-        Curves::Fine(spectrum) => {
-            let bands = || spectrum.bands().iter();
-            let wavelengths: Vec<f64> = bands().map(|band| 1e3 * band.wavelength).collect();
-            let series = vec![
+        Curves::Fine(spectra) => {
+            let curve = |spectrum: &FineSpectrum, level: fn(&FineBand) -> f64| {
+                let bands = spectrum.bands().iter();
+                let points = bands.map(|band| (1e3 * band.wavelength, level(band)));
+                let (x, y) = points.unzip();
                 Series {
-                    label: "measured".to_owned(),
-                    x: wavelengths.clone(),
-                    y: bands().map(|band| band.level).collect(),
-                    color: Some(OKABE_ITO[5 % OKABE_ITO.len()]),
+                    x,
+                    y,
                     ..Series::default()
-                },
-                Series {
-                    label: "trend of the neighbours".to_owned(),
-                    x: wavelengths,
-                    y: bands().map(|band| band.trend).collect(),
-                    style: LineStyle::Dashed,
-                    color: Some(Rgb(0, 0, 0)),
-                },
-            ];
+                }
+            };
+            let colors = [5, 1, 2, 3, 6, 7].map(|index| OKABE_ITO[index % OKABE_ITO.len()]);
+            let mut series: Vec<Series> = spectra
+                .iter()
+                .enumerate()
+                .map(|(index, (name, spectrum))| Series {
+                    label: if spectra.len() > 1 {
+                        name.clone()
+                    } else {
+                        "measured".to_owned()
+                    },
+                    color: Some(colors[index % colors.len()]),
+                    ..curve(spectrum, |band| band.level)
+                })
+                .collect();
+            series.extend(spectra.first().map(|(_, spectrum)| Series {
+                label: "trend of the neighbours".to_owned(),
+                style: LineStyle::Dashed,
+                color: Some(Rgb(0, 0, 0)),
+                ..curve(spectrum, |band| band.trend)
+            }));
             (
                 series,
                 "level in 1/24 octave [dB re 1 µm]",
-                "Bands of 1/24 octave, at least one line of the transform wide.",
+                "Bands of 1/24 octave, at least one line of the transform wide; trend of the first curve.",
             )
         }
         Curves::Levels(groups) => {

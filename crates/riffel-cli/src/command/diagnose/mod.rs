@@ -36,6 +36,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let mut staging = Staging::new("diagnose", &folder)?;
     staging.write_figure("diagnosis", &figure::of(&file, &diagnosis))?;
     staging.write_with("candidates.csv", |file| candidates(&diagnosis, file))?;
+    staging.write_with("places.csv", |file| places(&diagnosis, file))?;
     staging.write("diagnosis.json", document)?;
     let files = staging.publish()?;
     if !arguments.json {
@@ -50,6 +51,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
 fn candidates(diagnosis: &Diagnosis, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record([
+        "rail",
         "wavelength_m",
         "mechanism",
         "share",
@@ -60,6 +62,7 @@ fn candidates(diagnosis: &Diagnosis, file: &mut impl Write) -> io::Result<()> {
     for finding in &diagnosis.findings {
         for candidate in &finding.candidates {
             writer.serialize((
+                finding.measured.rail.as_deref(),
                 finding.measured.peak.wavelength,
                 candidate.kind.name(),
                 candidate.share,
@@ -67,6 +70,21 @@ fn candidates(diagnosis: &Diagnosis, file: &mut impl Write) -> io::Result<()> {
                 candidate.wavelengths.map(|range| range.0),
                 candidate.wavelengths.map(|range| range.1),
             ))?;
+        }
+    }
+    writer.flush()
+}
+
+/// Where the dominant wavelengths stand, as a table.
+fn places(diagnosis: &Diagnosis, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record(["rail", "wavelength_m", "from_m", "to_m", "level_db"])?;
+    for finding in &diagnosis.findings {
+        let measured = &finding.measured;
+        for place in &measured.places {
+            let rail = measured.rail.as_deref();
+            let wavelength = measured.peak.wavelength;
+            writer.serialize((rail, wavelength, place.from, place.to, place.level))?;
         }
     }
     writer.flush()

@@ -95,7 +95,7 @@ impl Report {
         let traffic = Traffic::read(&arguments.traffic)?;
         let (table, limit) = level_limit(&arguments.limit)?;
         let ground = ground_rail(&arguments.ground, &table, &limit)?;
-        let dated = match (&ground, survey) {
+        let mut dated = match (&ground, survey) {
             (None, Some(survey)) => Some(Dated::new(&arguments.spectra, survey)?),
             _ => None,
         };
@@ -104,9 +104,9 @@ impl Report {
             progress.advance(by);
         })?;
         drop(progress);
-        let measured = match (&ground, &dated) {
+        let measured = match (&ground, &mut dated) {
             (Some(ground), _) => ground.spectrum.clone(),
-            (None, Some(dated)) => dated.now.mean(),
+            (None, Some(dated)) => dated.now.leading(),
             (None, None) => Err(CliError::Argument {
                 argument: "--spectrum",
                 value: "left out".to_owned(),

@@ -98,8 +98,12 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             }
             brief.extend(diagnosis.findings.iter().map(|finding| {
                 format!(
-                    "<b>{:.1} mm</b> stands out. {}",
+                    "<b>{:.1} mm</b> stands out{}, {:.1} dB. {}",
                     1e3 * finding.measured.peak.wavelength,
+                    finding
+                        .place()
+                        .map_or_else(String::new, |place| escape(&format!(" on {place}"))),
+                    finding.measured.peak.level,
                     escape(&capital(&finding.summary()))
                 )
             }));

@@ -1,0 +1,521 @@
+//! Where along a rail its dominant wavelengths stand.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::dominant::{MOST, harmonic};
+use super::{DominantWavelength, FineSpectrum};
+use crate::Error;
+use crate::roughness::{
+    BandPass, PIT_DEPTH, Profile, SpikeCriterion, WHEEL_RADIUS, WavelengthBand, moving_rms,
+};
+
+/// Length of the windows in which a dominant wavelength is looked for \[m\]: five segments of 10 m, of which nine
+/// that overlap are averaged, so that wavelengths differ by 0.1/m and levels scatter by 1 dB.
+pub const WINDOW: f64 = 50.0;
+/// Windows shorter than this, at stretches that are, say too little \[m\].
+const SHORTEST_WINDOW: f64 = 10.0;
+/// Length over which the power of a wavelength is averaged to find its ends \[m\]: no place is told shorter.
+const SMOOTHING: f64 = 5.0;
+/// The same in wavelengths, so that the power of noise scatters by a quarter.
+const SMOOTHED_WAVES: f64 = 50.0;
+/// How far the wavelengths of a peak are widened to filter it out of the profile.
+const WIDENED: f64 = 1.1;
+/// Decibels by which a place stands over the whole rail to be named.
+const CONCENTRATED: f64 = 3.0;
+/// Good length between two places of one wavelength that are one \[m\].
+const APART: f64 = 10.0;
+
+/// A length of rail on which a wavelength stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Place {
+    /// Where it begins \[m\].
+    pub from: f64,
+    /// Where it ends \[m\].
+    pub to: f64,
+    /// Level of the wavelength there \[dB re 1 µm\].
+    pub level: f64,
+}
+
+/// A dominant wavelength with where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LocatedWavelength {
+    /// Wavelength and level at the first place; prominence and false peaks are those of the window, or of the
+    /// whole rail, that shows it best.
+    pub peak: DominantWavelength,
+    /// The places, the highest level first; the whole rail where it stands all along.
+    pub places: Vec<Place>,
+    /// Whether it stands all along the rail.
+    pub all_along: bool,
+}
+
+/// A rail without spikes, and what the wheel sees of it after EN 15610.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CleanRail {
+    on_rail: Vec<Profile>,
+    on_wheel: Vec<Profile>,
+}
+
+/// A peak of a window.
+struct Seed {
+    peak: DominantWavelength,
+    stretch: usize,
+    samples: Range<usize>,
+}
+
+impl CleanRail {
+    /// The stretches of one rail, cleaned of spikes, and the same rolled over by the wheel.
+    pub fn new(mut stretches: Vec<Profile>) -> Self {
+        for stretch in &mut stretches {
+            stretch.remove_spikes(SpikeCriterion::EN_15610);
+        }
+        let mut on_wheel = stretches.clone();
+        for stretch in &mut on_wheel {
+            stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH);
+        }
+        Self {
+            on_rail: stretches,
+            on_wheel,
+        }
+    }
+
+    /// Length of rail \[m\].
+    pub fn length(&self) -> f64 {
+        self.on_wheel.iter().map(Profile::length).sum()
+    }
+
+    /// The spectrum of the whole rail as the wheel sees it.
+    ///
+    /// # Errors
+    /// As [`FineSpectrum::of_record`].
+    pub fn spectrum(&self) -> Result<FineSpectrum, Error> {
+        FineSpectrum::of_record(&self.on_wheel)
+    }
+
+    /// The spectrum between two positions \[m\]; None where less than half of that length was measured.
+    pub fn spectrum_between(&self, from: f64, to: f64) -> Option<FineSpectrum> {
+        let stretches = self.on_wheel.iter();
+        let parts: Vec<Profile> = stretches
+            .filter_map(|stretch| stretch.between(from, to))
+            .collect();
+        let length: f64 = parts.iter().map(Profile::length).sum();
+        (length >= 0.5 * (to - from))
+            .then(|| FineSpectrum::of_record(&parts).ok())
+            .flatten()
+    }
+
+    /// The wavelengths that stand out, along the whole rail or on a part of it; the most prominent first, six at
+    /// most.
+    ///
+    /// Method: peaks of the spectrum of the whole rail ([`FineSpectrum::dominant`]), and of windows of 50 m every
+    /// 25 m where the rail is 100 m long or longer, so far out that noise has such a peak in one rail of a
+    /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
+    /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
+    /// length. A wavelength is told by its places if these are less than half of the rail and stand 3 dB over
+    /// it. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
+    /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
+    /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
+    ///
+    /// # Errors
+    /// As [`FineSpectrum::of_record`].
+    pub fn dominant(&self) -> Result<Vec<LocatedWavelength>, Error> {
+        let whole = self.spectrum()?;
+        let mut overall = on_both(&FineSpectrum::of_record(&self.on_rail)?, &whole, 1);
+        let mut found = Vec::new();
+        for group in self.groups() {
+            let leader = &group[0].peak;
+            let same = overall.iter().position(|peak| overlap(peak, leader));
+            let along = same.map(|index| overall.swap_remove(index));
+            let places = self.places(leader, &group)?;
+            found.extend(self.told(leader, along, places, &whole));
+        }
+        for peak in overall {
+            let places = self.places(&peak, &[])?;
+            found.extend(self.told(&peak.clone(), Some(peak), places, &whole));
+        }
+        found.sort_by(|a, b| b.peak.prominence.total_cmp(&a.peak.prominence));
+        found.truncate(MOST);
+        let all = found.clone();
+        for one in &mut found {
+            let beside = all.iter().filter(|other| other.beside(one));
+            let peaks: Vec<DominantWavelength> = beside.map(|other| other.peak.clone()).collect();
+            one.peak.harmonic_of = harmonic(&one.peak, &peaks);
+        }
+        Ok(found)
+    }
+
+    /// Peaks of the windows by wavelength, the most prominent first.
+    fn groups(&self) -> Vec<Vec<Seed>> {
+        let windows = self.windows();
+        let count = windows.len();
+        let seeds = windows.into_par_iter().flat_map_iter(|(stretch, samples)| {
+            let part = |of: &[Profile]| {
+                let profile = &of[stretch];
+                let heights = profile.heights()[samples.clone()].to_vec();
+                let part =
+                    Profile::new(profile.position(samples.start), profile.spacing(), heights);
+                part.and_then(|part| FineSpectrum::of_record(&[part])).ok()
+            };
+            // The rail itself is looked at where the wheel sees something.
+            let wheel =
+                part(&self.on_wheel).filter(|wheel| !wheel.dominant_among(count).is_empty());
+            let both = wheel.and_then(|wheel| Some(on_both(&part(&self.on_rail)?, &wheel, count)));
+            let samples = samples.clone();
+            both.unwrap_or_default().into_iter().map(move |peak| Seed {
+                peak,
+                stretch,
+                samples: samples.clone(),
+            })
+        });
+        let mut seeds: Vec<Seed> = seeds.collect();
+        seeds.sort_by(|a, b| b.peak.prominence.total_cmp(&a.peak.prominence));
+        let mut groups: Vec<Vec<Seed>> = Vec::new();
+        for seed in seeds {
+            match groups
+                .iter_mut()
+                .find(|group| overlap(&group[0].peak, &seed.peak))
+            {
+                Some(group) => group.push(seed),
+                None => groups.push(vec![seed]),
+            }
+        }
+        groups.truncate(MOST);
+        groups
+    }
+
+    /// Windows by stretch, half overlapping; the last ends where its stretch ends.
+    fn windows(&self) -> Vec<(usize, Range<usize>)> {
+        if self.length() < 2.0 * WINDOW {
+            return Vec::new();
+        }
+        let mut windows = Vec::new();
+        for (index, stretch) in self.on_wheel.iter().enumerate() {
+            let count = stretch.heights().len();
+            let window = ((WINDOW / stretch.spacing()).round() as usize).clamp(1, count);
+            if stretch.length() < SHORTEST_WINDOW {
+                continue;
+            }
+            let last = count - window;
+            let starts = (0..last).step_by(window.div_ceil(2)).chain([last]);
+            windows.extend(starts.map(|start| (index, start..start + window)));
+        }
+        windows
+    }
+
+    /// Where a wavelength stands, the highest level first: around the highest power in each of its windows, or on
+    /// the whole rail if it has none.
+    fn places(&self, peak: &DominantWavelength, seeds: &[Seed]) -> Result<Vec<Place>, Error> {
+        let spacing = self.on_wheel[0].spacing();
+        let band = WavelengthBand::new(peak.from / WIDENED, peak.to * WIDENED)?;
+        let samples = (SMOOTHING.max(SMOOTHED_WAVES * peak.wavelength) / spacing).round() as usize;
+        let mut powers = Vec::new();
+        for stretch in &self.on_wheel {
+            let bank = BandPass::new(spacing, stretch.heights().len(), &[band])?;
+            let filtered = bank.filter(stretch).swap_remove(0);
+            powers.push(smoothed(&filtered, samples));
+        }
+        let mut found: Vec<(usize, Range<usize>)> = Vec::new();
+        for seed in seeds {
+            let (power, stretch) = (&powers[seed.stretch], seed.stretch);
+            let at = seed.samples.start + highest(&power[seed.samples.clone()]);
+            let known = |place: &(usize, Range<usize>)| place.0 == stretch && place.1.contains(&at);
+            if !found.iter().any(known) {
+                found.push((stretch, around(power, at)));
+            }
+        }
+        if seeds.is_empty() {
+            let tops = powers.iter().enumerate().map(|(stretch, power)| {
+                let at = highest(power);
+                (stretch, at, power[at])
+            });
+            let top = tops.max_by(|a, b| a.2.total_cmp(&b.2));
+            found.extend(top.map(|(stretch, at, _)| (stretch, around(&powers[stretch], at))));
+        }
+        let mut places: Vec<Place> = joined(found, (APART / spacing) as usize)
+            .into_iter()
+            .map(|(stretch, samples)| {
+                let profile = &self.on_wheel[stretch];
+                let (from, to) = (
+                    profile.position(samples.start),
+                    profile.position(samples.end),
+                );
+                let level = self.level(from, to, peak);
+                Place { from, to, level }
+            })
+            .collect();
+        places.sort_by(|a, b| b.level.total_cmp(&a.level));
+        Ok(places)
+    }
+
+    /// Level of a peak at a place \[dB re 1 µm\].
+    fn level(&self, from: f64, to: f64, peak: &DominantWavelength) -> f64 {
+        let spectrum = self.spectrum_between(from, to);
+        spectrum.map_or(f64::NEG_INFINITY, |spectrum| {
+            let own = peak_near(&spectrum, peak);
+            own.map_or_else(
+                || spectrum.level_between(peak.from, peak.to).0,
+                |own| own.level,
+            )
+        })
+    }
+
+    /// A peak with the places that tell most of it: its own, or the whole rail.
+    fn told(
+        &self,
+        peak: &DominantWavelength,
+        along: Option<DominantWavelength>,
+        places: Vec<Place>,
+        whole: &FineSpectrum,
+    ) -> Option<LocatedWavelength> {
+        let covered: f64 = places.iter().map(|place| place.to - place.from).sum();
+        let highest = *places.first()?;
+        let level = whole.level_between(peak.from, peak.to).0;
+        let concentrated = covered < 0.5 * self.length() && highest.level >= level + CONCENTRATED;
+        if let Some(along) = along.filter(|_| !concentrated) {
+            let first = self.on_wheel.first()?;
+            let last = self.on_wheel.last()?;
+            return Some(LocatedWavelength {
+                places: vec![Place {
+                    from: first.start(),
+                    to: last.start() + last.length(),
+                    level: along.level,
+                }],
+                peak: along,
+                all_along: true,
+            });
+        }
+        let there = self.spectrum_between(highest.from, highest.to)?;
+        let own = peak_near(&there, peak).unwrap_or_else(|| peak.clone());
+        Some(LocatedWavelength {
+            peak: DominantWavelength {
+                level: highest.level,
+                prominence: peak.prominence,
+                scatter: peak.scatter,
+                false_peaks: peak.false_peaks,
+                ..own
+            },
+            places,
+            all_along: false,
+        })
+    }
+}
+
+impl LocatedWavelength {
+    /// Whether it stands where another does.
+    fn beside(&self, other: &Self) -> bool {
+        let shares = |a: &Place| {
+            let mut places = other.places.iter();
+            places.any(|b| a.from < b.to && b.from < a.to)
+        };
+        self.places.iter().any(shares)
+    }
+}
+
+/// The peak of a spectrum at the wavelengths of another.
+fn peak_near(spectrum: &FineSpectrum, peak: &DominantWavelength) -> Option<DominantWavelength> {
+    let peaks = spectrum.dominant();
+    peaks.into_iter().find(|own| overlap(own, peak))
+}
+
+/// Peaks of what the wheel sees that stand out of the rail as well.
+fn on_both(rail: &FineSpectrum, wheel: &FineSpectrum, spectra: usize) -> Vec<DominantWavelength> {
+    let on_rail = rail.dominant_among(spectra);
+    let mut peaks = wheel.dominant_among(spectra);
+    peaks.retain(|peak| on_rail.iter().any(|other| overlap(other, peak)));
+    peaks
+}
+
+/// Whether two peaks are one: spectra of other segments have other bands, so that half powers differ by a band.
+fn overlap(one: &DominantWavelength, other: &DominantWavelength) -> bool {
+    /// Ratio of the edges of a band of 1/24 octave.
+    const BAND: f64 = 1.03;
+    one.from <= BAND * other.to && other.from <= BAND * one.to
+}
+
+/// Mean squares over so many samples around each sample; those of the first and last window hold to the ends.
+fn smoothed(heights: &[f64], window: usize) -> Vec<f64> {
+    let window = window.clamp(1, heights.len());
+    let rms = moving_rms(heights, window);
+    let before = (window - 1) / 2;
+    (0..heights.len())
+        .map(|index| rms[index.saturating_sub(before).min(rms.len() - 1)].powi(2))
+        .collect()
+}
+
+fn highest(values: &[f64]) -> usize {
+    let places = 0..values.len();
+    places
+        .max_by(|&a, &b| values[a].total_cmp(&values[b]))
+        .unwrap_or(0)
+}
+
+/// The samples around a highest one on which the power is more than half of its mean over all of them.
+fn around(power: &[f64], at: usize) -> Range<usize> {
+    /// Rounds, of which each lowers the mean and widens the place; two or three are usual.
+    const ROUNDS: usize = 50;
+    let (mut place, mut mean) = (at..at + 1, power[at]);
+    for _ in 0..ROUNDS {
+        let low = |value: &f64| *value < 0.5 * mean;
+        let from = power[..at].iter().rposition(low).map_or(0, |low| low + 1);
+        let to = power[at..]
+            .iter()
+            .position(low)
+            .map_or(power.len(), |low| at + low.max(1));
+        if place == (from..to) {
+            break;
+        }
+        place = from..to;
+        mean = power[place.clone()].iter().sum::<f64>() / place.len() as f64;
+    }
+    place
+}
+
+/// Places of one stretch that lie no further apart than some samples as one.
+fn joined(mut places: Vec<(usize, Range<usize>)>, gap: usize) -> Vec<(usize, Range<usize>)> {
+    places.sort_by_key(|(stretch, samples)| (*stretch, samples.start));
+    let mut joined: Vec<(usize, Range<usize>)> = Vec::new();
+    for (stretch, samples) in places {
+        match joined.last_mut() {
+            Some((last, known)) if *last == stretch && samples.start <= known.end + gap => {
+                known.end = known.end.max(samples.end);
+            }
+            _ => joined.push((stretch, samples)),
+        }
+    }
+    joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roughness::{ColouredNoise, Recipe, Sinusoid};
+
+    /// Noise with sinusoids of a wavelength, an amplitude and two ends \[m\].
+    fn rail(length: f64, seed: u64, waves: &[(f64, f64, f64, f64)]) -> CleanRail {
+        let recipe = Recipe {
+            length,
+            spacing: 2e-3,
+            seed,
+            sinusoids: waves
+                .iter()
+                .map(|&(wavelength, amplitude, from, to)| Sinusoid {
+                    wavelength,
+                    amplitude,
+                    phase: 0.3,
+                    from,
+                    to,
+                })
+                .collect(),
+            noise: Some(ColouredNoise {
+                level: -10.0,
+                wavelength: 0.1,
+                slope: 10.0,
+                longest: 3.0,
+            }),
+            spikes: Vec::new(),
+            pits: Vec::new(),
+            dropouts: Vec::new(),
+        };
+        let profile = Profile::new(5000.0, 2e-3, recipe.heights().unwrap()).unwrap();
+        CleanRail::new(vec![profile])
+    }
+
+    /// 40 m of 2 km: the level there is 10 lg(A²/2), and not 17 dB less; its ends are known to 1 m, which is 0.1
+    /// dB of the level, and noise and the window take 0.3 dB.
+    #[test]
+    fn a_local_corrugation_is_found_with_its_level_and_place() {
+        let found = rail(2000.0, 1, &[(0.0559, 7.77e-6, 1213.0, 1253.0)])
+            .dominant()
+            .unwrap();
+        assert_eq!(found.len(), 1, "{found:?}");
+        let one = &found[0];
+        assert!(!one.all_along && one.places.len() == 1, "{one:?}");
+        assert!((one.peak.wavelength / 0.0559 - 1.0).abs() < 0.01, "{one:?}");
+        let expected = 10.0 * (7.77f64.powi(2) / 2.0).log10();
+        assert!((one.peak.level - expected).abs() < 0.4, "{one:?}");
+        let place = one.places[0];
+        assert!(
+            (place.from - 6213.0).abs() < 1.0 && (place.to - 6253.0).abs() < 1.0,
+            "{one:?}"
+        );
+    }
+
+    /// Two places of one wavelength, and another wavelength all along.
+    #[test]
+    fn places_are_told_from_what_is_everywhere() {
+        let found = rail(
+            600.0,
+            2,
+            &[
+                (0.0559, 8e-6, 100.0, 130.0),
+                (0.0559, 4e-6, 400.0, 460.0),
+                (0.0312, 3e-6, 0.0, 600.0),
+            ],
+        )
+        .dominant()
+        .unwrap();
+        assert_eq!(found.len(), 2, "{found:?}");
+        let near = |wavelength: f64| {
+            let near =
+                |one: &&LocatedWavelength| (one.peak.wavelength / wavelength - 1.0).abs() < 0.01;
+            found.iter().find(near).unwrap()
+        };
+        let local = near(0.0559);
+        assert_eq!(local.places.len(), 2, "{local:?}");
+        for (place, (from, to, amplitude)) in local
+            .places
+            .iter()
+            .zip([(5100.0, 5130.0, 8.0f64), (5400.0, 5460.0, 4.0)])
+        {
+            let level = 10.0 * (amplitude.powi(2) / 2.0).log10();
+            assert!((place.level - level).abs() < 0.5, "{local:?}");
+            assert!(
+                (place.from - from).abs() < 1.0 && (place.to - to).abs() < 1.0,
+                "{local:?}"
+            );
+        }
+        let everywhere = near(0.0312);
+        assert!(everywhere.all_along, "{everywhere:?}");
+        assert_eq!(everywhere.places[0].from, 5000.0);
+    }
+
+    /// A rail too short for windows tells the place as well.
+    #[test]
+    fn a_short_rail_has_places() {
+        let found = rail(80.0, 3, &[(0.05, 10e-6, 20.0, 32.0)])
+            .dominant()
+            .unwrap();
+        let one = &found[0];
+        assert!(!one.all_along, "{found:?}");
+        let place = one.places[0];
+        assert!(
+            (place.from - 5020.0).abs() < 1.0 && (place.to - 5032.0).abs() < 1.0,
+            "{one:?}"
+        );
+    }
+
+    /// Windows ask many times, and answer by chance no more often than one spectrum does.
+    #[test]
+    fn noise_has_no_place() {
+        let found: usize = (0..10)
+            .map(|seed| rail(1000.0, 100 + seed, &[]).dominant().unwrap().len())
+            .sum();
+        assert_eq!(found, 0);
+    }
+
+    /// Power of one over ten, smoothed over two, falls to half at its ends.
+    #[test]
+    fn a_place_ends_where_the_power_is_halved() {
+        let heights: Vec<f64> = (0..100)
+            .map(|index| if (40..60).contains(&index) { 1.0 } else { 0.0 })
+            .collect();
+        let power = smoothed(&heights, 5);
+        let place = around(&power, highest(&power));
+        assert_eq!(place, 40..60);
+        assert_eq!(
+            joined(vec![(0, 70..80), (0, 40..60), (1, 0..5)], 10),
+            [(0, 40..80), (1, 0..5)]
+        );
+    }
+}
