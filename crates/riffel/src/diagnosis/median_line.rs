@@ -34,7 +34,7 @@ pub(super) fn median_line(points: &[(f64, f64)], x: f64) -> Option<f64> {
 /// Found without sorting: a line has hundreds of slopes, and a spectrum hundreds of lines.
 fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
-    let even = values.len() % 2 == 0;
+    let even = values.len().is_multiple_of(2);
     let (below, upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
     if even {
         let lower = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
