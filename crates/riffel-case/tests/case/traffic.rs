@@ -264,7 +264,7 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
         assert!((outcome.growth.rates()[line] / expected - 1.0).abs() < 1e-12);
     }
     assert_eq!(wear.title, "half");
-    let ratio = wear.passages_to_limit.unwrap() / base.passages_to_limit.unwrap();
+    let ratio = wear.passages_to_limit().unwrap() / base.passages_to_limit().unwrap();
     assert!((ratio - 2.0).abs() < 1e-9, "{ratio}");
     let ridge = base.ridge_frequency.unwrap();
     assert!((530.0..545.0).contains(&ridge), "{ridge}");
