@@ -74,8 +74,7 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
             .map(|branch| BranchLine {
                 frequency_hz: branch.frequency(),
                 points: branch
-                    .points()
-                    .iter()
+                    .crest()
                     .map(|point| (point.wavelength, point.speed))
                     .collect(),
             })

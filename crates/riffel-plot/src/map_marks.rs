@@ -155,7 +155,7 @@ impl Drawing<'_> {
         let branches = self.panel.weaker_branches().filter_map(|branch| {
             let (first, last) = (branch.points.first()?, branch.points.last()?);
             let ends = (place(*first), place(*last));
-            Some((Name::Branch, ends, named(branch.frequency_hz)))
+            Some((Name::Branch, ends, named(branch.frequency_hz.round())))
         });
         let others = self
             .panel

@@ -281,7 +281,7 @@ fn branch_label(branch: &BranchLine) -> Option<Value> {
     let &(wavelength, speed) = branch.points.get(branch.points.len() * 4 / 5)?;
     (wavelength.is_finite() && speed.is_finite()).then(|| {
         json!({
-            "text": format!("<b>{} Hz</b>", hertz(branch.frequency_hz)), "showarrow": false,
+            "text": format!("<b>{} Hz</b>", hertz(branch.frequency_hz.round())), "showarrow": false,
             "x": number(1e3 * wavelength), "y": number(3.6 * speed), "xshift": -30, "yshift": 12,
             "font": { "color": BEST_FIT.hex(), "size": 11 }, "bgcolor": "rgba(255,255,255,0.82)", "borderpad": 1,
         })

@@ -72,7 +72,7 @@ struct RidgeColumns {
     at_edge: Vec<bool>,
 }
 
-/// A branch of the ridge, with its points in order of speed.
+/// A branch of the ridge, with the points of its crest in order of speed.
 #[derive(Serialize)]
 struct Branch {
     #[serde(flatten)]
@@ -88,7 +88,7 @@ struct BranchColumns {
 
 impl From<&RidgeBranch> for BranchColumns {
     fn from(branch: &RidgeBranch) -> Self {
-        let column = |value: fn(&RidgePoint) -> f64| branch.points().iter().map(value).collect();
+        let column = |value: fn(&RidgePoint) -> f64| branch.crest().map(value).collect();
         Self {
             speed_m_per_s: column(|point| point.speed),
             wavelength_m: column(|point| point.wavelength),

@@ -30,7 +30,7 @@ impl RidgeBranch {
     ///
     /// At the points at an end of the window growth rises beyond it: they belong to the branch but say nothing of its
     /// frequency.
-    fn crest(&self) -> impl Iterator<Item = &RidgePoint> {
+    pub fn crest(&self) -> impl Iterator<Item = &RidgePoint> {
         let only_at_edge = self.only_at_edge();
         let points = self.points.iter();
         points.filter(move |point| only_at_edge || !point.at_edge)
