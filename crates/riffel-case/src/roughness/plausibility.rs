@@ -86,8 +86,8 @@ pub(super) fn check_heights(rails: &[(&Rail, &str, f64)]) -> Result<(), Refusal>
              {} µm)",
             rail.name,
             short(1e6 * rms),
-            1e6 * RMS.0,
-            1e6 * RMS.1
+            short(1e6 * RMS.0),
+            short(1e6 * RMS.1)
         );
         let help = likely.map(|(likely, _)| {
             message += &format!("; they look like {likely}");

@@ -308,7 +308,7 @@ impl Table {
             } else if let Some(stated) = self.heading.stated(kind) {
                 Some((
                     format!("{what} in {unit}"),
-                    format!("as line {} says", stated.line),
+                    format!("by line {}", stated.line),
                 ))
             } else {
                 Some((format!("{what} in {unit}"), "taken for granted".to_owned()))

@@ -485,7 +485,7 @@ fn endless_input_ends() {
         "compare cases/nominal.toml --with /dev/zero",
         "report --site /dev/zero --roughness /dev/zero",
         "diagnose cases/nominal.toml --roughness /dev/urandom",
-        "study run /dev/zero",
+        "study /dev/zero",
     ] {
         let outcome = sandbox.riffel(arguments);
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
