@@ -31,6 +31,7 @@ const BAD_INPUT: u8 = 2;
 /// `arguments` begin with the name of the program, as those of a process do. `program` is a command that runs it once
 /// more, for work that `riffel serve` does in processes of their own.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
+    messages::lay_out_errors();
     let parsed = Arguments::command().try_get_matches_from(arguments);
     let parsed = parsed.and_then(|matches| {
         Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))

@@ -1,10 +1,11 @@
 //! What is said on standard error beside the results: messages and notes, as much as was asked for.
 
 use std::fmt::Display;
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use miette::MietteHandlerOpts;
 use riffel_case::{Language, Remark};
 
 /// How much is said.
@@ -32,6 +33,18 @@ fn printed() -> MutexGuard<'static, Vec<String>> {
 pub(crate) fn begin(verbosity: Verbosity) {
     VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
     printed().clear();
+}
+
+/// Where errors go to a file or a pipe, lay them out for 80 columns: else the width would be that of whatever terminal
+/// the other stream is on.
+pub(crate) fn lay_out_errors() {
+    const COLUMNS: usize = 80;
+    if !io::stderr().is_terminal() {
+        // Fails where it has been done: a Python process may run the program more than once.
+        let _ = miette::set_hook(Box::new(|_| {
+            Box::new(MietteHandlerOpts::new().width(COLUMNS).build())
+        }));
+    }
 }
 
 /// True if nothing but errors is to be said.

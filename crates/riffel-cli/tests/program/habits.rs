@@ -210,3 +210,26 @@ fn endless_keys_are_refused_in_few_words() {
         refused(&format!("point cases/nominal.toml {at} --set {key}=1"));
     }
 }
+
+/// Errors that go to a file are not broken to the width of the terminal beside it. `script` makes a terminal; on a
+/// machine without it there is nothing to try.
+#[cfg(target_os = "linux")]
+#[test]
+fn errors_in_a_file_do_not_know_the_terminal() {
+    let sandbox = Sandbox::new();
+    let program = env!("CARGO_BIN_EXE_riffel");
+    let line = format!(
+        "stty cols 30; {program} point cases/nominal.toml --wavelength 0.05 --speed 20 --set contact.friction=-1 2> errors.txt"
+    );
+    let mut script = std::process::Command::new("script");
+    script.current_dir(sandbox.path("."));
+    script.args(["-q", "-e", "-c", &line, "typescript"]);
+    let Ok(output) = script.output() else {
+        return;
+    };
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    let in_a_file = fs::read_to_string(sandbox.path("errors.txt")).unwrap();
+    let arguments =
+        "point cases/nominal.toml --wavelength 0.05 --speed 20 --set contact.friction=-1";
+    assert_eq!(in_a_file, sandbox.riffel(arguments).text);
+}
