@@ -4,6 +4,7 @@
 
 mod arguments;
 mod bay;
+mod column;
 mod command;
 mod error;
 mod fingerprint;

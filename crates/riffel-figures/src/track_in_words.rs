@@ -12,7 +12,7 @@ fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize
     )
 }
 
-/// The rail, if the model has one: "rail 56.0 kg/m, I = 2.350e-5 m⁴; ".
+/// The rail, if the model has one: "rail 56.0 kg/m, I = 2350 cm⁴; ".
 pub(crate) fn rail(case: &Case, language: Language) -> String {
     let rail = &case.file.rail;
     if case.file.track.model == TrackModel::Measured {
@@ -20,9 +20,10 @@ pub(crate) fn rail(case: &Case, language: Language) -> String {
     }
     let moment = rail.second_moment.map_or(f64::NAN, |moment| moment.si());
     let mut words = format!(
-        "{} {} kg/m, I = {moment:.3e} m⁴",
+        "{} {} kg/m, I = {:.0} cm⁴",
         language.pick("rail", "Schiene"),
-        value(rail.mass_per_length, 1.0, 1)
+        value(rail.mass_per_length, 1.0, 1),
+        1e8 * moment // m⁴ in cm⁴, as the catalogues of rails have it
     );
     if let Some(loss_factor) = rail.loss_factor {
         words.push_str(&format!(", η = {loss_factor}"));

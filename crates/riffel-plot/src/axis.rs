@@ -1,6 +1,7 @@
 //! An axis: where a value lies on the sheet, and which values are marked on it.
 
-use crate::text;
+use crate::frame::TICK_FONT;
+use crate::text::{self, Weight};
 
 /// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -108,21 +109,91 @@ impl Axis {
         self.start + fraction * (self.end - self.start)
     }
 
-    /// Ticks of which about `count` carry a label.
-    pub(crate) fn ticks(&self, count: usize) -> Ticks {
-        match self.scale {
-            Scale::Linear => {
-                linear_ticks(self.low, self.high, nice_step(self.high - self.low, count))
-            }
-            Scale::Log => log_ticks(self.low, self.high, count),
-        }
+    /// Ticks of which at most about `count` carry a label, and no two labels of which touch: the first set that has
+    /// room, from the richest to the poorest. `direction` is that of the axis.
+    pub(crate) fn ticks(&self, count: usize, direction: Direction) -> Ticks {
+        self.first_with_room(self.candidates(count), direction)
     }
 
     /// Ticks of an angle in degrees, at divisions of a full turn.
-    pub(crate) fn degree_ticks(&self, count: usize) -> Ticks {
-        match degree_step(self.high - self.low, count).filter(|_| self.scale == Scale::Linear) {
-            Some(step) => linear_ticks(self.low, self.high, step),
-            None => self.ticks(count),
+    pub(crate) fn degree_ticks(&self, count: usize, direction: Direction) -> Ticks {
+        let span = self.high - self.low;
+        match self.scale {
+            Scale::Linear if degree_step(span, count).is_some() => {
+                let steps = (1..=count.max(1))
+                    .rev()
+                    .filter_map(|count| degree_step(span, count));
+                let ticks = steps.map(|step| linear_ticks(self.low, self.high, step));
+                self.first_with_room(ticks.collect(), direction)
+            }
+            _ => self.ticks(count, direction),
+        }
+    }
+
+    /// Sets of ticks, from the richest to the poorest.
+    fn candidates(&self, count: usize) -> Vec<Ticks> {
+        let linear = || {
+            (1..=count.max(1)).rev().map(|count| {
+                linear_ticks(self.low, self.high, nice_step(self.high - self.low, count))
+            })
+        };
+        match self.scale {
+            Scale::Linear => linear().collect(),
+            Scale::Log => {
+                let of_decades = log_ticks(self.low, self.high, count);
+                // Between two decades there may be nothing but steps.
+                let bare = of_decades
+                    .first()
+                    .is_none_or(|most| most.labels().count() < 2);
+                let steps = linear().filter(|_| bare);
+                steps.chain(of_decades.clone()).collect()
+            }
+        }
+    }
+
+    fn first_with_room(&self, candidates: Vec<Ticks>, direction: Direction) -> Ticks {
+        let last = candidates.len() - 1;
+        candidates
+            .into_iter()
+            .enumerate()
+            .find(|(index, ticks)| *index == last || self.have_room(ticks, direction))
+            .map_or(
+                Ticks {
+                    ticks: Vec::new(),
+                    exponent: 0,
+                },
+                |(_, ticks)| ticks,
+            )
+    }
+
+    /// Whether the labels stand clear of each other.
+    fn have_room(&self, ticks: &Ticks, direction: Direction) -> bool {
+        let labelled = ticks.ticks.iter().filter_map(|tick| {
+            let label = tick.label.as_deref()?;
+            Some((self.at(tick.value), 0.5 * direction.room(label)))
+        });
+        let labelled: Vec<(f64, f64)> = labelled.collect();
+        labelled
+            .windows(2)
+            .all(|pair| (pair[1].0 - pair[0].0).abs() >= pair[0].1 + pair[1].1)
+    }
+}
+
+/// Direction of an axis on the sheet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Direction {
+    Across,
+    Upright,
+}
+
+impl Direction {
+    /// Room that a label of a tick takes along the axis, with what keeps it from its neighbours, pixels.
+    fn room(self, label: &str) -> f64 {
+        const BETWEEN_WORDS: f64 = 8.0;
+        const BETWEEN_LINES: f64 = 1.5;
+        match self {
+            Direction::Across => text::width(label, TICK_FONT, Weight::Regular) + BETWEEN_WORDS,
+            Direction::Upright => TICK_FONT + BETWEEN_LINES,
         }
     }
 }
@@ -173,35 +244,48 @@ fn linear_ticks(low: f64, high: f64, step: f64) -> Ticks {
     Ticks { ticks, exponent }
 }
 
-fn log_ticks(low: f64, high: f64, count: usize) -> Ticks {
+/// Ticks of an axis of decades, the labels from the most to the fewest.
+fn log_ticks(low: f64, high: f64, count: usize) -> Vec<Ticks> {
     let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
     let inside = |value: f64| value >= low * (1.0 - 1e-9) && value <= high * (1.0 + 1e-9);
     let decades = (first..=last).filter(|&n| inside(10f64.powi(n))).count();
-    // Few decades leave room for labels between them, many ask for gaps.
-    let factors: &[u32] = match decades {
-        0 | 1 => &[1, 2, 3, 4, 5, 6, 7, 8, 9],
-        2 if count >= 5 => &[1, 2, 5],
-        _ => &[1],
-    };
     let every = decades.div_ceil(count.max(1)).max(1) as i32;
     let plain = first >= -2 && last <= 5;
-    let mut ticks = Vec::new();
-    for n in first..=last {
-        for factor in 1..10u32 {
-            let value = f64::from(factor) * 10f64.powi(n);
-            if !inside(value) || (factor > 1 && every > 1) {
-                continue;
+    // Few decades leave room for labels between them, many ask for gaps.
+    let between: &[&[u32]] = match decades {
+        0 | 1 => &[
+            &[1, 2, 3, 4, 5, 6, 7, 8, 9],
+            &[1, 2, 3, 4, 5, 7],
+            &[1, 2, 5],
+            &[1],
+        ],
+        2 if count >= 5 => &[&[1, 2, 5], &[1]],
+        _ => &[&[1]],
+    };
+    let gaps = (every..=every.max(decades as i32))
+        .skip(1)
+        .map(|every| (&[1][..], every));
+    let choices = between.iter().map(|factors| (*factors, every)).chain(gaps);
+    let ticks = |(factors, every): (&[u32], i32)| {
+        let mut ticks = Vec::new();
+        for n in first..=last {
+            for factor in 1..10u32 {
+                let value = f64::from(factor) * 10f64.powi(n);
+                if !inside(value) || (factor > 1 && every > 1) {
+                    continue;
+                }
+                let labelled = factors.contains(&factor) && n.rem_euclid(every) == 0;
+                let label = labelled.then(|| match (plain, factor) {
+                    (true, _) => text::fixed(value, (-n).max(0) as usize),
+                    (false, 1) => text::power_of_ten(n),
+                    (false, _) => format!("{factor}·{}", text::power_of_ten(n)),
+                });
+                ticks.push(Tick { value, label });
             }
-            let labelled = factors.contains(&factor) && n.rem_euclid(every) == 0;
-            let label = labelled.then(|| match (plain, factor) {
-                (true, _) => text::fixed(value, (-n).max(0) as usize),
-                (false, 1) => text::power_of_ten(n),
-                (false, _) => format!("{factor}·{}", text::power_of_ten(n)),
-            });
-            ticks.push(Tick { value, label });
         }
-    }
-    Ticks { ticks, exponent: 0 }
+        Ticks { ticks, exponent: 0 }
+    };
+    choices.map(ticks).collect()
 }
 
 #[cfg(test)]
@@ -214,9 +298,12 @@ mod tests {
             low,
             high,
             start: 0.0,
-            end: 100.0,
+            end: 400.0,
         };
-        axis.ticks(count).labels().map(str::to_owned).collect()
+        axis.ticks(count, Direction::Across)
+            .labels()
+            .map(str::to_owned)
+            .collect()
     }
 
     #[test]
@@ -242,14 +329,18 @@ mod tests {
             low: -180.0,
             high: 0.0,
             start: 0.0,
-            end: 1.0,
+            end: 400.0,
         };
         assert_eq!(
-            axis.degree_ticks(6).labels().collect::<Vec<_>>(),
+            axis.degree_ticks(6, Direction::Across)
+                .labels()
+                .collect::<Vec<_>>(),
             ["−180", "−150", "−120", "−90", "−60", "−30", "0"]
         );
         assert_eq!(
-            axis.degree_ticks(4).labels().collect::<Vec<_>>(),
+            axis.degree_ticks(4, Direction::Across)
+                .labels()
+                .collect::<Vec<_>>(),
             ["−180", "−135", "−90", "−45", "0"]
         );
     }
@@ -261,9 +352,9 @@ mod tests {
             low: 0.0,
             high: 3e-9,
             start: 0.0,
-            end: 1.0,
+            end: 400.0,
         };
-        let ticks = axis.ticks(3);
+        let ticks = axis.ticks(3, Direction::Across);
         assert_eq!(ticks.exponent, -9);
         assert_eq!(ticks.labels().collect::<Vec<_>>(), ["0", "1", "2", "3"]);
         assert_eq!(ticks.title("growth"), "growth  (×10⁻⁹)");
@@ -277,6 +368,49 @@ mod tests {
         );
         assert_eq!(labels(Scale::Log, 10.0, 5000.0, 3), ["10", "100", "1000"]);
         assert_eq!(labels(Scale::Log, 1e-30, 1.0, 4).len(), 4);
+    }
+
+    #[test]
+    fn labels_never_touch_on_any_scale() {
+        for (low, high) in [
+            (0.44, 8.2),
+            (1.0, 9.0),
+            (52.0, 58.0),
+            (3.0, 2500.0),
+            (1e-12, 1e4),
+            (12.4001, 12.4123),
+        ] {
+            for scale in [Scale::Linear, Scale::Log] {
+                for (length, direction) in [
+                    (60.0, Direction::Upright),
+                    (200.0, Direction::Upright),
+                    (110.0, Direction::Across),
+                    (450.0, Direction::Across),
+                ] {
+                    let axis = Axis {
+                        scale,
+                        low,
+                        high,
+                        start: 0.0,
+                        end: length,
+                    };
+                    let ticks = axis.ticks(10, direction);
+                    assert!(
+                        axis.have_room(&ticks, direction),
+                        "{scale:?} {low} {high} {length}: {ticks:?}"
+                    );
+                    assert!(
+                        length < 200.0 || ticks.labels().count() >= 2,
+                        "{scale:?} {low} {high} {length}: {ticks:?}"
+                    );
+                }
+            }
+        }
+        // Half a decade between two powers of ten.
+        assert_eq!(
+            labels(Scale::Log, 52.0, 58.0, 6),
+            ["52", "53", "54", "55", "56", "57", "58"]
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use plotters::style::text_anchor::{HPos, VPos};
 
-use crate::axis::{Axis, Scale, Tick, Ticks};
+use crate::axis::{Axis, Direction, Scale, Tick, Ticks};
 use crate::bar_figure::{BarArrangement, BarFigure, BarPanel};
 use crate::canvas::{self, Canvas, Lettering, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
@@ -27,9 +27,9 @@ const BAR_OPACITY: f64 = 0.85;
 pub(crate) fn svg(figure: &BarFigure) -> Result<String, PlotError> {
     let height = |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
     let tallest = figure.panels.iter().map(height).fold(0.0, f64::max);
-    let subtitled = figure.panels.iter().any(|panel| !panel.subtitle.is_empty());
+    let subtitles = figure.panels.iter().map(|panel| &*panel.subtitle);
     let entries = entries(figure);
-    let beside = |panel| frame::room_beside(&row_ticks(panel));
+    let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
     let sheet = Sheet {
         title: &figure.title,
         caption: &figure.caption,
@@ -38,7 +38,7 @@ pub(crate) fn svg(figure: &BarFigure) -> Result<String, PlotError> {
         frame_size: (WIDTH, tallest),
         left: figure.panels.iter().map(beside).fold(0.0, f64::max),
         right: 14.0,
-        above: if subtitled { sheet::SUBTITLE } else { 8.0 },
+        above: sheet::subtitle_height(subtitles, WIDTH).max(8.0),
         below: frame::BELOW,
         legend: &entries,
     };
@@ -139,7 +139,7 @@ fn draw(canvas: &mut Canvas<'_>, panel: &BarPanel, frame: &SheetBox) -> Result<(
         start: frame.top + 0.5 * ROW_GAP,
         end: frame.bottom - 0.5 * ROW_GAP,
     };
-    let ticks = x.ticks((frame.width() / 60.0) as usize);
+    let ticks = x.ticks((frame.width() / 60.0) as usize, Direction::Across);
     let none = Ticks {
         ticks: Vec::new(),
         exponent: 0,

@@ -9,6 +9,7 @@ use plotters::style::{Color, FontTransform, RGBAColor, RGBColor, ShapeStyle, Tex
 
 use crate::color::Rgb;
 use crate::error::PlotError;
+use crate::subscript;
 use crate::text::{self, Weight};
 
 /// Backend units per pixel.
@@ -129,6 +130,7 @@ pub(crate) fn picture(
         canvas.backend.present().map_err(drawing)?;
     }
     let body = buffer.find('>').map_or("", |end| &buffer[end + 1..]);
+    let body = with_subscripts(body);
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {} {}\" \
          role=\"img\" stroke-linejoin=\"round\">\n<title>{}</title>\n<desc>{}</desc>{body}",
@@ -137,6 +139,18 @@ pub(crate) fn picture(
         text::escape(title),
         text::escape(description),
     ))
+}
+
+/// The document with subscripts in the words between its tags; the backend knows of none.
+fn with_subscripts(body: &str) -> String {
+    let mut whole = String::with_capacity(body.len());
+    for piece in body.split_inclusive('>') {
+        // Words, then the tag that ends them; every `<` and `>` of the words themselves is escaped.
+        let (words, tag) = piece.split_at(piece.find('<').unwrap_or(piece.len()));
+        whole += &subscript::svg(words);
+        whole += tag;
+    }
+    whole
 }
 
 impl Canvas<'_> {

@@ -17,6 +17,8 @@ pub(crate) const TICK_FONT: f64 = 12.0;
 const TICK_GAP: f64 = 5.0;
 /// Distance from tick labels to the axis title, pixels.
 const TITLE_GAP: f64 = 5.0;
+/// Distance of the lines of an axis title beside a frame, pixels.
+const TITLE_LINE: f64 = TITLE_FONT + 3.0;
 /// Height of the tick labels and the title below a frame, pixels.
 pub(crate) const BELOW: f64 = TICK_GAP + TICK_FONT + TITLE_GAP + TITLE_FONT + 3.0;
 
@@ -32,9 +34,17 @@ pub(crate) enum Side {
     Right,
 }
 
-/// Room a vertical axis needs beside its frame, pixels.
-pub(crate) fn room_beside(ticks: &Ticks) -> f64 {
-    TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT + 3.0
+/// Room a vertical axis of `length` pixels needs beside its frame, pixels.
+pub(crate) fn room_beside(ticks: &Ticks, title: &str, length: f64) -> f64 {
+    let lines = upright_title(ticks, title, length).len().max(1);
+    TICK_GAP + label_width(ticks) + TITLE_GAP + lines as f64 * TITLE_LINE
+}
+
+/// The lines of the title beside a frame. It may stand out as far as the words below the frame, no farther: there
+/// the next panel begins.
+fn upright_title(ticks: &Ticks, title: &str, length: f64) -> Vec<String> {
+    let title = ticks.title(title);
+    text::wrap(&title, TITLE_FONT, Weight::Regular, length + BELOW)
 }
 
 fn label_width(ticks: &Ticks) -> f64 {
@@ -116,30 +126,23 @@ pub(crate) fn draw_axis(
             }
         }
     }
-    let title = ticks.title(title);
     let style = Lettering::new(TITLE_FONT);
     let (middle_x, middle_y) = frame.center();
-    let beside = TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT / 2.0;
-    match side {
-        Side::Bottom => {
-            let place = (middle_x, frame.bottom + TICK_GAP + TICK_FONT + TITLE_GAP);
-            canvas.text(&title, place, style.anchor(HPos::Center, VPos::Top))
-        }
-        Side::Left => {
-            let place = (frame.left - beside, middle_y);
-            canvas.text(
-                &title,
-                place,
-                style.anchor(HPos::Center, VPos::Center).upward(),
-            )
-        }
-        Side::Right => {
-            let place = (frame.right + beside, middle_y);
-            canvas.text(
-                &title,
-                place,
-                style.anchor(HPos::Center, VPos::Center).upward(),
-            )
-        }
+    if side == Side::Bottom {
+        let place = (middle_x, frame.bottom + TICK_GAP + TICK_FONT + TITLE_GAP);
+        let title = ticks.title(title);
+        return canvas.text(&title, place, style.anchor(HPos::Center, VPos::Top));
     }
+    let style = style.anchor(HPos::Center, VPos::Center).upward();
+    let lines = upright_title(ticks, title, frame.height());
+    let beside = TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT / 2.0;
+    for (index, line) in lines.iter().enumerate() {
+        // Lines that read upward follow each other to the right.
+        let x = match side {
+            Side::Right => frame.right + beside + index as f64 * TITLE_LINE,
+            _ => frame.left - beside - (lines.len() - 1 - index) as f64 * TITLE_LINE,
+        };
+        canvas.text(line, (x, middle_y), style)?;
+    }
+    Ok(())
 }

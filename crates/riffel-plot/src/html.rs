@@ -7,6 +7,7 @@ use plotly::Plot;
 use serde_json::{Value, json};
 
 use crate::frame::{TICK_FONT, TITLE_FONT};
+use crate::subscript;
 use crate::text;
 
 /// A panel of a page: traces and layout of plotly.js.
@@ -58,17 +59,13 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePane
         .collect();
     // Inside a script element only "<" can end or confuse it.
     let figure = Value::from(figure).to_string().replace('<', "\\u003c");
-    let title = text::escape(title);
     let heading = if title.is_empty() {
         String::new()
     } else {
-        format!("<h1>{title}</h1>\n")
+        format!("<h1>{}</h1>\n", words(title))
     };
-    let caption_lines = caption
-        .lines()
-        .map(text::escape)
-        .collect::<Vec<_>>()
-        .join("\n");
+    let title = text::escape(title);
+    let caption_lines = caption.lines().map(words).collect::<Vec<_>>().join("\n");
     let caption = if caption_lines.is_empty() {
         String::new()
     } else {
@@ -135,9 +132,9 @@ fn rounded(value: f64, decimals: usize) -> Value {
     })
 }
 
-/// Words for plotly.js, which reads a little markup.
+/// Words for HTML and for plotly.js, which reads the same little markup.
 pub(crate) fn words(words: &str) -> String {
-    text::escape(words)
+    subscript::html(&text::escape(words))
 }
 
 /// An axis as in the pictures: framed, ticks inside, pale grid.
@@ -149,11 +146,22 @@ pub(crate) fn axis(title: &str) -> Value {
     })
 }
 
+/// Height of the toolbar of plotly.js, pixels.
+const TOOLBAR: u32 = 32;
+/// Height of the words above a panel, pixels.
+const SUBTITLE: u32 = 24;
+
 /// The layout common to all panels.
 pub(crate) fn layout(subtitle: &str, x: Value, y: Value) -> Value {
-    let top = if subtitle.is_empty() { 16 } else { 40 };
+    // The toolbar has a strip of its own at the top, the words above the panel stand below it.
+    let top = if subtitle.is_empty() {
+        TOOLBAR
+    } else {
+        TOOLBAR + SUBTITLE
+    };
     json!({
-        "title": { "text": words(subtitle), "font": { "size": 14 }, "x": 0.5, "y": 0.985, "yanchor": "top" },
+        "title": { "text": words(subtitle), "font": { "size": 14 }, "x": 0.5, "y": 1, "yref": "paper", "yanchor": "bottom",
+            "pad": { "b": 6 } },
         "font": { "family": "DejaVu Sans, Verdana, sans-serif", "color": "#222", "size": TICK_FONT },
         "paper_bgcolor": "#fff", "plot_bgcolor": "#fff",
         "margin": { "l": 64, "r": 20, "t": top, "b": 56 },

@@ -64,20 +64,35 @@ impl Sample {
     }
 }
 
-/// Breaks entries into rows no wider than `limit` pixels.
-fn rows(entries: &[Entry], limit: f64) -> Vec<Vec<&Entry>> {
-    let mut rows: Vec<Vec<&Entry>> = Vec::new();
-    let mut used = 0.0;
+/// An entry with its name on lines no wider than a limit.
+fn lines(entry: &Entry, limit: f64) -> Vec<Entry> {
+    let room = limit - entry.sample.width() - SAMPLE_GAP;
+    let lines = text::wrap(&entry.name, FONT, Weight::Regular, room);
+    let line = |name| Entry {
+        sample: entry.sample,
+        name,
+    };
+    lines.into_iter().map(line).collect()
+}
+
+/// Breaks entries into rows no wider than `limit` pixels. An entry of several lines has a row to itself.
+fn rows(entries: &[Entry], limit: f64) -> Vec<Vec<Entry>> {
+    let mut rows: Vec<Vec<Entry>> = Vec::new();
+    let mut used = f64::INFINITY;
     for entry in entries {
         let width = entry.width();
         match rows.last_mut() {
             Some(row) if used + ENTRY_GAP + width <= limit => {
                 used += ENTRY_GAP + width;
-                row.push(entry);
+                row.push(entry.clone());
+            }
+            _ if width <= limit => {
+                used = width;
+                rows.push(vec![entry.clone()]);
             }
             _ => {
-                used = width;
-                rows.push(vec![entry]);
+                used = f64::INFINITY;
+                rows.extend(lines(entry, limit).into_iter().map(|line| vec![line]));
             }
         }
     }
@@ -96,7 +111,7 @@ pub(crate) fn draw_rows(
     corner: Point,
     limit: f64,
 ) -> Result<(), PlotError> {
-    for (number, row) in rows(entries, limit).into_iter().enumerate() {
+    for (number, row) in rows(entries, limit).iter().enumerate() {
         let mut x = corner.0;
         for entry in row {
             entry.draw(canvas, (x, corner.1 + (number as f64 + 0.5) * ROW))?;

@@ -1,15 +1,14 @@
 //! Curves as pictures.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::axis::{Axis, Ticks};
-use crate::canvas::{self, Canvas, Lettering, Point, Stroke};
+use crate::axis::{Axis, Direction, Ticks};
+use crate::canvas::{self, Canvas, Point, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
 use crate::contours;
 use crate::error::PlotError;
 use crate::frame::{self, Side};
 use crate::legend::{self, Entry, Sample};
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+use crate::mark_name::{self, MarkName};
 use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
@@ -17,9 +16,6 @@ use crate::sheet_box::SheetBox;
 const LINE_WIDTH: f64 = 1.4;
 const MARK_RADIUS: f64 = 3.2;
 const MARK_LINE_WIDTH: f64 = 0.8;
-const MARK_FONT: f64 = 10.0;
-/// Distance of the name of a mark from the frame, pixels.
-const MARK_GAP: f64 = 5.0;
 /// Distance by which a drawn line may leave its samples, pixels: half a unit of the sheet.
 const LINE_TOLERANCE: f64 = 0.05;
 /// Distance from a legend to the frame around it, pixels.
@@ -50,7 +46,7 @@ pub(crate) fn svg(figure: &LineFigure) -> Result<String, PlotError> {
         .iter()
         .map(|panel| Drawing::new(panel, &frame))
         .collect();
-    let subtitled = figure.panels.iter().any(|panel| !panel.subtitle.is_empty());
+    let subtitles = figure.panels.iter().map(|panel| &*panel.subtitle);
     let most = |length: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(length).fold(0.0, f64::max);
     let sheet = Sheet {
         title: &figure.title,
@@ -58,9 +54,11 @@ pub(crate) fn svg(figure: &LineFigure) -> Result<String, PlotError> {
         columns,
         panel_count: panels.len(),
         frame_size,
-        left: most(&|panel| frame::room_beside(&panel.y_ticks)),
+        left: most(&|panel| {
+            frame::room_beside(&panel.y_ticks, &panel.panel.y_label, frame.height())
+        }),
         right: 14.0,
-        above: if subtitled { sheet::SUBTITLE } else { 8.0 },
+        above: sheet::subtitle_height(subtitles, frame_size.0).max(8.0),
         below: frame::BELOW + most(&|panel| panel.legend_height_below(&frame)),
         legend: &[],
     };
@@ -88,6 +86,7 @@ struct Drawing<'a> {
     y_ticks: Ticks,
     /// Lines or single marks of each series, clipped to the frame.
     lines: Vec<Vec<Vec<Point>>>,
+    names: Vec<MarkName>,
     entries: Vec<Entry>,
     /// Upper left corner of a legend within the frame; None puts it below.
     legend_corner: Option<Point>,
@@ -120,15 +119,17 @@ impl<'a> Drawing<'a> {
             })
             .collect();
         let entries = legend_entries(panel);
-        // A legend keeps clear of the names of marks, which stand left of their lines.
-        let names = panel
+        let marks = panel
             .marks
             .iter()
-            .filter(|mark| low_x <= mark.x && mark.x <= high_x)
-            .flat_map(|mark| [x.at(mark.x), x.at(mark.x) - MARK_FONT])
-            .map(|at| vec![(at, frame.top), (at, frame.bottom)]);
+            .filter(|mark| low_x <= mark.x && mark.x <= high_x);
+        let marks: Vec<(&str, f64)> = marks.map(|mark| (&*mark.label, x.at(mark.x))).collect();
+        let names = mark_name::beside(&marks, &lines, frame);
+        // A legend keeps clear of the lines of marks and of their names.
         let mut obstacles = lines.clone();
-        obstacles.push(names.collect());
+        let upright = |&(_, at): &(&str, f64)| vec![(at, frame.top), (at, frame.bottom)];
+        obstacles.push(marks.iter().map(upright).collect());
+        obstacles.push(names.iter().map(MarkName::diagonal).collect());
         obstacles.extend(panel.areas.iter().map(|area| {
             let place = |v: f64| y.at(v).clamp(frame.top, frame.bottom);
             let sample = |((&u, &low), &high)| vec![(x.at(u), place(low)), (x.at(u), place(high))];
@@ -139,13 +140,13 @@ impl<'a> Drawing<'a> {
         let count = |length: f64, least: f64| (length / least).floor() as usize;
         let vertical_ticks = |count| {
             if panel.y_is_angle() {
-                y.degree_ticks(count)
+                y.degree_ticks(count, Direction::Upright)
             } else {
-                y.ticks(count)
+                y.ticks(count, Direction::Upright)
             }
         };
         let (x_ticks, y_ticks) = (
-            x.ticks(count(frame.width(), 44.0)),
+            x.ticks(count(frame.width(), 44.0), Direction::Across),
             vertical_ticks(count(frame.height(), 29.0)),
         );
         Drawing {
@@ -155,6 +156,7 @@ impl<'a> Drawing<'a> {
             x_ticks,
             y_ticks,
             lines,
+            names,
             entries,
             legend_corner,
         }
@@ -202,40 +204,6 @@ impl<'a> Drawing<'a> {
         self.panel.marks.iter().filter(within)
     }
 
-    /// The name of each mark left of its line, at that end of it which the curves leave free.
-    fn draw_mark_labels(
-        &self,
-        canvas: &mut Canvas<'_>,
-        frame: &SheetBox,
-        x: &Axis,
-    ) -> Result<(), PlotError> {
-        let middle = 0.5 * (self.y.start + self.y.end);
-        for mark in self.marks() {
-            let here = self.x.at(mark.x);
-            let near = |point: &&Point| (point.0 - here).abs() < MARK_FONT;
-            let (above, below) = self.lines.iter().flatten().flatten().filter(near).fold(
-                (0, 0),
-                |(above, below), point| {
-                    if point.1 < middle {
-                        (above + 1, below)
-                    } else {
-                        (above, below + 1)
-                    }
-                },
-            );
-            let (end, anchor) = if above > below {
-                (frame.bottom - MARK_GAP, HPos::Left)
-            } else {
-                (frame.top + MARK_GAP, HPos::Right)
-            };
-            let lettering = Lettering::new(MARK_FONT)
-                .anchor(anchor, VPos::Bottom)
-                .upward();
-            canvas.text(&mark.label, (x.at(mark.x) - 1.0, end), lettering)?;
-        }
-        Ok(())
-    }
-
     fn draw(&self, canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
         let shift = (frame.left, frame.top);
         let moved = |axis: &Axis, by: f64| Axis {
@@ -271,7 +239,9 @@ impl<'a> Drawing<'a> {
                 }
             }
         }
-        self.draw_mark_labels(canvas, frame, &x)?;
+        for name in &self.names {
+            name.draw(canvas, shift)?;
+        }
         frame::draw_outline(canvas, frame)?;
         frame::draw_axis(
             canvas,
@@ -323,7 +293,7 @@ fn legend_entries(panel: &LinePanel) -> Vec<Entry> {
         .series
         .iter()
         .enumerate()
-        .filter(|(_, series)| !series.label.is_empty());
+        .filter(|(_, series)| !series.label.is_empty() && panel.shows(series));
     let areas = panel.areas.iter().filter(|area| !area.label.is_empty());
     let areas = areas.map(|area| Entry {
         sample: Sample::Patch(area.color),

@@ -220,6 +220,21 @@ impl LinePanel {
             .filter(|&(x, y)| self.admits(x, y))
     }
 
+    /// Whether a series has anything to show: without, it has no place in a legend.
+    pub(crate) fn shows(&self, series: &Series) -> bool {
+        let mut samples = series.x.iter().zip(&series.y);
+        samples.any(|(&x, &y)| self.admits(x, y))
+    }
+
+    /// Digits that tell the samples of an axis apart, for words under the pointer: five of its range.
+    pub(crate) fn digits((low, high): (f64, f64), scale: Scale) -> usize {
+        let ratio = match scale {
+            Scale::Linear => low.abs().max(high.abs()) / (high - low),
+            Scale::Log => 1.0,
+        };
+        5 + ratio.log10().clamp(0.0, 10.0).floor() as usize
+    }
+
     /// Whether a sample can be drawn.
     pub(crate) fn admits(&self, x: f64, y: f64) -> bool {
         self.x_scale.admits(x) && self.y_scale.admits(y)

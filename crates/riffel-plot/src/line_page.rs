@@ -98,11 +98,12 @@ fn trace(panel: &LinePanel, series: &Series, index: usize) -> Value {
     let color = series_color(series, index).hex();
     // What cannot be drawn becomes null, which breaks the line.
     let drawn = |value: f64, x: f64, y: f64| if panel.admits(x, y) { value } else { f64::NAN };
+    let digits = LinePanel::digits(panel.drawn_x_range(), panel.x_scale);
     let pairs = || series.x.iter().copied().zip(series.y.iter().copied());
     let mut trace = json!({
-        "type": "scatter", "name": words(&series.label), "showlegend": !series.label.is_empty(),
+        "type": "scatter", "name": words(&series.label), "showlegend": !series.label.is_empty() && panel.shows(series),
         "x": coordinates(pairs().map(|(x, y)| drawn(x, x, y))), "y": coordinates(pairs().map(|(x, y)| drawn(y, x, y))),
-        "hovertemplate": "%{x:.5g}, %{y:.5g}", "connectgaps": false,
+        "hovertemplate": format!("%{{x:.{digits}~g}}, %{{y:.5g}}"), "connectgaps": false,
     });
     let dash = match series.style {
         LineStyle::Solid => "solid",

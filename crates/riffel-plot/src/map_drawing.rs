@@ -1,6 +1,6 @@
 //! Maps of growth as pictures.
 
-use crate::axis::{Axis, Scale, Ticks};
+use crate::axis::{Axis, Direction, Scale, Ticks};
 use crate::canvas::{self, Canvas, Point, Stroke};
 use crate::color::Rgb;
 use crate::color_bar::{self, Steps};
@@ -15,6 +15,8 @@ use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
 
+const SPEED_KM_PER_H: &str = "speed V [km/h]";
+const SPEED_M_PER_S: &str = "speed V [m/s]";
 /// Grid points drawn along an axis: two per pixel of the frame would not be seen.
 const MOST_GRID_POINTS: usize = 500;
 /// Distance by which drawn contours may leave the computed ones, pixels: half a unit of the sheet.
@@ -26,22 +28,24 @@ const CONTOUR: Stroke = Stroke::solid(Rgb(40, 60, 110), 0.4).with_opacity(0.6);
 pub(crate) fn svg(figure: &MapFigure) -> Result<String, PlotError> {
     figure.check()?;
     let labels = figure.observation_labels();
-    let panels: Vec<Drawing<'_>> = figure
-        .panels
-        .iter()
-        .map(|panel| Drawing::new(panel, &labels))
-        .collect();
-    let entries = legend_entries(&panels, &labels);
-    let columns = panels.len().min(2);
+    let columns = figure.panels.len().min(2);
     let (frame_width, frame_height) = if columns == 1 {
         (440.0, 350.0)
     } else {
         (262.0, 290.0)
     };
+    let panels: Vec<Drawing<'_>> = figure
+        .panels
+        .iter()
+        .map(|panel| Drawing::new(panel, &labels, frame_height))
+        .collect();
+    let entries = legend_entries(&panels, &labels);
     let widest = |room: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(room).fold(0.0, f64::max);
-    let left = widest(&|panel| frame::room_beside(&panel.speed_ticks.0));
-    let right = widest(&|panel| frame::room_beside(&panel.speed_ticks.1));
-    let subtitled = panels.iter().any(|panel| !panel.panel.subtitle.is_empty());
+    let left =
+        widest(&|panel| frame::room_beside(&panel.speed_ticks.0, SPEED_KM_PER_H, frame_height));
+    let right =
+        widest(&|panel| frame::room_beside(&panel.speed_ticks.1, SPEED_M_PER_S, frame_height));
+    let subtitles = panels.iter().map(|panel| &*panel.panel.subtitle);
     let sheet = Sheet {
         title: &figure.title,
         caption: &figure.caption,
@@ -50,7 +54,7 @@ pub(crate) fn svg(figure: &MapFigure) -> Result<String, PlotError> {
         frame_size: (frame_width, frame_height),
         left,
         right,
-        above: if subtitled { sheet::SUBTITLE } else { 4.0 },
+        above: sheet::subtitle_height(subtitles, frame_width).max(4.0),
         below: frame::BELOW + 8.0 + color_bar::HEIGHT,
         legend: &entries,
     };
@@ -75,7 +79,7 @@ pub(crate) struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    fn new(panel: &'a MapPanel, labels: &'a [&'a str]) -> Self {
+    fn new(panel: &'a MapPanel, labels: &'a [&'a str], height: f64) -> Self {
         let grid = panel.grid();
         let steps = panel.steps();
         let (low, high) = panel.window().speed_m_per_s;
@@ -85,9 +89,9 @@ impl<'a> Drawing<'a> {
                 low: low * unit,
                 high: high * unit,
                 start: 0.0,
-                end: 1.0,
+                end: height,
             }
-            .ticks(10)
+            .ticks(10, Direction::Upright)
         };
         Drawing {
             panel,
@@ -116,7 +120,7 @@ impl<'a> Drawing<'a> {
         let x = axis(1e3 * x_low, 1e3 * x_high, frame.left, frame.right);
         let km_per_h = axis(3.6 * y_low, 3.6 * y_high, frame.bottom, frame.top);
         let m_per_s = axis(y_low, y_high, frame.bottom, frame.top);
-        let x_ticks = x.ticks(if frame.width() > 350.0 { 8 } else { 6 });
+        let x_ticks = x.ticks(if frame.width() > 350.0 { 8 } else { 6 }, Direction::Across);
         let place = |(wavelength, speed): (f64, f64)| (x.at(1e3 * wavelength), m_per_s.at(speed));
 
         frame::draw_grid(
@@ -144,7 +148,7 @@ impl<'a> Drawing<'a> {
             Side::Left,
             &km_per_h,
             &self.speed_ticks.0,
-            "speed V [km/h]",
+            SPEED_KM_PER_H,
         )?;
         frame::draw_axis(
             canvas,
@@ -152,7 +156,7 @@ impl<'a> Drawing<'a> {
             Side::Right,
             &m_per_s,
             &self.speed_ticks.1,
-            "speed V [m/s]",
+            SPEED_M_PER_S,
         )?;
         let bar = (frame.left, frame.right, frame.bottom + frame::BELOW + 8.0);
         color_bar::draw(canvas, bar, self.steps.as_ref(), &self.panel.value_label)

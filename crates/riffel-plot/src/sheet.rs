@@ -9,8 +9,8 @@ use crate::legend::{self, Entry};
 use crate::sheet_box::SheetBox;
 use crate::text::{self, Weight};
 
-/// Height of the words above a panel, pixels.
-pub(crate) const SUBTITLE: f64 = 21.0;
+/// Height of a line of the words above a panel, pixels.
+const SUBTITLE: f64 = 21.0;
 const MARGIN: f64 = 10.0;
 const TITLE_FONT: f64 = 14.0;
 const TITLE_LINE: f64 = 19.0;
@@ -138,10 +138,24 @@ impl Sheet<'_> {
         subtitle: &str,
     ) -> Result<(), PlotError> {
         let style = Lettering::new(SUBTITLE_FONT).anchor(HPos::Center, VPos::Center);
-        canvas.text(
-            subtitle,
-            (frame.center().0, frame.top - SUBTITLE / 2.0),
-            style,
-        )
+        let lines = subtitle_lines(subtitle, frame.width());
+        for (above, line) in lines.iter().rev().enumerate() {
+            let place = (
+                frame.center().0,
+                frame.top - (above as f64 + 0.5) * SUBTITLE,
+            );
+            canvas.text(line, place, style)?;
+        }
+        Ok(())
     }
+}
+
+fn subtitle_lines(subtitle: &str, width: f64) -> Vec<String> {
+    text::wrap(subtitle, SUBTITLE_FONT, Weight::Regular, width)
+}
+
+/// Height of the highest of the words above panels of a width, pixels.
+pub(crate) fn subtitle_height<'a>(subtitles: impl Iterator<Item = &'a str>, width: f64) -> f64 {
+    let lines = subtitles.map(|subtitle| subtitle_lines(subtitle, width).len());
+    lines.max().unwrap_or(0) as f64 * SUBTITLE
 }

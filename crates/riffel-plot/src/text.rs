@@ -2,6 +2,7 @@
 
 use std::sync::Once;
 
+use crate::subscript::{self, Run};
 use plotters::style::{FontDesc, FontFamily, FontStyle, register_font};
 
 /// `font-family` of every text of a picture. DejaVu Sans comes with the crate `dejavu`; where a
@@ -49,15 +50,24 @@ pub(crate) fn font(size: f64, weight: Weight) -> FontDesc<'static> {
 
 /// Width of a text in pixels for a font size in pixels.
 pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
-    match font(UNITS_PER_LINE, weight).box_size(text) {
-        Ok((units, _)) => f64::from(units) / UNITS_PER_EM * size,
-        Err(_) => 0.6 * size * text.chars().count() as f64,
-    }
+    let run_width = |run: Run| {
+        let size = if run.lowered {
+            subscript::SIZE * size
+        } else {
+            size
+        };
+        match font(UNITS_PER_LINE, weight).box_size(&run.words) {
+            Ok((units, _)) => f64::from(units) / UNITS_PER_EM * size,
+            Err(_) => 0.6 * size * run.words.chars().count() as f64,
+        }
+    };
+    subscript::runs(text).into_iter().map(run_width).sum()
 }
 
-/// Breaks a text into lines no wider than `limit` pixels. Line breaks of the text are kept; a
-/// single word wider than the limit stays whole.
+/// Breaks a text into lines no wider than `limit` pixels. Line breaks of the text are kept; a word wider than the
+/// limit is broken too.
 pub(crate) fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<String> {
+    let fits = |words: &str| width(words, size, weight) <= limit;
     let mut lines = Vec::new();
     for paragraph in text.lines() {
         let mut line = String::new();
@@ -67,10 +77,19 @@ pub(crate) fn wrap(text: &str, size: f64, weight: Weight, limit: f64) -> Vec<Str
             } else {
                 format!("{line} {word}")
             };
-            if !line.is_empty() && width(&candidate, size, weight) > limit {
-                lines.push(std::mem::replace(&mut line, word.to_owned()));
-            } else {
+            if fits(&candidate) {
                 line = candidate;
+                continue;
+            }
+            if !line.is_empty() {
+                lines.push(std::mem::take(&mut line));
+            }
+            for character in word.chars() {
+                line.push(character);
+                if !fits(&line) && line.chars().count() > 1 {
+                    line.pop();
+                    lines.push(std::mem::replace(&mut line, character.to_string()));
+                }
             }
         }
         if !line.is_empty() {
@@ -166,6 +185,14 @@ mod tests {
             ["one", "two"]
         );
         assert!(wrap("", 12.0, Weight::Regular, 200.0).is_empty());
+        let word = "left_rail_".repeat(20);
+        let lines = wrap(&word, 12.0, Weight::Regular, 200.0);
+        assert!(
+            lines
+                .iter()
+                .all(|line| width(line, 12.0, Weight::Regular) <= 200.0)
+        );
+        assert_eq!(lines.concat(), word);
     }
 
     #[test]

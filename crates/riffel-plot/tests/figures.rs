@@ -2,8 +2,8 @@
 
 use resvg::usvg::{self, fontdb};
 use riffel_plot::{
-    Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Observation,
-    PlotError, RidgeMark, Scale, Series, constant_frequency_rays, png,
+    Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Mark,
+    Observation, PlotError, RidgeMark, Scale, Series, collisions, constant_frequency_rays, png,
 };
 
 fn even(low: f64, high: f64, count: usize) -> Vec<f64> {
@@ -151,6 +151,7 @@ fn texts(group: &usvg::Group, words: &mut Vec<String>, glyphs: &mut Vec<u32>) {
     }
 }
 
+/// The words of a picture, none of which lacks a glyph, lies over another or leaves the sheet.
 fn words_of(svg: &str) -> Vec<String> {
     let (mut words, mut glyphs) = (Vec::new(), Vec::new());
     texts(read(svg).root(), &mut words, &mut glyphs);
@@ -158,6 +159,7 @@ fn words_of(svg: &str) -> Vec<String> {
         !glyphs.is_empty() && glyphs.iter().all(|&glyph| glyph != 0),
         "a glyph is missing from the font"
     );
+    assert_eq!(collisions(svg).unwrap(), [""; 0]);
     words
         .into_iter()
         .map(|word| word.trim().to_owned())
@@ -172,7 +174,7 @@ fn map_names_its_axes_rays_and_marks() {
         "wavelength λ [mm]",
         "speed V [km/h]",
         "speed V [m/s]",
-        "Re Ŵ₁ [-]",
+        "Re Ŵ1 [-]",
         "f = 537 Hz",
         "1000 Hz",
         "20",
@@ -210,6 +212,108 @@ fn curves_name_their_series_and_decades() {
             "{expected} is not in {words:?}"
         );
     }
+}
+
+#[test]
+fn subscripts_are_small_and_low() {
+    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
+    let drawn = &svg[svg.find("</desc>").unwrap()..];
+    assert!(drawn.contains("Re Ŵ<tspan") && !drawn.contains('₁'));
+    // In words for readers that see no picture they stay plain.
+    assert!(svg[..svg.find("</desc>").unwrap()].contains("Re Ŵ₁"));
+    let page = map(vec![panel(23, 17, growth)]).html().unwrap();
+    let page = &page[page.find("<main>").unwrap()..];
+    assert!(page.contains("Ŵ\\u003csub>1\\u003c/sub>") && page.contains("P<sub>0</sub>"));
+}
+
+#[test]
+fn words_of_any_length_and_scale_stand_clear_of_each_other() {
+    let long = "a name much longer than anyone would write into a file of cases, line 12, track_1_left_rail_of_the_section ";
+    for (low, high) in [
+        (0.44, 8.2),
+        (3.1, 2040.0),
+        (12_400.1, 12_412.1),
+        (12.400_1, 12.412_1),
+        (1e-13, 1e-3),
+        (51.0, 58.0),
+    ] {
+        for scale in [Scale::Linear, Scale::Log] {
+            for arrangement in [
+                Arrangement::SideBySide,
+                Arrangement::Stacked,
+                Arrangement::Strips,
+            ] {
+                let x = even(low, high, 50);
+                let series = |label: &str, y: Vec<f64>| Series {
+                    label: label.to_owned(),
+                    x: x.clone(),
+                    y,
+                    ..Series::default()
+                };
+                let mark = |share: f64, label: &str| Mark {
+                    x: low + share * (high - low),
+                    label: label.to_owned(),
+                };
+                let panel = LinePanel {
+                    subtitle: long.trim().to_owned(),
+                    x_label: "position along the rail [km]".to_owned(),
+                    y_label: "growth rate per passage over all wheels [-]".to_owned(),
+                    x_scale: scale,
+                    y_scale: scale,
+                    series: vec![
+                        series("P₁/P₀", x.clone()),
+                        series(&long.repeat(2), x.iter().rev().copied().collect()),
+                    ],
+                    marks: vec![
+                        mark(0.3, "P₂ 51 Hz"),
+                        mark(0.31, "full-track"),
+                        mark(0.33, "rail on pad"),
+                        mark(1.0, "end"),
+                    ],
+                    ..LinePanel::default()
+                };
+                let figure = LineFigure {
+                    title: long.repeat(2),
+                    caption: format!("{}: m_w = 350 kg", "file_name".repeat(30)),
+                    panels: vec![
+                        panel.clone(),
+                        LinePanel {
+                            subtitle: String::new(),
+                            ..panel
+                        },
+                    ],
+                    arrangement,
+                };
+                let words = words_of(&figure.svg().unwrap());
+                for expected in ["P1/P0", "P2 51 Hz", "full-track", "rail on pad", "end"] {
+                    assert!(
+                        words.iter().any(|word| word == expected),
+                        "{expected} is not in {words:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_series_without_samples_has_no_name() {
+    let series = |label: &str, y: f64| Series {
+        label: label.to_owned(),
+        x: vec![1.0, 2.0],
+        y: vec![y; 2],
+        ..Series::default()
+    };
+    let panel = LinePanel {
+        series: vec![series("30 mm", 1.0), series("10 mm", f64::NAN)],
+        ..LinePanel::default()
+    };
+    let figure = LineFigure {
+        panels: vec![panel],
+        ..LineFigure::default()
+    };
+    let words = words_of(&figure.svg().unwrap());
+    assert!(words.contains(&"30 mm".to_owned()) && !words.contains(&"10 mm".to_owned()));
 }
 
 #[test]
@@ -336,7 +440,7 @@ fn page_carries_the_map_and_its_marks() {
         .filter_map(|trace| trace["name"].as_str())
         .collect();
     for name in [
-        "best constant frequency",
+        "constant frequency of the strongest branch",
         "strongest growth at each speed",
         "BR survey (1911)",
         "Harrison (1979)",
@@ -437,7 +541,7 @@ fn branches_are_named() {
             .count(),
         5
     );
-    assert!(html.contains("<b>333 Hz</b>") && !html.contains("<b>611 Hz</b>"));
+    assert!(html.contains("\\u003cb>333 Hz") && !html.contains("\\u003cb>611 Hz"));
     let bare = words_of(&map(vec![panel(23, 17, growth)]).svg().unwrap());
     assert!(!bare.iter().any(|word| word == "branches of growth"));
 }
@@ -455,7 +559,7 @@ fn panels_share_a_scale() {
     let shared = figure.with_one_scale();
     assert!(shared.panels.iter().all(|panel| panel.scale_end == end));
     // The colour bars are alike: each label of the second stands under the first too.
-    let least = format!("{:.2}", end.unwrap());
+    let least = format!("{:.1}", end.unwrap());
     let labels = words_of(&shared.svg().unwrap());
     let of_scale = labels
         .iter()

@@ -277,7 +277,8 @@ fn mark(resonance: &Resonance, named: bool) -> Mark {
     Mark {
         x: frequency,
         label: if named {
-            format!("{name} {frequency:.0} Hz")
+            // In a picture the index of P2 is one.
+            format!("{} {frequency:.0} Hz", name.replace("P2", "P₂"))
         } else {
             String::new()
         },

@@ -7,6 +7,7 @@ use riffel_case::what_if::{Effect, Outcome};
 use serde::Serialize;
 
 use super::Report;
+use crate::column;
 use crate::command::roughness::document::{Level, levels};
 
 #[derive(Serialize)]
@@ -165,7 +166,8 @@ fn rate_table(
     let mut writer = csv::Writer::from_writer(file);
     let mut header = vec!["wavelength_m".to_owned()];
     let outcomes = report.comparison.outcomes.iter();
-    header.extend(outcomes.map(|outcome| format!("{} growth_rate_per_passage", outcome.title)));
+    let titles = outcomes.map(|outcome| &*outcome.title);
+    header.extend(column::names(titles, "growth_rate_per_passage", &[]));
     writer.write_record(&header)?;
     for (place, wavelength) in wavelengths.iter().enumerate() {
         let mut row = vec![*wavelength];

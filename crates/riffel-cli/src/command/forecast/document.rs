@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::Report;
 use crate::arguments::Forecast as Arguments;
+use crate::column;
 use crate::command::roughness::document::Level;
 
 #[derive(Serialize)]
@@ -293,7 +294,8 @@ pub(super) fn line_table(report: &Report, file: &mut impl Write) -> io::Result<(
         "growth_rate_per_passage".to_owned(),
     ];
     let names = traffic.vehicles().iter();
-    header.extend(names.map(|vehicle| format!("{} growth_rate_per_passage", vehicle.name)));
+    let names = names.map(|vehicle| &*vehicle.name);
+    header.extend(column::names(names, "growth_rate_per_passage", &[]));
     writer.write_record(&header)?;
     for (line, wavelength) in traffic.wavelengths().iter().enumerate() {
         let mut row = vec![*wavelength, traffic.rates()[line]];

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::roughness::Profile;
 use riffel_case::roughness::{Limit, LimitTable, Record};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, OKABE_ITO, Series};
+use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, Series};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::command::roughness::figure as figures;
@@ -20,11 +20,12 @@ const GRIND_ROWS: usize = 40;
 
 /// Profile of each rail, drawn as the lowest and highest of each of many short lengths.
 pub(super) fn strips(record: &Record) -> Result<Section, CliError> {
+    let unit = ChainageUnit::suiting([record.from, record.to]);
     let panels = record.rails.iter().map(|rail| {
         let series = rail.stretches.iter().map(|stretch| {
             let (x, y) = extremes(stretch, record.to - record.from);
             Series {
-                x,
+                x: x.into_iter().map(|position| unit.of(position)).collect(),
                 y,
                 color: Some(OKABE_ITO[1]),
                 ..Series::default()
@@ -32,9 +33,9 @@ pub(super) fn strips(record: &Record) -> Result<Section, CliError> {
         });
         LinePanel {
             subtitle: rail.name.clone(),
-            x_label: "position along the rail [m]".to_owned(),
+            x_label: unit.axis_label().to_owned(),
             y_label: "height [µm]".to_owned(),
-            x_range: Some((record.from, record.to)),
+            x_range: Some((unit.of(record.from), unit.of(record.to))),
             series: series.collect(),
             ..LinePanel::default()
         }

@@ -4,7 +4,9 @@ use std::path::Path;
 
 use riffel::roughness::{Spectrum, WavelengthBand};
 use riffel_case::roughness::{Limit, LimitTable};
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
+use riffel_plot::{
+    Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series,
+};
 
 use super::profile::{RailReport, Report, name};
 
@@ -49,6 +51,7 @@ pub(crate) fn of_profile(path: &Path, report: &Report, limits: &[LimitTable]) ->
 
 /// The moving RMS of each band along a rail, each with its limit.
 pub(crate) fn moving_rms(report: &Report, rail: &RailReport) -> LinePanel {
+    let unit = ChainageUnit::suiting([report.record.from, report.record.to]);
     let mut series = Vec::new();
     for (place, band) in WavelengthBand::GRINDING.iter().enumerate() {
         let color = Some(OKABE_ITO[place % OKABE_ITO.len()]);
@@ -60,7 +63,7 @@ pub(crate) fn moving_rms(report: &Report, rail: &RailReport) -> LinePanel {
             let own = blocks.filter(|block| (*from..*to).contains(&block.from));
             let points = own.filter_map(|block| {
                 let rms = 1e6 * block.moving_rms_max[place]?;
-                Some((0.5 * (block.from + block.to), rms))
+                Some((unit.of(0.5 * (block.from + block.to)), rms))
             });
             let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
             // One entry of the legend for all stretches.
@@ -83,7 +86,7 @@ pub(crate) fn moving_rms(report: &Report, rail: &RailReport) -> LinePanel {
         }
         series.extend(found.limit.map(|limit| Series {
             label: String::new(),
-            x: vec![report.record.from, report.record.to],
+            x: vec![unit.of(report.record.from), unit.of(report.record.to)],
             y: vec![1e6 * limit; 2],
             style: LineStyle::Dashed,
             color,
@@ -91,9 +94,9 @@ pub(crate) fn moving_rms(report: &Report, rail: &RailReport) -> LinePanel {
     }
     LinePanel {
         subtitle: rail.name.clone(),
-        x_label: "position along the rail [m]".to_owned(),
+        x_label: unit.axis_label().to_owned(),
         y_label: "moving RMS [µm]".to_owned(),
-        x_range: Some((report.record.from, report.record.to)),
+        x_range: Some((unit.of(report.record.from), unit.of(report.record.to))),
         y_scale: Scale::Log,
         series,
         ..LinePanel::default()
