@@ -1,7 +1,8 @@
-//! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`.
+//! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`, `cargo xtask fuzz`.
 
 mod browser;
 mod environment;
+mod fuzz;
 mod python;
 
 use std::path::PathBuf;
@@ -30,6 +31,8 @@ enum Task {
     Generate,
     /// Benchmarks beside their peers; needs Python 3 with venv, and network for the first run.
     Bench,
+    /// Mutated files for the readers of foreign bytes and for the built program, as `fuzz/README.md` tells.
+    Fuzz(fuzz::Fuzz),
 }
 
 /// A failure as a sentence.
@@ -41,6 +44,7 @@ fn main() -> ExitCode {
         Task::Browser => browser::test_alone(),
         Task::Python => python::test_alone(),
         Task::Generate => generate(),
+        Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
     };
     match outcome {
