@@ -12,7 +12,8 @@ use crate::{Case, CaseError, Variant};
 /// What of the mean state of rolling is held where a variant changes friction or load.
 ///
 /// One number of it must come from outside the contact. A train that pulls or brakes asks for a force, a curve
-/// for a creepage; with a tractive ratio held, less friction means less traction, too.
+/// for a creepage; with a tractive ratio held, less friction means less traction, too. Where nobody says it, what the
+/// case gives is held, as it is where the same keys are changed in the case file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Hold {
@@ -25,11 +26,11 @@ pub enum Hold {
 }
 
 impl Hold {
-    /// What is held where nobody says it: the creepage where the case gives that, else the force.
+    /// What is held where nobody says it: what the case gives.
     pub(crate) fn usual(file: &CaseFile) -> Self {
         match file.contact.creepage {
             Some(_) => Self::Creepage,
-            None => Self::Force,
+            None => Self::Ratio,
         }
     }
 
@@ -50,8 +51,8 @@ pub(crate) struct Held {
     steady: SteadyRolling,
     /// Friction times load μP₀ \[N\] after it.
     limit: f64,
-    /// The override `key=value` that holds it.
-    assignment: [String; 1],
+    /// The override `key=value` that holds it; none where it is what the case gives.
+    assignment: Option<String>,
 }
 
 impl Held {
@@ -79,25 +80,25 @@ impl Held {
         };
         let steady = case.of_vehicle(&[own, window])?.steady;
         let limit = after.contact.friction.si() * after.contact.normal_load.si();
-        let assignment = match hold {
+        let assignment = variant.hold.map(|hold| match hold {
             Hold::Force => format!(
                 "contact.tractive_ratio={:e}",
                 steady.tangential_force / limit
             ),
             Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
             Hold::Creepage => format!("contact.creepage={:e}", steady.creepage),
-        };
+        });
         Ok(Some(Self {
             hold,
             steady,
             limit,
-            assignment: [assignment],
+            assignment,
         }))
     }
 
     /// The overrides that hold it.
     pub(crate) fn assignments(held: Option<&Self>) -> &[String] {
-        held.map_or(&[], |held| &held.assignment)
+        held.map_or(&[], |held| held.assignment.as_slice())
     }
 
     /// Why it cannot be held, where its override is refused for a reason.

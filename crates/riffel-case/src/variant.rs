@@ -132,7 +132,8 @@ impl Variant {
     /// friction and load stay, or the file gives the mean state itself.
     pub(crate) fn holds(&self, before: &CaseFile, after: &CaseFile) -> Option<Hold> {
         let given = self.keys().any(|key| MEAN_STATE.contains(&key));
-        (!given && !rolls_alike(before, after)).then(|| self.hold.unwrap_or(Hold::usual(before)))
+        (!given && !rolls_alike(before, after))
+            .then(|| self.hold.unwrap_or_else(|| Hold::usual(before)))
     }
 
     /// A sentence about the change of friction or load.

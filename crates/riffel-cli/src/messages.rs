@@ -90,16 +90,6 @@ impl Note for String {
     }
 }
 
-impl Note for &str {
-    fn in_a_line(&self) -> &str {
-        self
-    }
-
-    fn in_full(&self) -> &str {
-        self
-    }
-}
-
 /// Notes on the validity of the models and on what was read: each once in a run, in full with `--verbose`.
 pub(crate) fn print_remarks(remarks: &[impl Note]) {
     let is_verbose = VERBOSITY.load(Ordering::Relaxed) == Verbosity::Verbose as u8;

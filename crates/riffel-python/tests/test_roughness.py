@@ -217,7 +217,7 @@ def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, progra
     less = {"title": "less friction", "contact": {"friction": 0.25}}
     compared = nominal.compare([pads, less], traffic="cases/traffic.toml", from_limit=-6.0)
     assert compared["acts"].values.tolist() == [True, False, True]
-    assert compared["hold"].values.tolist() == ["", "", "force"]
+    assert compared["hold"].values.tolist() == ["", "", "ratio"]
     assert "cannot act" in compared.attrs["no_effect"][0]
     months = compared["months_to_limit"].values
     assert months[0] == pytest.approx(printed["months_to_limit"], rel=1e-12) == months[1]

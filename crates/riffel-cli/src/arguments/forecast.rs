@@ -172,8 +172,8 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "TOML")]
     pub(crate) traffic: Option<PathBuf>,
 
-    /// What variants of friction or load hold: force, ratio (Q₀/μP₀) or creepage [default: the creepage where the
-    /// case or the vehicle gives that, else the force].
+    /// What variants of friction or load hold: force, ratio (Q₀/μP₀) or creepage [default: what the case or the
+    /// vehicle gives, ratio or creepage].
     #[arg(long, value_enum, value_name = "WHAT", hide_possible_values = true)]
     pub(crate) hold: Option<HoldArgument>,
 

@@ -116,13 +116,13 @@ fn remedies_are_compared_after_grinding() {
         let brief = page.split("</ul>").next().unwrap().to_owned();
         (page, brief)
     };
-    let (page, ground) = brief("--from-limit \"-6 dB\" --hold ratio");
+    let (page, ground) = brief("--from-limit \"-6 dB\" --hold force");
     let from = "From 6 dB below EN ISO 3095:2013, Figure 2 the limit";
     assert!(
         ground.contains(from) && ground.contains("months as it is"),
         "{ground}"
     );
-    assert!(ground.contains("(held: ratio)"), "{ground}");
+    assert!(ground.contains("(held: force)"), "{ground}");
     assert!(
         ground.contains("Without any effect: \u{201c}soft pads\u{201d}"),
         "{ground}"
@@ -130,7 +130,7 @@ fn remedies_are_compared_after_grinding() {
     assert!(page.contains("cannot act") && page.contains("rail without supports"));
     let (_, now) = brief("");
     assert!(now.contains("--from-limit says how long"), "{now}");
-    assert!(now.contains("(held: force)"), "{now}");
+    assert!(now.contains("(held: ratio)"), "{now}");
 }
 
 /// What has no input is one sentence at the end, and no empty section.

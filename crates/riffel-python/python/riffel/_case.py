@@ -675,8 +675,8 @@ class Case:
         spectrum : DataArray, optional
             Measured levels, to say when each variant reaches the limit.
         hold : {"force", "ratio", "creepage"}, optional
-            What variants of friction or load hold; by default the creepage where the case or the vehicle gives that,
-            else the traction force.
+            What variants of friction or load hold; by default what the case or the vehicle gives, the tractive ratio or
+            the creepage.
 
         Returns
         -------

@@ -21,6 +21,8 @@ use crate::staging::Staging;
 /// Everything that is reported.
 pub(super) struct Report {
     pub(super) case: Case,
+    /// What was asked to be held.
+    hold: Option<Hold>,
     pub(super) speeds: String,
     pub(super) comparison: Comparison,
     /// What the rail will be ground to, if that is where the spectrum comes from.
@@ -122,6 +124,7 @@ impl Report {
         drop(progress);
         Ok(Self {
             case,
+            hold,
             speeds,
             comparison,
             ground,
@@ -136,11 +139,21 @@ impl Report {
         figure::figure(self)
     }
 
-    /// What the reader should know of variants of which a part or all has no effect.
-    pub(super) fn effects(&self) -> Vec<&str> {
+    /// What the reader should know of variants: that a part or all has no effect, that less friction means less
+    /// traction.
+    pub(super) fn effects(&self) -> Vec<String> {
         let outcomes = self.comparison.outcomes.iter();
         outcomes
-            .filter_map(|outcome| outcome.effect.sentence())
+            .flat_map(|outcome| {
+                let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio)).then(|| {
+                    format!(
+                        "\u{201c}{}\u{201d} keeps the tractive ratio: the traction force changes with friction and load; \
+                         --hold force keeps the force",
+                        outcome.title
+                    )
+                });
+                outcome.effect.sentence().map(str::to_owned).into_iter().chain(kept)
+            })
             .collect()
     }
 

@@ -195,7 +195,7 @@ pub(super) fn what_if(
         html += "<p class=\"small\">Held is what a change of friction or load leaves as it is: the traction force, the \
                  tractive ratio Q₀/μP₀ or the creepage.</p>\n";
     }
-    html += &list(report.effects().into_iter().map(str::to_owned));
+    html += &list(report.effects());
     html += &drawing(report.figure())?;
     let brief = best(&report).into_iter().chain(months(&report));
     Ok(Outlook {
