@@ -1,11 +1,11 @@
 //! What would help: one traffic on a case and on variants of it, side by side.
 
-use riffel::forecast::{Forecast, Reach, TrafficGrowth};
-use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
+use riffel::forecast::{Reach, TrafficGrowth};
+use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel::{Ridge, RidgePoint};
 
 use crate::hold::Held;
-use crate::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
+use crate::traffic::{DAYS_PER_MONTH, RailForecast, RailSpectrum, Traffic, bands_of};
 use crate::{Case, CaseError, Hold, SpeedChange, Variant};
 
 /// Growth under one traffic, as it is and as each variant makes it.
@@ -33,10 +33,8 @@ pub struct Outcome {
     pub ridge_frequency: Option<f64>,
     /// Where that ridge is highest.
     pub ridge_highest: Option<RidgePoint>,
-    /// The spectrum under this traffic, if one was given.
-    pub forecast: Option<Forecast>,
-    /// When the limit is reached; none where no spectrum or no limit was given.
-    pub reach: Option<Reach>,
+    /// The rails under this traffic, the one that leads first; none where no spectrum was given.
+    pub rails: Vec<RailForecast>,
     /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
     pub held: Vec<Hold>,
     /// What it does to growth.
@@ -132,8 +130,8 @@ pub struct FastestLine {
 }
 
 impl Comparison {
-    /// Compute the case and its variants under the traffic, with the levels of a spectrum and a limit if
-    /// there are any. `progress` is told of each vehicle of each outcome.
+    /// Compute the case and its variants under the traffic, with the levels of rails and a limit if there are
+    /// any. `progress` is told of each vehicle of each outcome.
     ///
     /// # Errors
     /// [`CaseError`] with the key of the file that is at fault.
@@ -141,7 +139,7 @@ impl Comparison {
         case: &Case,
         variants: &[Variant],
         traffic: &Traffic,
-        spectrum: Option<&Spectrum>,
+        rails: &[RailSpectrum],
         limit: Option<&LevelLimit>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CaseError> {
@@ -155,14 +153,8 @@ impl Comparison {
                 .with(&[&variant.overrides, Held::assignments(held.as_ref())])
                 .map_err(|error| variant.explain(error))?;
             let ridge = Ridge::search(&changed.feedback, changed.wavelength, changed.speed);
-            let forecast = spectrum
-                .map(|spectrum| Forecast::new(spectrum, on.growth.clone()))
-                .transpose()
+            let rails = RailForecast::of_rails(rails, &on.growth, limit)
                 .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
-            let reach = forecast
-                .as_ref()
-                .zip(limit)
-                .map(|(forecast, limit)| forecast.grinding_interval(limit));
             let effect = match outcomes.first() {
                 None => Effect::None,
                 Some(base) => Effect::of(variant, &changed, &base.growth, &on.growth),
@@ -174,8 +166,7 @@ impl Comparison {
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
                 growth: on.growth,
-                forecast,
-                reach,
+                rails,
                 held: on.held,
                 effect,
                 remarks: on.remarks,
@@ -191,14 +182,29 @@ impl Comparison {
 }
 
 impl Outcome {
-    /// Axle passages to the limit, if they are known.
-    pub fn passages_to_limit(&self) -> Option<f64> {
-        self.reach?.passages()
+    /// The rail that leads, see [`RailForecast::of_rails`]; none where no spectrum was given.
+    pub fn leading(&self) -> Option<&RailForecast> {
+        self.rails.first()
     }
 
-    /// Months to the limit, if they and the axles a day are known.
+    /// When the rail that leads reaches the limit; none where no spectrum or no limit was given.
+    pub fn reach(&self) -> Option<Reach> {
+        self.leading()?.reach
+    }
+
+    /// Axle passages until the rail that leads reaches the limit, if they are known.
+    pub fn passages_to_limit(&self) -> Option<f64> {
+        self.reach()?.passages()
+    }
+
+    /// Months until the rail that leads reaches the limit, if they are known.
     pub fn months_to_limit(&self) -> Option<f64> {
-        Some(self.passages_to_limit()? / self.passages_per_day? / DAYS_PER_MONTH)
+        self.months(self.passages_to_limit()?)
+    }
+
+    /// Months that some axle passages take, if the axles a day are known.
+    pub fn months(&self, passages: f64) -> Option<f64> {
+        Some(passages / self.passages_per_day? / DAYS_PER_MONTH)
     }
 
     /// The name of what is held where friction or load change: force, ratio, creepage, or mixed where that differs

@@ -242,7 +242,7 @@ pub(crate) fn compare<'py>(
             case,
             &variants,
             &traffic,
-            measured.as_ref(),
+            &measured.map(Into::into).into_iter().collect::<Vec<_>>(),
             Some(&limit),
             &|_| (),
         )
@@ -261,7 +261,7 @@ pub(crate) fn compare<'py>(
         result.set_item("ridge_frequency", outcome.ridge_frequency)?;
         result.set_item("passages_to_limit", outcome.passages_to_limit())?;
         result.set_item("months_to_limit", outcome.months_to_limit())?;
-        result.set_item("limit_reached", outcome.reach.map(Reach::name))?;
+        result.set_item("limit_reached", outcome.reach().map(Reach::name))?;
         result.set_item("hold", outcome.held_name())?;
         result.set_item(
             "acts",

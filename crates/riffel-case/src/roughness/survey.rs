@@ -11,6 +11,7 @@ use super::spectra::is_date;
 use super::{LabelledSpectrum, RoughnessFile};
 use crate::CaseError;
 use crate::date::{read_date, read_dates};
+use crate::traffic::RailSpectrum;
 
 /// Spectra of a file: those of a table, or one for each rail of a profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,45 +186,16 @@ impl Survey {
         Spectrum::energy_mean(&spectra).unwrap_or_else(|| spectra[0].clone())
     }
 
-    /// What is forecast: of rails that are told apart by nothing else, the highest level in each band, so that no
-    /// clean rail hides the other; else the energy mean. A remark on the rails is added to the warnings.
-    pub fn leading(&mut self) -> Spectrum {
-        let rails: Vec<&str> = match (self.rail_column(), self.columns().count()) {
-            (Some(column), 1) => {
-                let records = self.records.iter();
-                records.filter_map(|record| record.label(column)).collect()
-            }
-            _ => Vec::new(),
-        };
-        if rails.len() < 2 || rails.len() < self.records.len() {
-            return self.mean();
-        }
-        let mut leads = vec![0; rails.len()];
-        let mut levels = Vec::new();
-        for level in self.mean().levels() {
-            let own = |record: &LabelledSpectrum| record.spectrum.level(level.band);
-            let known = self.records.iter().map(own).enumerate();
-            let highest = known
-                .filter_map(|(rail, level)| Some((rail, level?)))
-                .max_by(|a, b| a.1.total_cmp(&b.1));
-            if let Some((rail, highest)) = highest {
-                leads[rail] += 1;
-                levels.push((level.band, highest));
-            }
-        }
-        let words: Vec<String> = rails
-            .iter()
-            .zip(&leads)
-            .map(|(rail, bands)| format!("{rail} in {bands}"))
-            .collect();
-        let remark = format!(
-            "each band is forecast from the rail with the highest level there: {} bands; --rail takes one alone",
-            words.join(", ")
-        );
-        // Bands of a mean are in order and each there once.
-        let spectrum = Spectrum::new(levels).unwrap_or_else(|_| self.mean());
-        self.warnings.push(remark);
-        spectrum
+    /// The energy mean of each rail, in the order of the file; of all records where rails are not named.
+    pub fn rail_means(&self) -> Vec<RailSpectrum> {
+        let named = self.rail_column().is_some();
+        let rails = self.by_rail().into_iter();
+        rails
+            .map(|(name, survey)| RailSpectrum {
+                rail: named.then_some(name),
+                spectrum: survey.mean(),
+            })
+            .collect()
     }
 
     /// The spectra.

@@ -1,6 +1,7 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
 mod file;
+mod rail_forecast;
 mod reported_growth;
 mod wear_report;
 
@@ -12,6 +13,7 @@ use riffel::forecast::{
 use riffel::roughness::ThirdOctave;
 
 pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
+pub use rail_forecast::{RailForecast, RailSpectrum};
 pub use wear_report::{WearDocument, WearReport};
 
 use crate::hold::Held;

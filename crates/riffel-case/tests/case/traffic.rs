@@ -220,7 +220,7 @@ fn wrong_changes_are_refused(#[case] text: &str, #[case] part: &str) {
     let case = nominal();
     let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
     let error = Variant::parse("a.toml", text)
-        .and_then(|variant| Comparison::compute(&case, &[variant], &traffic, None, None, &|_| {}))
+        .and_then(|variant| Comparison::compute(&case, &[variant], &traffic, &[], None, &|_| {}))
         .unwrap_err();
     assert!(error.to_string().contains(part), "{error}");
     assert!(!error.to_string().contains("--set"), "{error}");
@@ -245,7 +245,7 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
         &case,
         &[friction, wear, slower],
         &traffic,
-        Some(&spectrum),
+        &[spectrum.into()],
         Some(&limit),
         &|_| {},
     )?;

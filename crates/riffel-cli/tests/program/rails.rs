@@ -342,3 +342,131 @@ fn a_local_course_is_that_of_its_place() {
     let levels = list(&finding["course"], "levels_db");
     assert!((number(&levels[1]) - 15.05).abs() < 0.6, "{levels:?}");
 }
+
+/// A rail 6 dB above the other leads the forecast, and each is forecast as if it were alone, bit for bit.
+#[test]
+fn each_rail_is_forecast_from_its_own_levels() {
+    let sandbox = Sandbox::new();
+    let mut text = "position [m],high [µm],low [µm]\n".to_owned();
+    for row in 0..20_000 {
+        let x = 2e-3 * f64::from(row);
+        let height = noise(x, 1.7);
+        writeln!(text, "{x:.3},{height:.4},{:.4}", 2.0 * height).unwrap();
+    }
+    fs::write(sandbox.path("rails.csv"), text).unwrap();
+    let command =
+        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum rails.csv --json";
+    let both = sandbox.json(command);
+    assert_eq!(both["rail"], "low");
+    assert_eq!(both["inputs"]["records"], 2);
+    let rails = list(&both, "rails");
+    assert_eq!(rails.len(), 2);
+    let months = |document: &Value| number(&document["months_to_limit"]);
+    assert!(0.0 < months(&rails[0]) && months(&rails[0]) < months(&rails[1]));
+    for (rail, name) in rails.iter().zip(["low", "high"]) {
+        assert_eq!(rail["rail"], name);
+        let alone = sandbox.json(&format!("{command} --rail {name}"));
+        assert_eq!(alone["rail"], name);
+        assert_eq!(alone["rails"].as_array().unwrap(), &[rail.clone()]);
+        assert_eq!(alone["months_to_limit"], rail["months_to_limit"]);
+        assert_eq!(alone["bands"], rail["bands"]);
+    }
+    // 20 lg 2 = 6.02 dB between the rails; heights are written to 0.1 nm.
+    for (low, high) in list(&rails[0], "bands")
+        .iter()
+        .zip(list(&rails[1], "bands"))
+    {
+        let more = number(&low["level_now_db"]) - number(&high["level_now_db"]);
+        assert!((more - 6.0206).abs() < 0.01, "{more}");
+        assert_eq!(
+            low["growth_rate_per_passage"],
+            high["growth_rate_per_passage"]
+        );
+    }
+    for key in ["months_to_limit", "limit_reached", "bands"] {
+        assert_eq!(both[key], rails[0][key]);
+    }
+    let outcome = sandbox.riffel(&format!("{} -o out", command.replace(" --json", "")));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    for part in [
+        "rail low leads: grinding interval: EN ISO 3095:2013",
+        "rail high: grinding interval: EN ISO 3095:2013",
+        "rail high: linear range",
+    ] {
+        assert!(outcome.text.contains(part), "{}", outcome.text);
+    }
+    let table = fs::read_to_string(sandbox.path("out/bands.csv")).unwrap();
+    assert!(table.starts_with("rail,wavelength_m,"), "{table}");
+    let of: Vec<&str> = table
+        .lines()
+        .skip(1)
+        .filter_map(|row| row.split(',').next())
+        .collect();
+    assert_eq!(of, [["low"; 7], ["high"; 7]].concat());
+    let picture = fs::read_to_string(sandbox.path("out/forecast.svg")).unwrap();
+    assert!(picture.contains("rail low now"));
+
+    fs::write(
+        sandbox.path("damp.toml"),
+        "title = \"damp\"\n[wear]\ncoefficient = 1.25e-9\n",
+    )
+    .unwrap();
+    let compare = "compare cases/nominal.toml --traffic cases/traffic.toml --with damp.toml --spectrum rails.csv";
+    let compared = sandbox.json(&format!("{compare} --json"));
+    for outcome in list(&compared, "outcomes") {
+        assert_eq!(outcome["rail"], "low");
+        let own = list(outcome, "rails");
+        assert_eq!(own.len(), 2);
+        assert_eq!(own[0]["months_to_limit"], outcome["months_to_limit"]);
+        assert_eq!(own[1]["rail"], "high");
+    }
+    for (own, rail) in list(&compared["outcomes"][0], "rails").iter().zip(rails) {
+        assert_eq!(own["passages_to_limit"], rail["passages_to_limit"]);
+        assert_eq!(own["months_to_limit"], rail["months_to_limit"]);
+    }
+    let text = sandbox.riffel(&format!("{compare} -o compared")).text;
+    assert!(text.contains("rail") && text.contains("low"), "{text}");
+    let report = sandbox.riffel(
+        "report cases/nominal.toml --roughness rails.csv --traffic cases/traffic.toml --with damp.toml -o report.html",
+    );
+    assert_eq!(report.status, Some(0), "{}", report.text);
+    let html = fs::read_to_string(sandbox.path("report.html")).unwrap();
+    assert!(html.contains("Rail low leads: grinding interval"));
+    assert!(html.contains("as it is on rail low"));
+}
+
+/// Rails of a table of levels are forecast one by one; within a rail the energies of other columns are averaged.
+#[test]
+fn rails_of_a_table_are_forecast_one_by_one() {
+    let sandbox = Sandbox::new();
+    // The limit is −1.1 dB at 50 mm. The mean energy of 1.0 and −20 dB of rail L is −2.0 dB; that of all four −5 dB.
+    let text = "site;Schiene;wavelength_mm;level_db\nA;R;50;-9\nB;R;50;-9\nA;L;50;1\nB;L;50;-20\n";
+    fs::write(sandbox.path("levels.csv"), text).unwrap();
+    let command =
+        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum levels.csv --json";
+    let both = sandbox.json(command);
+    assert_eq!(both["rail"], "L");
+    let mean = 10.0 * ((10_f64.powf(0.1) + 10_f64.powi(-2)) / 2.0).log10();
+    assert!((number(&both["bands"][0]["level_now_db"]) - mean).abs() < 1e-12);
+    let rails = list(&both, "rails");
+    for (rail, name) in rails.iter().zip(["L", "R"]) {
+        let alone = sandbox.json(&format!("{command} --rail {name}"));
+        assert_eq!(alone["months_to_limit"], rail["months_to_limit"]);
+        assert_eq!(alone["bands"], rail["bands"]);
+        let chosen = sandbox.json(&format!("{command} --where Schiene={name}"));
+        assert_eq!(chosen["bands"], rail["bands"]);
+    }
+    assert!(number(&rails[0]["months_to_limit"]) < number(&rails[1]["months_to_limit"]));
+    // A rail without a band in the window of the case is left out, and said to be.
+    let text = "rail,wavelength_mm,level_db\nR,1000,-9\nL,50,-4\n";
+    fs::write(sandbox.path("far.csv"), text).unwrap();
+    let far = sandbox.json(&command.replace("levels", "far"));
+    assert_eq!(list(&far, "rails").len(), 1);
+    assert!(
+        far["remarks"]
+            .to_string()
+            .contains("rail R has no band between 20 and 80 mm"),
+        "{}",
+        far["remarks"]
+    );
+}

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use riffel::forecast::Reach;
+use riffel_case::traffic::RailForecast;
 use riffel_case::what_if::{Effect, Outcome};
 use serde::Serialize;
 
@@ -15,6 +16,7 @@ pub(super) struct Document<'a> {
     riffel_version: &'static str,
     case: &'a riffel_case::file::CaseFile,
     speeds: &'a str,
+    /// Of the rail that leads in the case as it is.
     spectrum_now: Option<Vec<Level>>,
     /// What the rail will be ground to, if that is where the months to the limit begin.
     ground: Option<&'a str>,
@@ -42,6 +44,10 @@ struct OutcomeDocument<'a> {
     ridge_frequency_hz: Option<f64>,
     ridge_highest: Option<RidgeDocument>,
     growth_rate_per_passage: Vec<Rate>,
+    /// The rail that reaches the limit first; null where rails are not named.
+    rail: Option<&'a str>,
+    /// Every rail, the one that leads first.
+    rails: Vec<RailDocument<'a>>,
     /// after | beyond-linear-range | never; null without a spectrum.
     limit_reached: Option<&'static str>,
     passages_to_limit: Option<f64>,
@@ -51,6 +57,16 @@ struct OutcomeDocument<'a> {
     change_of_time_to_limit: Option<f64>,
     linear_range_passages: Option<f64>,
     remarks: &'a [String],
+}
+
+#[derive(Serialize)]
+struct RailDocument<'a> {
+    rail: Option<&'a str>,
+    limit_reached: Option<&'static str>,
+    passages_to_limit: Option<f64>,
+    mgt_to_limit: Option<f64>,
+    months_to_limit: Option<f64>,
+    linear_range_passages: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -69,14 +85,14 @@ struct Rate {
 }
 
 pub(super) fn document(report: &Report) -> Document<'_> {
-    let with_limit = report.spectrum.is_some();
+    let rail = report.leading();
     Document {
         riffel_version: env!("CARGO_PKG_VERSION"),
         case: &report.case.file,
         speeds: &report.speeds,
-        spectrum_now: report.spectrum.as_ref().map(levels),
+        spectrum_now: rail.map(|rail| levels(&rail.measured.spectrum)),
         ground: report.ground.as_ref().map(|ground| ground.words.as_str()),
-        limit: with_limit.then_some(report.table.edition.as_str()),
+        limit: rail.map(|_| report.table.edition.as_str()),
         outcomes: report
             .comparison
             .outcomes
@@ -119,19 +135,39 @@ fn of<'a>(report: &'a Report, outcome: &'a Outcome) -> OutcomeDocument<'a> {
                 }
             })
             .collect(),
-        limit_reached: outcome.reach.map(Reach::name),
+        rail: outcome.leading().and_then(RailForecast::name),
+        rails: rails(outcome),
+        limit_reached: outcome.reach().map(Reach::name),
         passages_to_limit,
         mgt_to_limit: passages_to_limit.map(|passages| outcome.growth.mgt(passages)),
         months_to_limit: outcome.months_to_limit(),
         change_of_time_to_limit: passages_to_limit
             .zip(base.passages_to_limit().filter(|passages| *passages > 0.0))
             .map(|(own, base)| own / base - 1.0),
-        linear_range_passages: outcome
-            .forecast
-            .as_ref()
-            .and_then(|forecast| forecast.linear_range(forecast.bands()).passages),
+        linear_range_passages: outcome.leading().and_then(linear_range),
         remarks: &outcome.remarks,
     }
+}
+
+fn rails(outcome: &Outcome) -> Vec<RailDocument<'_>> {
+    let rails = outcome.rails.iter();
+    rails
+        .map(|rail| {
+            let passages = rail.reach.and_then(Reach::passages);
+            RailDocument {
+                rail: rail.name(),
+                limit_reached: rail.reach.map(Reach::name),
+                passages_to_limit: passages,
+                mgt_to_limit: passages.map(|passages| outcome.growth.mgt(passages)),
+                months_to_limit: passages.and_then(|passages| outcome.months(passages)),
+                linear_range_passages: linear_range(rail),
+            }
+        })
+        .collect()
+}
+
+fn linear_range(rail: &RailForecast) -> Option<f64> {
+    rail.forecast.linear_range(rail.forecast.bands()).passages
 }
 
 /// One row for each band, a column for each outcome.

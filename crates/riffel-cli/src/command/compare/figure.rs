@@ -31,7 +31,7 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         "{}. Growth of the level by wavelength, positive where corrugation grows.",
         report.speeds
     );
-    if let Some(spectrum) = &report.spectrum {
+    if let Some(leading) = report.leading() {
         // All at one date: when the case as it is reaches its limit, else when the first variant does, else
         // after a year.
         let reached = report.comparison.outcomes.iter();
@@ -45,9 +45,14 @@ pub(super) fn figure(report: &Report) -> LineFigure {
             None => "now",
         };
         let mut ended = Vec::new();
-        let mut levels = vec![curve(now, spectrum, LineStyle::Dotted, Rgb::BLACK)];
+        let now = format!("{}{now}", report.prefix(leading));
+        let spectrum = &leading.measured.spectrum;
+        let mut levels = vec![curve(&now, spectrum, LineStyle::Dotted, Rgb::BLACK)];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
-            let forecast = outcome.forecast.as_ref()?;
+            // All of one rail, the one that leads in the case as it is.
+            let mut rails = outcome.rails.iter();
+            let rail = rails.find(|rail| rail.name() == leading.name())?;
+            let forecast = &rail.forecast;
             let until = passages.min(forecast.valid_to());
             if until < passages {
                 ended.push(format!("\u{201c}{}\u{201d}", outcome.title));
@@ -77,6 +82,12 @@ pub(super) fn figure(report: &Report) -> LineFigure {
             when(Some(passages)),
             number(base.growth.mgt(passages))
         );
+        if report.names_rails() {
+            caption += &format!(
+                " The levels are those of {}, which leads as it is.",
+                report.prefix(leading).trim_end()
+            );
+        }
         if !ended.is_empty() {
             caption += &format!(
                 " Before, where the wheel leaves the rail and the forecast ends: {}.",

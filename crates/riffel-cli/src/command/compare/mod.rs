@@ -4,14 +4,17 @@ mod document;
 mod figure;
 
 use riffel::forecast::SpeedDistribution;
-use riffel::roughness::{LevelLimit, Spectrum};
+use riffel::roughness::LevelLimit;
 use riffel_case::roughness::{GroundRail, LimitTable, Survey};
-use riffel_case::traffic::Traffic;
+use riffel_case::traffic::{RailForecast, RailSpectrum, Traffic};
 use riffel_case::what_if::{Comparison, Effect, FastestLine, Outcome};
 use riffel_case::{Case, CaseError, Hold, Variant};
 
-use super::forecast::{ground_rail, level_limit, number, outside, per_million, reached, when};
+use super::forecast::{
+    ground_rail, level_limit, not_forecast, number, outside, per_million, reached, when,
+};
 use super::roughness::survey;
+use super::roughness::verdict::rail_in_words;
 use crate::arguments::Compare;
 use crate::error::CliError;
 use crate::messages::print_remarks;
@@ -27,7 +30,8 @@ pub(super) struct Report {
     pub(super) comparison: Comparison,
     /// What the rail will be ground to, if that is where the spectrum comes from.
     pub(super) ground: Option<GroundRail>,
-    pub(super) spectrum: Option<Spectrum>,
+    /// What is to be said of the records.
+    warnings: Vec<String>,
     pub(super) table: LimitTable,
     pub(super) limit: LevelLimit,
 }
@@ -61,6 +65,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
             ))?;
         }
     }
+    print_remarks(report.warnings());
     print_remarks(&report.effects());
     print_remarks(&report.comparison.base().remarks);
     Ok(())
@@ -95,14 +100,23 @@ impl Report {
         };
         let (table, limit) = level_limit(&arguments.limit)?;
         let ground = ground_rail(&arguments.ground, &table, &limit)?;
-        let spectrum = match (&ground, survey) {
-            (Some(ground), _) => Some(ground.spectrum.clone()),
-            (None, Some(survey)) => Some(survey.choose(&arguments.choose)?.leading()),
-            (None, None) => None,
+        let mut warnings = Vec::new();
+        let rails: Vec<RailSpectrum> = match (&ground, survey) {
+            (Some(ground), _) => vec![ground.spectrum.clone().into()],
+            (None, Some(survey)) => {
+                let survey = survey.choose(&arguments.choose)?;
+                warnings.extend(survey.warnings.iter().cloned());
+                survey.rail_means()
+            }
+            (None, None) => Vec::new(),
         };
-        if let Some(spectrum) = &spectrum {
+        if !rails.is_empty() {
             let bands = riffel_case::traffic::bands_of(&case);
-            if !bands.iter().any(|band| spectrum.level(*band).is_some()) {
+            let known = |rail: &RailSpectrum| {
+                let mut bands = bands.iter();
+                bands.any(|band| rail.spectrum.level(*band).is_some())
+            };
+            if !rails.iter().any(known) {
                 let error = riffel::Error::Measurement {
                     index: 0,
                     rule: "no band of the spectrum lies there",
@@ -113,22 +127,19 @@ impl Report {
         }
         let steps = (1 + variants.len()) * traffic.file.vehicle.len();
         let progress = Progress::new("growth of the variants", steps);
-        let comparison = Comparison::compute(
-            &case,
-            &variants,
-            &traffic,
-            spectrum.as_ref(),
-            Some(&limit),
-            &|by| progress.advance(by),
-        )?;
+        let comparison =
+            Comparison::compute(&case, &variants, &traffic, &rails, Some(&limit), &|by| {
+                progress.advance(by)
+            })?;
         drop(progress);
+        warnings.extend(not_forecast(&rails, &comparison.base().rails, &case));
         Ok(Self {
             case,
             hold,
             speeds,
             comparison,
             ground,
-            spectrum,
+            warnings,
             table,
             limit,
         })
@@ -164,7 +175,10 @@ impl Report {
             header.push("held");
         }
         header.push("ridge Hz");
-        if self.spectrum.is_some() {
+        if self.names_rails() {
+            header.push("rail");
+        }
+        if self.leading().is_some() {
             header.extend(["passages to limit", "MGT to limit"]);
         }
         if self.counts_months() {
@@ -196,7 +210,11 @@ impl Report {
         }
         let ridge = outcome.ridge_frequency;
         row.push(ridge.map_or_else(String::new, |f| format!("{f:.0}")));
-        if let Some(reach) = outcome.reach {
+        if self.names_rails() {
+            let rail = outcome.leading().and_then(RailForecast::name);
+            row.push(rail.unwrap_or_default().to_owned());
+        }
+        if let Some(reach) = outcome.reach() {
             let mgt = reach
                 .passages()
                 .map(|passages| outcome.growth.mgt(passages));
@@ -210,6 +228,37 @@ impl Report {
         row
     }
 
+    /// The rail that leads in the case as it is; none where no spectrum was given.
+    pub(super) fn leading(&self) -> Option<&RailForecast> {
+        self.comparison.base().leading()
+    }
+
+    /// Whether there are several rails, of which each outcome names the one that leads.
+    pub(super) fn names_rails(&self) -> bool {
+        self.comparison.base().rails.len() > 1
+    }
+
+    /// What is to be said of the records.
+    pub(super) fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// A rail in front of words on it, where there are several.
+    pub(super) fn prefix(&self, rail: &RailForecast) -> String {
+        match rail.name() {
+            Some(name) if self.names_rails() => format!("{} ", rail_in_words(name)),
+            _ => String::new(),
+        }
+    }
+
+    /// " on rail low", where there are several.
+    pub(super) fn on(&self, rail: &RailForecast) -> String {
+        match self.prefix(rail).trim_end() {
+            "" => String::new(),
+            name => format!(" on {name}"),
+        }
+    }
+
     /// Whether some variant holds a part of the mean state.
     fn holds(&self) -> bool {
         let mut outcomes = self.comparison.outcomes.iter();
@@ -217,7 +266,7 @@ impl Report {
     }
 
     fn counts_months(&self) -> bool {
-        self.spectrum.is_some() && self.comparison.base().passages_per_day.is_some()
+        self.leading().is_some() && self.comparison.base().passages_per_day.is_some()
     }
 
     fn readable(&self) -> String {
@@ -235,6 +284,9 @@ impl Report {
             rows.add_row(row);
         }
         text += &format!("{rows}\n");
+        if self.names_rails() {
+            text += "the limit is reached where the rail named does so first; every rail is in summary.json\n";
+        }
         text += &self.bands();
         text
     }

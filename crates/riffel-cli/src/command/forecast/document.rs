@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use riffel::forecast::VehicleGrowth;
-use riffel_case::traffic::{WearDocument, WearReport};
+use riffel::forecast::{Reach, VehicleGrowth};
+use riffel_case::traffic::{RailForecast, WearDocument, WearReport};
 use serde::Serialize;
 
 use super::Report;
@@ -16,6 +16,11 @@ pub(super) struct Document<'a> {
     riffel_version: &'static str,
     inputs: Inputs<'a>,
     horizon: Amount,
+    /// The rail that reaches the limit first, of which all speaks down to `bands_left_out`; null where rails are not
+    /// named.
+    rail: Option<&'a str>,
+    /// Every rail, the one that leads first.
+    rails: Vec<RailDocument<'a>>,
     spectrum_now: Vec<Level>,
     /// Levels are null where the forecast ends before.
     spectrum_then: Vec<Then>,
@@ -37,7 +42,7 @@ pub(super) struct Document<'a> {
     date_of_limit: Option<String>,
     wavelength_of_limit_m: Option<f64>,
     linear_range: LinearDocument<'a>,
-    bands: Vec<Band>,
+    bands: Vec<Band<'a>>,
     /// Bands that were measured, outside the wavelengths of the case.
     bands_left_out: Vec<Level>,
     traffic: TrafficDocument<'a>,
@@ -94,7 +99,21 @@ struct LinearDocument<'a> {
 }
 
 #[derive(Serialize)]
-struct Band {
+struct RailDocument<'a> {
+    rail: Option<&'a str>,
+    limit_reached: Option<&'static str>,
+    passages_to_limit: Option<f64>,
+    mgt_to_limit: Option<f64>,
+    months_to_limit: Option<f64>,
+    date_of_limit: Option<String>,
+    wavelength_of_limit_m: Option<f64>,
+    valid_to_passages: Option<f64>,
+    bands: Vec<Band<'a>>,
+}
+
+#[derive(Serialize)]
+struct Band<'a> {
+    rail: Option<&'a str>,
     wavelength_m: f64,
     level_now_db: f64,
     level_then_db: Option<f64>,
@@ -128,9 +147,10 @@ struct VehicleDocument<'a> {
 }
 
 pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Document<'a> {
-    let forecast = &report.forecast;
-    let traffic = forecast.traffic();
-    let crossings = report.crossings();
+    let rail = report.leading();
+    let forecast = &rail.forecast;
+    let traffic = report.growth();
+    let crossings = report.crossings(rail);
     let first = crossings.first();
     let linear = forecast.linear_range(forecast.bands());
     let rates = |rate: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| {
@@ -178,6 +198,8 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
                 .date_after(report.passages)
                 .map(|date| date.to_string()),
         },
+        rail: rail.name(),
+        rails: report.rails.iter().map(|rail| of(report, rail)).collect(),
         spectrum_now: forecast
             .bands()
             .iter()
@@ -221,9 +243,10 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
             mgt: linear.passages.map(|passages| traffic.mgt(passages)),
             vehicle: &traffic.vehicles()[linear.vehicle].name,
         },
-        bands: bands(report),
-        bands_left_out: report
+        bands: bands(report, rail),
+        bands_left_out: rail
             .measured
+            .spectrum
             .levels()
             .iter()
             .filter(|level| {
@@ -248,8 +271,27 @@ pub(super) fn document<'a>(report: &'a Report, arguments: &Arguments) -> Documen
     }
 }
 
-fn bands(report: &Report) -> Vec<Band> {
-    let forecast = &report.forecast;
+fn of<'a>(report: &'a Report, rail: &'a RailForecast) -> RailDocument<'a> {
+    let crossings = report.crossings(rail);
+    let first = crossings.first();
+    let passages_to_limit = first.map(|first| first.passages);
+    RailDocument {
+        rail: rail.name(),
+        limit_reached: rail.reach.map(Reach::name),
+        passages_to_limit,
+        mgt_to_limit: passages_to_limit.map(|passages| report.growth().mgt(passages)),
+        months_to_limit: passages_to_limit.and_then(|passages| report.months(passages)),
+        date_of_limit: passages_to_limit
+            .and_then(|passages| report.date_after(passages))
+            .map(|date| date.to_string()),
+        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+        valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
+        bands: bands(report, rail),
+    }
+}
+
+fn bands<'a>(report: &Report, rail: &'a RailForecast) -> Vec<Band<'a>> {
+    let forecast = &rail.forecast;
     let limits = forecast.reaches(&report.limit);
     let bands = forecast.bands().iter();
     bands
@@ -258,6 +300,7 @@ fn bands(report: &Report) -> Vec<Band> {
             let passages_to_limit = limit.and_then(|limit| limit.2.passages());
             let linear = forecast.linear_range([band]);
             Band {
+                rail: rail.name(),
                 wavelength_m: band.now.band.wavelength(),
                 level_now_db: band.now.level,
                 level_then_db: forecast.level(band, report.passages),
@@ -276,18 +319,20 @@ fn bands(report: &Report) -> Vec<Band> {
         .collect()
 }
 
-/// One row for each band.
+/// One row for each band of every rail, the rail that leads first.
 pub(super) fn band_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    for band in bands(report) {
-        writer.serialize(band)?;
+    for rail in &report.rails {
+        for band in bands(report, rail) {
+            writer.serialize(band)?;
+        }
     }
     writer.flush()
 }
 
 /// Growth rate of every line under the mix and under each vehicle.
 pub(super) fn line_table(report: &Report, file: &mut impl Write) -> io::Result<()> {
-    let traffic = report.forecast.traffic();
+    let traffic = report.growth();
     let mut writer = csv::Writer::from_writer(file);
     let mut header = vec![
         "wavelength_m".to_owned(),

@@ -6,20 +6,28 @@ use super::{Report, number};
 use crate::command::roughness::figure::{level_panel, levels};
 
 pub(super) fn figure(report: &Report) -> LineFigure {
-    let traffic = report.forecast.traffic();
+    let traffic = report.growth();
+    let rail = report.leading();
+    let prefix = report.prefix(rail);
     let now = match &report.ground {
         Some(_) => "after grinding",
         None => "now",
     };
-    let now = levels(now, &report.measured, LineStyle::Solid, OKABE_ITO[1]);
-    let valid_to = report.forecast.valid_to();
+    let now = format!("{prefix}{now}");
+    let now = levels(
+        &now,
+        &rail.measured.spectrum,
+        LineStyle::Solid,
+        OKABE_ITO[1],
+    );
+    let valid_to = rail.forecast.valid_to();
     let (until, end) = match report.passages <= valid_to {
         true => (report.passages, ""),
         false => (valid_to, ", where the forecast ends"),
     };
-    let bands = || report.forecast.bands().iter();
+    let bands = || rail.forecast.bands().iter();
     let then = Series {
-        label: format!("after {} MGT{end}", number(traffic.mgt(until))),
+        label: format!("{prefix}after {} MGT{end}", number(traffic.mgt(until))),
         x: bands()
             .map(|band| 1e3 * band.now.band.wavelength())
             .collect(),
@@ -55,12 +63,16 @@ pub(super) fn figure(report: &Report) -> LineFigure {
         .collect();
     rates.push(rate("mix".to_owned(), traffic.rates(), Rgb::BLACK));
     rates.push(zero(&wavelengths));
+    let leads = match prefix.trim_end() {
+        "" => String::new(),
+        name => format!(" Levels are those of {name}, which leads."),
+    };
     let title = report.case.file.title.clone();
     LineFigure {
         title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
         caption: format!(
             "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
-             grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.",
+             grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.{leads}",
             report.amount(until)
         ),
         panels: vec![

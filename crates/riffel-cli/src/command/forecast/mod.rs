@@ -8,14 +8,17 @@ mod wear;
 
 use jiff::ToSpan;
 use jiff::civil::Date;
-use riffel::forecast::{Forecast, ForecastBand, Reach};
-use riffel::roughness::{LevelLimit, Spectrum};
+use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
+use riffel::roughness::LevelLimit;
 use riffel_case::roughness::{GroundRail, Limit, LimitTable, Survey};
-use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, WearReport, bands_of};
+use riffel_case::traffic::{
+    DAYS_PER_MONTH, RailForecast, RailSpectrum, Traffic, TrafficOnCase, WearReport, bands_of,
+};
 use riffel_case::{Case, Variant};
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
+use crate::command::roughness::verdict::rail_in_words;
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
@@ -38,9 +41,8 @@ pub(super) struct Report {
     pub(super) survey: Option<Survey>,
     /// What the rail will be ground to.
     pub(super) ground: Option<GroundRail>,
-    /// The whole spectrum now, bands that are not forecast included.
-    pub(super) measured: Spectrum,
-    pub(super) forecast: Forecast,
+    /// The rails, the one that leads first; there is one in every report.
+    pub(super) rails: Vec<RailForecast>,
     /// Axle passages of the forecast.
     pub(super) passages: f64,
     pub(super) table: LimitTable,
@@ -48,6 +50,8 @@ pub(super) struct Report {
     /// Date of the spectrum.
     pub(super) date: Option<Date>,
     wear: Option<WearReport>,
+    /// What is to be said of the records.
+    warnings: Vec<String>,
 }
 
 /// A band that reaches its limit.
@@ -95,7 +99,7 @@ impl Report {
         let traffic = Traffic::read(&arguments.traffic)?;
         let (table, limit) = level_limit(&arguments.limit)?;
         let ground = ground_rail(&arguments.ground, &table, &limit)?;
-        let mut dated = match (&ground, survey) {
+        let dated = match (&ground, survey) {
             (None, Some(survey)) => Some(Dated::new(&arguments.spectra, survey)?),
             _ => None,
         };
@@ -104,19 +108,24 @@ impl Report {
             progress.advance(by);
         })?;
         drop(progress);
-        let measured = match (&ground, &mut dated) {
-            (Some(ground), _) => ground.spectrum.clone(),
-            (None, Some(dated)) => dated.now.leading(),
+        let measured: Vec<RailSpectrum> = match (&ground, &dated) {
+            (Some(ground), _) => vec![ground.spectrum.clone().into()],
+            (None, Some(dated)) => dated.now.rail_means(),
             (None, None) => Err(CliError::Argument {
                 argument: "--spectrum",
                 value: "left out".to_owned(),
                 rule: "given, or else --ground or --from-limit".to_owned(),
             })?,
         };
-        let forecast = Forecast::new(&measured, on.growth.clone()).map_err(|error| {
-            let path = arguments.spectra.spectrum.as_deref();
-            outside(&arguments.ground, path, &case, error)
-        })?;
+        let rails =
+            RailForecast::of_rails(&measured, &on.growth, Some(&limit)).map_err(|error| {
+                let path = arguments.spectra.spectrum.as_deref();
+                outside(&arguments.ground, path, &case, error)
+            })?;
+        let mut warnings = dated
+            .as_ref()
+            .map_or_else(Vec::new, |dated| dated.now.warnings.clone());
+        warnings.extend(not_forecast(&measured, &rails, &case));
         let passages = passages(&arguments.horizon, &on)?;
         let measured_on = dated.as_ref().and_then(|dated| dated.date);
         let date = arguments.date.or(measured_on);
@@ -130,19 +139,19 @@ impl Report {
             case,
             traffic,
             on,
-            measured,
-            forecast,
+            rails,
             passages,
             table,
             limit,
             date,
             wear,
+            warnings,
         })
     }
 
     /// What is to be said of the records.
     pub(super) fn warnings(&self) -> &[String] {
-        self.survey.as_ref().map_or(&[], |survey| &survey.warnings)
+        &self.warnings
     }
 
     /// Months that some passages take, if the traffic says how much of it there is.
@@ -159,9 +168,27 @@ impl Report {
             .flatten()
     }
 
-    /// Crossings of the limit, the earliest first.
-    pub(super) fn crossings(&self) -> Vec<Crossing<'_>> {
-        let mut crossings: Vec<Crossing<'_>> = self
+    /// The rail that leads: its limit is reached first.
+    pub(super) fn leading(&self) -> &RailForecast {
+        &self.rails[0]
+    }
+
+    /// A rail in front of words on it, where there are several.
+    pub(super) fn prefix(&self, rail: &RailForecast) -> String {
+        match rail.name() {
+            Some(name) if self.rails.len() > 1 => format!("{} ", rail_in_words(name)),
+            _ => String::new(),
+        }
+    }
+
+    /// Growth under the traffic, the same for every rail.
+    pub(super) fn growth(&self) -> &TrafficGrowth {
+        &self.on.growth
+    }
+
+    /// Crossings of the limit by a rail, the earliest first.
+    pub(super) fn crossings<'a>(&self, rail: &'a RailForecast) -> Vec<Crossing<'a>> {
+        let mut crossings: Vec<Crossing<'a>> = rail
             .forecast
             .reaches(&self.limit)
             .into_iter()
@@ -184,7 +211,7 @@ impl Report {
 
     /// Passages in every unit that is known.
     pub(super) fn amount(&self, passages: f64) -> String {
-        let mgt = self.forecast.traffic().mgt(passages);
+        let mgt = self.growth().mgt(passages);
         let mut text = format!("{passages:.3e} axle passages = {} MGT", number(mgt));
         if let Some(months) = self.months(passages) {
             text += &format!(" = {} months", number(months));
@@ -213,7 +240,7 @@ impl Report {
         let title = self.case.file.title.as_deref().unwrap_or("Growth forecast");
         let traffic = self.traffic.file.title.as_deref().unwrap_or("traffic");
         let mut text = format!("{title}, {traffic}\nafter {}\n", self.amount(self.passages));
-        let mut rows = table(&[
+        let mut header = vec![
             "wavelength mm",
             "now dB",
             "then dB",
@@ -221,7 +248,11 @@ impl Report {
             "dB per 10⁶ passages",
             "passages to limit",
             "wheel leaves rail",
-        ]);
+        ];
+        if self.names_rails() {
+            header.insert(0, "rail");
+        }
+        let mut rows = table(&header);
         for row in self.rows() {
             rows.add_row(row);
         }
@@ -235,14 +266,28 @@ impl Report {
         text
     }
 
-    /// The cells of the table by band, the longest wavelength first.
-    pub(super) fn rows(&self) -> Vec<[String; 7]> {
-        let forecast = &self.forecast;
+    /// Whether the table by band has a column of rails.
+    pub(super) fn names_rails(&self) -> bool {
+        self.rails.len() > 1
+    }
+
+    /// The cells of the table by band, the rail that leads first and of each the longest wavelength; the name of the
+    /// rail first, where there are several.
+    pub(super) fn rows(&self) -> Vec<Vec<String>> {
+        self.rails
+            .iter()
+            .flat_map(|rail| self.rows_of(rail))
+            .collect()
+    }
+
+    fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<String>> {
+        let forecast = &rail.forecast;
         let limits = forecast.reaches(&self.limit);
+        let name = rail.name().filter(|_| self.names_rails());
         let row = |band: &ForecastBand| {
             let limit = limits.iter().find(|limit| limit.0 == band);
             let then = forecast.level(band, self.passages);
-            [
+            let cells = [
                 format!("{}", band.now.band.nominal_millimetres()),
                 format!("{:.1}", band.now.level),
                 then.map_or_else(|| BEYOND.to_owned(), |level| format!("{level:.1}")),
@@ -250,58 +295,39 @@ impl Report {
                 format!("{:+.3}", per_million(forecast.growth_rate(band))),
                 limit.map_or_else(String::new, |limit| reached(limit.2)),
                 when(forecast.linear_range([band]).passages),
-            ]
+            ];
+            name.map(str::to_owned).into_iter().chain(cells).collect()
         };
         forecast.bands().iter().rev().map(row).collect()
     }
 
-    /// What follows, in sentences.
+    /// What follows, in sentences; those on the rail that leads first.
     pub(super) fn findings(&self) -> Vec<String> {
-        let mut findings = Vec::new();
-        let edition = &self.table.edition;
-        let from = match &self.ground {
-            Some(ground) => format!(" from {}", ground.words),
-            None => String::new(),
+        let mut findings: Vec<String> = self
+            .rails
+            .iter()
+            .enumerate()
+            .map(|(place, rail)| {
+                let sentence = self.interval(rail);
+                match (self.prefix(rail).trim_end(), place) {
+                    ("", _) => sentence,
+                    (name, 0) => format!("{name} leads: {sentence}"),
+                    (name, _) => format!("{name}: {sentence}"),
+                }
+            })
+            .collect();
+        findings.extend(self.rails.iter().map(|rail| {
+            let sentence = self.linear_range(rail);
+            match self.prefix(rail).trim_end() {
+                "" => sentence,
+                name => format!("{name}: {sentence}"),
+            }
+        }));
+        let decays = |rail: &RailForecast| {
+            let mut bands = rail.forecast.bands().iter();
+            bands.any(|band| rail.forecast.growth_rate(band) < 0.0)
         };
-        let interval = self.forecast.grinding_interval(&self.limit);
-        findings.push(match (self.crossings().first(), interval) {
-            (Some(first), _) if first.passages == 0.0 => format!(
-                "over the limit now: {edition} at {} mm by {:.1} dB",
-                first.band.now.band.nominal_millimetres(),
-                first.band.now.level - first.limit
-            ),
-            (Some(first), _) => format!(
-                "grinding interval{from}: {edition} is reached at {} mm after {}",
-                first.band.now.band.nominal_millimetres(),
-                self.amount(first.passages)
-            ),
-            (None, Reach::Never) => format!("no band forecast ever reaches {edition}"),
-            (None, _) => format!(
-                "grinding interval{from}: {edition} is not reached before the wheel leaves the rail, where the forecast \
-                 ends"
-            ),
-        });
-        let linear = self.forecast.linear_range(self.forecast.bands());
-        let vehicle = &self.forecast.traffic().vehicles()[linear.vehicle].name;
-        findings.push(match linear.passages {
-            Some(0.0) => format!(
-                "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
-                 corrugation then grows otherwise than the linear loop says, and nothing is forecast",
-                linear.force_ratio
-            ),
-            Some(passages) => format!(
-                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; there the wheel \
-                 leaves the rail, and the forecast ends",
-                linear.force_ratio,
-                self.amount(passages)
-            ),
-            None => format!(
-                "linear range: |P₁| is {:.2} P₀ now under \"{vehicle}\" and never reaches P₀",
-                linear.force_ratio
-            ),
-        });
-        let decays = |band: &&ForecastBand| self.forecast.growth_rate(band) < 0.0;
-        if self.forecast.bands().iter().any(|band| decays(&band)) {
+        if self.rails.iter().any(decays) {
             findings.push(
                 "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
                  floor and not for ever"
@@ -318,12 +344,63 @@ impl Report {
         findings
     }
 
-    /// Nominal wavelengths of bands that were measured and are not forecast \[mm\], the shortest first.
+    /// When a rail reaches the limit.
+    fn interval(&self, rail: &RailForecast) -> String {
+        let edition = &self.table.edition;
+        let from = match &self.ground {
+            Some(ground) => format!(" from {}", ground.words),
+            None => String::new(),
+        };
+        match (self.crossings(rail).first(), rail.reach) {
+            (Some(first), _) if first.passages == 0.0 => format!(
+                "over the limit now: {edition} at {} mm by {:.1} dB",
+                first.band.now.band.nominal_millimetres(),
+                first.band.now.level - first.limit
+            ),
+            (Some(first), _) => format!(
+                "grinding interval{from}: {edition} is reached at {} mm after {}",
+                first.band.now.band.nominal_millimetres(),
+                self.amount(first.passages)
+            ),
+            (None, Some(Reach::Never)) => format!("no band forecast ever reaches {edition}"),
+            (None, _) => format!(
+                "grinding interval{from}: {edition} is not reached before the wheel leaves the rail, where the forecast \
+                 ends"
+            ),
+        }
+    }
+
+    /// How far the linear loop holds on a rail.
+    fn linear_range(&self, rail: &RailForecast) -> String {
+        let linear = rail.forecast.linear_range(rail.forecast.bands());
+        let vehicle = &self.growth().vehicles()[linear.vehicle].name;
+        match linear.passages {
+            Some(0.0) => format!(
+                "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
+                 corrugation then grows otherwise than the linear loop says, and nothing is forecast",
+                linear.force_ratio
+            ),
+            Some(passages) => format!(
+                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; there the wheel \
+                 leaves the rail, and the forecast ends",
+                linear.force_ratio,
+                self.amount(passages)
+            ),
+            None => format!(
+                "linear range: |P₁| is {:.2} P₀ now under \"{vehicle}\" and never reaches P₀",
+                linear.force_ratio
+            ),
+        }
+    }
+
+    /// Nominal wavelengths of bands of the leading rail that were measured and are not forecast \[mm\], the shortest first.
     pub(super) fn left_out(&self) -> Vec<f64> {
-        let bands = self.measured.levels().iter().map(|level| level.band);
-        bands
+        let rail = self.leading();
+        let levels = rail.measured.spectrum.levels().iter();
+        levels
+            .map(|level| level.band)
             .filter(|band| {
-                !self
+                !rail
                     .forecast
                     .bands()
                     .iter()
@@ -412,6 +489,25 @@ pub(crate) fn outside(
             1e3 * case.wavelength.max()
         ),
     }
+}
+
+/// A sentence on each rail that has no band in the window of the case, beside others that have.
+pub(crate) fn not_forecast<'a>(
+    measured: &'a [RailSpectrum],
+    rails: &'a [RailForecast],
+    case: &'a Case,
+) -> impl Iterator<Item = String> + 'a {
+    let names = measured.iter().filter_map(|rail| rail.rail.as_deref());
+    names
+        .filter(|name| rails.iter().all(|rail| rail.name() != Some(name)))
+        .map(|name| {
+            format!(
+                "{} has no band between {:.0} and {:.0} mm, map.wavelength of the case, and is left out",
+                rail_in_words(name),
+                1e3 * case.wavelength.min(),
+                1e3 * case.wavelength.max()
+            )
+        })
 }
 
 /// Change of level in a million passages \[dB\].

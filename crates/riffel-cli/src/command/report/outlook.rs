@@ -94,9 +94,9 @@ pub(super) fn forecast(
     let rows = report
         .rows()
         .into_iter()
-        .map(|row| row.map(|cell| escape(&cell)).into());
+        .map(|row| row.iter().map(|cell| escape(cell)).collect());
     let rows: Vec<Vec<String>> = rows.collect();
-    let header = [
+    let mut header = vec![
         "wavelength [mm]",
         "now [dB]",
         "then [dB]",
@@ -105,6 +105,9 @@ pub(super) fn forecast(
         "passages to the limit",
         "wheel leaves the rail after",
     ];
+    if report.names_rails() {
+        header.insert(0, "rail");
+    }
     let findings = report.findings();
     let title = report
         .traffic
@@ -179,7 +182,7 @@ pub(super) fn what_if(
     let mut header = vec!["variant"];
     header.extend(report.header());
     let mut limit = String::new();
-    if report.spectrum.is_some() {
+    if report.leading().is_some() {
         limit = format!("; limit: {}", escape(&report.table.edition));
     }
     if let Some(ground) = &report.ground {
@@ -201,7 +204,7 @@ pub(super) fn what_if(
     Ok(Outlook {
         section: Section::There("What-if", html),
         brief: brief.collect(),
-        warnings: report.comparison.base().remarks.clone(),
+        warnings: [report.warnings(), &report.comparison.base().remarks].concat(),
     })
 }
 
@@ -249,9 +252,12 @@ fn months(report: &compare::Report) -> Option<String> {
         Some(ground) => format!("From {} the", escape(&ground.words)),
         None => "The".to_owned(),
     };
-    if report.comparison.base().reach? == Reach::After(0.0) {
+    let base = report.comparison.base();
+    if base.reach()? == Reach::After(0.0) {
+        let on = base.leading().map(|rail| report.on(rail));
+        let on = escape(&on.unwrap_or_default());
         return Some(format!(
-            "The limit ({edition}) is passed already; --ground or --from-limit says how long each variant lasts after \
+            "The limit ({edition}) is passed already{on}; --ground or --from-limit says how long each variant lasts after \
              grinding."
         ));
     }
@@ -260,15 +266,17 @@ fn months(report: &compare::Report) -> Option<String> {
             Effect::None => "as it is".to_owned(),
             _ => format!("with \u{201c}{}\u{201d}", escape(&outcome.title)),
         };
-        Some(match outcome.reach? {
+        let on = outcome.leading().map(|rail| report.on(rail));
+        let on = escape(&on.unwrap_or_default());
+        Some(match outcome.reach()? {
             Reach::After(passages) => {
                 let tonnes = format!("{} MGT", number(outcome.growth.mgt(passages)));
                 let time = outcome.months_to_limit();
                 let time = time.map_or(tonnes, |months| format!("{} months", number(months)));
-                format!("after {time} {title}")
+                format!("after {time} {title}{on}")
             }
             Reach::BeyondLinearRange => {
-                format!("not before the wheel leaves the rail {title}")
+                format!("not before the wheel leaves the rail {title}{on}")
             }
             Reach::Never => format!("never {title}"),
         })
