@@ -2,6 +2,7 @@
 // plotly.js takes 40 to 130 ms to draw a map of 241 × 221 points as heatmap or contours; this takes a few.
 
 import { css, differenceSteps, growthSteps, letterSize, theme } from './colors.js';
+import { MapNames, overlap } from './map-names.js';
 import { number, power, t } from './words.js';
 
 /** Margins around the map in letters, which grow with the screen; and the size of letters in the same measure. */
@@ -25,7 +26,9 @@ export function ticks(low, high, count) {
 export class MapView {
   /** `place` is an element of the page; `onPoint(wavelength, speed, pinned)` is told of the cursor. */
   constructor(place, { onPoint, label, kind = 'growth' } = {}) {
-    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], bands: [], held: null, following: true });
+    // An element of the page knows its map.
+    place.view = this;
+    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], names: [], taken: [], held: null, following: true });
     this.field = document.createElement('canvas');
     this.marksOver = document.createElement('canvas');
     this.marksOver.tabIndex = onPoint ? 0 : -1;
@@ -94,6 +97,7 @@ export class MapView {
     this.#drawRays(context, colors);
     this.#drawBranches(context, colors);
     this.#drawRidge(context, colors);
+    this.#drawNames(context, colors);
   }
 
   /** Value between the points of the grid, band and colour, pixel by pixel. */
@@ -210,10 +214,15 @@ export class MapView {
     context.restore();
   }
 
+  /** Rays of constant frequency but for one that would lie on that of the strongest branch. */
+  #rays() {
+    const best = this.map.bestFit;
+    return (this.map.rays ?? []).filter((hertz) => !best || Math.abs(Math.log(hertz / best)) > 0.12);
+  }
+
   #drawRays(context, colors) {
-    const { map, box } = this;
+    const { map } = this;
     const best = map.bestFit;
-    const rays = (map.rays ?? []).filter((hertz) => !best || Math.abs(Math.log(hertz / best)) > 0.12);
     const ray = (hertz, style, width, dash) => {
       context.strokeStyle = style;
       context.lineWidth = width;
@@ -222,59 +231,57 @@ export class MapView {
       context.setLineDash([]);
     };
     this.#within(context, () => {
-      for (const hertz of rays) ray(hertz, colors.dark ? 'rgba(190,200,210,.45)' : 'rgba(90,98,108,.5)', 1, []);
+      for (const hertz of this.#rays()) ray(hertz, colors.dark ? 'rgba(190,200,210,.45)' : 'rgba(90,98,108,.5)', 1, []);
       if (best) ray(best, colors.warm, 2, [7, 5]);
     });
-    // The name of a ray stands where it leaves the map, at the upper or the right edge.
-    const name = (hertz, style, bold, share, aside = 0) => {
-      const end = Math.min(map.wavelength.max, map.speed.max / hertz);
-      const begin = Math.max(map.wavelength.min, map.speed.min / hertz);
-      if (end <= begin) return;
-      const wavelength = begin + share * (end - begin);
-      const words = `${number(hertz, 3)} Hz`;
-      context.font = `${bold ? '600 ' : ''}${this.font}px ${colors.font}`;
-      const half = context.measureText(words).width / 2 + 3;
-      const x = Math.min(box.left + box.width - half - 2, Math.max(box.left + half + 2, this.x(wavelength) - aside));
-      const y = Math.min(box.top + box.height - 10, Math.max(box.top + 10, this.y(hertz * wavelength) - aside / 2));
-      context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
-      context.fillRect(x - half, y - 0.75 * this.font, 2 * half, 1.5 * this.font);
-      context.fillStyle = style;
-      context.textAlign = 'center';
-      context.textBaseline = 'middle';
-      context.fillText(words, x, y + 0.5);
-    };
-    for (const hertz of rays) name(hertz, colors.soft, false, 0.95);
-    if (best) name(best, colors.warm, true, 0.86, 3.1 * this.font);
   }
 
-  /** A line through each branch of growth; the first few weaker ones are named by their frequency. */
+  /** A line through each branch of growth. */
   #drawBranches(context, colors) {
-    const { box } = this;
-    const branches = (this.map.branches ?? []).filter(({ points }) => points.speed_m_per_s.length > 1);
     context.strokeStyle = colors.warm;
     context.lineWidth = 1.4;
     this.#within(context, () => {
-      for (const { points } of branches) {
+      for (const branch of this.#branches()) {
         context.beginPath();
-        points.wavelength_m.forEach((wavelength, k) => context.lineTo(this.x(wavelength), this.y(points.speed_m_per_s[k])));
+        for (const { x, y } of this.#crest(branch)) context.lineTo(x, y);
         context.stroke();
       }
     });
-    for (const { frequency_hz: hertz, points } of branches.slice(1, NAMED_BRANCHES)) {
-      const at = Math.floor(0.8 * (points.wavelength_m.length - 1));
-      const words = `${number(hertz, 3)} Hz`;
-      context.font = `600 ${this.font}px ${colors.font}`;
-      const half = context.measureText(words).width / 2 + 3;
-      const keep = (value, low, high) => Math.min(high, Math.max(low, value));
-      const x = keep(this.x(points.wavelength_m[at]) - half - 0.6 * this.font, box.left + half + 2, box.left + box.width - half - 2);
-      const y = keep(this.y(points.speed_m_per_s[at]) - 0.8 * this.font, box.top + 10, box.top + box.height - 10);
-      context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
-      context.fillRect(x - half, y - 0.75 * this.font, 2 * half, 1.5 * this.font);
-      context.fillStyle = colors.warm;
-      context.textAlign = 'center';
-      context.textBaseline = 'middle';
-      context.fillText(words, x, y + 0.5);
-    }
+  }
+
+  /** Branches that are more than a point. */
+  #branches() {
+    return (this.map.branches ?? []).filter(({ points }) => points.speed_m_per_s.length > 1);
+  }
+
+  /** The crest of a branch on the canvas. */
+  #crest({ points }) {
+    return points.wavelength_m.map((wavelength, k) => ({ x: this.x(wavelength), y: this.y(points.speed_m_per_s[k]) }));
+  }
+
+  /** A ray of constant frequency on the canvas, from its lower end. */
+  #ray(hertz) {
+    const { wavelength, speed } = this.map;
+    const [begin, end] = [Math.max(wavelength.min, speed.min / hertz), Math.min(wavelength.max, speed.max / hertz)];
+    if (end <= begin) return [];
+    return Array.from({ length: 61 }, (_, k) => begin + (k / 60) * (end - begin)).map((at) => ({ x: this.x(at), y: this.y(hertz * at) }));
+  }
+
+  /** Names by frequency: that of the strongest branch first, then the weaker ones, then the rays. */
+  #drawNames(context, colors) {
+    const { map } = this;
+    const ridge = (map.ridge?.wavelength_m ?? []).map((wavelength, k) => ({ x: this.x(wavelength), y: this.y(map.ridge.speed_m_per_s[k]) }));
+    const branches = this.#branches();
+    const marks = [...ridge, ...branches.flatMap((branch) => this.#crest(branch))];
+    const names = new MapNames(context, this.box, this.font, marks);
+    const ground = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
+    const words = (hertz) => `${number(hertz, 3)} Hz`;
+    const strong = { font: `600 ${this.font}px ${colors.font}`, color: colors.warm, ground };
+    if (map.bestFit) names.write(words(map.bestFit), this.#ray(map.bestFit), strong);
+    for (const branch of branches.slice(1, NAMED_BRANCHES)) names.write(words(branch.frequency_hz), this.#crest(branch), strong);
+    const weak = { font: `${this.font}px ${colors.font}`, color: colors.soft, ground, into: true };
+    for (const hertz of this.#rays()) names.write(words(hertz), this.#ray(hertz), weak);
+    this.names = names.placed;
   }
 
   #drawRidge(context, colors) {
@@ -304,25 +311,30 @@ export class MapView {
     const context = this.marksOver.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.marksOver.width, this.marksOver.height);
+    const taken = [...this.names];
     this.#within(context, () => {
-      for (const [k, { wavelength, label }] of this.marks.entries()) {
+      for (const { wavelength, label } of this.marks) {
         const x = Math.round(this.x(wavelength)) + 0.5;
         context.strokeStyle = colors.warm;
         context.lineWidth = 1.5;
         line(context, x, box.top, x, box.top + box.height);
         context.font = `600 ${this.font}px ${colors.font}`;
-        // Below the names of the rays, in turns so that neighbours stay apart; left of its line at the right edge.
+        // As high as there is room beside names and other marks; left of its line at the right edge.
         const width = context.measureText(label).width + 6;
         const left = x + 3 + width > box.left + box.width ? x - 3 - width : x + 3;
-        const top = box.top + (2.2 + 1.8 * (k % 3)) * this.font;
+        const at = (top) => ({ words: label, left, right: left + width, top, bottom: top + 1.5 * this.font });
+        let spot = at(box.top + 0.5 * this.font);
+        while (taken.some((other) => overlap(spot, other))) spot = at(spot.top + 0.5 * this.font);
+        taken.push(spot);
         context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
-        context.fillRect(left, top, width, 1.5 * this.font);
+        context.fillRect(spot.left, spot.top, width, 1.5 * this.font);
         context.fillStyle = colors.warm;
         context.textAlign = 'left';
         context.textBaseline = 'middle';
-        context.fillText(label, left + 3, top + 0.75 * this.font + 0.5);
+        context.fillText(label, left + 3, spot.top + 0.75 * this.font + 0.5);
       }
     });
+    this.taken = taken;
     if (!this.point) return;
     const [x, y] = [this.x(this.point.wavelength), this.y(this.point.speed)];
     if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top - 1 || y > box.top + box.height + 1) return;

@@ -25,6 +25,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "form.js": "text/javascript; charset=utf-8",
     "keys.js": "text/javascript; charset=utf-8",
     "main.js": "text/javascript; charset=utf-8",
+    "map-names.js": "text/javascript; charset=utf-8",
     "map-view.js": "text/javascript; charset=utf-8",
     "measure.js": "text/javascript; charset=utf-8",
     "paper.js": "text/javascript; charset=utf-8",
