@@ -74,8 +74,11 @@ def test_an_error_names_the_line(tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     path.write_text(Path("cases/nominal.toml").read_text().replace("friction = 0.4", "friction = 4000"))
     with pytest.raises(ValueError) as caught:
-        riffel.Case.from_toml(path).with_({"contact.tractive_ratio": 1.5})
-    assert "contact.tractive_ratio" in str(caught.value)
+        riffel.Case.from_toml(path)
+    assert "`contact.friction` is 4000, but must be between" in str(caught.value)
+    assert "case.toml, line 35: friction = 4000" in str(caught.value)
+    with pytest.raises(ValueError, match="`contact.tractive_ratio` is 1.5, but must be between"):
+        riffel.Case.from_toml("cases/nominal.toml").with_({"contact.tractive_ratio": 1.5})
     with pytest.raises(ValueError, match="not valid TOML") as caught:
         riffel.Case.parse("[wheel]\nmass = = 3\n", name="mine.toml")
     assert "mine.toml, line 2: mass = = 3" in str(caught.value)
@@ -93,17 +96,34 @@ def test_files_that_are_not_there(tmp_path: Path) -> None:
 
 def test_what_does_not_converge(nominal: riffel.Case) -> None:
     """With the sentence of the program, whether a case is made or used."""
-    slippery = {"contact.friction": 1e-300, "contact.grid": 16}
-    with pytest.raises(riffel.ConvergenceError, match="did not converge") as caught:
-        nominal.with_(slippery).creep_curve([0.001])
-    sets = [word for key, value in slippery.items() for word in ("--set", f"{key}={value!r}")]
-    command = [PROGRAM, "contact", "cases/nominal.toml", "--json", *sets]
+    # A slender ellipse of some micrometres, near full slip on a grid of 16.
+    slender = {
+        "contact.friction": 0.0325,
+        "contact.normal_load": 8.71,
+        "contact.transverse_radius": 0.00274,
+        "wheel.rolling_radius": 1.02,
+        "steel.poisson_ratio": 0.42,
+        "contact.grid": 16,
+    }
+    with pytest.raises(riffel.ConvergenceError, match="steady rolling did not converge") as caught:
+        nominal.with_(slender).creep_curve([2e-7])
+    sets = [word for key, value in slender.items() for word in ("--set", f"{key}={value!r}")]
+    command = [PROGRAM, "contact", "cases/nominal.toml", "--json", "--creepage", "2e-7", *sets]
     refused = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
     assert refused.returncode == 2
     words = " ".join(refused.stderr.replace("│", " ").split())
     assert str(caught.value) in words
-    with pytest.raises(riffel.ConvergenceError, match="did not converge"):
-        nominal.with_({**slippery, "contact.response": "non-steady"})
+    # A response at a window of wavelengths that the coarsest grid does not carry.
+    coarse = {
+        "contact.tractive_ratio": 1e-6,
+        "contact.transverse_radius": 1.2,
+        "wheel.rolling_radius": 0.42,
+        "steel.poisson_ratio": 0.06,
+        "map.wavelength.min": 0.0112,
+        "contact.grid": 16,
+    }
+    with pytest.raises(riffel.ConvergenceError, match="table of the contact's response did not converge"):
+        nominal.with_({**coarse, "contact.response": "non-steady"})
     assert issubclass(riffel.ConvergenceError, RuntimeError)
 
 

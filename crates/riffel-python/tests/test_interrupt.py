@@ -11,7 +11,10 @@ import pytest
 from conftest import ROOT
 
 SCRIPT = """
+import signal
 import numpy as np, riffel
+# A shell that starts the tests in the background lets them ignore Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 case = riffel.Case.from_toml("cases/bhaskar-track.toml", {"track.model": "moving-beam"})
 print("begun", flush=True)
 try:

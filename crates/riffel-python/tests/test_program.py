@@ -152,6 +152,10 @@ def test_receptance_of_the_program(program: Callable[..., Any]) -> None:
     written = program("receptance", "cases/bhaskar-track.toml", "--json", "--points", "600")
     found = riffel.Case.from_toml("cases/bhaskar-track.toml").receptance()
     assert written.pop("frequency_hz") == found["frequency"].values.tolist()
+    resonances = written.pop("resonances")
+    assert [one["resonance"] for one in resonances] == found.attrs["resonances"]
+    assert [one["frequency_hz"] for one in resonances] == found.attrs["resonance_frequencies_hz"]
+    assert set(written) == set(found.data_vars)
     for key, values in written.items():
         assert [complex(*value) for value in values] == found[key].values.tolist(), key
 
@@ -170,3 +174,25 @@ def test_contact_of_the_program(program: Callable[..., Any]) -> None:
     for put in ("creepage", "load"):
         for output, pairs in written["frequency_response"][put].items():
             assert [complex(*pair) for pair in pairs] == response.sel(input=put, output=output).values.tolist()
+
+
+@pytest.mark.parametrize("case", ["nominal", "discrete-supports"])
+def test_branches_of_the_program(case: str, program: Callable[..., Any]) -> None:
+    """On a grid that is too small for a table of the track, so that program and Python search on the same track."""
+    sets = [
+        "--set", "map.wavelength={ min = 0.02, max = 0.1, points = 81 }",
+        "--set", "map.speed={ min = 10, max = 40, points = 31 }",
+    ]  # fmt: skip
+    summary = program("map", f"cases/{case}.toml", "--json", *sets)["ridge"]
+    found = riffel.Case.from_toml(f"cases/{case}.toml").ridge_branches(
+        wavelength={"min": 0.02, "max": 0.1, "points": 81}, speed={"min": 10.0, "max": 40.0, "points": 31}
+    )
+    assert found["best_fit_frequency"].values.tolist() == [branch["frequency_hz"] for branch in summary["branches"]]
+    highest = [branch["highest_growth_rate_per_passage"] for branch in summary["branches"]]
+    assert found["highest_growth_rate"].values.tolist() == highest == sorted(highest, reverse=True)
+    assert found["mechanism"].values.tolist() == [branch.get("mechanism", "") for branch in summary["branches"]]
+    for index, branch in enumerate(summary["branches"]):
+        inside = found.sel(branch=index).where(~found["at_edge"].sel(branch=index)).dropna("speed", subset=["wavelength"])
+        if not branch.get("only_at_edge", False):
+            assert [inside["speed"].min(), inside["speed"].max()] == branch["speed_m_per_s"]
+            assert [inside["wavelength"].min(), inside["wavelength"].max()] == branch["wavelength_m"]

@@ -190,7 +190,8 @@ def test_units_of_files(tmp_path: Path) -> None:
     assert said is not None and read is not None
     xr.testing.assert_identical(said, read)
     (heights,) = said.values()
-    assert float(abs(heights).max()) == pytest.approx(20e-6, rel=1e-3)
+    # The reading nearest to a crest of 20 µm is half a step of 1/50 wavelength away; six decimals were written.
+    assert float(abs(heights).max()) == pytest.approx(20e-6 * np.cos(np.pi / 50), abs=1e-9)
 
 
 def test_dates_of_files(tmp_path: Path) -> None:
@@ -221,7 +222,73 @@ def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, progra
     assert "cannot act" in compared.attrs["no_effect"][0]
     months = compared["months_to_limit"].values
     assert months[0] == pytest.approx(printed["months_to_limit"], rel=1e-12) == months[1]
+    # Less friction at the same tractive ratio pulls less and grows slower; at the same force it creeps more.
     ratio = nominal.compare([less], traffic="cases/traffic.toml", from_limit=-6.0, hold="ratio")
-    assert ratio["months_to_limit"].values[1] > months[2]
+    assert ratio["months_to_limit"].values[1] == months[2] > months[0]
+    force = nominal.compare([less], traffic="cases/traffic.toml", from_limit=-6.0, hold="force")
+    assert force["months_to_limit"].values[1] < months[0]
     with pytest.raises(ValueError, match="force, ratio or creepage"):
         nominal.compare([less], traffic="cases/traffic.toml", hold="torque")
+
+
+@pytest.mark.parametrize("hold", [None, "force", "ratio", "creepage"])
+def test_comparison_is_that_of_the_program(
+    hold: str | None, nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]
+) -> None:
+    less = tmp_path / "less.toml"
+    less.write_text('title = "less friction"\n[contact]\nfriction = 0.25\n')
+    arguments = [] if hold is None else ["--hold", hold]
+    outcomes = program(
+        "compare", "cases/nominal.toml", "--with", str(less), "--traffic", "cases/traffic.toml", "--from-limit", "-6 dB",
+        "--json", *arguments,
+    )["outcomes"]  # fmt: skip
+    found = nominal.compare([less], traffic="cases/traffic.toml", from_limit="-6 dB", hold=hold)
+    assert found["variant"].values.tolist() == [outcome["title"] for outcome in outcomes] == ["as it is", "less friction"]
+    assert found["hold"].values.tolist() == ["", hold or "ratio"] == [outcome["hold"] or "" for outcome in outcomes]
+    for key, name in (
+        ("fastest_wavelength", "fastest_wavelength_m"),
+        ("fastest_growth_rate", "fastest_growth_rate_per_passage"),
+        ("ridge_frequency", "ridge_frequency_hz"),
+        ("passages_to_limit", "passages_to_limit"),
+        ("months_to_limit", "months_to_limit"),
+        ("limit_reached", "limit_reached"),
+    ):
+        assert found[key].values.tolist() == [outcome[name] for outcome in outcomes], key
+    rates = [[band["growth_rate_per_passage"] for band in outcome["growth_rate_per_passage"]] for outcome in outcomes]
+    assert found["growth_rate"].values.tolist() == rates
+
+
+def test_ground_to_a_table_is_that_of_the_program(
+    nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]
+) -> None:
+    table = tmp_path / "ground.toml"
+    levels = {20: -9.0, 25: -9.0, 31.5: -8.0, 40: -7.0, 50: -6.0, 63: -5.0, 80: -4.0}
+    bands = "".join(f'[[level]]\nwavelength = "{band} mm"\nlevel_db = {level}\n' for band, level in levels.items())
+    head = "name = 'ground'\ntitle = 'after grinding'\nedition = 'own'\nsource = 'test'\n"
+    table.write_text(head + bands)
+    printed = program(
+        "forecast", "cases/nominal.toml", "--traffic", "cases/traffic.toml", "--ground", str(table), "--months", "12", "--json",
+    )  # fmt: skip
+    found = nominal.forecast(traffic="cases/traffic.toml", ground=str(table), months=12.0)
+    assert found["level_now"].values.tolist() == [band["level_db"] for band in printed["spectrum_now"]] == list(levels.values())
+    assert found["level"][0].values.tolist() == [band["level_db"] for band in printed["spectrum_then"]]
+    assert found.attrs["grinding_interval_passages"] == printed["passages_to_limit"]
+    assert found["growth_rate"].values.tolist() == [band["growth_rate_per_passage"] for band in printed["bands"]]
+
+
+def test_units_are_those_of_the_program(tmp_path: Path, program: Callable[..., Any]) -> None:
+    # Kilometres and millimetres, of which the file says nothing.
+    file = tmp_path / "bare.txt"
+    rows = [(1e-6 * row, 0.02 * np.sin(2 * np.pi * row / 50)) for row in range(20_000)]
+    file.write_text("".join(f"{x:.6f} {height:.9f}\n" for x, height in rows))
+    printed = program("roughness", str(file), "--height-unit", "mm", "--position-unit", "km", "--json")
+    read = roughness.read(file, height_unit="mm", position_unit="km").profile
+    assert read is not None
+    assert read["position"][-1].item() == pytest.approx(19.999, abs=1e-9)
+    (rail,) = read
+    levels = [band["level_db"] for band in printed["rails"][0]["spectrum"]]
+    # Positions of a file are even to rounding; an array is cut at the same gaps.
+    assert np.allclose(roughness.analyse(read[rail]).spectrum, levels, atol=1e-6)
+    assert max(levels) == pytest.approx(10.0 * np.log10(200.0), abs=0.03)
+    with pytest.raises(ValueError, match="position_unit: .*no unit of length"):
+        roughness.read(file, position_unit="kN")

@@ -262,6 +262,26 @@ class Study:
         ValueError
             For another design, a name that is no output, an output of another shape, or one that does not vary; for a
             name also where the study has no results yet.
+
+        Examples
+        --------
+        >>> import tempfile
+        >>> study = riffel.Study.from_dict(
+        ...     {
+        ...         "design": {"method": "saltelli", "samples": 32, "seed": 1},
+        ...         "parameter": [
+        ...             {"key": "contact.friction", "uniform": {"min": 0.2, "max": 0.5}},
+        ...             {"key": "wheel.mass", "uniform": {"min": 340, "max": 360}},
+        ...         ],
+        ...         "outputs": {"ridge": True},
+        ...     },
+        ...     case="cases/nominal.toml",
+        ... )
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     results = study.run(folder)
+        ...     indices = study.sobol_indices("highest_growth_rate")
+        >>> indices["total"].idxmax("parameter").item()
+        'contact.friction'
         """
         width = len(self.parameters) + 2
         if not self._study.is_saltelli:

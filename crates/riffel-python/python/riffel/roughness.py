@@ -147,6 +147,17 @@ def read(
     >>> file = riffel.roughness.read("validation/reference/sbb-track-noise/rail_roughness.csv")
     >>> len(file.spectra) > 0 and file.profile is None
     True
+
+    Positions in m and heights in mm, of which the file says nothing:
+
+    >>> import pathlib, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     bare = pathlib.Path(folder) / "trolley.txt"
+    ...     lines = (f"{0.002 * k:.3f} {0.02 * np.sin(2 * np.pi * k / 25):.6f}" for k in range(5000))
+    ...     written = bare.write_text("\\n".join(lines))
+    ...     profile = riffel.roughness.read(bare, height_unit="mm", position_unit="m").profile
+    >>> {str(rail): f"{float(abs(profile[rail]).max()):.1e} m" for rail in profile}
+    {'column 2': '2.0e-05 m'}
     """
     given = layout(format, spacing, height_unit, position_unit)
     profile, spectra, warnings = _riffel.read_roughness(os.fspath(path), given)
