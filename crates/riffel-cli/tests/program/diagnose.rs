@@ -202,7 +202,7 @@ fn bad_input_is_refused_and_leaves_nothing() {
         ("--roughness good.csv --speed fast", "--speed"),
         (
             "--roughness good.csv --speed \"0 km/h\"",
-            "greater than zero",
+            "must be between 0.01 m/s and 200 m/s",
         ),
         (
             "--roughness good.csv --speed \"90 km/h..60 km/h\"",

@@ -420,7 +420,7 @@ fn what_friction_leaves_as_it_was_is_said() {
         .riffel("compare cases/nominal.toml --with less.toml")
         .text;
     assert!(text.contains("held") && text.contains("ratio"), "{text}");
-    assert!(text.contains("“less” keeps the tractive ratio"), "{text}");
+    assert!(text.contains("\"less\" keeps the tractive ratio"), "{text}");
     let asked = sandbox.riffel("compare cases/nominal.toml --with less.toml --hold ratio");
     assert!(!asked.text.contains("keeps the tractive ratio"));
     // Wet leaves: the force asked for is more than friction can carry.
@@ -499,7 +499,7 @@ fn bad_input_is_answered_with_a_sentence() {
     for (arguments, part) in [
         (
             format!("{forecast} --spectrum none.csv"),
-            "none.csv: cannot read",
+            "cannot read the file none.csv",
         ),
         (
             format!("{forecast} --spectrum long.csv"),

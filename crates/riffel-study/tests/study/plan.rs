@@ -139,7 +139,7 @@ fn the_example_reads() {
 #[case(
     "\"55 mm\"",
     "\"-55 mm\"",
-    "`outputs.point[0].wavelength` is -0.055 m, but must be between 100 µm and 10 m"
+    "`outputs.point[0].wavelength` is -55 mm, but must be between 100 µm and 10 m"
 )]
 fn a_bad_plan_is_refused_with_a_sentence(
     #[case] good: &str,

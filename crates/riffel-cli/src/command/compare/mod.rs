@@ -158,7 +158,7 @@ impl Report {
             .flat_map(|outcome| {
                 let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio)).then(|| {
                     format!(
-                        "\u{201c}{}\u{201d} keeps the tractive ratio: the traction force changes with friction and load; \
+                        "\"{}\" keeps the tractive ratio: the traction force changes with friction and load; \
                          --hold force keeps the force",
                         outcome.title
                     )
