@@ -20,7 +20,7 @@ pub struct DiagnosisDocument {
 
 #[derive(Serialize)]
 struct Dominant {
-    /// None for a table of levels.
+    /// None for a table of levels that does not name its rails.
     rail: Option<String>,
     wavelength_m: f64,
     from_m: f64,

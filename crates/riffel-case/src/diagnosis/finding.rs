@@ -42,10 +42,12 @@ impl Finding {
             name => format!("rail {name}"),
         };
         let first = places.first().filter(|_| !all_along);
-        let where_on = first.map_or_else(
-            || ", all along".to_owned(),
-            |first| format!(", {:.1}–{:.1} m", first.from, first.to),
-        );
+        let where_on = match first {
+            Some(first) => format!(", {:.1}–{:.1} m", first.from, first.to),
+            // A table of levels has no places.
+            None if places.is_empty() => String::new(),
+            None => ", all along".to_owned(),
+        };
         let more = match places.len() {
             0 | 1 => String::new(),
             2 => " and one more place".to_owned(),

@@ -470,3 +470,66 @@ fn rails_of_a_table_are_forecast_one_by_one() {
         far["remarks"]
     );
 }
+
+/// Of two rails in a table of levels one has a wave; it is found on that one, as if the rail were alone.
+#[test]
+fn rails_of_a_table_are_diagnosed_one_by_one() {
+    let sandbox = Sandbox::new();
+    let mut text = "section,rail,date,wavelength_mm,level_db\n".to_owned();
+    for (year, wave) in [(2024, 10.0), (2025, 14.0)] {
+        for (place, section) in ["A", "B", "C", "D"].iter().enumerate() {
+            for (index, wavelength) in [20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0]
+                .iter()
+                .enumerate()
+            {
+                // A smooth rail whose sections scatter by half a decibel, now up, now down.
+                let sign = if (place + index) % 2 == 0 {
+                    0.25
+                } else {
+                    -0.25
+                };
+                let smooth = -12.0 + 1.5 * index as f64 + sign;
+                let peak = if *wavelength == 50.0 { wave } else { 0.0 };
+                writeln!(text, "{section},R,{year}-05-01,{wavelength},{smooth:.2}").unwrap();
+                writeln!(
+                    text,
+                    "{section},L,{year}-05-01,{wavelength},{:.2}",
+                    smooth + peak
+                )
+                .unwrap();
+            }
+        }
+    }
+    fs::write(sandbox.path("levels.csv"), text).unwrap();
+    let command = "diagnose cases/nominal.toml --roughness levels.csv --speed \"108 km/h\" --json";
+    let both = sandbox.json(command);
+    let findings = list(&both, "dominant_wavelengths");
+    assert_eq!(findings.len(), 1, "{findings:?}");
+    let finding = &findings[0];
+    assert_eq!(finding["rail"], "L");
+    assert_eq!(number(&finding["wavelength_m"]), 0.05);
+    let rails = list(finding, "rails");
+    assert_eq!(rails.len(), 2);
+    let level = |name: &str| {
+        let rail = rails.iter().find(|rail| rail["name"] == name);
+        number(&rail.unwrap()["level_db"])
+    };
+    assert_eq!(level("L"), number(&finding["level_db"]));
+    assert!((level("L") - level("R") - 14.0).abs() < 1e-9);
+    // 4 dB in 365 days.
+    let slope = number(&finding["course"]["slope_db"]);
+    assert!((slope - 4.0 * 365.2425 / 365.0).abs() < 1e-6, "{slope}");
+    let alone = sandbox.json(&format!("{command} --rail L"));
+    let mut own = alone["dominant_wavelengths"][0].clone();
+    assert_eq!(own["rail"], "L");
+    own["rails"] = finding["rails"].clone();
+    assert_eq!(own, *finding);
+    let smooth = sandbox.json(&format!("{command} --rail R"));
+    assert!(list(&smooth, "dominant_wavelengths").is_empty());
+    let outcome = sandbox.riffel(&format!("{} -o out", command.replace(" --json", "")));
+    assert!(
+        outcome.text.contains("rail L, 600 Hz") && outcome.text.contains("(L "),
+        "{}",
+        outcome.text
+    );
+}

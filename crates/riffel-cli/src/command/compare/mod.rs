@@ -285,7 +285,7 @@ impl Report {
         }
         text += &format!("{rows}\n");
         if self.names_rails() {
-            text += "the limit is reached where the rail named does so first; every rail is in summary.json\n";
+            text += "passages, MGT and months are those of the rail named, which leads; summary.json has every rail\n";
         }
         text += &self.bands();
         text
