@@ -33,7 +33,9 @@ def test_axes_are_those_given(nominal: riffel.Case) -> None:
     assert riffel.plot.growth_map(nominal.growth_map(), axes[0]) is axes[0]
     assert riffel.plot.ridge(nominal.ridge(), axes[0]) is axes[0]
     assert riffel.plot.ridge_branches(nominal.ridge_branches(), axes[0]) is axes[0]
-    assert "537 Hz" in [text.get_text() for text in axes[0].get_legend().get_texts()]
+    legend = axes[0].get_legend()
+    assert legend is not None
+    assert "537 Hz" in [text.get_text() for text in legend.get_texts()]
     assert riffel.plot.receptance(nominal.receptance(), axes[1], phase=True) is axes[1]
     assert len(figure.axes) == 3  # with the scale of colours
     made = riffel.plot.growth_map(nominal.growth_map(), colorbar=False)
