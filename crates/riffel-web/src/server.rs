@@ -151,6 +151,8 @@ async fn accept(
 /// The signals that end the program.
 struct Signals {
     #[cfg(unix)]
+    interrupt: tokio::signal::unix::Signal,
+    #[cfg(unix)]
     terminate: tokio::signal::unix::Signal,
 }
 
@@ -158,7 +160,10 @@ impl Signals {
     fn new() -> io::Result<Self> {
         #[cfg(unix)]
         use tokio::signal::unix::{SignalKind, signal};
+        // Both are caught from here on: a signal that comes before the first wait must not leave files behind.
         Ok(Self {
+            #[cfg(unix)]
+            interrupt: signal(SignalKind::interrupt())?,
             #[cfg(unix)]
             terminate: signal(SignalKind::terminate())?,
         })
@@ -167,7 +172,7 @@ impl Signals {
     async fn next(&mut self) {
         #[cfg(unix)]
         tokio::select! {
-            _ = tokio::signal::ctrl_c() => (),
+            _ = self.interrupt.recv() => (),
             _ = self.terminate.recv() => (),
         }
         #[cfg(not(unix))]
