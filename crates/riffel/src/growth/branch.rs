@@ -138,35 +138,58 @@ const SLOPE_POINTS: usize = 8;
 /// speeds: a fifth, less than a one-third octave.
 const LARGEST_STEP: f64 = 0.2;
 
-/// A branch in the making.
+/// A point of a branch in the making.
+#[derive(Clone, Copy)]
+struct Step {
+    ln_speed: f64,
+    ln_frequency: f64,
+    /// At an end of the window, where the wavelength says nothing of the crest beyond.
+    at_end: bool,
+}
+
+/// A branch in the making; never empty.
 struct Chain {
     members: Vec<Place>,
-    /// ln V and ln f of its points.
-    course: Vec<(f64, f64)>,
-    /// ∂ ln f/∂ ln V with which it began.
-    first_slope: f64,
+    course: Vec<Step>,
 }
 
 impl Chain {
-    /// ln f expected at ln V, on the straight line of the last points.
-    fn expected(&self, ln_speed: f64) -> f64 {
-        let end = self.course.len() - 1;
-        let (begin_speed, begin) = self.course[end.saturating_sub(SLOPE_POINTS)];
-        let (end_speed, value) = self.course[end];
-        let slope = if end == 0 {
-            self.first_slope
-        } else {
-            // From constant wavelength to its mirror image: what is steeper is noise of the grid.
-            ((value - begin) / (end_speed - begin_speed)).clamp(-1.0, 1.0)
+    fn last(&self) -> Step {
+        self.course[self.course.len() - 1]
+    }
+
+    /// ln f expected at ln V of a minimum at an end of the window or inside it.
+    fn expected(&self, ln_speed: f64, at_end: bool) -> f64 {
+        let last = self.last();
+        let slope = match (last.at_end, at_end) {
+            // The wavelength is that of the end.
+            (true, true) => 1.0,
+            // A crest comes in where it is at the end.
+            (true, false) => 0.0,
+            (false, _) => self.slope(),
         };
-        value + slope * (ln_speed - end_speed)
+        last.ln_frequency + slope * (ln_speed - last.ln_speed)
+    }
+
+    /// ∂ ln f/∂ ln V over the last points inside the window, zero for a single one.
+    fn slope(&self) -> f64 {
+        let last = self.last();
+        let inside = self.course.iter().rev().take_while(|step| !step.at_end);
+        let first = inside.take(SLOPE_POINTS + 1).last().unwrap_or(&last);
+        if first.ln_speed < last.ln_speed {
+            let rise = last.ln_frequency - first.ln_frequency;
+            // From constant wavelength to its mirror image: what is steeper is noise of the grid.
+            (rise / (last.ln_speed - first.ln_speed)).clamp(-1.0, 1.0)
+        } else {
+            0.0
+        }
     }
 }
 
 /// Join the minima of rows in order of speed to chains, so that each minimum is in one chain.
 ///
-/// A chain is expected to go on along the straight line of ln f over ln V through its last points; at its first point
-/// f is expected to stay, or λ at an end of the window. Minima and chains are joined in the order of their distance
+/// A chain is expected to go on along the straight line of ln f over ln V through its last points inside the window; f
+/// is expected to stay where there is one such point, and where a crest comes in from an end; λ along an end. Minima and chains are joined in the order of their distance
 /// from there in ln f, each once. A distance is allowed that the step of speed makes at constant wavelength, which is
 /// the steepest course of a filter of the contact, but no more than 0.2; and one step of the grid besides.
 pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Place>> {
@@ -175,16 +198,18 @@ pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Pl
     for (row, &(speed, minima)) in rows.iter().enumerate() {
         let ln_speed = speed.ln();
         let ln_frequency = |minimum: &Minimum| ln_speed - minimum.wavelength.ln();
+        let at_end =
+            |minimum: &Minimum| minimum.index == 0 || minimum.index == wavelength.points() - 1;
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (index, chain) in chains.iter().enumerate() {
             let missed = row - 1 - chain.members.last().map_or(0, |&(row, _)| row);
-            let (last_speed, _) = chain.course[chain.course.len() - 1];
+            let last_speed = chain.last().ln_speed;
             // The same speed twice is no course.
             if missed > MISSED || last_speed >= ln_speed {
                 continue;
             }
-            let expected = chain.expected(ln_speed);
             for (place, minimum) in minima.iter().enumerate() {
+                let expected = chain.expected(ln_speed, at_end(minimum));
                 let distance = (ln_frequency(minimum) - expected).abs();
                 let allowed = (ln_speed - last_speed).min(LARGEST_STEP) + step / minimum.wavelength;
                 if distance <= allowed {
@@ -200,17 +225,19 @@ pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Pl
             }
         }
         for (place, (minimum, chain)) in minima.iter().zip(continued).enumerate() {
-            let at_end = minimum.index == 0 || minimum.index == wavelength.points() - 1;
             let chain = chain.unwrap_or_else(|| {
                 chains.push(Chain {
                     members: Vec::new(),
                     course: Vec::new(),
-                    first_slope: if at_end { 1.0 } else { 0.0 },
                 });
                 chains.len() - 1
             });
             chains[chain].members.push((row, place));
-            chains[chain].course.push((ln_speed, ln_frequency(minimum)));
+            chains[chain].course.push(Step {
+                ln_speed,
+                ln_frequency: ln_frequency(minimum),
+                at_end: at_end(minimum),
+            });
         }
     }
     chains.into_iter().map(|chain| chain.members).collect()
@@ -286,6 +313,25 @@ mod tests {
         let ends = |course: &[(f64, f64)]| (course[0].0, course[course.len() - 1].0);
         assert_eq!(ends(resonance), (15.0, 30.0));
         assert_eq!(ends(filter), (15.0, 30.0));
+    }
+
+    /// A crest that comes in at the short end of the window while its frequency falls is one with its flank, however
+    /// coarse the speeds are.
+    #[test]
+    fn a_crest_that_comes_in_is_one_with_its_flank() {
+        for points in [23, 56, 111, 221] {
+            let speeds = Axis::new(5.0, 60.0, points).unwrap().values();
+            let found = courses(&speeds, |wavelength, speed| {
+                // f = 1000 Hz (20 m/s / V)^0.3, inside from 20 to 54 m/s.
+                let crest = speed / (1000.0 * (20.0 / speed).powf(0.3));
+                if speed < 12.0 {
+                    1.0
+                } else {
+                    dip(1.0, wavelength, crest, 0.3)
+                }
+            });
+            assert_eq!(found.len(), 1, "{points} speeds: {found:?}");
+        }
     }
 
     /// A weak line under a strong one at every speed is a chain of its own.
