@@ -367,7 +367,10 @@ fn each_rail_is_forecast_from_its_own_levels() {
         assert_eq!(rail["rail"], name);
         let alone = sandbox.json(&format!("{command} --rail {name}"));
         assert_eq!(alone["rail"], name);
-        assert_eq!(alone["rails"].as_array().unwrap(), &[rail.clone()]);
+        assert_eq!(
+            alone["rails"].as_array().unwrap(),
+            std::slice::from_ref(rail)
+        );
         assert_eq!(alone["months_to_limit"], rail["months_to_limit"]);
         assert_eq!(alone["bands"], rail["bands"]);
     }
