@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use std::time::Duration;
 
 use cpu_time::ProcessTime;
+use miette::Diagnostic;
 use riffel_case::CaseError;
 use tempfile::TempDir;
 
@@ -27,20 +28,29 @@ pub fn read<T>(reader: impl FnOnce() -> Result<T, CaseError>) -> Option<T> {
     match outcome {
         Ok(value) => Some(value),
         Err(error) => {
-            let sentence = error.to_string();
-            let control = sentence.chars().find(|c| c.is_control() && *c != '\n');
-            assert!(
-                control.is_none(),
-                "the error has the control character {control:?} in it: {sentence:?}"
-            );
-            assert!(
-                sentence.len() <= LONGEST_SENTENCE,
-                "the error has {} bytes",
-                sentence.len()
-            );
+            check(&error.to_string());
+            if let Some(help) = error.help() {
+                check(&help.to_string());
+            }
+            for label in error.labels().into_iter().flatten() {
+                check(label.label().unwrap_or_default());
+            }
             None
         }
     }
+}
+
+fn check(words: &str) {
+    let control = words.chars().find(|c| c.is_control() && *c != '\n');
+    assert!(
+        control.is_none(),
+        "the error has the control character {control:?} in it: {words:?}"
+    );
+    assert!(
+        words.len() <= LONGEST_SENTENCE,
+        "the error has {} bytes",
+        words.len()
+    );
 }
 
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {

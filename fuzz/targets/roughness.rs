@@ -3,11 +3,15 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use riffel_case::roughness::RoughnessFile;
+use riffel_case::roughness::{Layout, RoughnessFile};
 
 fuzz_target!(|bytes: &[u8]| {
     let path = riffel_fuzz::file("rail.csv", bytes);
     for spacing in [None, "1 mm".parse().ok()] {
-        riffel_fuzz::read(|| RoughnessFile::read(&path, None, spacing, &|_| ()));
+        let layout = Layout {
+            spacing,
+            ..Layout::default()
+        };
+        riffel_fuzz::read(|| RoughnessFile::read(&path, &layout, &|_| ()));
     }
 });

@@ -1,18 +1,23 @@
 //! What can be wrong with a case file.
 
+use std::fmt::{self, Display};
 use std::io;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use miette::{Diagnostic, NamedSource, SourceSpan};
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
 use thiserror::Error;
 
+use crate::text_file::in_a_message;
+
 /// A case that cannot be used, and why, in a sentence that names the key.
-#[derive(Debug, Error, Diagnostic)]
+///
+/// Its sentence, its help and its label are shown without control characters other than line feeds, whatever a file or
+/// a command line holds: a terminal would obey them.
+#[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum CaseError {
     /// A file cannot be read.
-    #[error("cannot read the {what} {path}: {reason}", path = path.display())]
     Read {
         /// What the file is, as in "case file".
         what: &'static str,
@@ -23,43 +28,33 @@ pub enum CaseError {
     },
 
     /// The text is not TOML.
-    #[error("not valid TOML: {message}")]
     Syntax {
         /// What the reader says.
         message: String,
         /// The case file.
-        #[source_code]
         source_code: Arc<NamedSource<String>>,
         /// Where.
-        #[label("here")]
         span: SourceSpan,
     },
 
     /// A key is missing, unknown or has a value that is not allowed.
-    #[error("{message}")]
     Invalid {
         /// The key, dotted.
         key: String,
         /// Key, value and rule.
         message: String,
         /// What would be right.
-        #[help]
         help: Option<String>,
         /// The case file.
-        #[source_code]
         source_code: Arc<NamedSource<String>>,
         /// Where, if the file says anything there.
-        #[label("{key}")]
         span: Option<SourceSpan>,
     },
 
     /// A value with which an iteration does not reach its tolerance; the error of the value.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
     NotConverged(Box<CaseError>),
 
     /// The physics refuses what was asked of a case.
-    #[error("{input}: {error}")]
     Physics {
         /// What was asked.
         input: String,
@@ -68,14 +63,12 @@ pub enum CaseError {
     },
 
     /// A wavelength and a speed at which the case cannot be computed.
-    #[error("{message}")]
     Point {
         /// What is asked for, and the rule.
         message: String,
     },
 
     /// An override is malformed or sets a value that is not allowed.
-    #[error("--set {assignment}: {message}")]
     Override {
         /// The override as given.
         assignment: String,
@@ -84,11 +77,6 @@ pub enum CaseError {
     },
 
     /// A file of data that cannot be used.
-    #[error(
-        "{path}{place}: {message}",
-        path = path.display(),
-        place = line.map(|line| format!(", line {line}")).unwrap_or_default()
-    )]
     Data {
         /// The file.
         path: PathBuf,
@@ -97,13 +85,10 @@ pub enum CaseError {
         /// What is wrong.
         message: String,
         /// What would be right.
-        #[help]
         help: Option<String>,
     },
 
     /// No preset has this name.
-    #[error("no preset is called \"{name}\"; the nearest is \"{nearest}\"")]
-    #[diagnostic(help("riffel presets lists them all"))]
     UnknownPreset {
         /// The name asked for.
         name: String,
@@ -112,14 +97,85 @@ pub enum CaseError {
     },
 }
 
+impl Display for CaseError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&in_a_message(&self.sentence()))
+    }
+}
+
+impl Diagnostic for CaseError {
+    fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
+        let help = match self {
+            Self::Invalid { help, .. } | Self::Data { help, .. } => help.as_deref()?,
+            Self::UnknownPreset { .. } => "riffel presets lists them all",
+            Self::NotConverged(error) => return error.help(),
+            _ => return None,
+        };
+        Some(Box::new(in_a_message(help)))
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let (label, span) = match self {
+            Self::Syntax { span, .. } => ("here", *span),
+            Self::Invalid { key, span, .. } => (&**key, (*span)?),
+            Self::NotConverged(error) => return error.labels(),
+            _ => return None,
+        };
+        let label = in_a_message(label).into_owned();
+        let label = LabeledSpan::new_with_span(Some(label), span);
+        Some(Box::new(std::iter::once(label)))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        match self {
+            Self::Syntax { source_code, .. } | Self::Invalid { source_code, .. } => {
+                Some(source_code)
+            }
+            Self::NotConverged(error) => error.source_code(),
+            _ => None,
+        }
+    }
+}
+
 impl CaseError {
+    /// What is wrong, as it was written.
+    fn sentence(&self) -> String {
+        match self {
+            Self::Read { what, path, reason } => {
+                format!("cannot read the {what} {}: {reason}", path.display())
+            }
+            Self::Syntax { message, .. } => format!("not valid TOML: {message}"),
+            Self::Invalid { message, .. } | Self::Point { message } => message.clone(),
+            Self::NotConverged(error) => error.sentence(),
+            Self::Physics { input, error } => format!("{input}: {error}"),
+            Self::Override {
+                assignment,
+                message,
+            } => format!("--set {assignment}: {message}"),
+            Self::Data {
+                path,
+                line,
+                message,
+                ..
+            } => {
+                let place = line
+                    .map(|line| format!(", line {line}"))
+                    .unwrap_or_default();
+                format!("{}{place}: {message}", path.display())
+            }
+            Self::UnknownPreset { name, nearest } => {
+                format!("no preset is called \"{name}\"; the nearest is \"{nearest}\"")
+            }
+        }
+    }
+
     /// The sentence, then the line of the file where it stands and what would be right, each on a line of its own:
     /// for those who cannot show the file. An override is not quoted, for there it is no part of a command line.
     pub fn in_words(&self) -> String {
         let mut words = match self {
             Self::NotConverged(error) => return error.in_words(),
             Self::Override { message, .. } => message.clone(),
-            error => error.to_string(),
+            error => error.sentence(),
         };
         let (source, span) = match self {
             Self::Syntax {
@@ -148,7 +204,7 @@ impl CaseError {
         if let Some(help) = self.help() {
             words += &format!("\n  {help}");
         }
-        words
+        in_a_message(&words).into_owned()
     }
 
     /// The sentence without the key that it begins with: for a value that was not written by the user.
@@ -161,9 +217,7 @@ impl CaseError {
         let after = message
             .strip_prefix('`')
             .and_then(|rest| rest.split_once("`: "));
-        after
-            .map_or(message.as_str(), |(_, sentence)| sentence)
-            .to_owned()
+        in_a_message(after.map_or(message.as_str(), |(_, sentence)| sentence)).into_owned()
     }
 
     /// A file of data that cannot be used as a whole, and why not.
@@ -173,6 +227,96 @@ impl CaseError {
             line: None,
             message: message.into(),
             help: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// One of each kind, all of whose words are `words`.
+    fn all(words: &str) -> Vec<CaseError> {
+        let text = || words.to_owned();
+        let source_code = || Arc::new(NamedSource::new("case.toml", text()));
+        let span = SourceSpan::from(0..0);
+        let invalid = || CaseError::Invalid {
+            key: text(),
+            message: text(),
+            help: Some(text()),
+            source_code: source_code(),
+            span: Some(span),
+        };
+        vec![
+            CaseError::Read {
+                what: "case file",
+                path: words.into(),
+                reason: io::Error::other(text()),
+            },
+            CaseError::Syntax {
+                message: text(),
+                source_code: source_code(),
+                span,
+            },
+            invalid(),
+            CaseError::NotConverged(Box::new(invalid())),
+            CaseError::Physics {
+                input: text(),
+                error: riffel::Error::GridTooSmall {
+                    length: 1.0,
+                    width: 1.0,
+                },
+            },
+            CaseError::Point { message: text() },
+            CaseError::Override {
+                assignment: text(),
+                message: text(),
+            },
+            CaseError::Data {
+                path: words.into(),
+                line: Some(3),
+                message: text(),
+                help: Some(text()),
+            },
+            CaseError::UnknownPreset {
+                name: text(),
+                nearest: text(),
+            },
+        ]
+    }
+
+    fn shown(error: &CaseError) -> Vec<String> {
+        let labels = error.labels().into_iter().flatten();
+        let labels = labels.filter_map(|label| label.label().map(str::to_owned));
+        [error.to_string(), error.in_words(), error.without_key()]
+            .into_iter()
+            .chain(error.help().map(|help| help.to_string()))
+            .chain(labels)
+            .collect()
+    }
+
+    proptest! {
+        #[test]
+        fn no_error_commands_a_terminal(words in "[a\n\t\r\u{0}\u{1b}\u{7f}\u{9b}\u{202e}µ]{0,12}") {
+            for error in all(&words) {
+                for text in shown(&error) {
+                    let command = |c: char| c == '\u{202e}' || (c.is_control() && c != '\n');
+                    prop_assert!(!text.contains(command), "{error:?}: {text:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_can_be_seen_is_said_as_it_was_written() {
+        for error in all("b `µ` \\n") {
+            let label = matches!(error, CaseError::Syntax { .. });
+            for text in shown(&error) {
+                let said = text.contains("b `µ` \\n") || (label && text == "here");
+                let fixed = ["riffel presets lists them all"];
+                assert!(said || fixed.contains(&&*text), "{text:?}");
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::excerpt::{clipped, excerpt};
 use crate::preset::PresetKind;
 use crate::quantity::{Kind, Length, Speed, Written};
 use crate::range::Judgement;
-use crate::text_file::{command_in, printable};
+use crate::text_file::{command_in, in_a_message};
 use crate::{CaseError, CaseKey, PhysicalRange, Remark, WrittenCase};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
@@ -52,7 +52,7 @@ impl Source {
             let (excerpt, span) = excerpt(text, error.span().unwrap_or(0..0));
             CaseError::Syntax {
                 message: clipped(error.message()).into_owned(),
-                source_code: Arc::new(NamedSource::new(name, excerpt)),
+                source_code: named(name, excerpt),
                 span: span.into(),
             }
         };
@@ -412,7 +412,7 @@ impl Source {
     }
 
     fn error(&self, key: &str, rule: &str, help: &str) -> CaseError {
-        let shown = printable(key);
+        let shown = in_a_message(key);
         let message = if key.is_empty() {
             rule.to_owned()
         } else if rule.starts_with("is ") || rule.starts_with("and ") {
@@ -444,7 +444,7 @@ impl Source {
             key: clipped(key).into_owned(),
             message: clipped(message).into_owned(),
             help,
-            source_code: Arc::new(NamedSource::new(&self.text.name, excerpt)),
+            source_code: named(&self.text.name, excerpt),
             span: span.map(|_| range.into()),
         }
     }
@@ -509,6 +509,11 @@ fn join(parent: &str, key: &str) -> String {
     } else {
         format!("{parent}.{key}")
     }
+}
+
+/// An excerpt under the name of its file.
+fn named(name: &str, excerpt: String) -> Arc<NamedSource<String>> {
+    Arc::new(NamedSource::new(in_a_message(name), excerpt))
 }
 
 /// "did you mean … ?" if a name is near, else the whole list.

@@ -241,12 +241,28 @@ pub fn text_of(bytes: &[u8]) -> String {
 /// A text as it may be shown: characters that command a terminal or turn the direction of writing are written as
 /// `\u{1b}`; line ends and tabulators stay.
 pub fn printable(text: &str) -> Cow<'_, str> {
+    escaped(text, commands(text))
+}
+
+/// A text as it may stand in a message: as [`printable`], with tabulators and carriage returns written out as well, so
+/// that of the control characters only line feeds stay.
+pub fn in_a_message(text: &str) -> Cow<'_, str> {
+    let unseen =
+        |&(_, character): &(usize, char)| is_command(character) || matches!(character, '\t' | '\r');
+    escaped(text, text.char_indices().filter(unseen))
+}
+
+/// The text with these characters of it written out.
+fn escaped(text: &str, characters: impl Iterator<Item = (usize, char)>) -> Cow<'_, str> {
     let mut shown = String::new();
     let mut done = 0;
-    for (at, command) in commands(text) {
+    for (at, character) in characters {
         shown.push_str(&text[done..at]);
-        shown.extend(command.escape_unicode());
-        done = at + command.len_utf8();
+        match character {
+            '\t' => shown.push_str("\\t"),
+            other => shown.extend(other.escape_unicode()),
+        }
+        done = at + character.len_utf8();
     }
     if done == 0 {
         return Cow::Borrowed(text);
@@ -384,6 +400,8 @@ mod tests {
         assert_eq!(printable("Höhe µm"), "Höhe µm");
         assert_eq!(printable("a\r\nb\rc"), "a\r\nb\\u{d}c");
         assert_eq!(printable("a\u{9b}\u{202e}"), "a\\u{9b}\\u{202e}");
+        assert_eq!(printable("a\tb"), "a\tb");
+        assert_eq!(in_a_message("a\tb\r\n\u{1b}c"), "a\\tb\\u{d}\n\\u{1b}c");
         let text = "a\u{1b}\u{9b}\u{202e}b";
         let shown = printable_in_place(text);
         assert_eq!((shown.len(), &shown[..]), (text.len(), "a?¿\u{fffd}b"));

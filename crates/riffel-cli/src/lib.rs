@@ -20,7 +20,7 @@ use clap::{ArgMatches, CommandFactory, FromArgMatches};
 
 use arguments::{Arguments, Command};
 use error::CliError;
-use messages::complain;
+use messages::{complain, complain_of, complain_of_usage};
 use riffel_case::text_file::is_standard_input;
 
 /// Exit status after an error of the user.
@@ -33,7 +33,8 @@ const BAD_INPUT: u8 = 2;
 /// more, for work that `riffel serve` does in processes of their own.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
     messages::lay_out_errors();
-    let parsed = Arguments::command().try_get_matches_from(arguments);
+    let words: Vec<OsString> = arguments.into_iter().collect();
+    let parsed = Arguments::command().try_get_matches_from(&words);
     let parsed = parsed.and_then(|matches| {
         Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
     });
@@ -41,7 +42,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
         Ok(parsed) => parsed,
         Err(usage) => {
             if usage.use_stderr() {
-                let _ = usage.print();
+                complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
                 return BAD_INPUT;
             }
             return match output::heard(usage.print()) {
@@ -66,7 +67,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     match execute(arguments.command, program) {
         Ok(status) => status,
         Err(report) => {
-            complain(format_args!("{report:?}"));
+            complain_of(report);
             BAD_INPUT
         }
     }

@@ -1,11 +1,13 @@
 //! What is said on standard error beside the results: messages and notes, as much as was asked for.
 
-use std::fmt::Display;
+use std::ffi::OsStr;
+use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use miette::MietteHandlerOpts;
+use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
+use riffel_case::text_file::in_a_message;
 use riffel_case::{Language, Remark};
 
 /// How much is said.
@@ -53,8 +55,64 @@ pub(crate) fn is_quiet() -> bool {
 }
 
 /// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell.
+/// Control characters of a file or a command line are written out.
 pub(crate) fn complain(message: impl Display) {
-    let _ = writeln!(io::stderr().lock(), "{message}");
+    let message = message.to_string();
+    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&message));
+}
+
+/// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out.
+pub(crate) fn complain_of(report: Report) {
+    let shown = Report::new(Shown(report));
+    let _ = writeln!(io::stderr().lock(), "{shown:?}");
+}
+
+/// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
+/// itself, as they could not be told apart.
+pub(crate) fn complain_of_usage<'a>(
+    usage: &clap::Error,
+    mut arguments: impl Iterator<Item = &'a OsStr>,
+) {
+    if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
+        let _ = usage.print();
+    } else {
+        complain(usage.render().to_string().trim_end());
+    }
+}
+
+fn is_shown_as_it_is(text: &str) -> bool {
+    in_a_message(text) == text
+}
+
+/// An error whose words hold no control characters but line feeds.
+#[derive(Debug)]
+struct Shown(Report);
+
+impl Display for Shown {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&in_a_message(&self.0.to_string()))
+    }
+}
+
+impl std::error::Error for Shown {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        self.0.source()
+    }
+}
+
+impl Diagnostic for Shown {
+    fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
+        let help = self.0.help()?.to_string();
+        Some(Box::new(in_a_message(&help).into_owned()))
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        self.0.labels()
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        self.0.source_code()
+    }
 }
 
 /// A line on standard error, unless `--quiet` was given.

@@ -11,8 +11,12 @@ use super::mutation::{Chance, mutated};
 use super::{Target, corpus};
 use crate::{Outcome, cargo, root};
 
-/// Longest time of one run.
-const LONGEST: Duration = Duration::from_secs(10);
+/// Longest processor time of one run \[s\], whatever else the machine does.
+const LONGEST: u32 = 10;
+/// When a run that does not compute is given up.
+const STUCK: Duration = Duration::from_secs(300);
+/// Copy of the program, which builds meanwhile do not replace.
+const PROGRAM: &str = "riffel";
 /// A window of the map that is computed at once.
 const SMALL: [&str; 4] = [
     "--set",
@@ -211,14 +215,14 @@ fn prepare(folder: &Path) -> std::io::Result<()> {
             fs::copy(&path, cases.join(name))?;
         }
     }
+    fs::copy(root().join("target/debug/riffel"), folder.join(PROGRAM))?;
     fs::write(folder.join("levels.csv"), LEVELS)
 }
 
 /// What came of a run.
 struct Run {
-    /// Exit status; none if it was ended, by a signal or for want of time.
+    /// Exit status; none if it was ended by a signal, for one for want of time.
     status: Option<i32>,
-    late: bool,
     /// Both streams.
     text: String,
 }
@@ -232,10 +236,10 @@ impl Run {
             .split_once("\n}")
             .map_or("", |(document, _)| document);
         let missing = ["NaN", "null"];
-        if self.late {
-            Some(format!("did not end within {} s", LONGEST.as_secs()))
-        } else if self.text.contains("panicked at") {
+        if self.text.contains("panicked at") {
             Some("panicked".to_owned())
+        } else if self.status.is_none() {
+            Some(format!("computed for {LONGEST} s, was stuck or broke down"))
         } else if !matches!(self.status, Some(0..=2)) {
             Some(format!("ended with {:?}", self.status))
         } else if self.status == Some(0)
@@ -261,8 +265,11 @@ fn run_once(line: &Line, bytes: &[u8], folder: &Path) -> std::io::Result<Run> {
     fs::write(folder.join(name), bytes)?;
     let output = folder.join("output.txt");
     let stream = File::create(&output)?;
-    let mut command = Command::new(root().join("target/debug/riffel").canonicalize()?);
+    let mut command = Command::new("sh");
     command
+        .arg("-c")
+        .arg(format!("ulimit -t {LONGEST}; exec \"$0\" \"$@\""))
+        .arg(folder.join(PROGRAM))
         .args(line.words.iter().map(|word| word.replace("FILE", name)))
         .current_dir(folder)
         .env("NO_COLOR", "1")
@@ -274,13 +281,11 @@ fn run_once(line: &Line, bytes: &[u8], folder: &Path) -> std::io::Result<Run> {
     }
     let mut child = command.spawn()?;
     let begun = Instant::now();
-    let mut late = false;
     let status = loop {
         if let Some(status) = child.try_wait()? {
             break status;
         }
-        if begun.elapsed() > LONGEST {
-            late = true;
+        if begun.elapsed() > STUCK {
             child.kill()?;
             break child.wait()?;
         }
@@ -288,7 +293,6 @@ fn run_once(line: &Line, bytes: &[u8], folder: &Path) -> std::io::Result<Run> {
     };
     Ok(Run {
         status: status.code(),
-        late,
         text: String::from_utf8_lossy(&fs::read(&output)?).into_owned(),
     })
 }

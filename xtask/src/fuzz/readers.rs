@@ -16,7 +16,7 @@ const COUNTERS: &str = "--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-saniti
 
 /// Longest time on one input \[s\] and most memory \[MB\]. Targets hold a reader to one second of processor time
 /// themselves; this is for a reader that never ends, on a machine with other work.
-const LIMITS: [&str; 2] = ["-timeout=30", "-rss_limit_mb=1024"];
+const LIMITS: [&str; 2] = ["-timeout=300", "-rss_limit_mb=1024"];
 /// Longest input, bytes.
 const LONGEST_INPUT: usize = 20_000;
 

@@ -7,6 +7,7 @@ mod documentation;
 mod files;
 mod forecast;
 mod habits;
+mod pictures;
 mod rails;
 mod reading;
 mod report;

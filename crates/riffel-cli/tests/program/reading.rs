@@ -467,6 +467,66 @@ fn files_of_keys_say_where_and_what_they_are() {
     assert!(!outcome.text.contains('\u{1b}'), "{:?}", outcome.text);
 }
 
+/// Names of files, values of `--set` and words of files reach a message as characters that can be seen.
+#[cfg(unix)]
+#[test]
+fn no_message_holds_control_characters() {
+    let sandbox = Sandbox::new();
+    let name = "a\tb\u{1b}[31m\u{7f}.toml";
+    let case = fs::read_to_string(sandbox.path("cases/discrete-supports.toml")).unwrap();
+    fs::write(sandbox.path(name), "no case\n").unwrap();
+    let preset = case.replace("preset = \"", "preset = \"a\\tb");
+    assert_ne!(case, preset);
+    fs::write(sandbox.path("preset.toml"), preset).unwrap();
+    for (words, said) in [
+        (vec!["map", "\u{1b}[31m\t.toml"], "\\u{1b}[31m\\t.toml"),
+        (vec!["map", name], "a\\tb\\u{1b}[31m\\u{7f}.toml"),
+        (vec!["map", "preset.toml"], "a\\tb"),
+        (vec!["roughness", name], "a\\tb\\u{1b}[31m\\u{7f}.toml"),
+        (
+            vec![
+                "map",
+                "cases/nominal.toml",
+                "--set",
+                "contact.friction=a\tb\u{1b}[31m",
+            ],
+            "a\\tb\\u{1b}[31m",
+        ),
+        (
+            vec![
+                "map",
+                "cases/nominal.toml",
+                "--set",
+                "contact.fri\u{9b}ction=0.3",
+            ],
+            "fri\\u{9b}ction",
+        ),
+        (
+            vec![
+                "map",
+                "cases/nominal.toml",
+                "-o",
+                "cases/nominal.toml/\u{1b}[31m",
+            ],
+            "\\u{1b}[31m",
+        ),
+        (vec!["init", name], "a\\tb\\u{1b}[31m\\u{7f}.toml"),
+        (vec!["map", "--\u{1b}[31mfast"], "--"),
+        (vec!["\u{1b}[31m\tmap"], "map"),
+        (
+            vec!["point", "cases/nominal.toml", "--speed", "\u{1b}]0;a\tb"],
+            "--speed",
+        ),
+    ] {
+        let output = sandbox.command().args(&words).output().unwrap();
+        let text = String::from_utf8([output.stdout, output.stderr].concat()).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{words:?}: {text}");
+        assert!(unwrapped(&text).contains(said), "{words:?}: {text}");
+        let control = text.chars().find(|c| c.is_control() && *c != '\n');
+        assert_eq!(control, None, "{words:?}: {text:?}");
+    }
+}
+
 /// A device that never ends, as any file: a sentence within seconds.
 #[cfg(unix)]
 #[test]
