@@ -26,7 +26,7 @@ const LONGEST_SPACING: f64 = 10.0;
 /// Method: the sum over the infinite track as a contour integral over μ; its residues at the
 /// Floquet waves are the terms above, those at the free waves cancel against the direct wave. No
 /// truncation. Both sums over j are written as divided differences over α², which stay finite at low
-/// frequency, where the A_j do not ([`RailInBay`]). Equations for c − 1 and the larger root first keep the digits of long
+/// frequency, where the A_j do not (see `RailInBay`). Equations for c − 1 and the larger root first keep the digits of long
 /// waves and of near fields alike. Where ρ has the modulus one (no loss on the way), the outgoing wave is that
 /// of vanishing support damping. Errors: 1e-12 relative from 0.01 Hz to 5 kHz, but next to a band edge of a track
 /// without any loss, where the receptance is infinite. Cost: some ten
