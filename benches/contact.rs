@@ -6,8 +6,11 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use riffel::{
-    CreepEllipse, CreepLaw, Creepages, ElasticMaterial, Fastsim, HalfSpace, HertzContact,
-    KalkerCoefficients, TractionBound, TransientRolling,
+    ElasticMaterial, HertzContact,
+    contact::{
+        CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
+        TransientRolling,
+    },
 };
 
 use crate::contestant::{Contestant, Failure};

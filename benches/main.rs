@@ -16,8 +16,9 @@ use std::path::Path;
 use std::time::Instant;
 
 use riffel::{
-    Axis, Beam, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Layer, PeriodicTrack,
-    Receptance, Ridge, RowEvaluator, ShearSection, Support,
+    Axis, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Receptance, Ridge,
+    growth::RowEvaluator,
+    receptance::{Beam, Layer, PeriodicTrack, ShearSection, Support},
 };
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 

@@ -1,6 +1,6 @@
 //! Contact patch and creep law against the exact theory.
 
-use riffel::{ElasticMaterial, HertzContact, KalkerCoefficients, RollingContact};
+use riffel::{ElasticMaterial, HertzContact, RollingContact, contact::KalkerCoefficients};
 
 use crate::Row;
 use crate::ground::{extent, nominal};

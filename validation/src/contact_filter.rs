@@ -2,7 +2,10 @@
 
 use std::f64::consts::PI;
 
-use riffel::{ContactFilter, ContactGrid, ElasticMaterial, HertzContact, NormalContact};
+use riffel::{
+    ElasticMaterial, HertzContact,
+    contact::{ContactFilter, ContactGrid, NormalContact},
+};
 
 use crate::Row;
 

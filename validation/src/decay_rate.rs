@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 use std::thread;
 
-use riffel::DecayRate;
+use riffel::receptance::DecayRate;
 use riffel_case::Direction;
 
 use crate::Row;

@@ -1,8 +1,10 @@
 //! FASTSIM against CONTACT's: what is the theory's, what is the grid's.
 
 use riffel::{
-    CreepEllipse, CreepLaw, Creepages, ElasticMaterial, Fastsim, HalfSpace, HertzContact,
-    KalkerCoefficients, TractionBound,
+    ElasticMaterial, HertzContact,
+    contact::{
+        CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
+    },
 };
 
 use crate::Row;

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::sync::LazyLock;
 
-use riffel::{Ridge, RidgePoint};
+use riffel::{Ridge, growth::RidgePoint};
 
 use crate::Row;
 use crate::ground::{extent, nominal, ridge, ridge_at};

@@ -3,8 +3,11 @@
 use std::f64::consts::TAU;
 
 use riffel::{
-    Beam, Complex64, ContinuousTrack, ElasticMaterial, EulerBernoulliBeam, FreeBeam, Layer,
-    PeriodicTrack, Receptance, ShearSection, Support,
+    Complex64, ElasticMaterial, Receptance,
+    receptance::{
+        Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection,
+        Support,
+    },
 };
 use serde::Deserialize;
 

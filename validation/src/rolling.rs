@@ -1,7 +1,8 @@
 //! The exact theory of rolling contact against CONTACT.
 
 use riffel::{
-    Complex64, ContactResponse, ElasticMaterial, HalfSpace, HalfSpaceRolling, HertzContact,
+    Complex64, ElasticMaterial, HertzContact,
+    contact::{ContactResponse, HalfSpace, HalfSpaceRolling},
 };
 
 use crate::Row;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use riffel::ContactFilter;
+use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
     Course, CoursePoint, Evidence, Expectation, GrowthDensity, Instrument, Mechanism,
     MechanismKind, TimeUnit, TrafficSpeeds, dominant_levels, rank,

@@ -3,8 +3,10 @@
 use std::f64::consts::PI;
 
 use riffel::{
-    Carter2d, Complex64, CreepLaw, Creepages, ElasticMaterial, HalfSpace, HertzContact,
-    KalkerCoefficients, LineContact, TransientRolling,
+    Complex64, ElasticMaterial, HertzContact,
+    contact::{
+        Carter2d, CreepLaw, Creepages, HalfSpace, KalkerCoefficients, LineContact, TransientRolling,
+    },
 };
 
 use crate::Row;

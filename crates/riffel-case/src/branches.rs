@@ -1,7 +1,7 @@
 //! The branches of the ridge of a case: as a document, and in words.
 
 use riffel::diagnosis::MechanismKind;
-use riffel::{Ridge, RidgeBranch};
+use riffel::{Ridge, growth::RidgeBranch};
 use serde::Serialize;
 
 use crate::{Case, Language, Remark};

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use riffel::{
-    Axis, ConstantCreepage, ConstantTangentialForce, ElasticMaterial, EnergyWear, FeedbackLoop,
-    PlaceOfWear, Receptance, RigidInertia, RigidMass, WheelRotation,
+    Axis, ElasticMaterial, EnergyWear, FeedbackLoop, PlaceOfWear, Receptance,
+    wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation},
 };
 
 use crate::case::Case;

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use riffel::{Axis, Bay, Carter3d, FeedbackLoop, HertzContact, LoopState, SteadyRolling};
+use riffel::{
+    Axis, Carter3d, FeedbackLoop, HertzContact, LoopState, contact::MeanRolling, growth::Bay,
+};
 
 use crate::builder::Builder;
 use crate::creep_laws::CreepLaws;
@@ -29,7 +31,7 @@ pub struct Case {
     /// The contact patch.
     pub hertz: HertzContact,
     /// The mean state of rolling.
-    pub steady: SteadyRolling,
+    pub steady: MeanRolling,
     /// The paper's creep law, where it is that of the case.
     pub carter: Option<Carter3d>,
     /// Wavelengths of the map \[m\].

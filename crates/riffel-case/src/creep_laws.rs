@@ -3,8 +3,11 @@
 use std::sync::Arc;
 
 use riffel::{
-    Carter2d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, HertzContact, JohnsonVermeulen,
-    KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+    HertzContact,
+    contact::{
+        Carter2d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, JohnsonVermeulen,
+        KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+    },
 };
 
 use crate::CaseError;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::{Complex64, MeasuredReceptance, Receptance};
+use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
 
 use crate::file::VerticalAxis;
 use crate::track::Origin;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use riffel::SteadyRolling;
+use riffel::contact::MeanRolling;
 use serde::Serialize;
 
 use crate::file::CaseFile;
@@ -48,7 +48,7 @@ impl Hold {
 pub(crate) struct Held {
     pub(crate) hold: Hold,
     /// The mean state before the change.
-    steady: SteadyRolling,
+    steady: MeanRolling,
     /// Friction times load μP₀ \[N\] after it.
     limit: f64,
     /// The override `key=value` that holds it; none where it is what the case gives.

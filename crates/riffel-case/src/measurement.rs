@@ -9,7 +9,7 @@ mod universal_file;
 
 use std::path::Path;
 
-use riffel::{Complex64, MeasuredReceptance, Receptance};
+use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
 
 use crate::file::{Measurement, Response};
 use crate::unit::Exponents;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use riffel::ResonanceKind;
 use riffel::diagnosis::{Mechanism, MechanismKind, TrafficSpeeds};
+use riffel::receptance::ResonanceKind;
 
 use crate::Case;
 use crate::track::{Direction, Origin};

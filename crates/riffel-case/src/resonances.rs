@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use riffel::{Complex64, Extremum, Receptance, Resonance, ResonanceKind};
+use riffel::{
+    Complex64, Receptance,
+    receptance::{Extremum, Resonance, ResonanceKind},
+};
 
 use crate::Case;
 use crate::track::{Direction, Origin};

@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use riffel::{CrossReceptance, MeasuredReceptance, Receptance, Resonance, ResonanceKind, Support};
+use riffel::{
+    Receptance,
+    receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support},
+};
 
 use crate::Remark;
 

@@ -2,7 +2,7 @@
 
 use riffel::forecast::{Reach, TrafficGrowth};
 use riffel::roughness::{LevelLimit, ThirdOctave};
-use riffel::{Ridge, RidgePoint};
+use riffel::{Ridge, growth::RidgePoint};
 
 use crate::hold::Held;
 use crate::traffic::{DAYS_PER_MONTH, RailForecast, RailSpectrum, Traffic, bands_of};

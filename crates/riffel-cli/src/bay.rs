@@ -2,7 +2,10 @@
 
 use std::io::{self, Write};
 
-use riffel::{Axis, Bay, BayMaps, LoopState, Ridge};
+use riffel::{
+    Axis, LoopState, Ridge,
+    growth::{Bay, BayMaps},
+};
 use riffel_case::{BranchDocument, Case};
 use riffel_figures::{
     SIGN, Shown, branches_csv, map_csv, map_netcdf, panel, parameters, ridge_csv,

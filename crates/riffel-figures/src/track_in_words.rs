@@ -76,7 +76,10 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
         format!("{beam} rail{moving} on pads ({pad})"),
         format!("{beam}-Schiene{moving} auf Zwischenlagen ({pad})"),
     );
-    if matches!(case.track.support, Some(riffel::Support::TwoLayer { .. })) {
+    if matches!(
+        case.track.support,
+        Some(riffel::receptance::Support::TwoLayer { .. })
+    ) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
         words += &language.pick(

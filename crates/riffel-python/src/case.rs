@@ -8,7 +8,10 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use rayon::prelude::*;
-use riffel::{Axis, Bay, DecayRate, GrowthMap, KalkerCoefficients, Ridge, TILE};
+use riffel::{
+    Axis, GrowthMap, Ridge, contact::KalkerCoefficients, growth::Bay, receptance::DecayRate,
+    tile::TILE,
+};
 use riffel_case::{
     BranchDocument, CaseError, CreepCurves, Direction, FrequencyResponse, Point, PointValue,
     ReceptanceCurves, RollingTheories,
@@ -434,7 +437,7 @@ impl Case {
         speeds: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<([Real<'py>; 4], Bound<'py, PyArray1<bool>>, Option<f64>)> {
         let (_, ridge) = self.search_ridge(py, wavelength, &speeds)?;
-        let column = |value: fn(&riffel::RidgePoint) -> f64| {
+        let column = |value: fn(&riffel::growth::RidgePoint) -> f64| {
             ridge
                 .points
                 .iter()
@@ -477,7 +480,7 @@ impl Case {
                 known.set_item("growth_rate", document.highest_growth_rate_per_passage)?;
                 known.set_item("mechanism", document.mechanism)?;
                 let points = branch.points();
-                let column = |value: fn(&riffel::RidgePoint) -> f64| {
+                let column = |value: fn(&riffel::growth::RidgePoint) -> f64| {
                     points
                         .iter()
                         .map(value)

@@ -8,7 +8,11 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use riffel::{Frequencies, MeasuredReceptance, Receptance, SplitComplex};
+use riffel::{
+    Receptance,
+    receptance::MeasuredReceptance,
+    tile::{Frequencies, SplitComplex},
+};
 use riffel_case::file::VerticalAxis;
 use riffel_case::{GivenReceptance, UniversalFunction};
 

@@ -22,6 +22,8 @@
 //!
 //! ```
 //! use std::sync::Arc;
+//! use riffel::receptance::{EulerBernoulliBeam, FreeBeam};
+//! use riffel::wheelset::{RigidInertia, RigidMass};
 //! use riffel::*;
 //!
 //! # fn main() -> Result<(), riffel::Error> {
@@ -61,54 +63,52 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! [`ConstantCreepage`]: wheelset::ConstantCreepage
+//! [`ConstantTangentialForce`]: wheelset::ConstantTangentialForce
+//! [`ContactFilter`]: contact::ContactFilter
+//! [`ContinuousTrack`]: receptance::ContinuousTrack
+//! [`CreepLaw`]: contact::CreepLaw
+//! [`EllipticContact`]: contact::EllipticContact
+//! [`FreeBeam`]: receptance::FreeBeam
+//! [`HalfSpace`]: contact::HalfSpace
+//! [`KalkerCoefficients`]: contact::KalkerCoefficients
+//! [`MeasuredReceptance`]: receptance::MeasuredReceptance
+//! [`MovingBeam`]: receptance::MovingBeam
+//! [`MovingLoadTrack`]: receptance::MovingLoadTrack
+//! [`NonSteady`]: contact::NonSteady
+//! [`NormalContact`]: contact::NormalContact
+//! [`PeriodicTrack`]: receptance::PeriodicTrack
+//! [`RigidInertia`]: wheelset::RigidInertia
+//! [`RigidMass`]: wheelset::RigidMass
+//! [`WheelRotation`]: wheelset::WheelRotation
+//! [`creep_coefficient`]: contact::creep_coefficient
 
-mod contact;
+pub mod contact;
 pub mod diagnosis;
 mod elastic;
 mod error;
 mod feedback;
 pub mod forecast;
 mod golden_section;
-mod growth;
+pub mod growth;
 mod place_of_wear;
-mod receptance;
+pub mod receptance;
 pub mod roughness;
-mod split_complex;
 mod square_root;
+pub mod tile;
 mod wear;
-mod wheelset;
+pub mod wheelset;
 
-pub use contact::{
-    Carter2d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw, Creepages,
-    FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach, QuasiStatic,
-    ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
-};
-pub use contact::{
-    Carter3d, ContactElement, ContactResponse, HalfSpace, HalfSpaceRolling, HertzContact,
-    NonSteady, RailDissipation, RollingContact, SlowHalfSpace, SpringDashpot, SteadyRolling,
-    TransientRolling, TransientStep, creep_coefficient,
-};
-pub use contact::{ContactBody, EllipticContact, EllipticIntegrals, KalkerCoefficients};
-pub use contact::{ContactFilter, ContactGrid, NormalContact, NormalState};
+pub use contact::{Carter3d, HertzContact, RollingContact};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};
-pub use growth::{
-    Axis, Bay, BayMaps, GrowthMap, Ridge, RidgeBranch, RidgePoint, RidgeRow, RowEvaluator,
-};
+pub use growth::{Axis, GrowthMap, Ridge};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
-pub use receptance::{
-    Bar, Beam, ContinuousTrack, CrossReceptance, DecayRate, EulerBernoulliBeam, Extremum,
-    FloquetWaves, FreeBeam, Frequencies, Layer, MeasuredReceptance, MovingBeam, MovingLoadRoots,
-    MovingLoadTrack, PeriodicTrack, Receptance, Resonance, ResonanceKind, RigidMass, ShearSection,
-    Support, Tabulated, Wave, Waveguide, Waves,
-};
-pub use split_complex::{SplitComplex, TILE, Tile};
+pub use receptance::Receptance;
 pub use wear::EnergyWear;
-pub use wheelset::{
-    ConstantCreepage, ConstantTangentialForce, RigidInertia, RotationRatio, WheelRotation,
-};
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

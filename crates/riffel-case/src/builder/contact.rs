@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use riffel::{
-    Carter3d, ElasticMaterial, HalfSpace, HalfSpaceRolling, HertzContact, NonSteady, QuasiStatic,
-    RollingContact, SlowHalfSpace, SpringDashpot,
+    Carter3d, ElasticMaterial, HertzContact, RollingContact,
+    contact::{
+        HalfSpace, HalfSpaceRolling, NonSteady, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
+    },
 };
 
 use super::Builder;
@@ -175,7 +177,7 @@ impl Builder {
             }
         };
         if self.file.contact.response != ContactDynamics::NonSteady {
-            let slow = self.physics("contact", SlowHalfSpace::new(&contact, &state))?;
+            let slow = self.physics("contact", QuasiStaticHalfSpace::new(&contact, &state))?;
             return Ok(self.answering(slow, hertz));
         }
         let (wavelength, _) = self.window()?;

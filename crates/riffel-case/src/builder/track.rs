@@ -3,8 +3,11 @@
 use std::sync::Arc;
 
 use riffel::{
-    Bar, Beam, ContinuousTrack, ElasticMaterial, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam,
-    MovingLoadTrack, PeriodicTrack, ShearSection, Waveguide,
+    ElasticMaterial,
+    receptance::{
+        Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam,
+        MovingLoadTrack, PeriodicTrack, ShearSection, Waveguide,
+    },
 };
 
 use super::Builder;
@@ -299,17 +302,17 @@ impl Builder {
         &self,
         two_layers: bool,
         direction: Direction,
-    ) -> Result<(riffel::Support, f64), CaseError> {
+    ) -> Result<(riffel::receptance::Support, f64), CaseError> {
         let track = &self.file.track;
         let spacing = self.required("track.support_spacing", track.support_spacing)?;
         let pad = self.layer("track.pad", track.pad.as_ref(), direction)?;
         if !two_layers {
-            return Ok((riffel::Support::one_layer(pad), spacing.si()));
+            return Ok((riffel::receptance::Support::one_layer(pad), spacing.si()));
         }
         let sleeper = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let mass = self.required("track.sleeper.mass", sleeper)?;
         let ballast = self.layer("track.ballast", track.ballast.as_ref(), direction)?;
-        let support = riffel::Support::two_layer(pad, mass.si(), ballast);
+        let support = riffel::receptance::Support::two_layer(pad, mass.si(), ballast);
         Ok((self.physics("track", support)?, spacing.si()))
     }
 

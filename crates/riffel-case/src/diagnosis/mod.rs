@@ -5,7 +5,7 @@ mod finding;
 mod rail_record;
 mod records;
 
-use riffel::ContactFilter;
+use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
     Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart,
 };

@@ -1,6 +1,6 @@
 //! Creep curves of all laws.
 
-use riffel::{CreepLaw, Creepages};
+use riffel::contact::{CreepLaw, Creepages};
 
 use super::{RollingTheories, refused};
 use crate::CaseError;

@@ -1,6 +1,6 @@
 //! Responses of the exact contact to small oscillations over wavelength.
 
-use riffel::{Complex64, ContactResponse};
+use riffel::{Complex64, contact::ContactResponse};
 
 use super::{RollingTheories, refused};
 use crate::CaseError;

@@ -3,7 +3,10 @@
 mod creep_curves;
 mod frequency_response;
 
-use riffel::{Carter3d, ContactElement, HalfSpace, HalfSpaceRolling, HertzContact};
+use riffel::{
+    Carter3d, HertzContact,
+    contact::{ContactElement, HalfSpace, HalfSpaceRolling},
+};
 
 pub use creep_curves::{CreepCurve, CreepCurves};
 pub use frequency_response::{FrequencyResponse, ResponseOutputs};

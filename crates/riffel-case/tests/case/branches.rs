@@ -1,6 +1,6 @@
 //! The branches of the ridge on tracks with supports: the strongest leads, whatever the number of its points.
 
-use riffel::{Ridge, RidgeBranch};
+use riffel::{Ridge, growth::RidgeBranch};
 use riffel_case::{BranchDocument, Case, Language, NOMINAL_CASE};
 use rstest::rstest;
 

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use riffel::ResonanceKind;
 use riffel::diagnosis::{MechanismKind, Prediction};
+use riffel::receptance::ResonanceKind;
 use riffel_case::Case;
 use tempfile::TempDir;
 

@@ -1,6 +1,6 @@
 //! Every track model from keys to receptance.
 
-use riffel::ResonanceKind;
+use riffel::receptance::ResonanceKind;
 use riffel_case::{Case, CaseError, Direction, NOMINAL_CASE};
 use rstest::rstest;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel::{GrowthMap, Ridge, RidgePoint};
+use riffel::{GrowthMap, Ridge, growth::RidgePoint};
 use riffel_case::{BranchDocument, Case, Remark};
 use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
 use riffel_plot::Observation;

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use riffel::{
-    Axis, ConstantCreepage, ConstantTangentialForce, Ridge, RidgePoint, RigidInertia, WheelRotation,
+    Axis, Ridge,
+    growth::RidgePoint,
+    wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, WheelRotation},
 };
 use riffel_case::{Case, Language};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};

@@ -2,7 +2,10 @@
 
 mod band;
 
-use riffel::{Complex64, Ridge, RidgeRow, RowEvaluator};
+use riffel::{
+    Complex64, Ridge,
+    growth::{RidgeRow, RowEvaluator},
+};
 use riffel_case::{Case, CaseError, Remark, Source};
 
 use crate::file::{MapQuantity, OutputsFile};

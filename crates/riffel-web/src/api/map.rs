@@ -1,7 +1,10 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
 use axum::extract::State;
-use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge, RidgeBranch, RidgePoint};
+use riffel::{
+    Axis, FeedbackLoop, GrowthMap, Ridge,
+    growth::{RidgeBranch, RidgePoint},
+};
 use riffel_case::{BranchDocument, Case};
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::half_space::REMEDY;
 use super::{
-    ContactResponse, HalfSpace, HalfSpaceRolling, RailDissipation, RollingContact, SteadyRolling,
+    ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RailDissipation, RollingContact,
 };
 use crate::Error;
 
@@ -24,7 +24,7 @@ const MOST_INTERVALS: usize = 64;
 /// their values. An octave does not depend on the wavelengths that are asked for, so that a point and a map of any
 /// window agree bit for bit. Returns NaN outside its octaves. Cost: some 0.1 s an octave, a microsecond to ask.
 pub struct NonSteady {
-    steady: SteadyRolling,
+    steady: MeanRolling,
     /// Shortest wavelength that the grid resolves \[m\].
     resolved: f64,
     /// Number of the first octave from there.
@@ -36,12 +36,12 @@ pub struct NonSteady {
 struct Octave(Vec<[Complex64; DERIVATIVES]>);
 
 /// A [`HalfSpace`] that answers at once, by the slopes of its creep curve.
-pub struct SlowHalfSpace {
-    steady: SteadyRolling,
+pub struct QuasiStaticHalfSpace {
+    steady: MeanRolling,
     response: ContactResponse,
 }
 
-impl SlowHalfSpace {
+impl QuasiStaticHalfSpace {
     /// The slopes about a state.
     ///
     /// # Errors
@@ -58,8 +58,8 @@ impl SlowHalfSpace {
     }
 }
 
-impl RollingContact for SlowHalfSpace {
-    fn steady(&self) -> SteadyRolling {
+impl RollingContact for QuasiStaticHalfSpace {
+    fn steady(&self) -> MeanRolling {
         self.steady
     }
 
@@ -181,7 +181,7 @@ impl Octave {
 }
 
 impl RollingContact for NonSteady {
-    fn steady(&self) -> SteadyRolling {
+    fn steady(&self) -> MeanRolling {
         self.steady
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
-use super::{ContactResponse, HertzContact, RollingContact, SteadyRolling};
+use super::{ContactResponse, HertzContact, MeanRolling, RollingContact};
 
 /// A steady creep law that answers late: the creepage of the bodies stretches the patch (Mindlin's
 /// spring) and slips (the dashpot, with the slope of the creep law).
@@ -39,7 +39,7 @@ impl<C: RollingContact> SpringDashpot<C> {
 }
 
 impl<C: RollingContact> RollingContact for SpringDashpot<C> {
-    fn steady(&self) -> SteadyRolling {
+    fn steady(&self) -> MeanRolling {
         self.law.steady()
     }
 

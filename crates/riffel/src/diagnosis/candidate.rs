@@ -3,7 +3,7 @@
 use super::{
     Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds,
 };
-use crate::ContactFilter;
+use crate::contact::ContactFilter;
 
 /// Wavelengths over which a mechanism that is not listed spreads \[m\].
 const ANY: (f64, f64) = (0.005, 2.0);

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::{TrafficSpeeds, normal};
-use crate::{FeedbackLoop, RowEvaluator};
+use crate::{FeedbackLoop, growth::RowEvaluator};
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
 ///

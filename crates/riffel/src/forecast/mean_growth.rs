@@ -21,7 +21,7 @@ pub struct MeanGrowth {
 
 impl MeanGrowth {
     /// The means at some wavelengths \[m\] for a loop, or for the loops of a wheel at several places along
-    /// the track with weights that sum to one, such as [`Bay::places`](crate::Bay::places).
+    /// the track with weights that sum to one, such as [`Bay::places`](crate::growth::Bay::places).
     ///
     /// A passage at the speed V multiplies the amplitude by exp g(λ, V). Many passages at different speeds
     /// multiply it by exp of the sum, so that the arithmetic mean of g is the rate of the mix, in whatever

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
-use crate::{CrossReceptance, FeedbackLoop, LoopState};
+use crate::{FeedbackLoop, LoopState, receptance::CrossReceptance};
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;

@@ -2,7 +2,7 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::SplitComplex;
+use crate::tile::SplitComplex;
 
 /// All that enters one tile.
 pub(super) struct Closing<'a> {

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
-use crate::{FeedbackLoop, TILE};
+use crate::{FeedbackLoop, tile::TILE};
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,7 +21,7 @@ impl GrowthMap {
     ///
     /// `progress` is called from any thread with the number of rows just finished, one at a time.
     /// Memory: 16 bytes a point. A point agrees with [`FeedbackLoop::at`] to rounding, or to 1e-9
-    /// where a large map reads the track from a [`Tabulated`](crate::Tabulated) receptance.
+    /// where a large map reads the track from a [`Tabulated`](crate::receptance::Tabulated) receptance.
     pub fn compute(
         feedback: &FeedbackLoop,
         wavelength: Axis,

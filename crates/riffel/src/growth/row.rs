@@ -8,8 +8,10 @@ use pulp::Arch;
 
 use super::closing::Closing;
 use crate::{
-    ContactResponse, FeedbackLoop, Frequencies, RailDissipation, SplitComplex, TILE, Tabulated,
-    Tile,
+    FeedbackLoop,
+    contact::{ContactResponse, RailDissipation},
+    receptance::Tabulated,
+    tile::{Frequencies, SplitComplex, TILE, Tile},
 };
 
 /// Relative accuracy of a tabulated track receptance.

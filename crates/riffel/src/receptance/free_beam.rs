@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use num_complex::Complex64;
 
 use super::{EulerBernoulliBeam, Frequencies, Receptance};
-use crate::SplitComplex;
+use crate::tile::SplitComplex;
 
 /// Infinite Euler–Bernoulli beam without support, equation (23):
 /// H = e^{−3πi/4} / (2√2 (m³ EI)^{1/4} ω^{3/2}).

@@ -13,7 +13,6 @@ mod moving_beam;
 mod moving_load;
 mod periodic;
 mod resonance;
-mod rigid_mass;
 mod support;
 mod tabulated;
 mod waves;
@@ -30,7 +29,6 @@ pub use moving_beam::{MovingBeam, MovingLoadRoots};
 pub use moving_load::MovingLoadTrack;
 pub use periodic::{FloquetWaves, PeriodicTrack};
 pub use resonance::{Resonance, ResonanceKind};
-pub use rigid_mass::RigidMass;
 pub use support::{Layer, Support};
 pub use tabulated::Tabulated;
 pub use waves::{Wave, Waveguide, Waves};
@@ -39,17 +37,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::{SplitComplex, Tile};
-
-/// A tile of angular frequencies with their reciprocals, which a map has for nothing and which spare
-/// the simplest structures a division.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frequencies {
-    /// ω \[rad/s\].
-    pub angular: Tile,
-    /// 1/ω \[s/rad\].
-    pub reciprocal: Tile,
-}
+use crate::tile::{Frequencies, SplitComplex};
 
 /// Joint of the loop: a structure under an oscillating force at the contact.
 ///

@@ -124,7 +124,7 @@ impl Receptance for MovingBeam {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ElasticMaterial, FreeBeam};
+    use crate::{ElasticMaterial, receptance::FreeBeam};
     use proptest::prelude::*;
 
     fn rail() -> EulerBernoulliBeam {

@@ -323,7 +323,10 @@ impl Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ElasticMaterial, EulerBernoulliBeam, MovingBeam, ShearSection};
+    use crate::{
+        ElasticMaterial,
+        receptance::{EulerBernoulliBeam, MovingBeam, ShearSection},
+    };
     use proptest::prelude::*;
 
     fn steel() -> ElasticMaterial {

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::{Frequencies, Receptance};
-use crate::{SplitComplex, TILE, Tile};
+use crate::tile::{SplitComplex, TILE, Tile};
 
 /// Coefficients of the interpolating polynomial of a cell.
 const NODES: usize = 8;
@@ -256,8 +256,10 @@ impl Receptance for Tabulated {
 mod tests {
     use super::*;
     use crate::{
-        Beam, ContinuousTrack, ElasticMaterial, EulerBernoulliBeam, Layer, PeriodicTrack,
-        ShearSection, Support,
+        ElasticMaterial,
+        receptance::{
+            Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support,
+        },
     };
 
     fn track(damping: f64) -> ContinuousTrack {

@@ -1,6 +1,6 @@
 //! Convergence of the exact theory of rolling contact.
 
-use riffel::{Complex64, ElasticMaterial, HalfSpace, HertzContact};
+use riffel::{Complex64, ElasticMaterial, HertzContact, contact::HalfSpace};
 
 /// Creep force and, at λ = 8a and over its quasi-static value, its response to creepage.
 fn at(across: usize) -> (f64, Complex64) {

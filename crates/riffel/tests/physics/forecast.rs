@@ -9,9 +9,11 @@ use riffel::forecast::{
 };
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
 use riffel::{
-    Bay, Beam, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, EulerBernoulliBeam,
-    FeedbackLoop, FreeBeam, HertzContact, Layer, PeriodicTrack, PlaceOfWear, RigidInertia,
-    RigidMass, RollingContact, Support,
+    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, FeedbackLoop, HertzContact,
+    PlaceOfWear, RollingContact,
+    growth::Bay,
+    receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support},
+    wheelset::{RigidInertia, RigidMass},
 };
 
 /// The nominal loop with a load, a tractive ratio and a wear coefficient.

@@ -4,11 +4,15 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use riffel::{
-    Axis, Bay, Beam, Carter3d, ConstantCreepage, ConstantTangentialForce, ContinuousTrack,
-    DissipationPhase, ElasticMaterial, EnergyWear, EulerBernoulliBeam, FeedbackLoop, FreeBeam,
-    GrowthMap, HertzContact, Layer, LoopState, MovingBeam, PeriodicTrack, PlaceOfWear, Receptance,
-    Ridge, RidgeRow, RigidInertia, RigidMass, RollingContact, RowEvaluator, ShearSection, Support,
-    TILE, WheelRotation,
+    Axis, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop, GrowthMap,
+    HertzContact, LoopState, PlaceOfWear, Receptance, Ridge, RollingContact,
+    growth::{Bay, RidgeRow, RowEvaluator},
+    receptance::{
+        Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, PeriodicTrack,
+        ShearSection, Support,
+    },
+    tile::TILE,
+    wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation},
 };
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
@@ -287,7 +291,7 @@ fn branches_of_the_ridge_are_apart_and_the_strongest_leads() {
                 .collect();
             for point in &members {
                 // A map of this size reads the track itself, as `lines_at` does.
-                let same = |line: &&riffel::RidgePoint| {
+                let same = |line: &&riffel::growth::RidgePoint| {
                     (line.wavelength / point.wavelength - 1.0).abs() < 1e-6
                 };
                 prop_assert_eq!(lines.iter().filter(same).count(), 1);

@@ -4,8 +4,11 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use riffel::{
-    Bar, Beam, Complex64, ContinuousTrack, CrossReceptance, ElasticMaterial, EulerBernoulliBeam,
-    FreeBeam, Layer, PeriodicTrack, Receptance, ShearSection, Support, Waveguide,
+    Complex64, ElasticMaterial, Receptance,
+    receptance::{
+        Bar, Beam, ContinuousTrack, CrossReceptance, EulerBernoulliBeam, FreeBeam, Layer,
+        PeriodicTrack, ShearSection, Support, Waveguide,
+    },
 };
 
 /// From a light rail on soft pads to a heavy one on stiff ones; loss may be nil.

@@ -1,6 +1,6 @@
 //! `contact --json`.
 
-use riffel::{Complex64, KalkerCoefficients};
+use riffel::{Complex64, contact::KalkerCoefficients};
 use riffel_case::{CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 use serde::Serialize;
 

@@ -5,7 +5,7 @@ mod document;
 mod frequency_response;
 mod patch_figure;
 
-use riffel::KalkerCoefficients;
+use riffel::contact::KalkerCoefficients;
 use riffel_case::{Case, CaseError, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_figures::polach;
 use riffel_plot::{Arrangement, LineFigure, Series};

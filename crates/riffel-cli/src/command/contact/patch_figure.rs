@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use riffel::ContactElement;
+use riffel::contact::ContactElement;
 use riffel_case::{Case, RollingTheories};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 

@@ -27,8 +27,8 @@ use self::influence::{Field, Influence};
 use self::patch::Patch;
 use self::response::{Input, Response};
 use super::{
-    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, RailDissipation,
-    RollingContact, SteadyRolling,
+    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, RailDissipation,
+    RollingContact,
 };
 use crate::Error;
 
@@ -346,8 +346,8 @@ impl HalfSpace {
     }
 
     /// The mean state for a loop.
-    pub fn steady(&self, state: &HalfSpaceRolling) -> SteadyRolling {
-        SteadyRolling {
+    pub fn steady(&self, state: &HalfSpaceRolling) -> MeanRolling {
+        MeanRolling {
             normal_force: self.hertz.normal_force(),
             friction: self.friction,
             creepage: state.creepage(),

@@ -3,7 +3,7 @@
 use super::friction::{Friction, Slip};
 use super::influence::{Field, Influence};
 use super::patch::{Patch, Step};
-use crate::Creepages;
+use crate::contact::Creepages;
 
 /// Residual of the friction law, see [`Friction`].
 pub(super) const TOLERANCE: f64 = 1e-6;

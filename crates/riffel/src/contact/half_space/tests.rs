@@ -194,7 +194,7 @@ fn too_coarse_a_grid_is_refused() {
 fn table_of_the_response_does_not_depend_on_its_window() {
     let contact = contact(16);
     let state = contact.roll_at_tractive_ratio(0.2).unwrap();
-    let table = |from, to| crate::NonSteady::new(&contact, &state, from, to).unwrap();
+    let table = |from, to| crate::contact::NonSteady::new(&contact, &state, from, to).unwrap();
     let wide = table(0.02, 0.1);
     for wavelength in [0.02, 0.0311, 0.055, 0.1] {
         for other in [
@@ -214,7 +214,7 @@ fn table_of_the_response_does_not_depend_on_its_window() {
 fn table_of_the_response() {
     let contact = contact(16);
     let state = contact.roll_at_tractive_ratio(0.2).unwrap();
-    let table = crate::NonSteady::new(&contact, &state, 0.02, 0.1).unwrap();
+    let table = crate::contact::NonSteady::new(&contact, &state, 0.02, 0.1).unwrap();
     for wavelength in [0.02, 0.0213, 0.037, 0.0771, 0.1] {
         let (got, expected) = (
             crate::RollingContact::response(&table, wavelength),

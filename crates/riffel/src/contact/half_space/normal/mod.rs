@@ -11,7 +11,7 @@ pub use grid::ContactGrid;
 
 use self::boussinesq::Boussinesq;
 use self::conjugate_gradients::{Condition, MOST_STEPS, Solution, TOLERANCE};
-use crate::contact::elliptic_contact::contact_modulus;
+use crate::contact::ellipse::contact_modulus;
 use crate::{ElasticMaterial, Error};
 
 /// Two elastic bodies with a gap z(x, y) between their undeformed surfaces: quadratic, wavy or rough.
@@ -35,7 +35,7 @@ use crate::{ElasticMaterial, Error};
 /// bodies: the resultant need not pass through the origin.
 ///
 /// ```
-/// use riffel::{ContactGrid, ElasticMaterial, HertzContact, NormalContact};
+/// use riffel::{ElasticMaterial, HertzContact, contact::{ContactGrid, NormalContact}};
 ///
 /// # fn main() -> Result<(), riffel::Error> {
 /// let steel = ElasticMaterial::new(207e9, 0.3)?;

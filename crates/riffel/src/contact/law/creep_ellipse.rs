@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{CreepForces, Creepages};
-use crate::{Error, HertzContact, KalkerCoefficients};
+use crate::{Error, HertzContact, contact::KalkerCoefficients};
 
 /// Contact ellipse under a reference load, with Kalker's creep coefficients.
 ///

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::elliptic::EllipticIntegrals;
+use super::elliptic_integrals::EllipticIntegrals;
 use crate::Error;
 
 /// Semi-axes and approach of a Hertz contact under 1 N; those under a load P follow by

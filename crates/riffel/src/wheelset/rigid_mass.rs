@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::{Frequencies, Receptance};
-use crate::{Error, SplitComplex};
+use crate::tile::{Frequencies, SplitComplex};
+use crate::{Error, Receptance};
 
 /// Unsprung mass m_w, equation (25): H = −1/(m_w ω²).
 ///

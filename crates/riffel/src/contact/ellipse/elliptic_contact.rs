@@ -124,7 +124,7 @@ impl EllipticContact {
 }
 
 /// Contact modulus E\* \[Pa\] of two bodies: 1/E\* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
-pub(super) fn contact_modulus(materials: [ElasticMaterial; 2]) -> f64 {
+pub(in crate::contact) fn contact_modulus(materials: [ElasticMaterial; 2]) -> f64 {
     materials.map(plane_compliance).iter().sum::<f64>().recip()
 }
 

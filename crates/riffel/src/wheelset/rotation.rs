@@ -2,7 +2,10 @@
 
 use num_complex::Complex64;
 
-use crate::{Error, Frequencies, SplitComplex};
+use crate::{
+    Error,
+    tile::{Frequencies, SplitComplex},
+};
 
 /// Rotational response of a wheel at one frequency as the ratio Ω₁ : Q₁ = `lever` : `impedance`.
 ///

@@ -2,8 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::super::{ContactResponse, RollingContact, SteadyRolling};
-use super::{CreepLaw, Creepages, ForceLimit};
+use super::{ContactResponse, CreepLaw, Creepages, ForceLimit, MeanRolling, RollingContact};
 use crate::Error;
 
 /// Any creep law, answering to oscillations as if each instant were steady.
@@ -17,7 +16,7 @@ use crate::Error;
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuasiStatic<L> {
     law: L,
-    steady: SteadyRolling,
+    steady: MeanRolling,
     response: ContactResponse,
 }
 
@@ -115,7 +114,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
         let dq_dp = slopes.by_normal_force.longitudinal;
         let dq_dxi = slopes.by_longitudinal.longitudinal;
         Self {
-            steady: SteadyRolling {
+            steady: MeanRolling {
                 normal_force,
                 friction: law.friction(),
                 creepage,
@@ -139,7 +138,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
 }
 
 impl<L: CreepLaw> RollingContact for QuasiStatic<L> {
-    fn steady(&self) -> SteadyRolling {
+    fn steady(&self) -> MeanRolling {
         self.steady
     }
 
@@ -153,7 +152,7 @@ mod tests {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    use super::super::checks::ELLIPSE;
+    use super::super::law::checks::ELLIPSE;
     use super::super::{
         Carter2d, CreepDerivatives, CreepForces, FallingFriction, Fastsim, JohnsonVermeulen,
         Polach, ShenHedrickElkins, SlopeReduction, TractionBound,

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::{
-    ContactResponse, EnergyWear, PlaceOfWear, Receptance, RollingContact, RotationRatio,
-    SteadyRolling, WheelRotation,
+    EnergyWear, PlaceOfWear, Receptance, RollingContact,
+    contact::{ContactResponse, MeanRolling},
+    wheelset::{RotationRatio, WheelRotation},
 };
 
 /// The joints of the loop, each of any kind.
@@ -151,7 +152,7 @@ impl FeedbackLoop {
     /// the contact.
     pub(crate) fn normalized_dissipation(
         &self,
-        steady: &SteadyRolling,
+        steady: &MeanRolling,
         wavelength: f64,
         speed: f64,
     ) -> Complex64 {
@@ -206,7 +207,7 @@ impl FeedbackLoop {
     ///
     /// The profile loses the depth k_w e₁/(ρ·2b) per passage, so g = −Re(k_w e₁/(ρ·2b))/Δ with
     /// e₁ = Ŵ₁ μP₀ξ₀, and |Δ| grows like exp(g · passages).
-    fn growth_rate(&self, steady: &SteadyRolling, normalized: Complex64) -> f64 {
+    fn growth_rate(&self, steady: &MeanRolling, normalized: Complex64) -> f64 {
         let energy = steady.full_slip_energy_per_metre() * normalized.re;
         -self.wear.depth_per_energy() * energy / self.amplitude
     }

@@ -2,8 +2,10 @@
 
 use num_complex::Complex64;
 
-use super::{ContactResponse, HertzContact, RollingContact, SteadyRolling, creep_coefficient};
 use crate::Error;
+use crate::contact::{
+    ContactResponse, HertzContact, MeanRolling, RollingContact, creep_coefficient,
+};
 
 /// Creep law (5) with the quasi-static derivatives (9)–(12).
 ///
@@ -136,9 +138,9 @@ fn saturation_creepage(hertz: HertzContact, friction: f64) -> f64 {
 }
 
 impl RollingContact for Carter3d {
-    fn steady(&self) -> SteadyRolling {
+    fn steady(&self) -> MeanRolling {
         let normal_force = self.hertz.normal_force();
-        SteadyRolling {
+        MeanRolling {
             normal_force,
             friction: self.friction,
             creepage: self.creepage,

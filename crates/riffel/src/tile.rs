@@ -50,3 +50,13 @@ impl SplitComplex {
         std::array::from_fn(|j| Complex64::new(self.re[j], self.im[j]))
     }
 }
+
+/// A tile of angular frequencies with their reciprocals, which a map has for nothing and which spare
+/// the simplest structures a division.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frequencies {
+    /// ω \[rad/s\].
+    pub angular: Tile,
+    /// 1/ω \[s/rad\].
+    pub reciprocal: Tile,
+}

@@ -6,7 +6,7 @@ use approx::assert_relative_eq;
 /// The contact of the reference creep curve: 0.46 m on 0.23 m, 50 kN, E = 207 GPa, ν = 0.3.
 ///
 /// Kalker (1990), table E.3, linear in b/a = 0.6306 between 0.6 and 0.7, 1/C quadratic in ν.
-pub(super) const ELLIPSE: CreepEllipse = CreepEllipse {
+pub(in crate::contact) const ELLIPSE: CreepEllipse = CreepEllipse {
     normal_force: 50e3,
     semi_axis_longitudinal: 5.944e-3,
     semi_axis_lateral: 3.748e-3,
@@ -19,7 +19,7 @@ pub(super) const ELLIPSE: CreepEllipse = CreepEllipse {
 /// Derivatives against central differences with the relative step `step`. The tolerance is relative
 /// to the largest slope of the law; a difference that straddles full slip is left out, because the
 /// corner halves it.
-pub(super) fn derivatives_match(
+pub(in crate::contact) fn derivatives_match(
     law: &dyn CreepLaw,
     force: f64,
     creepages: Creepages,
@@ -80,7 +80,11 @@ pub(super) fn derivatives_match(
 }
 
 /// |F| ≤ μP, and F is odd in the creepages.
-pub(super) fn stays_below_friction(law: &dyn CreepLaw, force: f64, creepages: Creepages) {
+pub(in crate::contact) fn stays_below_friction(
+    law: &dyn CreepLaw,
+    force: f64,
+    creepages: Creepages,
+) {
     let forces = law.forces(force, creepages);
     assert!(forces.magnitude() <= law.friction() * force * (1.0 + 1e-12));
     let opposite = law.forces(
@@ -101,7 +105,7 @@ pub(super) fn stays_below_friction(law: &dyn CreepLaw, force: f64, creepages: Cr
 }
 
 /// A thousandth of a small creepage answers as the linear theory says, to the relative tolerance.
-pub(super) fn starts_linear(
+pub(in crate::contact) fn starts_linear(
     law: &dyn CreepLaw,
     ellipse: &CreepEllipse,
     force: f64,
@@ -127,7 +131,7 @@ pub(super) fn starts_linear(
 }
 
 /// The longitudinal force grows up to the limit of the law, and is μP beyond full slip.
-pub(super) fn grows_to_limit(law: &dyn CreepLaw, force: f64) {
+pub(in crate::contact) fn grows_to_limit(law: &dyn CreepLaw, force: f64) {
     let limit = law.limit(force);
     let at = |xi: f64| law.forces(force, Creepages::longitudinal(xi)).longitudinal;
     let mut last = 0.0;

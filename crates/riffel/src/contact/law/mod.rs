@@ -1,24 +1,25 @@
 //! Steady creep laws: tangential force of a rolling contact against creepage.
 
 mod carter2d;
-mod ellipse;
+mod carter3d;
+mod creep_ellipse;
 mod fastsim;
 mod johnson_vermeulen;
 mod polach;
-mod quasi_static;
 mod shen_hedrick_elkins;
 
 #[cfg(test)]
-mod checks;
+pub(super) mod checks;
 #[cfg(test)]
 mod comparison;
 
 pub use carter2d::{Carter2d, LineContact};
-pub use ellipse::CreepEllipse;
+pub use carter3d::Carter3d;
+pub use creep_ellipse::CreepEllipse;
+
 pub use fastsim::{ContactCell, Fastsim, TractionBound, TractionDistribution};
 pub use johnson_vermeulen::JohnsonVermeulen;
 pub use polach::{FallingFriction, Polach, SlopeReduction};
-pub use quasi_static::QuasiStatic;
 pub use shen_hedrick_elkins::ShenHedrickElkins;
 
 use std::sync::Arc;

@@ -1,0 +1,18 @@
+//! The contact ellipse: Hertz's theory, Kalker's creep coefficients, and what the patch averages out of a rough rail.
+
+mod contact_filter;
+mod creep_coefficient;
+mod elliptic_contact;
+mod elliptic_integrals;
+mod hertz;
+mod kalker_coefficients;
+mod kalker_table;
+mod unit_ellipse;
+
+pub use contact_filter::ContactFilter;
+pub use creep_coefficient::creep_coefficient;
+pub(super) use elliptic_contact::contact_modulus;
+pub use elliptic_contact::{ContactBody, EllipticContact};
+pub use elliptic_integrals::EllipticIntegrals;
+pub use hertz::HertzContact;
+pub use kalker_coefficients::KalkerCoefficients;
