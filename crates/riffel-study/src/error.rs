@@ -131,12 +131,12 @@ pub enum StudyError {
         message: String,
     },
 
-    /// The arrays cannot be encoded.
-    #[error("the array {name} cannot be encoded: {reason}")]
+    /// An array cannot be read.
+    #[error("the array {name} cannot be read: {reason}")]
     Array {
         /// Its name.
         name: String,
-        /// What zarr says.
-        reason: String,
+        /// Why not.
+        reason: &'static str,
     },
 }

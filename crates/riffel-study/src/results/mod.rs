@@ -16,6 +16,7 @@ mod arrays;
 mod atomic;
 mod merge;
 mod record;
+mod zarr;
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -27,9 +28,10 @@ pub use record::{Reason, Summary};
 
 use crate::study::{Chunk, Study};
 use crate::{ParameterValue, Shard, StudyError};
-use arrays::{Arrays, Values};
+use arrays::Arrays;
 use record::{ChunkRecord, StudyRecord};
 use sha2::{Digest, Sha256};
+use zarr::Values;
 
 /// The folder of the arrays.
 pub(crate) const ARRAYS: &str = "results.zarr";
@@ -66,7 +68,7 @@ impl ResultFolder {
         let own = StudyRecord::of(study);
         let folder = Self {
             path: path.to_owned(),
-            arrays: Arrays::new(study)?,
+            arrays: Arrays::new(study),
             study: own,
         };
         if path.join(STUDY).exists() {
@@ -101,7 +103,7 @@ impl ResultFolder {
         there.check(&StudyRecord::of(&study), path)?;
         let folder = Self {
             path: path.to_owned(),
-            arrays: Arrays::new(&study)?,
+            arrays: Arrays::new(&study),
             study: there,
         };
         Ok((study, folder))
@@ -173,7 +175,7 @@ impl ResultFolder {
                 write(name, bytes)?;
             }
         }
-        for (name, bytes) in self.arrays.beginning(study)? {
+        for (name, bytes) in self.arrays.beginning(study) {
             write(&format!("{ARRAYS}/{name}"), &bytes)?;
         }
         write(STUDY, &record::json(&self.study))
@@ -189,7 +191,7 @@ impl ResultFolder {
     /// [`StudyError::Write`]; the chunk is then not finished.
     pub fn commit(&self, chunk: &Chunk) -> Result<(), StudyError> {
         let mut record = ChunkRecord::new(chunk);
-        for (name, bytes) in self.arrays.encode(chunk)? {
+        for (name, bytes) in self.arrays.encode(chunk) {
             atomic::write(&self.path.join(ARRAYS).join(&name), &bytes)?;
             record.files.insert(name, checksum(&bytes));
         }
@@ -280,7 +282,7 @@ impl ResultFolder {
             Values::Numbers(numbers) => Ok(numbers),
             Values::Texts(_) => Err(StudyError::Array {
                 name: name.to_owned(),
-                reason: "its values are texts".to_owned(),
+                reason: "its values are texts",
             }),
         }
     }
@@ -312,9 +314,10 @@ impl ResultFolder {
     }
 
     fn read_array(&self, name: &str) -> Result<Values, StudyError> {
+        let array = self.arrays.find(name)?;
         let mut all: Option<Values> = None;
         for chunk in 0..self.study.chunks {
-            let file = self.arrays.file_of(name, chunk)?;
+            let file = array.file(chunk);
             let path = self.path.join(ARRAYS).join(&file);
             let damaged = || StudyError::Damaged {
                 path: path.clone(),
@@ -325,7 +328,13 @@ impl ResultFolder {
             if record.files.get(&file) != Some(&checksum(&bytes)) {
                 return Err(damaged());
             }
-            let values = self.arrays.decode(name, chunk, bytes, record.samples)?;
+            let values =
+                array
+                    .decode(&bytes, record.samples)
+                    .map_err(|reason| StudyError::Array {
+                        name: name.to_owned(),
+                        reason,
+                    })?;
             match (&mut all, values) {
                 (Some(Values::Numbers(all)), Values::Numbers(more)) => all.extend(more),
                 (Some(Values::Texts(all)), Values::Texts(more)) => all.extend(more),
