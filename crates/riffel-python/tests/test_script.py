@@ -48,6 +48,17 @@ def test_files_are_those_of_the_program(tmp_path: Path) -> None:
     assert [file.read_bytes() for file in here] == [file.read_bytes() for file in there]
 
 
+def test_the_program_waits_for_neither_numpy_nor_xarray() -> None:
+    """To import them takes longer than most of its commands."""
+    program = (
+        "import sys; from riffel.__main__ import main; status = main();"
+        "found = sorted({'numpy', 'xarray', 'riffel._riffel'} & sys.modules.keys()); print(status, found)"
+    )
+    point = ["point", "cases/nominal.toml", "--wavelength", "55 mm", "--speed", "108 km/h", "--json"]
+    found = run([sys.executable, "-c", program], *point)
+    assert found.stdout.splitlines()[-1] == "0 ['riffel._riffel']", found.stderr
+
+
 def test_ctrl_c_is_for_the_program(tmp_path: Path) -> None:
     """The page ends its own work and says so by a status of zero; Python would raise."""
     page = subprocess.Popen([SCRIPT, "serve", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

@@ -15,13 +15,17 @@ Conventions: time factor exp(+i omega t); receptances in m/N, positive downward;
 where the real part of the normalised dissipation is negative, and where the growth rate is positive.
 """
 
-from riffel import roughness
-from riffel._case import Case
-from riffel._matlab import to_matlab
-from riffel._receptance import receptance_from_uff
-from riffel._riffel import VERSION as __version__
-from riffel._riffel import ConvergenceError, ReceptanceError, presets
-from riffel._study import Study, merge_studies, open_results, study_summary
+import importlib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from riffel import roughness
+    from riffel._case import Case
+    from riffel._matlab import to_matlab
+    from riffel._receptance import receptance_from_uff
+    from riffel._riffel import VERSION as __version__
+    from riffel._riffel import ConvergenceError, ReceptanceError, presets
+    from riffel._study import Study, merge_studies, open_results, study_summary
 
 __all__ = [
     "Case",
@@ -37,3 +41,33 @@ __all__ = [
     "study_summary",
     "to_matlab",
 ]
+
+# Where a name is, which loads its module when it is first asked for: the program is imported with this package and
+# must not wait for NumPy and xarray.
+_HOMES = {
+    "Case": "riffel._case",
+    "ConvergenceError": "riffel._riffel",
+    "ReceptanceError": "riffel._riffel",
+    "Study": "riffel._study",
+    "merge_studies": "riffel._study",
+    "open_results": "riffel._study",
+    "presets": "riffel._riffel",
+    "receptance_from_uff": "riffel._receptance",
+    "study_summary": "riffel._study",
+    "to_matlab": "riffel._matlab",
+}
+
+if not TYPE_CHECKING:  # a type checker shall see wrong names
+
+    def __getattr__(name: str) -> object:
+        if name == "roughness":
+            return importlib.import_module("riffel.roughness")
+        if name == "__version__":
+            return importlib.import_module("riffel._riffel").VERSION
+        if name in _HOMES:
+            return getattr(importlib.import_module(_HOMES[name]), name)
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 import xarray as xr
 
-from riffel import _datasets, _diagnosis, _riffel
+from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _riffel, _track
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
 from riffel._receptance import GivenReceptance, checked_receptance
 from riffel._records import Date, Levels, RailRecord, checked_levels
@@ -258,12 +258,12 @@ class Case:
         def without_values() -> xr.Dataset:
             if own and self._window_map is not None:
                 return self._window_map.copy()
-            return _datasets.growth_map(wavelengths, speeds, self.title)
+            return _growth.empty_map(wavelengths, speeds, self.title)
 
         values, rate, growth = self._case.growth_map(wavelengths, speeds, without_values)
         if own and self._window_map is None:
             self._window_map = growth.copy()
-        return _datasets.with_growth(growth, values[:, : wavelengths.size], rate)
+        return _growth.filled(growth, values[:, : wavelengths.size], rate)
 
     def bay_maps(self) -> xr.Dataset:
         """Growth over a sleeper bay on discrete supports, over the window of the case.
@@ -279,11 +279,7 @@ class Case:
             On a track that is the same everywhere along the rail.
         """
         maps, rate = self._case.bay_maps()
-        wavelengths, speeds = self._case.wavelengths(), self._case.speeds()
-        empty = _datasets.growth_map(wavelengths, speeds, self.title)
-        places = [_datasets.with_growth(empty.copy(), values, rate).load() for values in maps]
-        names = xr.Variable("place", ["over support", "mid-span", "mean"], {"long_name": "place of the wheel"})
-        return xr.concat(places, xr.DataArray(names, name="place"), combine_attrs="override")
+        return _growth.bay_maps(maps, rate, self._case.wavelengths(), self._case.speeds(), self.title)
 
     def ridge(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
         """The wavelength of highest growth at each speed.
@@ -308,21 +304,7 @@ class Case:
         array([537., 539.])
         """
         axis, speeds = self._ridge_window(wavelength, speed)
-        (place, frequency, normalized, rate), edges, best = self._case.ridge(axis, speeds)
-        edge = {"long_name": "whether a wavelength outside the window would grow faster"}
-        attributes = _datasets.attributes(self.title)
-        attributes["best_fit_frequency_hz"] = np.nan if best is None else best
-        return xr.Dataset(
-            {
-                "wavelength": ("speed", place, _datasets.WAVELENGTH),
-                "frequency": ("speed", frequency, _datasets.FREQUENCY),
-                "normalized_dissipation_re": ("speed", normalized, _datasets.NORMALIZED),
-                "growth_rate": ("speed", rate, _datasets.GROWTH_RATE),
-                "at_edge": ("speed", edges, edge),
-            },
-            {"speed": ("speed", speeds, _datasets.SPEED)},
-            attributes,
-        )
+        return _growth.ridge(self._case.ridge(axis, speeds), speeds, self.title)
 
     def ridge_branches(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
         """The branches of the ridge: lines of growth whose frequency is continuous over speed, the strongest first.
@@ -348,40 +330,7 @@ class Case:
         array([230.,  70., 590.])
         """
         axis, speeds = self._ridge_window(wavelength, speed)
-        found = self._case.ridge_branches(axis, speeds)
-        # A speed given twice has two rows of the same values.
-        values = np.full((5, len(found), speeds.size), np.nan)
-        edges = np.zeros((len(found), speeds.size), dtype=bool)
-        for index, (_, columns, at_edge) in enumerate(found):
-            place = {float(at): row for row, at in enumerate(columns[0])}
-            rows = np.array([place.get(float(at), -1) for at in speeds])
-            here = rows >= 0
-            edges[index, here] = at_edge[rows[here]]
-            for table, column in zip(values, columns, strict=True):
-                table[index, here] = column[rows[here]]
-        grid = ("branch", "speed")
-        edge = {"long_name": "whether a wavelength outside the window would grow faster"}
-        known = [entry for entry, _, _ in found]
-        frequencies = [entry["frequency"] for entry in known]
-        highest = [entry["growth_rate"] for entry in known]
-        names = np.array([entry["mechanism"] or "" for entry in known], dtype=str)
-        return xr.Dataset(
-            {
-                "wavelength": (grid, values[1], _datasets.WAVELENGTH),
-                "frequency": (grid, values[2], _datasets.FREQUENCY),
-                "normalized_dissipation_re": (grid, values[3], _datasets.NORMALIZED),
-                "growth_rate": (grid, values[4], _datasets.GROWTH_RATE),
-                "at_edge": (grid, edges, edge),
-                "best_fit_frequency": ("branch", frequencies, _datasets.FREQUENCY),
-                "highest_growth_rate": ("branch", highest, _datasets.GROWTH_RATE),
-                "mechanism": ("branch", names, {"long_name": "resonance of the case that the branch follows"}),
-            },
-            {
-                "branch": ("branch", np.arange(len(found)), {"long_name": "branch, the strongest first"}),
-                "speed": ("speed", speeds, _datasets.SPEED),
-            },
-            _datasets.attributes(self.title),
-        )
+        return _growth.ridge_branches(self._case.ridge_branches(axis, speeds), speeds, self.title)
 
     def _ridge_window(
         self, wavelength: Quantities | None, speed: Quantities | None
@@ -425,19 +374,8 @@ class Case:
         asked = None if frequency is None else array(frequency, "frequency", "frequency")
         load = None if speed is None else scalar(speed, "speed", "speed")
         frequencies, joints = self._case.receptance(asked, load, direction)
-        attributes = _datasets.attributes(self.title)
-        if direction == "vertical":
-            found = self._case.resonances()
-            attributes["resonances"] = [name for name, _, _ in found]
-            attributes["resonance_frequencies_hz"] = [place for _, place, _ in found]
-        return xr.Dataset(
-            {
-                key: ("frequency", values, {"units": "m/N", "long_name": f"receptance, {name}"})
-                for key, name, values in joints
-            },
-            {"frequency": ("frequency", frequencies, _datasets.FREQUENCY)},
-            attributes,
-        )
+        resonances = self._case.resonances() if direction == "vertical" else None
+        return _track.receptance(frequencies, joints, resonances, self.title)
 
     def decay_rate(self, *, direction: str = "vertical") -> xr.DataArray:
         """Track decay rate in one-third octaves of EN 15461, in dB/m over nominal ``frequency``.
@@ -449,17 +387,7 @@ class Case:
         ValueError
             For a track whose supports the case does not know.
         """
-        rates = self._case.decay_rate(direction)
-        return xr.DataArray(
-            [rate for _, rate, _ in rates],
-            {
-                "frequency": ("frequency", [place for place, _, _ in rates], _datasets.FREQUENCY),
-                "upper_bound": ("frequency", [bound for _, _, bound in rates]),
-            },
-            ("frequency",),
-            "decay_rate",
-            {"units": "dB/m", "long_name": "track decay rate"},
-        )
+        return _track.decay_rate(self._case.decay_rate(direction))
 
     def contact(self) -> dict[str, Any]:
         """The contact patch: the scalars of ``riffel contact --json``."""
@@ -491,16 +419,7 @@ class Case:
         """
         asked = None if creepage is None else array(creepage, "creepage", "ratio")
         creepages, laws = self._case.creep_curve(asked)
-        ratio = {"units": "1", "long_name": "tractive ratio Q/(mu P)"}
-        return xr.Dataset(
-            {"tractive_ratio": (("law", "creepage"), np.array([values for _, _, values in laws]), ratio)},
-            {
-                "law": ("law", [key for key, _, _ in laws], {"long_name": "creep law"}),
-                "name": ("law", [name for _, name, _ in laws], {"long_name": "name of the law in figures"}),
-                "creepage": ("creepage", creepages, {"units": "1", "long_name": "creepage"}),
-            },
-            _datasets.attributes(self.title),
-        )
+        return _contact.creep_curve(creepages, laws, self.title)
 
     def frequency_response(self, wavelength_over_semi_axis: Quantities | None = None) -> xr.Dataset:
         """Responses of the exact contact to small oscillations, over those to slow ones.
@@ -526,24 +445,7 @@ class Case:
         name = "wavelength_over_semi_axis"
         asked = None if wavelength_over_semi_axis is None else array(wavelength_over_semi_axis, name, "ratio")
         ratios, responses = self._case.frequency_response(asked)
-        inputs = list(dict.fromkeys(put for put, _, _, _ in responses))
-        outputs = list(dict.fromkeys(output for _, output, _, _ in responses))
-        values = np.array([values for _, _, _, values in responses]).reshape(len(inputs), len(outputs), ratios.size)
-        return xr.Dataset(
-            {
-                "response": (
-                    ("input", "output", name),
-                    values,
-                    {"units": "1", "long_name": "response over the quasi-static one"},
-                )
-            },
-            {
-                "input": ("input", inputs, {"long_name": "what oscillates"}),
-                "output": ("output", outputs, {"long_name": "what answers"}),
-                name: (name, ratios, {"units": "1", "long_name": "wavelength over the longitudinal semi-axis"}),
-            },
-            _datasets.attributes(self.title),
-        )
+        return _contact.frequency_response(ratios, responses, self.title)
 
     def forecast(
         self,
@@ -627,38 +529,7 @@ class Case:
             given.get("months"),
             limit,
         )
-        decibels = {"units": "dB re 1 µm", "long_name": "one-third-octave level"}
-        attributes = _datasets.attributes(self.title)
-        for name, key in (
-            ("grinding_interval_passages", "grinding_interval"),
-            ("linear_range_passages", "linear_passages"),
-            ("linear_force_ratio_now", "linear_force_ratio"),
-            ("passages_per_day", "passages_per_day"),
-        ):
-            attributes[name] = np.nan if found[key] is None else found[key]
-        attributes["limit"] = limit
-        attributes["limit_reached"] = found["limit_reached"]
-        attributes["remarks"] = found["remarks"]
-        return xr.Dataset(
-            {
-                "level": (("passages", "wavelength"), found["level"], decibels),
-                "level_now": ("wavelength", found["now"], decibels),
-                "growth_rate": ("wavelength", found["growth_rate"], _datasets.GROWTH_RATE),
-                "limit": ("wavelength", found["limit"], {**decibels, "long_name": "limit of the level"}),
-                "passages_to_limit": (
-                    "wavelength",
-                    found["passages_to_limit"],
-                    {"units": "1", "long_name": "axle passages to the limit"},
-                ),
-            },
-            {
-                "passages": ("passages", found["passages"], {"units": "1", "long_name": "axle passages"}),
-                "mgt": ("passages", found["mgt"], {"units": "1e9 kg", "long_name": "million gross tonnes"}),
-                "wavelength": ("wavelength", found["wavelength"], _datasets.WAVELENGTH),
-                "nominal_mm": ("wavelength", found["nominal"], {"units": "mm", "long_name": "nominal wavelength"}),
-            },
-            attributes,
-        )
+        return _forecast.forecast(found, limit, self.title)
 
     def compare(
         self,
@@ -723,39 +594,7 @@ class Case:
             hold,
             limit,
         )
-
-        def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
-            values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
-            return "variant", values, {"units": units, "long_name": name}
-
-        def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
-            return "variant", [outcome[key] or "" for outcome in outcomes], {"long_name": name}
-
-        attributes = _datasets.attributes(self.title)
-        attributes["no_effect"] = [outcome["no_effect"] for outcome in outcomes if outcome["no_effect"]]
-        return xr.Dataset(
-            {
-                "growth_rate": (
-                    ("variant", "wavelength"),
-                    np.array([outcome["growth_rate"] for outcome in outcomes]),
-                    _datasets.GROWTH_RATE,
-                ),
-                "fastest_wavelength": column("fastest_wavelength", "m", "wavelength that grows fastest"),
-                "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
-                "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the strongest branch of the ridge follows"),
-                "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
-                "months_to_limit": column("months_to_limit", "month", "months to the limit"),
-                "limit_reached": words("limit_reached", "whether the limit is reached"),
-                "hold": words("hold", "what is held where friction or load change"),
-                "acts": ("variant", [outcome["acts"] for outcome in outcomes], {"long_name": "whether it acts"}),
-            },
-            {
-                "variant": ("variant", [outcome["title"] for outcome in outcomes]),
-                "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
-                "nominal_mm": ("wavelength", nominal, {"units": "mm", "long_name": "nominal wavelength"}),
-            },
-            attributes,
-        )
+        return _forecast.comparison(wavelengths, nominal, outcomes, self.title)
 
     def fit_wear(
         self,

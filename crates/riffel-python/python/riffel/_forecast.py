@@ -1,0 +1,87 @@
+"""Forecasts and comparisons as `xarray` objects."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riffel import _datasets
+from riffel._quantities import Floats
+
+
+def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Dataset:
+    """Levels over passages and wavelength."""
+    decibels = {"units": "dB re 1 µm", "long_name": "one-third-octave level"}
+    attributes = _datasets.attributes(title)
+    for name, key in (
+        ("grinding_interval_passages", "grinding_interval"),
+        ("linear_range_passages", "linear_passages"),
+        ("linear_force_ratio_now", "linear_force_ratio"),
+        ("passages_per_day", "passages_per_day"),
+    ):
+        attributes[name] = np.nan if found[key] is None else found[key]
+    attributes["limit"] = limit
+    attributes["limit_reached"] = found["limit_reached"]
+    attributes["remarks"] = found["remarks"]
+    return xr.Dataset(
+        {
+            "level": (("passages", "wavelength"), found["level"], decibels),
+            "level_now": ("wavelength", found["now"], decibels),
+            "growth_rate": ("wavelength", found["growth_rate"], _datasets.GROWTH_RATE),
+            "limit": ("wavelength", found["limit"], {**decibels, "long_name": "limit of the level"}),
+            "passages_to_limit": (
+                "wavelength",
+                found["passages_to_limit"],
+                {"units": "1", "long_name": "axle passages to the limit"},
+            ),
+        },
+        {
+            "passages": ("passages", found["passages"], {"units": "1", "long_name": "axle passages"}),
+            "mgt": ("passages", found["mgt"], {"units": "1e9 kg", "long_name": "million gross tonnes"}),
+            "wavelength": ("wavelength", found["wavelength"], _datasets.WAVELENGTH),
+            "nominal_mm": ("wavelength", found["nominal"], {"units": "mm", "long_name": "nominal wavelength"}),
+        },
+        attributes,
+    )
+
+
+def comparison(
+    wavelengths: Floats, nominal: Floats, outcomes: Sequence[Mapping[str, Any]], title: str | None
+) -> xr.Dataset:
+    """Growth on variants of a case, side by side."""
+
+    def column(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
+        values = [np.nan if outcome[key] is None else outcome[key] for outcome in outcomes]
+        return "variant", values, {"units": units, "long_name": name}
+
+    def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
+        return "variant", [outcome[key] or "" for outcome in outcomes], {"long_name": name}
+
+    attributes = _datasets.attributes(title)
+    attributes["no_effect"] = [outcome["no_effect"] for outcome in outcomes if outcome["no_effect"]]
+    return xr.Dataset(
+        {
+            "growth_rate": (
+                ("variant", "wavelength"),
+                np.array([outcome["growth_rate"] for outcome in outcomes]),
+                _datasets.GROWTH_RATE,
+            ),
+            "fastest_wavelength": column("fastest_wavelength", "m", "wavelength that grows fastest"),
+            "fastest_growth_rate": column("fastest_growth_rate", "1", "its growth rate per passage"),
+            "ridge_frequency": column("ridge_frequency", "Hz", "frequency that the strongest branch of the ridge follows"),
+            "passages_to_limit": column("passages_to_limit", "1", "axle passages to the limit"),
+            "months_to_limit": column("months_to_limit", "month", "months to the limit"),
+            "limit_reached": words("limit_reached", "whether the limit is reached"),
+            "hold": words("hold", "what is held where friction or load change"),
+            "acts": ("variant", [outcome["acts"] for outcome in outcomes], {"long_name": "whether it acts"}),
+        },
+        {
+            "variant": ("variant", [outcome["title"] for outcome in outcomes]),
+            "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
+            "nominal_mm": ("wavelength", nominal, {"units": "mm", "long_name": "nominal wavelength"}),
+        },
+        attributes,
+    )
