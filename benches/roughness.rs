@@ -10,7 +10,7 @@ use riffel::roughness::{
     BandSettings, BandStatistics, PIT_DEPTH, PowerSpectrum, Profile, SpikeCriterion, WHEEL_RADIUS,
     WavelengthBand,
 };
-use riffel_case::roughness::{Layout, RoughnessFile};
+use riffel_rail::{Layout, RoughnessFile};
 
 use crate::contestant::{Contestant, Failure, numpy_version, scipy_version};
 use crate::{check_agreement, median};

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use miette::Diagnostic;
-use riffel_case::CaseError;
+use riffel_keys::CaseError;
 use tempfile::TempDir;
 
 /// Longest time a reader may compute on one input, on all threads together.

@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use riffel_case::roughness::{Layout, RoughnessFile};
+use riffel_rail::{Layout, RoughnessFile};
 
 fuzz_target!(|bytes: &[u8]| {
     let path = riffel_fuzz::file("rail.csv", bytes);

@@ -2,9 +2,10 @@
 
 use riffel::diagnosis::MechanismKind;
 use riffel::{Ridge, growth::RidgeBranch};
+use riffel_keys::{Language, Remark};
 use serde::Serialize;
 
-use crate::{Case, Language, Remark};
+use crate::Case;
 
 /// A branch is named by a resonance of the case within this share of its frequency.
 ///

@@ -11,15 +11,16 @@ use riffel::{
     Axis, ElasticMaterial, EnergyWear, FeedbackLoop, PlaceOfWear, Receptance,
     wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation},
 };
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::case::Case;
+use crate::case_text::CaseText;
 use crate::file::{CaseFile, DissipationPhase, Rotation};
 use crate::given::Given;
-use crate::quantity::{Dimension, Quantity};
-use crate::source::Source;
+use crate::measurement;
 use crate::track::{Direction, Track};
 use crate::validity::{self, Window};
-use crate::{CaseError, measurement};
 
 /// Most points along one axis of a map.
 const MOST_AXIS_POINTS: u64 = 100_000;
@@ -29,7 +30,7 @@ const MOST_MAP_POINTS: u64 = 100_000_000;
 /// A case file on its way to a case. Every quantity that is written lies in its physical range.
 #[derive(Clone)]
 pub(crate) struct Builder {
-    pub(crate) source: Source,
+    pub(crate) text: CaseText,
     /// Folder to which file names in the case are relative; without one the case may not name any.
     folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
@@ -41,7 +42,7 @@ pub(crate) struct Builder {
 
 impl Builder {
     pub(crate) fn new(
-        source: Source,
+        text: CaseText,
         folder: Option<PathBuf>,
         mut file: CaseFile,
         given: Given,
@@ -53,7 +54,7 @@ impl Builder {
             Quantity::new(RigidInertia::reduced_inertia(mass, radius))
         });
         Self {
-            source,
+            text,
             folder,
             file,
             given,
@@ -66,8 +67,8 @@ impl Builder {
     }
 
     /// The error of a case that names a file and may not.
-    pub(crate) fn names_a_file(source: &Source) -> CaseError {
-        source.invalid(
+    pub(crate) fn names_a_file(text: &CaseText) -> CaseError {
+        text.keys.invalid(
             "track.measurement.file",
             "is a file, and this case may not name any",
             "use it in a case file with the program, `riffel map CASE`",
@@ -75,7 +76,7 @@ impl Builder {
     }
 
     /// The case; `written` are its keys before presets.
-    pub(crate) fn build(self, written: Source) -> Result<Case, CaseError> {
+    pub(crate) fn build(self, written: CaseText) -> Result<Case, CaseError> {
         let file = &self.file;
         let steel = self.steel()?;
 
@@ -115,7 +116,7 @@ impl Builder {
             wear: self.physics("wear", wear)?,
             amplitude: file.corrugation.amplitude.si(),
         };
-        let mut remarks = self.source.remarks.clone();
+        let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
         remarks.extend(
             self.given
@@ -176,7 +177,7 @@ impl Builder {
         } else {
             format!("{lowest:.4} to {highest:.4} Hz are")
         };
-        Err(self.source.invalid(
+        Err(self.text.keys.invalid(
             key,
             &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             "narrow the window, or measure further",
@@ -208,7 +209,7 @@ impl Builder {
         )?;
         let speed_axis = self.axis("map.speed", speed.min, speed.max, speed.points)?;
         if wavelength.points * speed.points > MOST_MAP_POINTS {
-            return Err(self.source.invalid(
+            return Err(self.text.keys.invalid(
                 "map",
                 &format!(
                     "{} wavelengths at {} speeds are more than the {MOST_MAP_POINTS} points of the \
@@ -230,14 +231,14 @@ impl Builder {
     ) -> Result<Axis, CaseError> {
         let (low, high) = (min.si(), max.si());
         if low >= high {
-            return Err(self.source.invalid(
+            return Err(self.text.keys.invalid(
                 &format!("{key}.max"),
                 &format!("is {max}, but the window is empty unless it is above the min of {min}"),
                 "",
             ));
         }
         if !(2..=MOST_AXIS_POINTS).contains(&points) {
-            return Err(self.source.invalid(
+            return Err(self.text.keys.invalid(
                 &format!("{key}.points"),
                 &format!("is {points}, but must be between 2 and {MOST_AXIS_POINTS}"),
                 "",
@@ -248,7 +249,8 @@ impl Builder {
     }
 
     pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
-        self.source
+        self.text
+            .keys
             .invalid(key, &format!("is {value}, but must be {rule}"), "")
     }
 
@@ -261,7 +263,7 @@ impl Builder {
                 ", or name a preset by track.preset"
             };
             let help = format!("track.model = \"{model}\" needs it: give it{preset}");
-            self.source.missing(key, &help)
+            self.text.keys.missing(key, &help)
         })
     }
 
@@ -272,7 +274,7 @@ impl Builder {
         result: Result<T, riffel::Error>,
     ) -> Result<T, CaseError> {
         result.map_err(|error| {
-            let invalid = self.source.invalid(key, &error.to_string(), "");
+            let invalid = self.text.keys.invalid(key, &error.to_string(), "");
             match error {
                 riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
                 _ => invalid,

@@ -5,23 +5,24 @@ use std::path::Path;
 use riffel::{
     Axis, Carter3d, FeedbackLoop, HertzContact, LoopState, contact::MeanRolling, growth::Bay,
 };
+use riffel_keys::quantity::Quantity;
+use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 
+use crate::Point;
 use crate::builder::Builder;
+use crate::case_text::CaseText;
 use crate::creep_laws::CreepLaws;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::given::{Given, GivenReceptance};
-use crate::quantity::Quantity;
-use crate::source::Source;
 use crate::track::{Direction, Track};
 use crate::validity::Window;
-use crate::{CaseError, PhysicalRange, Point, Remark, text_file};
 
 /// A case ready to compute.
 #[derive(Clone)]
 pub struct Case {
     pub(crate) builder: Builder,
     /// The keys as they were written and overridden, before presets.
-    pub(crate) written: Source,
+    pub(crate) written: CaseText,
     /// Every key with its value, presets and defaults filled in.
     pub file: CaseFile,
     /// The loop of the case.
@@ -77,27 +78,26 @@ impl Case {
         text: &str,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
-        let mut source = Source::parse(name, text)?;
-        source.is_a_case()?;
-        source.apply(overrides)?;
-        Self::of_source(source, folder, Given::default(), Window::Map)
+        let mut written = CaseText::parse(name, text)?;
+        written.apply(overrides)?;
+        Self::of_text(written, folder, Given::default(), Window::Map)
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
-    pub(crate) fn of_source(
-        written: Source,
+    pub(crate) fn of_text(
+        written: CaseText,
         folder: Option<&Path>,
         given: Given,
         window: Window,
     ) -> Result<Self, CaseError> {
-        let mut source = written.clone();
-        source.fill_in()?;
-        let file: CaseFile = source.deserialize()?;
-        source.judge_case()?;
+        let mut text = written.clone();
+        text.fill_in()?;
+        let file = text.deserialize()?;
+        text.judge()?;
         if folder.is_none() && file.track.measurement.is_some() {
-            return Err(Builder::names_a_file(&source));
+            return Err(Builder::names_a_file(&text));
         }
-        Builder::new(source, folder.map(Path::to_owned), file, given, window).build(written)
+        Builder::new(text, folder.map(Path::to_owned), file, given, window).build(written)
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it
@@ -116,21 +116,21 @@ impl Case {
 
     /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
     pub(crate) fn keys_with(&self, sets: &[&[String]]) -> Result<CaseFile, CaseError> {
-        let mut source = self.written.clone();
+        let mut text = self.written.clone();
         for overrides in sets {
-            source.apply(overrides)?;
+            text.apply(overrides)?;
         }
-        source.fill_in()?;
-        source.deserialize()
+        text.fill_in()?;
+        text.deserialize()
     }
 
     fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {
-        let mut source = self.written.clone();
+        let mut text = self.written.clone();
         for overrides in sets {
-            source.apply(overrides)?;
+            text.apply(overrides)?;
         }
-        Self::of_source(
-            source,
+        Self::of_text(
+            text,
             self.builder.folder(),
             self.builder.given.clone(),
             window,
@@ -269,6 +269,6 @@ impl Case {
 
     /// A sentence about a key of the case.
     pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
-        self.builder.source.refuse(key, message)
+        self.builder.text.keys.refuse(key, message)
     }
 }

@@ -9,8 +9,8 @@ use riffel::{
         KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
     },
 };
+use riffel_keys::CaseError;
 
-use crate::CaseError;
 use crate::builder::Builder;
 use crate::file::PolachParameters;
 
@@ -108,7 +108,7 @@ impl Builder {
             });
         }
         let missing = |key: &str| {
-            self.source.missing(
+            self.text.keys.missing(
                 key,
                 "falling friction needs limit_friction_ratio, friction_decay and speed of \
                  [contact.polach]: give all three or none",

@@ -1,12 +1,11 @@
 //! The keys of a case file, as written.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::{Deserialize, Serialize};
-
-use crate::quantity::{
+use riffel_keys::quantity::{
     Area, Damping, DampingPerLength, Density, Force, Inertia, Length, Mass, MassPerLength, Modulus,
     Quantity, Ratio, SecondMoment, Speed, Stiffness, VelocityDecay, WearCoefficient,
 };
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
 
 /// A Riffel case: one vehicle wheel on one track.
 ///

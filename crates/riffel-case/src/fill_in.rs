@@ -1,10 +1,11 @@
 //! Presets in the place of keys left out.
 
-use crate::preset::{Preset, PresetKind, presets};
-use crate::source::Source;
-use crate::{CaseError, Remark, preset};
+use riffel_keys::{CaseError, Remark};
 
-impl Source {
+use crate::case_text::CaseText;
+use crate::preset::{Preset, PresetKind, preset, presets};
+
+impl CaseText {
     /// Put the values of the presets that the case names in the place of keys left out: first those of
     /// single parts, then those of the whole track.
     ///
@@ -14,13 +15,13 @@ impl Source {
     pub(crate) fn fill_in(&mut self) -> Result<(), CaseError> {
         for kind in PresetKind::ALL {
             let key = kind.key();
-            let Some(name) = self.text_of(key) else {
+            let Some(name) = self.keys.text_of(key) else {
                 continue;
             };
-            let preset = preset::preset(&name)
+            let preset = preset(name)
                 .ok()
                 .filter(|preset| preset.kind == kind)
-                .ok_or_else(|| self.unknown_preset(kind, &name))?;
+                .ok_or_else(|| self.unknown_preset(kind, name))?;
             self.fill_in_one(preset);
         }
         Ok(())
@@ -32,13 +33,13 @@ impl Source {
             .iter()
             .filter(|value| match value.key.rsplit_once('.') {
                 Some((layer, "damping" | "loss_factor")) => {
-                    !self.has(&format!("{layer}.damping"))
-                        && !self.has(&format!("{layer}.loss_factor"))
+                    !self.keys.has(&format!("{layer}.damping"))
+                        && !self.keys.has(&format!("{layer}.loss_factor"))
                 }
                 _ if value.key == "wheel.inertia" => {
-                    !self.has(&value.key) && !self.has("wheel.mass")
+                    !self.keys.has(&value.key) && !self.keys.has("wheel.mass")
                 }
-                _ => !self.has(&value.key),
+                _ => !self.keys.has(&value.key),
             })
             .collect();
         if missing.is_empty() {
@@ -51,7 +52,7 @@ impl Source {
             ));
         }
         for value in missing {
-            self.put(&value.key, &value.value);
+            self.keys.put(&value.key, value.value.as_str());
         }
     }
 
@@ -61,7 +62,7 @@ impl Source {
             .filter(|preset| preset.kind == kind)
             .map(|preset| preset.name.clone())
             .collect();
-        self.invalid(
+        self.keys.invalid(
             kind.key(),
             &format!("is \"{name}\", but no {} preset has that name", kind.name()),
             &format!("allowed: {}", known.join(", ")),

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
+use riffel_keys::{CaseError, Remark};
 
 use crate::file::VerticalAxis;
+use crate::measurement;
 use crate::track::Origin;
-use crate::{CaseError, Remark, measurement};
 
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
 /// wheelset, a measurement in memory.

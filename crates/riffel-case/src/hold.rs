@@ -4,10 +4,11 @@ use std::fmt;
 use std::str::FromStr;
 
 use riffel::contact::MeanRolling;
+use riffel_keys::CaseError;
 use serde::Serialize;
 
 use crate::file::CaseFile;
-use crate::{Case, CaseError, Variant};
+use crate::{Case, Variant};
 
 /// What of the mean state of rolling is held where a variant changes friction or load.
 ///

@@ -2,10 +2,10 @@
 
 use std::sync::LazyLock;
 
+use riffel_keys::quantity::{KINDS, Kind};
 use serde_json::Value;
 
 use crate::file::CaseFile;
-use crate::quantity::{KINDS, Kind};
 
 /// A key of the case file, dotted, and what it takes.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,6 +87,7 @@ fn referred(schema: &Value) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use riffel_keys::{PhysicalRange, RANGES};
 
     #[test]
     fn keys_know_their_quantities() {
@@ -110,5 +111,15 @@ mod tests {
         }
         let quantities = CaseKey::all().iter().filter(|key| key.quantity.is_some());
         assert!(quantities.count() > 30);
+    }
+
+    /// No key of the case that takes a quantity is without a range, and none has two.
+    #[test]
+    fn every_quantity_of_the_case_has_one_range() {
+        for key in CaseKey::all() {
+            let has = |range: &&PhysicalRange| range.keys.contains(&key.key.as_str());
+            let kinds: Vec<Kind> = RANGES.iter().filter(has).map(|range| range.kind).collect();
+            assert_eq!(kinds, Vec::from_iter(key.quantity), "{}", key.key);
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! # The Riffel case file
 //!
 //! TOML with units in strings, presets with sources and overrides in; a checked [`Case`] with its
-//! [`riffel::FeedbackLoop`] out. Anything wrong is a [`CaseError`] that names the key, shows the line
+//! [`riffel::FeedbackLoop`] out. Anything wrong is a [`CaseError`](riffel_keys::CaseError) that names the key, shows the line
 //! and says what is allowed.
 //!
 //! ```
@@ -11,41 +11,31 @@
 //! let case = Case::parse("nominal", NOMINAL_CASE, &overrides)?;
 //! let state = case.feedback.at(0.055, 30.0);
 //! assert!(state.growth_rate > 0.0);
-//! # Ok::<(), riffel_case::CaseError>(())
+//! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 
 mod branches;
 mod builder;
 mod case;
+mod case_text;
 mod creep_laws;
-mod date;
 pub mod diagnosis;
-mod error;
-mod excerpt;
 pub mod file;
 mod fill_in;
 mod given;
 mod hold;
 mod idle_key;
 mod key;
-mod language;
 mod measurement;
 mod mechanisms;
 mod point;
 mod preset;
-pub mod quantity;
-mod range;
 mod receptance_curves;
-mod remark;
 mod resonances;
 mod rolling;
-pub mod roughness;
 mod site;
-mod source;
-pub mod text_file;
 mod track;
 pub mod traffic;
-mod unit;
 mod validity;
 mod variant;
 pub mod what_if;
@@ -53,21 +43,16 @@ mod written_case;
 
 pub use branches::BranchDocument;
 pub use case::Case;
+pub use case_text::case_keys;
 pub use creep_laws::CreepLaws;
-pub use date::{read_date, read_dates};
-pub use error::CaseError;
 pub use given::{GivenReceptance, UniversalFunction};
 pub use hold::Hold;
 pub use key::CaseKey;
-pub use language::Language;
 pub use point::{Point, PointQuantity, PointValue};
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
-pub use range::{PhysicalRange, RANGES};
 pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
-pub use remark::Remark;
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
-pub use source::Source;
 pub use track::{Direction, Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
 pub use written_case::WrittenCase;
@@ -100,7 +85,7 @@ pub const TRAFFIC: &str = include_str!("../../../cases/traffic.toml");
 pub fn json_schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(file::CaseFile);
     let keys = CaseKey::all().iter();
-    range::bound(
+    riffel_keys::bound(
         &mut schema,
         keys.map(|key| (key.key.as_str(), key.pointer.as_str())),
     );
@@ -110,6 +95,6 @@ pub fn json_schema() -> schemars::Schema {
 /// JSON schema of the traffic file.
 pub fn traffic_schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(traffic::TrafficFile);
-    range::bound(&mut schema, traffic::POINTERS);
+    riffel_keys::bound(&mut schema, traffic::POINTERS);
     schema
 }

@@ -10,10 +10,10 @@ mod universal_file;
 use std::path::Path;
 
 use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
+use riffel_keys::{Exponents, Language, Remark, text_file};
 
+use crate::UniversalFunction;
 use crate::file::{Measurement, Response};
-use crate::unit::Exponents;
-use crate::{Language, Remark, UniversalFunction, text_file};
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.

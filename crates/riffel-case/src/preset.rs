@@ -4,12 +4,12 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
+use riffel_keys::{CaseError, clipped};
 use serde::Deserialize;
 use serde_json::json;
 use toml::{Table, Value};
 
-use crate::excerpt::clipped;
-use crate::{CaseError, CaseKey};
+use crate::CaseKey;
 
 /// The data files, built into the program.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../presets");
@@ -254,6 +254,7 @@ pub fn preset(name: &str) -> Result<&'static Preset, CaseError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use riffel_keys::PhysicalRange;
 
     #[test]
     fn every_file_reads_and_says_where_its_values_come_from() {
@@ -291,6 +292,21 @@ mod tests {
             for name in preset.names() {
                 let called = presets.iter().filter(|other| other.is_called(name));
                 assert_eq!(called.count(), 1, "{name}");
+            }
+        }
+    }
+
+    /// What the presets give is usual, so that a remark never speaks of a value that the user did not write.
+    #[test]
+    fn presets_are_usual() {
+        for Preset { name, values, .. } in presets() {
+            for value in values {
+                let Some(kind) = CaseKey::find(&value.key).and_then(|key| key.quantity) else {
+                    continue;
+                };
+                let si = kind.read(&value.value).unwrap();
+                let [from, to] = PhysicalRange::of(&value.key).unwrap().usual;
+                assert!((from..=to).contains(&si), "{name}: {} = {si}", value.key);
             }
         }
     }

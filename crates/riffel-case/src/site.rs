@@ -2,11 +2,9 @@
 
 use std::path::Path;
 
+use riffel_keys::text_file::read_keys;
+use riffel_keys::{CaseError, KeyFile};
 use serde::Deserialize;
-
-use crate::CaseError;
-use crate::source::Source;
-use crate::text_file::read_keys;
 
 /// What a report says of its site; every key is optional.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize)]
@@ -55,7 +53,7 @@ impl Site {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let written: Written = Source::parse(name, text)?.deserialize()?;
+        let written: Written = KeyFile::parse(name, text)?.deserialize()?;
         Ok(written.site)
     }
 

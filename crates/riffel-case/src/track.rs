@@ -6,8 +6,7 @@ use riffel::{
     Receptance,
     receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support},
 };
-
-use crate::Remark;
+use riffel_keys::Remark;
 
 /// The direction of force and displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

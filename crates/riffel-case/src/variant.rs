@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use riffel::forecast::SpeedDistribution;
+use riffel_keys::quantity::{Quantity, Ratio, Speed};
+use riffel_keys::text_file::read_keys;
+use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
 use serde::Deserialize;
 use toml::{Table, Value};
 
+use crate::case_text::case_keys;
 use crate::file::CaseFile;
 use crate::hold::{Hold, MEAN_STATE, rolls_alike};
-use crate::quantity::{Quantity, Ratio, Speed};
-use crate::source::Source;
-use crate::text_file::read_keys;
-use crate::{CaseError, Remark};
 
 /// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
 ///
@@ -31,7 +31,7 @@ pub struct Variant {
     /// What is to be asked about speeds that are not usual.
     pub(crate) remarks: Vec<Remark>,
     /// The file, where it was read from one.
-    source: Option<Source>,
+    source: Option<KeyFile>,
 }
 
 /// What becomes of every distribution of speed.
@@ -86,7 +86,7 @@ impl Variant {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Source::parse(name, text)?;
+        let source = case_keys(name, text)?;
         let own: Own = source.deserialize()?;
         let change = own.speed;
         if change.mean.is_some() && change.factor.is_some() {
@@ -125,7 +125,7 @@ impl Variant {
     /// The keys that it changes, dotted.
     pub(crate) fn keys(&self) -> impl Iterator<Item = &str> {
         let keys = self.overrides.iter();
-        keys.map(|assignment| assignment.split('=').next().unwrap_or_default().trim())
+        keys.map(|assignment| overridden_key(assignment))
     }
 
     /// What it holds of the mean state, from the keys of a vehicle before the change to those after it; none where
@@ -141,7 +141,7 @@ impl Variant {
         let key = self.keys().find(|key| key.starts_with("contact."));
         let source = self.source.clone();
         source
-            .unwrap_or_else(|| Source::empty(&self.title))
+            .unwrap_or_else(|| KeyFile::empty(&self.title))
             .refuse(key.unwrap_or_default(), message)
     }
 
@@ -155,8 +155,7 @@ impl Variant {
                     message,
                 },
             ) if self.overrides.contains(&assignment) => {
-                let key = assignment.split('=').next().unwrap_or_default();
-                source.refuse(key, &message)
+                source.refuse(overridden_key(&assignment), &message)
             }
             (_, error) => error,
         }

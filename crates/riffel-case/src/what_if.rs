@@ -3,10 +3,12 @@
 use riffel::forecast::{Reach, TrafficGrowth};
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel::{Ridge, growth::RidgePoint};
+use riffel_keys::CaseError;
+use riffel_rail::RailSpectrum;
 
 use crate::hold::Held;
-use crate::traffic::{DAYS_PER_MONTH, RailForecast, RailSpectrum, Traffic, bands_of};
-use crate::{Case, CaseError, Hold, SpeedChange, Variant};
+use crate::traffic::{DAYS_PER_MONTH, RailForecast, Traffic, bands_of};
+use crate::{Case, Hold, SpeedChange, Variant};
 
 /// Growth under one traffic, as it is and as each variant makes it.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::CaseError;
+use riffel_keys::{CaseError, KeyFile};
+
 use crate::case::Case;
+use crate::case_text::CaseText;
 use crate::given::{Given, GivenReceptance};
-use crate::source::Source;
 use crate::validity::Window;
 
 /// The keys of a case before presets and defaults, with all that its errors show. Files that the case names stay where
@@ -31,7 +32,14 @@ impl Case {
         let folder = self.builder.folder().map(|folder| {
             std::env::current_dir().map_or_else(|_| folder.to_owned(), |here| here.join(folder))
         });
-        self.written.written(folder)
+        let keys = &self.written.keys;
+        WrittenCase {
+            name: keys.name().to_owned(),
+            text: keys.text().to_owned(),
+            keys: keys.table().to_string(),
+            overrides: keys.overrides(),
+            folder,
+        }
     }
 
     /// The case that was written, with the receptances that were given with it: the same bits, if files that it names
@@ -44,8 +52,15 @@ impl Case {
         track: Option<GivenReceptance>,
         wheel: Option<GivenReceptance>,
     ) -> Result<Self, CaseError> {
-        Self::of_source(
-            Source::of_written(written)?,
+        let WrittenCase {
+            name,
+            text,
+            keys,
+            overrides,
+            ..
+        } = written;
+        Self::of_text(
+            CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
             written.folder.as_deref(),
             Given { track, wheel },
             Window::Map,

@@ -8,10 +8,11 @@ mod study;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use riffel_case::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
-use riffel_case::text_file::is_standard_input;
-use riffel_case::{Case, CaseError};
+use riffel_case::Case;
 use riffel_figures::paper::Model;
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
+use riffel_keys::text_file::is_standard_input;
 
 use crate::error::CliError;
 use crate::messages::Verbosity;

@@ -16,12 +16,11 @@ mod staging;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{ArgMatches, CommandFactory, FromArgMatches};
-
 use arguments::{Arguments, Command};
+use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use error::CliError;
 use messages::{complain, complain_of, complain_of_usage};
-use riffel_case::text_file::is_standard_input;
+use riffel_keys::text_file::is_standard_input;
 
 /// Exit status after an error of the user.
 const BAD_INPUT: u8 = 2;

@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
-use riffel_case::text_file::in_a_message;
-use riffel_case::{Language, Remark};
+use riffel_keys::text_file::in_a_message;
+use riffel_keys::{Language, Remark};
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]

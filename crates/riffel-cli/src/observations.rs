@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use riffel_case::CaseError;
-use riffel_case::quantity::{Dimension, Length, Quantity, Speed};
-use riffel_case::text_file::{LARGEST_KEYS, decode, printable, read_bounded};
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Length, Quantity, Speed};
+use riffel_keys::text_file::{LARGEST_KEYS, decode, printable, read_bounded};
 use riffel_plot::Observation;
 
 use crate::error::CliError;

@@ -1,7 +1,7 @@
 //! Why a figure or a table could not be made.
 
 use miette::Diagnostic;
-use riffel_case::CaseError;
+use riffel_keys::CaseError;
 use riffel_plot::PlotError;
 use thiserror::Error;
 

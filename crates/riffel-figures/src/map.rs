@@ -1,8 +1,9 @@
 //! Growth maps as figures.
 
 use riffel::{GrowthMap, Ridge};
+use riffel_case::Case;
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
-use riffel_case::{Case, Language};
+use riffel_keys::Language;
 use riffel_plot::{
     BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays,
 };

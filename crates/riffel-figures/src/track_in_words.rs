@@ -1,8 +1,9 @@
 //! The track of a case in words, for captions.
 
+use riffel_case::Case;
 use riffel_case::file::{BeamModel, Support, TrackModel};
-use riffel_case::quantity::{Dimension, Quantity};
-use riffel_case::{Case, Language};
+use riffel_keys::Language;
+use riffel_keys::quantity::{Dimension, Quantity};
 
 /// A value in a unit of the given size, or "?" where the case has none.
 fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {

@@ -13,9 +13,10 @@ use riffel::{
     tile::TILE,
 };
 use riffel_case::{
-    BranchDocument, CaseError, CreepCurves, Direction, FrequencyResponse, Point, PointValue,
-    ReceptanceCurves, RollingTheories,
+    BranchDocument, CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves,
+    RollingTheories,
 };
+use riffel_keys::CaseError;
 
 use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};

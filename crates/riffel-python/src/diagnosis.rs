@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::diagnosis::{Diagnosis, DiagnosisDocument, DiagnosisSettings};
+use riffel_rail::history::SpectraChoice;
 
 use crate::case::Case;
 use crate::document::document;
@@ -62,8 +63,10 @@ pub(crate) fn diagnose<'py>(
     let diagnosis = case.compute(py, move |case| {
         let settings = DiagnosisSettings {
             speeds,
-            choose: &choose,
-            by: by.as_deref(),
+            spectra: SpectraChoice {
+                choose: &choose,
+                by: by.as_deref(),
+            },
             torsion,
             bending,
             instrument: if from_vehicle {

@@ -3,7 +3,7 @@
 use pyo3::create_exception;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
-use riffel_case::CaseError;
+use riffel_keys::CaseError;
 
 create_exception!(
     riffel,

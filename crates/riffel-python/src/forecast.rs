@@ -7,10 +7,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Forecast, Reach, SpeedDistribution};
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::roughness::{GroundRail, Layout};
 use riffel_case::traffic::{Traffic, WearReport, bands_of};
 use riffel_case::what_if::{Comparison, Effect};
-use riffel_case::{CaseError, Hold, Variant};
+use riffel_case::{Hold, Variant};
+use riffel_keys::CaseError;
+use riffel_rail::{GroundRail, Layout};
 
 use crate::array::owned;
 use crate::case::Case;

@@ -1,7 +1,7 @@
 //! Quantities as the case file writes them.
 
 use pyo3::prelude::*;
-use riffel_case::quantity::{
+use riffel_keys::quantity::{
     Dimension, Force, Frequency, Length, Mass, Quantity, QuantityError, Ratio, Speed,
 };
 

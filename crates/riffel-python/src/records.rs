@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
-use riffel_case::diagnosis::{RailRecord, RailRoughness};
-use riffel_case::quantity::Quantity;
-use riffel_case::roughness::{
-    LabelledSpectrum, Layout, LengthUnit, Rail, ReaderFormat, RoughnessFile, Survey,
-    coarse_sampling,
+use riffel_keys::quantity::Quantity;
+use riffel_rail::{
+    LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat,
+    RoughnessFile, Survey, coarse_sampling,
 };
 
 use crate::array::owned;
@@ -60,7 +59,7 @@ pub(crate) fn read(py: Python<'_>, path: &Path, layout: &Layout) -> PyResult<Rou
 /// A date as in 2026-01-31, from any way to write it that leaves no doubt.
 #[pyfunction]
 pub(crate) fn read_date(text: &str) -> PyResult<String> {
-    let date = riffel_case::read_date(text).map_err(wrong)?;
+    let date = riffel_rail::read_date(text).map_err(wrong)?;
     Ok(date.to_string())
 }
 

@@ -11,7 +11,7 @@ use riffel::roughness::{
     AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
     RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
 };
-use riffel_case::roughness::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
+use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};

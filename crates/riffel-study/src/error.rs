@@ -4,7 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use miette::Diagnostic;
-use riffel_case::CaseError;
+use riffel_keys::CaseError;
 use thiserror::Error;
 
 /// A study that cannot be made, gone on with or read, and why, in a sentence.

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use riffel_case::text_file::{LARGEST_RESPONSES, read_bounded};
-use riffel_case::{CaseError, Source};
+use riffel_keys::CaseError;
+use riffel_keys::text_file::{LARGEST_RESPONSES, read_bounded};
 use sha2::{Digest, Sha256};
 
 use crate::plan::Plan;
@@ -26,7 +26,9 @@ pub(crate) fn fingerprint(
     keys.remove("title");
     keys.remove("case");
     add(keys.to_string().as_bytes());
-    let mut keys = Source::parse(case_name, case_text)?.table().clone();
+    let mut keys = riffel_case::case_keys(case_name, case_text)?
+        .table()
+        .clone();
     keys.remove("title");
     add(keys.to_string().as_bytes());
     for (name, bytes) in data {

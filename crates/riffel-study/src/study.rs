@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use riffel_case::{Case, text_file};
+use riffel_case::Case;
+use riffel_keys::text_file;
 
 use crate::StudyError;
 use crate::fingerprint::{fingerprint, read_data};

@@ -4,7 +4,7 @@ use axum::Json;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use miette::Diagnostic;
-use riffel_case::CaseError;
+use riffel_keys::CaseError;
 use serde::Serialize;
 
 /// An error: a status for the browser, a sentence for the reader and, where there is one, the key of the

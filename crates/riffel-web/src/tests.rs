@@ -555,7 +555,7 @@ fn sliders_stay_within_what_is_usual() {
         let mut ends = ends.split(", ").map(|end| end.parse::<f64>());
         let [low, high] = [(); 2].map(|()| ends.next().unwrap().unwrap());
         let key = key.trim_matches('\'');
-        let range = riffel_case::PhysicalRange::of(key).unwrap();
+        let range = riffel_keys::PhysicalRange::of(key).unwrap();
         assert!(
             range.usual[0] <= low && low < high && high <= range.usual[1],
             "{key}"

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use riffel_case::RANGES;
+use riffel_keys::RANGES;
 
 /// Every range with its keys and its reason.
 pub(crate) fn page() -> String {

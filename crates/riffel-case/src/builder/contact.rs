@@ -8,9 +8,9 @@ use riffel::{
         HalfSpace, HalfSpaceRolling, NonSteady, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
     },
 };
+use riffel_keys::CaseError;
 
 use super::Builder;
-use crate::CaseError;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
 
 /// Elements over a diameter; the half grid has half as many.
@@ -78,7 +78,7 @@ impl Builder {
         if self.file.contact.response == ContactDynamics::NonSteady
             && name != CreepLawName::HalfSpace
         {
-            return Err(self.source.invalid(
+            return Err(self.text.keys.invalid(
                 "contact.creep_law",
                 "and `contact.response` exclude each other: a non-steady response is that of the exact \
                  theory",
@@ -189,12 +189,12 @@ impl Builder {
     fn mean_state(&self) -> Result<MeanState, CaseError> {
         let contact = &self.file.contact;
         match (contact.tractive_ratio, contact.creepage) {
-            (Some(_), Some(_)) => Err(self.source.invalid(
+            (Some(_), Some(_)) => Err(self.text.keys.invalid(
                 "contact.creepage",
                 "and `contact.tractive_ratio` exclude each other",
                 "give one of the two",
             )),
-            (None, None) => Err(self.source.missing(
+            (None, None) => Err(self.text.keys.missing(
                 "contact.tractive_ratio",
                 "give contact.tractive_ratio or contact.creepage",
             )),

@@ -9,12 +9,13 @@ use riffel::{
         MovingLoadTrack, PeriodicTrack, ShearSection, Waveguide,
     },
 };
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Quantity};
 
 use super::Builder;
 use crate::file::{BeamModel, Support, TrackModel};
-use crate::quantity::{Dimension, Quantity};
+use crate::measurement;
 use crate::track::{Direction, Origin, Track};
-use crate::{CaseError, measurement};
 
 /// Density of rail steel \[kg/m³\].
 const RAIL_DENSITY: f64 = 7850.0;
@@ -28,7 +29,7 @@ impl Builder {
         if let Some(given) = &self.given.track {
             if direction != Direction::Vertical {
                 let message = "the receptance given for the track is vertical only";
-                return Err(self.source.refuse("track.model", message));
+                return Err(self.text.keys.refuse("track.model", message));
             }
             return Ok(Track {
                 receptance: given.receptance.clone(),
@@ -43,7 +44,7 @@ impl Builder {
         if direction != Direction::Vertical
             && matches!(model, TrackModel::MovingBeam | TrackModel::Measured)
         {
-            return Err(self.source.invalid(
+            return Err(self.text.keys.invalid(
                 "track.model",
                 &format!("is \"{}\", which is vertical only", model.name()),
                 "",
@@ -150,13 +151,13 @@ impl Builder {
         let folder = self
             .folder
             .as_ref()
-            .ok_or_else(|| Self::names_a_file(&self.source))?;
+            .ok_or_else(|| Self::names_a_file(&self.text))?;
         let measured = measurement::read(measurement, folder).map_err(|error| {
             let key = match error.key {
                 "" => "track.measurement".to_owned(),
                 key => format!("track.measurement.{key}"),
             };
-            self.source.invalid(&key, &error.message, "")
+            self.text.keys.invalid(&key, &error.message, "")
         })?;
         let table = Arc::new(measured.receptance);
         Ok(Track {
@@ -293,7 +294,7 @@ impl Builder {
             }
             _ => "give it, or name a preset by rail.section",
         };
-        let value = value.ok_or_else(|| self.source.missing(key, help))?;
+        let value = value.ok_or_else(|| self.text.keys.missing(key, help))?;
         Ok(value.si())
     }
 
@@ -337,7 +338,7 @@ impl Builder {
             )?,
         };
         if support.damping.is_none() && support.loss_factor.is_none() {
-            return Err(self.source.missing(
+            return Err(self.text.keys.missing(
                 &format!("{key}.damping"),
                 &format!("give {key}.damping, {key}.loss_factor, or both"),
             ));

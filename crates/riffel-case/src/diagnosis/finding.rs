@@ -1,8 +1,7 @@
 //! A finding: one dominant wavelength with its candidates, in words.
 
 use riffel::diagnosis::{Candidate, MechanismKind, TrafficSpeeds};
-
-use super::records::Measured;
+use riffel_rail::history::Measured;
 
 /// A dominant wavelength with what may have made it.
 pub struct Finding {

@@ -2,8 +2,6 @@
 
 mod document;
 mod finding;
-mod rail_record;
-mod records;
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
@@ -12,21 +10,20 @@ use riffel::diagnosis::{
 
 pub use document::{DiagnosisDocument, SHARE};
 pub use finding::Finding;
-pub use rail_record::{RailRecord, RailRoughness};
-pub use records::{Curves, Measured};
 
-use crate::{Case, CaseError};
-use records::Records;
+use riffel_keys::CaseError;
+use riffel_rail::RailRecord;
+use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
+
+use crate::Case;
 
 /// What a diagnosis goes by besides case and records.
 #[derive(Debug, Clone)]
 pub struct DiagnosisSettings<'a> {
     /// Speeds of the traffic.
     pub speeds: TrafficSpeeds,
-    /// Choices `COLUMN=VALUE` among the spectra of a table.
-    pub choose: &'a [String],
-    /// Column that tells the spectra of one table apart in time; `date` by default, if there is one.
-    pub by: Option<&'a str>,
+    /// Which spectra of a table are meant.
+    pub spectra: SpectraChoice<'a>,
     /// Frequencies of torsional modes of the wheelset \[Hz\].
     pub torsion: Vec<f64>,
     /// Frequencies of bending modes of the wheelset \[Hz\].
@@ -74,7 +71,7 @@ impl Diagnosis {
             let modes = frequencies.iter();
             mechanisms.extend(modes.map(|&frequency| Mechanism::of_frequency(kind, frequency)));
         }
-        let records = Records::of(present, earlier, settings)?;
+        let records = RailHistory::new(present, earlier, settings.spectra)?;
         let mut warnings = records.warnings;
         if !records.measured.is_empty() {
             warnings.extend(unknown);

@@ -1,9 +1,9 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
+use riffel_keys::{Remark, Unit};
+
 use super::MeasurementError;
-use crate::Remark;
 use crate::file::Response;
-use crate::unit::Unit;
 
 /// Standard acceleration of free fall \[m/s²\], the unit "g" of accelerometers (ISO 80000-3).
 pub(super) const STANDARD_GRAVITY: f64 = 9.806_65;

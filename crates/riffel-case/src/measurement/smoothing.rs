@@ -1,8 +1,7 @@
 //! What becomes of lines with little coherence.
 
 use riffel::Complex64;
-
-use crate::Remark;
+use riffel_keys::Remark;
 
 /// Coherence γ² from which a line is taken as it is; the usual limit of hammer tests.
 const GOOD: f64 = 0.8;

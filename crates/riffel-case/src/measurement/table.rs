@@ -1,13 +1,12 @@
 //! A frequency response in a table of text.
 
 use riffel::Complex64;
+use riffel_keys::{Exponents, Remark, Unit};
 
 use super::columns::{Columns, Parts};
 use super::response_unit::{Decoded, ValueUnit};
 use super::{FrequencyResponse, MeasurementError};
-use crate::Remark;
 use crate::file::{AngleUnit, Measurement};
-use crate::unit::{Exponents, Unit};
 
 /// Most lines: a frequency response has some thousand, a time record has more.
 const MOST_LINES: usize = 200_000;

@@ -1,11 +1,12 @@
 //! A frequency response in a universal file.
 
+use riffel_keys::{Exponents, Remark, Unit};
+
 use super::response_unit::STANDARD_GRAVITY;
 use super::universal_file::{self, Axis, Freedom, Function, Units};
 use super::{FrequencyResponse, MeasurementError};
+use crate::UniversalFunction;
 use crate::file::{Measurement, Response, VerticalAxis};
-use crate::unit::{Exponents, Unit};
-use crate::{Remark, UniversalFunction};
 
 /// Kinds of the format, dataset 58.
 const FREQUENCY_RESPONSE: i32 = 4;

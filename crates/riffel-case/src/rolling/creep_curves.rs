@@ -1,9 +1,9 @@
 //! Creep curves of all laws.
 
 use riffel::contact::{CreepLaw, Creepages};
+use riffel_keys::CaseError;
 
 use super::{RollingTheories, refused};
-use crate::CaseError;
 
 /// Tractive ratio against creepage by one law.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,9 @@
 //! Responses of the exact contact to small oscillations over wavelength.
 
 use riffel::{Complex64, contact::ContactResponse};
+use riffel_keys::CaseError;
 
 use super::{RollingTheories, refused};
-use crate::CaseError;
 
 /// Normalised responses to one input, 1 for long wavelengths.
 #[derive(Debug, Clone, PartialEq, Default)]

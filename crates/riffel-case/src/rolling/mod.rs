@@ -11,7 +11,9 @@ use riffel::{
 pub use creep_curves::{CreepCurve, CreepCurves};
 pub use frequency_response::{FrequencyResponse, ResponseOutputs};
 
-use crate::{Case, CaseError, CreepLaws};
+use riffel_keys::CaseError;
+
+use crate::{Case, CreepLaws};
 
 /// The contact of the case by all theories, and its mean state by the exact one.
 pub struct RollingTheories {

@@ -1,9 +1,8 @@
 //! The keys of a traffic file, as written.
 
+use riffel_keys::quantity::{Force, Length, Mass, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
-
-use crate::quantity::{Force, Length, Mass, Quantity, Ratio, Speed};
 
 /// Riffel traffic: the vehicles that run on a line, in shares of the axle passages.
 ///

@@ -13,15 +13,17 @@ use riffel::forecast::{
 use riffel::roughness::ThirdOctave;
 
 pub use file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
-pub use rail_forecast::{RailForecast, RailSpectrum};
+pub use rail_forecast::RailForecast;
 pub use wear_report::{WearDocument, WearReport};
 
+use riffel_keys::quantity::{Dimension, Force, Quantity, Ratio};
+use riffel_keys::text_file::read_keys;
+use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
+use toml::Value;
+
 use crate::hold::Held;
-use crate::quantity::{Dimension, Force, Quantity, Ratio};
-use crate::source::Source;
-use crate::text_file::read_keys;
 use crate::variant::assignments;
-use crate::{Case, CaseError, Hold, Remark, Variant};
+use crate::{Case, Hold, Variant};
 
 /// Keys of the traffic file that have a range, each with its place in the schema.
 pub(crate) const POINTERS: [(&str, &str); 9] = [
@@ -55,7 +57,7 @@ pub const DAYS_PER_MONTH: f64 = DAYS_PER_YEAR / 12.0;
 /// A mix of vehicles, checked.
 #[derive(Clone)]
 pub struct Traffic {
-    source: Source,
+    source: KeyFile,
     /// The keys as written.
     pub file: TrafficFile,
     /// Speeds of each vehicle.
@@ -120,8 +122,8 @@ impl Traffic {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let source = Source::parse(name, text)?;
-        source.is_a_traffic()?;
+        let source = KeyFile::parse(name, text)?;
+        is_a_traffic(&source)?;
         let file: TrafficFile = source.deserialize()?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
@@ -184,7 +186,7 @@ impl Traffic {
     /// Nothing but the wheel of the case, at some speeds.
     pub fn of_case(speeds: SpeedDistribution) -> Self {
         Self {
-            source: Source::empty("the wheel of the case"),
+            source: KeyFile::empty("the wheel of the case"),
             file: TrafficFile {
                 title: None,
                 line: Line::default(),
@@ -352,7 +354,7 @@ impl Traffic {
         let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
         let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
         // That a preset of the case changes nothing for a vehicle with values of its own is no news.
-        let presets = wheel.builder.source.remarks;
+        let presets = wheel.builder.text.remarks;
         let remarks = wheel.remarks.into_iter();
         Ok(VehicleOnCase {
             growth,
@@ -362,6 +364,24 @@ impl Traffic {
                 .map(|remark| remark.to_string())
                 .collect(),
         })
+    }
+}
+
+/// `Ok` unless this is a case file in the place of a traffic file.
+fn is_a_traffic(source: &KeyFile) -> Result<(), CaseError> {
+    if let Some(Value::Array(_)) = source.table().get("vehicle") {
+        return Ok(());
+    }
+    let tables = ["wheel", "rail", "track", "contact", "steel"];
+    match tables.into_iter().find(|table| source.has(table)) {
+        Some(table) => Err(source.refuse(
+            table,
+            &format!(
+                "this is a case file, with its table [{table}], and no traffic file; a traffic file lists the \
+                 vehicles of a line in [[vehicle]], `riffel init --traffic` writes one"
+            ),
+        )),
+        None => Ok(()),
     }
 }
 
@@ -406,8 +426,7 @@ fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
         vehicle.creepage.map(|creepage| creepage.si()),
     );
     for assignment in assignments(&vehicle.set) {
-        let key = assignment.split('=').next().unwrap_or_default();
-        found.push((format!("set.{key}"), assignment));
+        found.push((format!("set.{}", overridden_key(&assignment)), assignment));
     }
     found
 }
@@ -431,7 +450,7 @@ fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<String> {
 }
 
 /// What is to be asked about the values of a vehicle that are not usual.
-fn judged(source: &Source, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark>, CaseError> {
+fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark>, CaseError> {
     let speeds = 0..vehicle.speeds.as_ref().map_or(0, Vec::len);
     let speeds = speeds.map(|place| format!("speeds[{place}].speed"));
     let keys = [
@@ -450,7 +469,7 @@ fn judged(source: &Source, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark
 }
 
 fn distribution(
-    source: &Source,
+    source: &KeyFile,
     index: usize,
     vehicle: &Vehicle,
 ) -> Result<SpeedDistribution, CaseError> {
@@ -488,7 +507,7 @@ fn distribution(
 }
 
 fn sums_to_one(
-    source: &Source,
+    source: &KeyFile,
     key: &str,
     shares: impl Iterator<Item = f64>,
 ) -> Result<(), CaseError> {
@@ -500,13 +519,13 @@ fn sums_to_one(
     Err(source.refuse(&format!("{key}[0].share"), &message))
 }
 
-fn exclusive(source: &Source, key: &str, other: &str) -> CaseError {
+fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {
     let rule = format!("and `{other}` exclude each other");
     source.invalid(key, &rule, "give one of the two")
 }
 
 fn above_zero<D: Dimension>(
-    source: &Source,
+    source: &KeyFile,
     key: &str,
     value: Option<Quantity<D>>,
 ) -> Result<(), CaseError> {
@@ -519,7 +538,7 @@ fn above_zero<D: Dimension>(
     }
 }
 
-fn positive(source: &Source, key: &str, value: f64) -> Result<(), CaseError> {
+fn positive(source: &KeyFile, key: &str, value: f64) -> Result<(), CaseError> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }

@@ -1,26 +1,8 @@
 //! The rails of a track under one traffic: growth is the same for all, the levels now are those of each.
 
 use riffel::forecast::{Forecast, Reach, TrafficGrowth};
-use riffel::roughness::{LevelLimit, Spectrum};
-
-/// The levels of a rail.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RailSpectrum {
-    /// Its name; none where rails are not named.
-    pub rail: Option<String>,
-    /// Its levels now.
-    pub spectrum: Spectrum,
-}
-
-impl From<Spectrum> for RailSpectrum {
-    /// A rail without a name.
-    fn from(spectrum: Spectrum) -> Self {
-        Self {
-            rail: None,
-            spectrum,
-        }
-    }
-}
+use riffel::roughness::LevelLimit;
+use riffel_rail::RailSpectrum;
 
 /// The forecast of a rail.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,11 +1,12 @@
 //! The wear coefficient of two measurements of a rail, in words and as data.
 
 use riffel::forecast::{WearFit, WearVerdict};
+use riffel_keys::CaseError;
+use riffel_rail::Survey;
 use serde::Serialize;
 
 use super::TrafficOnCase;
-use crate::roughness::Survey;
-use crate::{Case, CaseError};
+use crate::Case;
 
 /// Change of level or residual \[dB\] that is worth a sentence on a single band. A choice: energy means of
 /// eight records of the Niederwangen spectra scatter by about 1 dB.

@@ -1,7 +1,8 @@
 //! The branches of the ridge on tracks with supports: the strongest leads, whatever the number of its points.
 
 use riffel::{Ridge, growth::RidgeBranch};
-use riffel_case::{BranchDocument, Case, Language, NOMINAL_CASE};
+use riffel_case::{BranchDocument, Case, NOMINAL_CASE};
+use riffel_keys::Language;
 use rstest::rstest;
 
 /// The case of the guide on discrete supports.

@@ -2,7 +2,8 @@
 
 use miette::Diagnostic;
 use proptest::prelude::*;
-use riffel_case::{BHASKAR_TRACK_CASE, Case, CaseError, NOMINAL_CASE};
+use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
+use riffel_keys::CaseError;
 use rstest::rstest;
 
 fn parse(text: &str) -> Result<Case, CaseError> {
@@ -461,7 +462,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
         );
     }
     let nominal = Case::parse("case.toml", NOMINAL_CASE, &[])?;
-    let said = |remark: &riffel_case::Remark| remark.to_string().contains("usual values");
+    let said = |remark: &riffel_keys::Remark| remark.to_string().contains("usual values");
     assert!(!nominal.remarks.iter().any(said));
     Ok(())
 }

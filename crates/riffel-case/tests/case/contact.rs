@@ -1,6 +1,7 @@
 //! Contact theories from keys to response.
 
-use riffel_case::{Case, CaseError, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE};
+use riffel_keys::CaseError;
 use rstest::rstest;
 
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {

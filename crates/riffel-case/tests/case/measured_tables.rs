@@ -18,7 +18,7 @@ fn model() -> Case {
 }
 
 /// The case on a file, with keys of `track.measurement`.
-fn measured(file: &str, keys: &str) -> Result<Case, riffel_case::CaseError> {
+fn measured(file: &str, keys: &str) -> Result<Case, riffel_keys::CaseError> {
     let text = fs::read_to_string(folder().join("case.toml")).unwrap();
     let text = text.replace("\"two-layer\"", "\"measured\"")
         + &format!(

@@ -4,7 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use riffel::Complex64;
-use riffel_case::{Case, CaseError, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE};
+use riffel_keys::CaseError;
 use rstest::rstest;
 use tempfile::TempDir;
 

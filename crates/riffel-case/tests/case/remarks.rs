@@ -1,6 +1,7 @@
 //! What the reader of a case is told, in both languages.
 
-use riffel_case::{Case, Language, NOMINAL_CASE, Remark};
+use riffel_case::{Case, NOMINAL_CASE};
+use riffel_keys::{Language, Remark};
 
 fn remarks(overrides: &[&str]) -> Vec<Remark> {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();

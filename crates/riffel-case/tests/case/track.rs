@@ -1,7 +1,8 @@
 //! Every track model from keys to receptance.
 
 use riffel::receptance::ResonanceKind;
-use riffel_case::{Case, CaseError, Direction, NOMINAL_CASE};
+use riffel_case::{Case, Direction, NOMINAL_CASE};
+use riffel_keys::CaseError;
 use rstest::rstest;
 
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {

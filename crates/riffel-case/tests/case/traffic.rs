@@ -1,10 +1,11 @@
 //! Traffic files, files of changes and surveys as users write them.
 
 use riffel::forecast::SpeedDistribution;
-use riffel_case::roughness::{Layout, RoughnessFile, Survey};
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::what_if::Comparison;
-use riffel_case::{Case, CaseError, NOMINAL_CASE, TRAFFIC, Variant};
+use riffel_case::{Case, NOMINAL_CASE, TRAFFIC, Variant};
+use riffel_keys::CaseError;
+use riffel_rail::{Layout, RoughnessFile, Survey};
 use rstest::rstest;
 
 fn nominal() -> Case {

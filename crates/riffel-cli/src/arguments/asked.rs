@@ -4,8 +4,8 @@ use std::fmt::Display;
 use std::marker::PhantomData;
 use std::str::FromStr;
 
-use riffel_case::PhysicalRange;
-use riffel_case::quantity::{Dimension, Quantity, QuantityError};
+use riffel_keys::PhysicalRange;
+use riffel_keys::quantity::{Dimension, Quantity, QuantityError};
 
 use crate::error::CliError;
 use crate::messages::print_remarks;

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use jiff::civil::Date;
 use riffel_case::Hold;
-use riffel_case::quantity::{Quantity, Speed};
-use riffel_case::read_date;
+use riffel_keys::quantity::{Quantity, Speed};
+use riffel_rail::read_date;
 
 use super::{Asked, CaseArguments, Layout};
 

@@ -4,9 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use riffel::roughness::{AnalysisSettings, GrindSettings};
-use riffel_case::quantity::{Frequency, Length, Quantity};
-use riffel_case::read_date;
-use riffel_case::roughness::{LengthUnit, RecordPart};
+use riffel_keys::quantity::{Frequency, Length, Quantity};
+use riffel_rail::{LengthUnit, RecordPart, read_date};
 
 use super::{CaseArguments, Ground, HoldArgument};
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
-use riffel_case::quantity::{Quantity, Ratio};
+use riffel_keys::quantity::{Quantity, Ratio};
 use riffel_study::Shard;
 
 #[derive(Args)]

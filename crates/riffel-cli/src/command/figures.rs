@@ -1,7 +1,7 @@
 //! `riffel figures`
 
-use riffel_case::Language;
 use riffel_figures::paper;
+use riffel_keys::Language;
 
 use crate::arguments::Figures;
 use crate::error::CliError;

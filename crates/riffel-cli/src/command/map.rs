@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use riffel::{GrowthMap, Ridge, growth::RidgePoint};
-use riffel_case::{BranchDocument, Case, Remark};
+use riffel_case::{BranchDocument, Case};
 use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
+use riffel_keys::Remark;
 use riffel_plot::Observation;
 use serde::Serialize;
 

@@ -1,7 +1,8 @@
 //! Figures 4 and 5: dissipation over wavelength and speed.
 
 use riffel::{GrowthMap, Ridge};
-use riffel_case::{Case, Language};
+use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::{MapFigure, MapPanel};
 
 use super::{Drawing, Model, PaperFigure};

@@ -5,7 +5,8 @@ mod maps;
 mod ridges;
 mod vertical;
 
-use riffel_case::{BHASKAR_TRACK_CASE, Case, Language, NOMINAL_CASE};
+use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
+use riffel_keys::Language;
 use riffel_plot::{LineFigure, MapFigure, PlotError};
 
 use crate::FigureError;

@@ -7,7 +7,8 @@ use riffel::{
     growth::RidgePoint,
     wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, WheelRotation},
 };
-use riffel_case::{Case, Language};
+use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};

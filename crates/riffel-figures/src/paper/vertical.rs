@@ -1,7 +1,8 @@
 //! Figures 2 and 3: vertical receptance and normal force over frequency.
 
 use riffel::{Complex64, LoopState};
-use riffel_case::{Case, Language};
+use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};

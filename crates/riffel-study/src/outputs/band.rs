@@ -1,7 +1,8 @@
 //! Bands of wavelength.
 
 use riffel::roughness::{ThirdOctave, WavelengthBand};
-use riffel_case::{Case, CaseError, Source};
+use riffel_case::Case;
+use riffel_keys::{CaseError, KeyFile};
 
 use crate::file::{BandSet, OutputsFile};
 
@@ -17,7 +18,7 @@ pub struct Band {
 
 /// The bands that a plan asks for.
 pub(super) fn bands(
-    source: &Source,
+    source: &KeyFile,
     file: &OutputsFile,
     case: &Case,
 ) -> Result<Vec<Band>, CaseError> {

@@ -6,7 +6,8 @@ use riffel::{
     Complex64, Ridge,
     growth::{RidgeRow, RowEvaluator},
 };
-use riffel_case::{Case, CaseError, Remark, Source};
+use riffel_case::Case;
+use riffel_keys::{CaseError, KeyFile, Remark};
 
 use crate::file::{MapQuantity, OutputsFile};
 
@@ -70,7 +71,7 @@ const RIDGE_FREQUENCY: &str = "ridge_frequency";
 impl Outputs {
     /// What a plan asks for on the window of its case, with what is to be asked about points that are not usual.
     pub(crate) fn new(
-        source: &Source,
+        source: &KeyFile,
         file: &OutputsFile,
         case: &Case,
     ) -> Result<(Self, Vec<Remark>), CaseError> {

@@ -1,6 +1,7 @@
 //! Whether the case takes the values of a plan, before anything runs.
 
-use riffel_case::{Case, CaseError, Source};
+use riffel_case::Case;
+use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
 use crate::distribution::Distribution;
@@ -17,7 +18,7 @@ const TAIL: f64 = 1e-3;
 ///
 /// A refused value is an error of the plan. An infinite tail that the case refuses is a remark: its samples will
 /// fail one by one.
-pub(super) fn check(source: &Source, plan: &mut Plan, case: &Case) -> Result<(), CaseError> {
+pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<(), CaseError> {
     let middle: Vec<String> = plan
         .parameters
         .iter()

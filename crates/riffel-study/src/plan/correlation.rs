@@ -1,6 +1,6 @@
 //! The correlations of a plan, checked.
 
-use riffel_case::{CaseError, Source};
+use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
 use super::file::{Method, PlanFile};
@@ -9,7 +9,7 @@ use crate::parameter::Parameter;
 
 impl Plan {
     pub(super) fn copula(
-        source: &Source,
+        source: &KeyFile,
         file: &PlanFile,
         parameters: &[Parameter],
     ) -> Result<Option<GaussianCopula>, CaseError> {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use riffel_case::{CaseError, Source};
+use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
 use super::file::{Method, PlanFile};
@@ -14,7 +14,7 @@ const MOST_SAMPLES: u64 = 100_000_000;
 
 impl Plan {
     pub(super) fn design(
-        source: &Source,
+        source: &KeyFile,
         file: &PlanFile,
         parameters: &[Parameter],
     ) -> Result<Design, CaseError> {
@@ -77,7 +77,7 @@ impl Plan {
     }
 
     fn grid(
-        source: &Source,
+        source: &KeyFile,
         file: &PlanFile,
         parameters: &[Parameter],
     ) -> Result<Design, CaseError> {

@@ -1,7 +1,7 @@
 //! The keys of a plan, as written.
 
 use riffel_case::PointQuantity;
-use riffel_case::quantity::{Length, Quantity, Ratio, Speed};
+use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use toml::Value;

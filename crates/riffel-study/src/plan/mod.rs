@@ -10,13 +10,14 @@ pub(crate) use bounds::sentence;
 
 use std::path::{Path, PathBuf};
 
-use riffel_case::{Case, CaseError, CaseKey, Source, assignments, text_file};
+use file::{Method, PlanFile};
+use riffel_case::{Case, CaseKey, assignments};
+use riffel_keys::{CaseError, KeyFile, overridden_key, text_file};
 
 use crate::correlation::GaussianCopula;
 use crate::design::Design;
 use crate::outputs::Outputs;
 use crate::parameter::Parameter;
-use file::{Method, PlanFile};
 
 /// Most bytes of the results of a study: a terabyte.
 const MOST_BYTES: u64 = 1_000_000_000_000;
@@ -59,7 +60,7 @@ impl Plan {
     /// [`CaseError`] with the key, the value and the rule.
     pub fn read(path: &Path) -> Result<(Self, Case, PathBuf), CaseError> {
         let text = text_file::read_keys(path, "plan")?;
-        let source = Source::parse(&path.display().to_string(), &text)?;
+        let source = KeyFile::parse(&path.display().to_string(), &text)?;
         let file: PlanFile = source.deserialize()?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let case = folder.join(&file.case);
@@ -71,13 +72,13 @@ impl Plan {
     /// # Errors
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str, case: &Path) -> Result<(Self, Case, PathBuf), CaseError> {
-        let source = Source::parse(name, text)?;
+        let source = KeyFile::parse(name, text)?;
         let file = source.deserialize()?;
         Self::on(source, file, text, case)
     }
 
     fn on(
-        source: Source,
+        source: KeyFile,
         file: PlanFile,
         text: &str,
         path: &Path,
@@ -88,7 +89,7 @@ impl Plan {
                 assignment,
                 message,
             } => {
-                let key = assignment.split('=').next().unwrap_or_default();
+                let key = overridden_key(&assignment);
                 source.refuse(&format!("set.{key}"), &message)
             }
             CaseError::Read { reason, .. } => source.invalid(
@@ -153,7 +154,7 @@ impl Plan {
         Ok((plan, case, path.to_owned()))
     }
 
-    fn parameters(source: &Source, file: &PlanFile) -> Result<Vec<Parameter>, CaseError> {
+    fn parameters(source: &KeyFile, file: &PlanFile) -> Result<Vec<Parameter>, CaseError> {
         if file.parameter.is_empty() {
             return Err(source.missing("parameter", "write one [[parameter]] or more"));
         }

@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-use riffel_case::quantity::Kind;
-use riffel_case::{CaseError, CaseKey, Source};
+use riffel_case::CaseKey;
+use riffel_keys::quantity::Kind;
+use riffel_keys::{CaseError, KeyFile};
 use toml::Value;
 
 use super::file::{LognormalFile, NormalFile, ParameterFile, RangeFile, Spacing};
@@ -15,7 +16,7 @@ const MOST_VALUES: u64 = 1_000_000;
 
 /// Where in a plan a value stands, and what its key takes.
 struct Place<'a> {
-    source: &'a Source,
+    source: &'a KeyFile,
     /// `parameter[2]`.
     at: String,
     kind: Kind,
@@ -23,7 +24,7 @@ struct Place<'a> {
 
 /// The values of the parameter of a number.
 pub(super) fn of(
-    source: &Source,
+    source: &KeyFile,
     index: usize,
     written: &ParameterFile,
     key: &'static CaseKey,
@@ -109,7 +110,7 @@ pub(super) fn of(
 }
 
 /// A list that is not empty and names nothing twice.
-fn list(source: &Source, at: &str, values: Vec<ParameterValue>) -> Result<Spread, CaseError> {
+fn list(source: &KeyFile, at: &str, values: Vec<ParameterValue>) -> Result<Spread, CaseError> {
     let key = format!("{at}.values");
     if values.is_empty() {
         return Err(source.invalid(&key, "is empty, but must hold a value", ""));

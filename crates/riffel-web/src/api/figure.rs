@@ -2,8 +2,8 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel_case::Language;
 use riffel_figures::paper::{Drawing, FIGURES, Model};
+use riffel_keys::Language;
 use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;
 use serde_json::{Value, json};

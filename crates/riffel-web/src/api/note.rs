@@ -1,6 +1,6 @@
 //! A remark on a case, as the page shows it.
 
-use riffel_case::{Language, Remark};
+use riffel_keys::{Language, Remark};
 use serde::Serialize;
 
 /// A remark in every language of the page, which changes its language without asking anew.

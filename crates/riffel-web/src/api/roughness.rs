@@ -4,7 +4,7 @@ use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, header};
-use riffel_case::roughness::{Limit, LimitTable};
+use riffel_rail::{Limit, LimitTable};
 use serde::Deserialize;
 use serde_json::{Value, json};
 

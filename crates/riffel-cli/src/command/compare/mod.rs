@@ -5,10 +5,11 @@ mod figure;
 
 use riffel::forecast::SpeedDistribution;
 use riffel::roughness::LevelLimit;
-use riffel_case::roughness::{GroundRail, LimitTable, Survey};
-use riffel_case::traffic::{RailForecast, RailSpectrum, Traffic};
+use riffel_case::traffic::{RailForecast, Traffic};
 use riffel_case::what_if::{Comparison, Effect, FastestLine, Outcome};
-use riffel_case::{Case, CaseError, Hold, Variant};
+use riffel_case::{Case, Hold, Variant};
+use riffel_keys::CaseError;
+use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
 use super::forecast::{
     ground_rail, level_limit, not_forecast, number, outside, per_million, reached, when,

@@ -5,9 +5,12 @@ mod document;
 mod frequency_response;
 mod patch_figure;
 
+use document::document;
+use patch_figure::{patch_figure, patch_table};
 use riffel::contact::KalkerCoefficients;
-use riffel_case::{Case, CaseError, CreepCurves, FrequencyResponse, RollingTheories};
+use riffel_case::{Case, CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_figures::polach;
+use riffel_keys::CaseError;
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 use crate::arguments::{Contact, positive};
@@ -15,8 +18,6 @@ use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, print, print_json, table};
 use crate::staging::Staging;
-use document::document;
-use patch_figure::{patch_figure, patch_table};
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let case = arguments.case.read()?;

@@ -1,8 +1,9 @@
 //! The figure of a diagnosis.
 
 use riffel::diagnosis::{FineBand, FineSpectrum};
-use riffel_case::diagnosis::{Curves, Diagnosis};
+use riffel_case::diagnosis::Diagnosis;
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
+use riffel_rail::history::Curves;
 
 /// Spectra with the dominant wavelengths marked.
 pub(crate) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {

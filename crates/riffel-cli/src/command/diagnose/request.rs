@@ -5,10 +5,11 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_case::Case;
-use riffel_case::diagnosis::{Diagnosis, DiagnosisSettings, RailRecord};
-use riffel_case::quantity::{Frequency, Kind, Quantity, Speed};
-use riffel_case::roughness::RoughnessFile;
+use riffel_case::diagnosis::{Diagnosis, DiagnosisSettings};
 use riffel_case::traffic::Traffic;
+use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
+use riffel_rail::history::SpectraChoice;
+use riffel_rail::{RailRecord, RoughnessFile};
 
 use crate::arguments::{DiagnosisArguments, positive, within};
 use crate::command::roughness::{choose_nothing, read};
@@ -24,8 +25,10 @@ pub(crate) fn diagnosis(
     let (speeds, remark) = speeds(case, arguments)?;
     let settings = DiagnosisSettings {
         speeds,
-        choose: &arguments.choose,
-        by: arguments.by.as_deref(),
+        spectra: SpectraChoice {
+            choose: &arguments.choose,
+            by: arguments.by.as_deref(),
+        },
         torsion: modes("--torsion", &arguments.torsion)?,
         bending: modes("--bending", &arguments.bending)?,
         instrument: if arguments.from_vehicle {

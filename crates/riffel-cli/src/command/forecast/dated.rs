@@ -1,7 +1,7 @@
 //! What was measured now and before.
 
 use jiff::civil::Date;
-use riffel_case::roughness::Survey;
+use riffel_rail::Survey;
 
 use crate::arguments::Spectra;
 use crate::command::roughness::survey;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel::roughness::LevelLimit;
-use riffel_case::roughness::{GroundRail, LimitTable};
+use riffel_rail::{GroundRail, LimitTable};
 
 use crate::arguments::{Ground, Layout};
 use crate::command::roughness::survey;

@@ -6,15 +6,17 @@ mod figure;
 mod ground;
 mod wear;
 
+use dated::Dated;
 use jiff::ToSpan;
 use jiff::civil::Date;
 use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
 use riffel::roughness::LevelLimit;
-use riffel_case::roughness::{GroundRail, Limit, LimitTable, Survey};
 use riffel_case::traffic::{
-    DAYS_PER_MONTH, RailForecast, RailSpectrum, Traffic, TrafficOnCase, WearReport, bands_of,
+    DAYS_PER_MONTH, RailForecast, Traffic, TrafficOnCase, WearReport, bands_of,
 };
 use riffel_case::{Case, Variant};
+use riffel_rail::{GroundRail, Limit, LimitTable, RailSpectrum, Survey};
+use wear::wear_report;
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
@@ -23,8 +25,6 @@ use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
 use crate::staging::Staging;
-use dated::Dated;
-use wear::wear_report;
 
 pub(crate) use figure::{rate_panel, zero};
 pub(crate) use ground::ground_rail;

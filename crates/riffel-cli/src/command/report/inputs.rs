@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use riffel_case::CaseError;
-use riffel_case::text_file::is_standard_input;
+use riffel_keys::CaseError;
+use riffel_keys::text_file::is_standard_input;
 
 use super::page::{escape, table};
 use crate::fingerprint::fingerprint;

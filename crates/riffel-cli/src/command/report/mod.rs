@@ -8,9 +8,12 @@ mod roughness;
 
 use std::path::Path;
 
-use riffel_case::quantity::Quantity;
-use riffel_case::roughness::{Limit, LimitTable, RoughnessFile, Survey};
+use inputs::Inputs;
+use outlook::{Now, Outlook};
+use page::{Head, Section, escape};
 use riffel_case::{Case, Site};
+use riffel_keys::quantity::Quantity;
+use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{CaseArguments, DiagnosisArguments, Report, Statistics};
 use crate::command::diagnose::{capital, diagnosis};
@@ -20,9 +23,6 @@ use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
 use crate::output::print;
 use crate::staging::{Existing, write_file};
-use inputs::Inputs;
-use outlook::{Now, Outlook};
-use page::{Head, Section, escape};
 
 /// Title where none is given.
 const TITLE: &str = "Rail roughness and corrugation";

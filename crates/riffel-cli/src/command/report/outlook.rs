@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use riffel::forecast::Reach;
-use riffel_case::roughness::Survey;
 use riffel_case::what_if::{Effect, Outcome};
 use riffel_plot::LineFigure;
+use riffel_rail::Survey;
 
 use super::page::{Section, escape, figure, list, table};
 use crate::arguments::{
@@ -160,7 +160,7 @@ pub(super) fn what_if(
         variants,
         speed: now
             .filter(|_| traffic.is_none())
-            .map(|now| riffel_case::quantity::Quantity::new(now.speed).into()),
+            .map(|now| riffel_keys::quantity::Quantity::new(now.speed).into()),
         speed_deviation: None,
         traffic,
         hold,

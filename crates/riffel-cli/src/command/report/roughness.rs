@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
-use riffel_case::roughness::{Limit, LimitTable, Record};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, Series};
+use riffel_rail::{Limit, LimitTable, Record};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::command::roughness::figure as figures;

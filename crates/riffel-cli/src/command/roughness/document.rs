@@ -1,7 +1,7 @@
 //! `roughness --json`.
 
 use riffel::roughness::{BandSummary, GrindSection, Spectrum, line_length};
-use riffel_case::roughness::ReaderFormat;
+use riffel_rail::ReaderFormat;
 use serde::Serialize;
 
 use super::profile::{RailReport, Report};

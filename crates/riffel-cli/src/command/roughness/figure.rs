@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use riffel::roughness::{Spectrum, WavelengthBand};
-use riffel_case::roughness::{Limit, LimitTable};
 use riffel_plot::{
     Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series,
 };
+use riffel_rail::{Limit, LimitTable};
 
 use super::profile::{RailReport, Report, name};
 

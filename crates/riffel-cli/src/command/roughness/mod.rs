@@ -10,7 +10,7 @@ pub(crate) mod verdict;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use riffel_case::roughness::{LimitTable, ReaderFormat, RoughnessFile, Survey};
+use riffel_rail::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
@@ -61,7 +61,7 @@ pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile
     }
     let part = layout.part.of_record();
     let format = layout.format.as_deref();
-    let layout = riffel_case::roughness::Layout {
+    let layout = riffel_rail::Layout {
         format: format.map(ReaderFormat::read).transpose()?,
         spacing: layout.spacing,
         height_unit: layout.height_unit.clone(),

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_case::CaseError;
-use riffel_case::roughness::{LimitTable, Survey};
+use riffel_keys::CaseError;
+use riffel_rail::{LimitTable, Survey};
 
 use super::document::{Document, GroupDocument, Removed, levels};
 use super::verdict::{Judged, Verdict, rail_in_words, worst_first};

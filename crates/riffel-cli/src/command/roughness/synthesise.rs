@@ -3,8 +3,8 @@
 use std::io::Write;
 use std::path::Path;
 
-use riffel_case::CaseError;
-use riffel_case::roughness::{DEFAULT_RECIPE, RecipeFile};
+use riffel_keys::CaseError;
+use riffel_rail::{DEFAULT_RECIPE, RecipeFile};
 
 use crate::arguments::Roughness;
 use crate::output::print;

@@ -1,7 +1,7 @@
 //! Roughness held against limit tables.
 
 use riffel::roughness::{BandSummary, Spectrum};
-use riffel_case::roughness::{Limit, LimitTable};
+use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
 /// What a limit table says of a record.

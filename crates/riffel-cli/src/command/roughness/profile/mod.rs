@@ -9,8 +9,8 @@ use riffel::roughness::{
     AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit,
     Spectrum, WavelengthBand, line_length,
 };
-use riffel_case::CaseError;
-use riffel_case::roughness::{LabelledSpectrum, Limit, LimitTable, Record, Survey};
+use riffel_keys::CaseError;
+use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Record, Survey};
 
 pub(crate) use words::{band_row, counted, grind_row, name};
 

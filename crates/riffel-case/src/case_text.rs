@@ -1,0 +1,111 @@
+//! The keys of a case as they were written, overridden and filled in by presets.
+
+use riffel_keys::quantity::{Kind, Length, Speed};
+use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
+use toml::{Table, Value};
+
+use crate::CaseKey;
+use crate::file::CaseFile;
+use crate::preset::PresetKind;
+
+/// The file of keys of a case, with what its reader should know.
+#[derive(Clone)]
+pub(crate) struct CaseText {
+    pub(crate) keys: KeyFile,
+    pub(crate) remarks: Vec<Remark>,
+}
+
+/// A file of keys of a case, or of some of them, the axes of its map written as tables of ends.
+///
+/// # Errors
+/// As [`KeyFile::parse`].
+pub fn case_keys(name: &str, text: &str) -> Result<KeyFile, CaseError> {
+    let mut keys = KeyFile::parse(name, text)?;
+    spread_axes(&mut keys);
+    Ok(keys)
+}
+
+impl CaseText {
+    /// Read TOML; `name` is shown in errors.
+    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+        let keys = case_keys(name, text)?;
+        // In a case `vehicle` is the name of a preset.
+        if let Some(Value::Array(_)) = keys.table().get("vehicle") {
+            return Err(keys.refuse(
+                "vehicle",
+                "this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case \
+                 file, as `riffel init` writes one, in its place",
+            ));
+        }
+        Ok(Self::of(keys))
+    }
+
+    pub(crate) fn of(keys: KeyFile) -> Self {
+        Self {
+            keys,
+            remarks: Vec::new(),
+        }
+    }
+
+    /// Apply overrides `key=value` in their order. One of two keys that exclude each other replaces the
+    /// other, unless the overrides give both.
+    pub(crate) fn apply(&mut self, assignments: &[String]) -> Result<(), CaseError> {
+        let mut set = Vec::new();
+        for assignment in assignments {
+            let key = overridden_key(assignment);
+            let takes_a_name = PresetKind::ALL.iter().any(|kind| kind.key() == key);
+            set.push(self.keys.set(assignment, takes_a_name)?);
+            spread_axes(&mut self.keys);
+        }
+        let [ratio, creepage] = ["contact.tractive_ratio", "contact.creepage"];
+        let sets = |key: &str| set.iter().any(|other| other == key);
+        match (sets(ratio), sets(creepage)) {
+            (true, false) => self.keys.remove(creepage),
+            (false, true) => self.keys.remove(ratio),
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The keys as types, presets and defaults filled in.
+    pub(crate) fn deserialize(&self) -> Result<CaseFile, CaseError> {
+        self.keys.deserialize_or(|key| {
+            let example = match key {
+                "map.wavelength" => "20-80 mm",
+                "map.speed" => "60-90 km/h",
+                _ => return None,
+            };
+            let text = self.keys.text_of(key)?;
+            let rule = format!(
+                "is \"{text}\", but must be a range as in \"{example}\", or a table of min, max and points"
+            );
+            Some(self.keys.invalid(key, &rule, ""))
+        })
+    }
+
+    /// `Ok` if every value lies in its physical range; what is unusual becomes a remark.
+    pub(crate) fn judge(&mut self) -> Result<(), CaseError> {
+        for key in CaseKey::all() {
+            let remark = self.keys.judge(&key.key)?;
+            self.remarks.extend(remark);
+        }
+        Ok(())
+    }
+}
+
+/// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, into tables.
+fn spread_axes(keys: &mut KeyFile) {
+    for (axis, kind) in [
+        ("map.wavelength", Kind::of::<Length>()),
+        ("map.speed", Kind::of::<Speed>()),
+    ] {
+        let ends = keys
+            .text_of(axis)
+            .and_then(|text| kind.range_in_words(text));
+        if let Some(ends) = ends {
+            let ends = ["min", "max"].into_iter().zip(ends);
+            let ends = ends.map(|(name, end)| (name.to_owned(), Value::String(end)));
+            keys.put(axis, ends.collect::<Table>());
+        }
+    }
+}

@@ -1,0 +1,474 @@
+//! A file of keys (TOML) with its overrides, and where each key stands.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use miette::NamedSource;
+use serde::de::DeserializeOwned;
+use toml::de::{DeTable, DeValue};
+use toml::{Table, Value};
+
+use crate::excerpt::{clipped, excerpt};
+use crate::quantity::WrittenQuantity;
+use crate::range::Judgement;
+use crate::text_file::{command_in, in_a_message};
+use crate::{CaseError, PhysicalRange, Remark};
+
+/// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
+const DEEPEST: usize = 16;
+
+/// A file of keys, each with the place where it was set: what a case, a traffic and a plan are read from,
+/// and what makes errors that show the line.
+#[derive(Clone)]
+pub struct KeyFile {
+    text: Arc<Text>,
+    table: Table,
+    /// Dotted key → the override that set it last.
+    overrides: HashMap<String, String>,
+}
+
+/// What was read; the same however many overrides are applied.
+struct Text {
+    name: String,
+    text: String,
+    /// Dotted key → its value in the text.
+    values: HashMap<String, Range<usize>>,
+    /// Dotted key → the key itself in the text.
+    keys: HashMap<String, Range<usize>>,
+}
+
+impl KeyFile {
+    /// Read TOML; `name` is shown in errors.
+    ///
+    /// # Errors
+    /// [`CaseError::Syntax`] with the place.
+    pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+        let syntax = |error: toml::de::Error| {
+            let (excerpt, span) = excerpt(text, error.span().unwrap_or(0..0));
+            CaseError::Syntax {
+                message: clipped(error.message()).into_owned(),
+                source_code: named(name, excerpt),
+                span: span.into(),
+            }
+        };
+        let spans = DeTable::parse(text).map_err(syntax)?;
+        let mut read = Text::empty(name);
+        text.clone_into(&mut read.text);
+        read.index("", spans.get_ref());
+        let file = Self {
+            text: Arc::new(read),
+            table: text.parse().map_err(syntax)?,
+            overrides: HashMap::new(),
+        };
+        file.refuse_commands("", &file.table)?;
+        Ok(file)
+    }
+
+    /// TOML takes control characters as escapes; names and titles with them would command the terminal.
+    fn refuse_commands(&self, parent: &str, table: &Table) -> Result<(), CaseError> {
+        for (name, value) in table {
+            let key = join(parent, name);
+            if let Some(command) = command_in(name) {
+                let rule = format!("is a key with the control character {command:?}");
+                return Err(self.invalid(&key, &rule, "leave it out"));
+            }
+            self.refuse_commands_in(&key, value)?;
+        }
+        Ok(())
+    }
+
+    fn refuse_commands_in(&self, key: &str, value: &Value) -> Result<(), CaseError> {
+        match value {
+            Value::String(text) => command_in(text).map_or(Ok(()), |command| {
+                let rule = format!("is a text with the control character {command:?}");
+                Err(self.invalid(key, &rule, "leave it out"))
+            }),
+            Value::Table(table) => self.refuse_commands(key, table),
+            Value::Array(items) => (items.iter().enumerate()).try_for_each(|(index, item)| {
+                self.refuse_commands_in(&format!("{key}[{index}]"), item)
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// The file again, from its name, its text, its keys after overrides as TOML, and these overrides: see
+    /// [`name`](Self::name), [`text`](Self::text), [`table`](Self::table) and [`overrides`](Self::overrides).
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn restore(
+        name: &str,
+        text: &str,
+        keys: &str,
+        overrides: &[(String, String)],
+    ) -> Result<Self, CaseError> {
+        Ok(Self {
+            table: Self::parse(name, keys)?.table,
+            overrides: overrides.iter().cloned().collect(),
+            ..Self::parse(name, text)?
+        })
+    }
+
+    /// A file without keys.
+    pub fn empty(name: &str) -> Self {
+        Self {
+            text: Arc::new(Text::empty(name)),
+            table: Table::new(),
+            overrides: HashMap::new(),
+        }
+    }
+
+    /// The name shown in errors.
+    pub fn name(&self) -> &str {
+        &self.text.name
+    }
+
+    /// The text that was read.
+    pub fn text(&self) -> &str {
+        &self.text.text
+    }
+
+    /// Each key that was overridden with the override, in the order of the keys.
+    pub fn overrides(&self) -> Vec<(String, String)> {
+        let overrides = self.overrides.iter();
+        let mut overrides: Vec<(String, String)> = overrides
+            .map(|(key, assignment)| (key.clone(), assignment.clone()))
+            .collect();
+        overrides.sort();
+        overrides
+    }
+
+    /// The top level as a table.
+    pub fn table(&self) -> &Table {
+        &self.table
+    }
+
+    /// Apply one override `key=value` and return its key, dotted. The value is TOML, or a text if it does not read as
+    /// such, or if the key takes a name: the rail 60E1 is not the number 600.
+    ///
+    /// # Errors
+    /// [`CaseError::Override`] for what is no `key=value`, or a key within a value.
+    pub fn set(&mut self, assignment: &str, takes_a_name: bool) -> Result<String, CaseError> {
+        let wrong = |message: String| CaseError::Override {
+            assignment: clipped(assignment).into_owned(),
+            message: clipped(&message).into_owned(),
+        };
+        let malformed =
+            || wrong("write --set key=value, as in --set contact.friction=0.3".to_owned());
+        let (path, value) = assignment.split_once('=').ok_or_else(malformed)?;
+        let (path, value) = (path.trim(), value.trim());
+        let value = format!("value = {value}")
+            .parse::<Table>()
+            .ok()
+            .filter(|table| table.len() == 1)
+            .and_then(|mut table| table.remove("value"))
+            .filter(|value| value.is_str() || !takes_a_name)
+            .unwrap_or_else(|| Value::String(value.to_owned()));
+
+        let parts: Vec<&str> = path.split('.').map(str::trim).collect();
+        if parts.len() > DEEPEST {
+            return Err(wrong(format!(
+                "a key has at most {DEEPEST} parts, and this one {}",
+                parts.len()
+            )));
+        }
+        let Some((last, parents)) = parts.split_last() else {
+            return Err(malformed());
+        };
+        if parts.iter().any(|part| part.is_empty()) {
+            return Err(malformed());
+        }
+        let mut table = &mut self.table;
+        for parent in parents {
+            table = table
+                .entry((*parent).to_owned())
+                .or_insert_with(|| Value::Table(Table::new()))
+                .as_table_mut()
+                .ok_or_else(|| {
+                    wrong(format!(
+                        "`{parent}` is a value, not a table of keys, in `{path}`"
+                    ))
+                })?;
+        }
+        table.insert((*last).to_owned(), value);
+        let key = parts.join(".");
+        self.overrides.insert(key.clone(), assignment.to_owned());
+        Ok(key)
+    }
+
+    /// Remove a key.
+    pub fn remove(&mut self, key: &str) {
+        let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
+        let parents = parents.split('.').filter(|parent| !parent.is_empty());
+        let table = parents.fold(Some(&mut self.table), |table, parent| {
+            table?.get_mut(parent)?.as_table_mut()
+        });
+        if let Some(table) = table {
+            table.remove(last);
+        }
+    }
+
+    /// The text that a key holds, if it holds a text.
+    pub fn text_of(&self, key: &str) -> Option<&str> {
+        self.value(key)?.as_str()
+    }
+
+    /// True if the key is set.
+    pub fn has(&self, key: &str) -> bool {
+        self.value(key).is_some()
+    }
+
+    /// The value of a key such as `vehicle[0].speed.mean`.
+    fn value(&self, key: &str) -> Option<&Value> {
+        let mut parts = key.split(['.', '[']);
+        let first = self.table.get(parts.next()?)?;
+        parts.try_fold(first, |value, part| match part.strip_suffix(']') {
+            Some(index) => value.as_array()?.get(index.parse::<usize>().ok()?),
+            None => value.as_table()?.get(part),
+        })
+    }
+
+    /// What is to be asked about the value of a key, if it is set and not usual.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a value outside its physical range.
+    pub fn judge(&self, key: &str) -> Result<Option<Remark>, CaseError> {
+        let Some(range) = PhysicalRange::of(key) else {
+            return Ok(None);
+        };
+        let written = match self.value(key) {
+            Some(Value::String(text)) => range.kind.read_written(text).ok(),
+            Some(Value::Integer(number)) => Some(WrittenQuantity::bare(*number as f64)),
+            Some(Value::Float(number)) => Some(WrittenQuantity::bare(*number)),
+            _ => None,
+        };
+        let Some(written) = written else {
+            return Ok(None);
+        };
+        match range.judge(key, &written) {
+            Judgement::Usual => Ok(None),
+            Judgement::Unusual(remark) => Ok(Some(remark)),
+            Judgement::Impossible { rule, help } => Err(self.invalid(key, &rule, &help)),
+        }
+    }
+
+    /// Set a key, which is no override. A value where a table is needed stays, for the reader to complain of.
+    pub fn put(&mut self, key: &str, value: impl Into<Value>) {
+        let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
+        let mut table = &mut self.table;
+        for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
+            let inner = table
+                .entry(parent.to_owned())
+                .or_insert_with(|| Value::Table(Table::new()));
+            let Some(inner) = inner.as_table_mut() else {
+                return;
+            };
+            table = inner;
+        }
+        table.insert(last.to_owned(), value.into());
+    }
+
+    /// The keys as types.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, CaseError> {
+        self.deserialize_or(|_| None)
+    }
+
+    /// [`deserialize`](Self::deserialize), where some keys have errors of their own: what `own` makes of the key that
+    /// does not read.
+    ///
+    /// # Errors
+    /// As [`deserialize`](Self::deserialize).
+    pub fn deserialize_or<T: DeserializeOwned>(
+        &self,
+        own: impl Fn(&str) -> Option<CaseError>,
+    ) -> Result<T, CaseError> {
+        serde_path_to_error::deserialize(self.table.clone()).map_err(|error| {
+            let path = error.path().to_string();
+            let path = if path == "." { "" } else { &path };
+            self.explain(path, error.inner().message(), own)
+        })
+    }
+
+    /// Turn a message of the TOML reader into an error that names the key.
+    fn explain(
+        &self,
+        path: &str,
+        message: &str,
+        own: impl Fn(&str) -> Option<CaseError>,
+    ) -> CaseError {
+        let message = message.trim();
+        let quoted: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+        if let (true, [field, ..]) = (message.starts_with("missing field"), &quoted[..]) {
+            return self.missing(&join(path, field), "");
+        }
+        if let (true, [field, allowed @ ..]) = (message.starts_with("unknown field"), &quoted[..]) {
+            // The reader names the table or the key itself, according to where it noticed.
+            let path = match path.strip_suffix(field) {
+                Some(_) => path.to_owned(),
+                None => join(path, field),
+            };
+            let allowed = allowed.to_vec();
+            return self.invalid(
+                &path,
+                "is not a key Riffel knows",
+                &suggestion(field, &allowed),
+            );
+        }
+        if let (true, [variant, allowed @ ..]) =
+            (message.starts_with("unknown variant"), &quoted[..])
+        {
+            let rule = format!("\"{variant}\" is not one of its choices");
+            return self.invalid(path, &rule, &suggestion(variant, allowed));
+        }
+        if let Some(error) = own(path) {
+            return error;
+        }
+        if message.contains("expected struct") {
+            return self.invalid(path, "is not a table of keys, as it must be", "");
+        }
+        self.invalid(path, message, "")
+    }
+
+    /// A key that must be there and is not.
+    pub fn missing(&self, key: &str, help: &str) -> CaseError {
+        self.error(key, "is missing", help)
+    }
+
+    /// A sentence about a key, which need not begin with it.
+    pub fn refuse(&self, key: &str, message: &str) -> CaseError {
+        self.invalid_at(key, message, None)
+    }
+
+    /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.
+    pub fn invalid(&self, key: &str, rule: &str, help: &str) -> CaseError {
+        self.error(key, rule, help)
+    }
+
+    fn error(&self, key: &str, rule: &str, help: &str) -> CaseError {
+        let shown = in_a_message(key);
+        let message = if key.is_empty() {
+            rule.to_owned()
+        } else if rule.starts_with("is ") || rule.starts_with("and ") {
+            format!("`{shown}` {rule}")
+        } else {
+            format!("`{shown}`: {rule}")
+        };
+        let help = (!help.is_empty()).then(|| help.to_owned());
+        // The override may have set a table around the key.
+        let tables = key.match_indices('.').rev().map(|(end, _)| &key[..end]);
+        let mut places = std::iter::once(key).chain(tables);
+        if let Some(assignment) = places.find_map(|place| self.overrides.get(place)) {
+            return CaseError::Override {
+                assignment: clipped(assignment).into_owned(),
+                message: match help {
+                    Some(help) => format!("{}; {help}", clipped(&message)),
+                    None => clipped(&message).into_owned(),
+                },
+            };
+        }
+        self.invalid_at(key, &message, help)
+    }
+
+    /// The error, with the text where the key stands.
+    fn invalid_at(&self, key: &str, message: &str, help: Option<String>) -> CaseError {
+        let span = self.text.span(key);
+        let (excerpt, range) = excerpt(&self.text.text, span.clone().unwrap_or(0..0));
+        CaseError::Invalid {
+            key: clipped(key).into_owned(),
+            message: clipped(message).into_owned(),
+            help,
+            source_code: named(&self.text.name, excerpt),
+            span: span.map(|_| range.into()),
+        }
+    }
+}
+
+impl Text {
+    fn empty(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            text: String::new(),
+            values: HashMap::new(),
+            keys: HashMap::new(),
+        }
+    }
+
+    fn index(&mut self, parent: &str, table: &DeTable<'_>) {
+        for (key, value) in table {
+            let path = join(parent, key.get_ref());
+            self.keys.insert(path.clone(), key.span());
+            self.values.insert(path.clone(), value.span());
+            match value.get_ref() {
+                DeValue::Table(table) => self.index(&path, table),
+                DeValue::Array(items) => {
+                    for (index, item) in items.iter().enumerate() {
+                        let path = format!("{path}[{index}]");
+                        self.keys.insert(path.clone(), item.span());
+                        if let DeValue::Table(table) = item.get_ref() {
+                            self.index(&path, table);
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The value of the key, the key itself, or the nearest table around it.
+    fn span(&self, key: &str) -> Option<Range<usize>> {
+        let mut path = key;
+        loop {
+            let found = match self.values.get(path) {
+                // A table is shown by its header, not by its whole text.
+                Some(value) if !self.keys.keys().any(|other| within(other, path)) => Some(value),
+                _ => self.keys.get(path),
+            };
+            if let Some(range) = found {
+                return Some(range.clone());
+            }
+            path = path.rsplit_once('.')?.0;
+        }
+    }
+}
+
+/// The key of an override `key=value`.
+pub fn overridden_key(assignment: &str) -> &str {
+    assignment.split('=').next().unwrap_or_default().trim()
+}
+
+fn within(key: &str, table: &str) -> bool {
+    key.strip_prefix(table)
+        .is_some_and(|rest| rest.starts_with('.'))
+}
+
+fn join(parent: &str, key: &str) -> String {
+    if parent.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{parent}.{key}")
+    }
+}
+
+/// An excerpt under the name of its file.
+fn named(name: &str, excerpt: String) -> Arc<NamedSource<String>> {
+    Arc::new(NamedSource::new(in_a_message(name), excerpt))
+}
+
+/// "did you mean … ?" if a name is near, else the whole list.
+fn suggestion(name: &str, allowed: &[&str]) -> String {
+    const NEAR: f64 = 0.75;
+    let nearest = allowed
+        .iter()
+        .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .filter(|(similarity, _)| *similarity > NEAR);
+    let list = format!("allowed: {}", allowed.join(", "));
+    match nearest {
+        Some((_, candidate)) => format!("did you mean {candidate}? ({list})"),
+        None => list,
+    }
+}

@@ -1,0 +1,38 @@
+//! # Files of keys
+//!
+//! What reading any of Riffel's TOML files needs, whatever its keys are: quantities with units and physical ranges,
+//! the text with the place of each key, errors that show the line, remarks in English and German.
+//!
+//! ```
+//! use riffel_keys::quantity::{Length, Quantity};
+//! use riffel_keys::KeyFile;
+//!
+//! #[derive(serde::Deserialize)]
+//! struct Wheel {
+//!     radius: Quantity<Length>,
+//! }
+//! let file = KeyFile::parse("wheel.toml", "radius = \"460 mm\"")?;
+//! assert_eq!(file.deserialize::<Wheel>()?.radius.si(), 0.46);
+//!
+//! let wrong = KeyFile::parse("wheel.toml", "radius = \"460 kg\"")?.deserialize::<Wheel>().err();
+//! assert!(wrong.is_some_and(|error| error.to_string().starts_with("`radius`")));
+//! # Ok::<(), riffel_keys::CaseError>(())
+//! ```
+
+mod error;
+mod excerpt;
+mod key_file;
+mod language;
+pub mod quantity;
+mod range;
+mod remark;
+pub mod text_file;
+mod unit;
+
+pub use error::CaseError;
+pub use excerpt::clipped;
+pub use key_file::{KeyFile, overridden_key};
+pub use language::Language;
+pub use range::{PhysicalRange, RANGES, bound};
+pub use remark::Remark;
+pub use unit::{Exponents, Unit};

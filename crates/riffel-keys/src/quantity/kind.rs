@@ -1,0 +1,211 @@
+//! Quantities where only the key tells which, read from text.
+
+use super::{Dimension, QuantityError, WrittenQuantity};
+use crate::unit::{Exponents, Unit};
+
+/// A dimension where only the key tells which.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Kind {
+    /// In the field's words, with its article: "a stiffness".
+    pub name: &'static str,
+    /// SI unit, empty for a ratio.
+    pub unit: &'static str,
+    /// What one writes in a case file.
+    pub example: &'static str,
+}
+
+impl Kind {
+    /// The words of a dimension.
+    pub const fn of<D: Dimension>() -> Self {
+        Self {
+            name: D::NAME,
+            unit: D::UNIT,
+            example: D::EXAMPLE,
+        }
+    }
+
+    /// A number in SI in the unit in which engineers write it, and that unit: (50, "kN") for 50 000. A ratio stays
+    /// as it is, without a unit.
+    pub fn in_engineers_unit(&self, si: f64) -> (f64, &'static str) {
+        let unit = self.example.split_once(' ').map_or("", |(_, unit)| unit);
+        match Unit::parse(unit) {
+            Ok(parsed) if !self.unit.is_empty() => (si / parsed.factor, unit),
+            _ => (si, self.unit),
+        }
+    }
+
+    /// Read a number in SI, or one with its unit.
+    ///
+    /// # Errors
+    /// [`QuantityError`] for a text that is no quantity of this kind.
+    pub fn read(&self, text: &str) -> Result<f64, QuantityError> {
+        self.read_written(text).map(|written| written.si)
+    }
+
+    /// [`read`](Self::read), with number and unit as they were written.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub(crate) fn read_written(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
+        self.read_one(text)
+            .map_err(|error| match self.read_range(text) {
+                Some(_) => QuantityError::Range {
+                    text: text.to_owned(),
+                    name: self.name,
+                    example: self.example,
+                },
+                None => error,
+            })
+    }
+
+    /// The lowest and the highest value of a range: `"60-90 km/h"`, `"60..90 km/h"`, `"0.02 to 0.08 m"`,
+    /// `"5 m/s – 60 m/s"`. A unit at the end is that of both. None for a text that is no range of this kind.
+    pub(crate) fn read_range(&self, text: &str) -> Option<[WrittenQuantity; 2]> {
+        /// No range is longer; foreign data may be.
+        const LONGEST: usize = 100;
+        if text.len() > LONGEST {
+            return None;
+        }
+        const MARKS: [&str; 8] = ["...", "..", "…", "–", "—", " to ", " bis ", "-"];
+        let both = |low: &str, high: &str| {
+            let (mut low, high) = (self.read_one(low).ok()?, self.read_one(high).ok()?);
+            match (low.unit.is_empty(), high.unit.is_empty()) {
+                (true, false) => {
+                    low = self
+                        .read_one(&format!("{} {}", low.number, high.unit))
+                        .ok()?
+                }
+                // "5 m-1" is no range of 5 m to 1.
+                (false, true) => return None,
+                _ => {}
+            }
+            Some([low, high])
+        };
+        MARKS.iter().find_map(|mark| {
+            text.match_indices(mark)
+                .find_map(|(place, _)| both(&text[..place], &text[place + mark.len()..]))
+        })
+    }
+
+    /// The ends of a range as [`read`](Self::read) takes them: "60 km/h" and "90 km/h" for "60-90 km/h".
+    pub fn range_in_words(&self, text: &str) -> Option<[String; 2]> {
+        let ends = self.read_range(text)?;
+        Some(ends.map(|end| format!("{} {}", end.number, end.unit).trim_end().to_owned()))
+    }
+
+    fn read_one(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
+        /// Characters of the largest number written out, and some to spare; foreign data may be longer.
+        const LONGEST_NUMBER: usize = 400;
+        let Self {
+            name,
+            unit,
+            example,
+        } = *self;
+        let trimmed = text.trim();
+        // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
+        let number = (1..=trimmed.len().min(LONGEST_NUMBER))
+            .rev()
+            .filter(|&end| trimmed.is_char_boundary(end))
+            .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
+        let Some((number, rest)) = number else {
+            return Err(QuantityError::NoNumber {
+                text: text.to_owned(),
+                name,
+                example,
+            });
+        };
+        // No unit begins with a digit: "50,000", "50 000", "50'000" and "50.000.000" are numbers with separators.
+        let after = rest
+            .trim_start()
+            .trim_start_matches([',', '.', '\'', '’', '_', '\u{202f}']);
+        if after.starts_with(|c: char| c.is_ascii_digit()) {
+            return Err(QuantityError::Separator {
+                text: text.to_owned(),
+                name,
+                example,
+            });
+        }
+        let mut written = WrittenQuantity {
+            number,
+            unit: rest.trim().to_owned(),
+            si: number,
+        };
+        if !written.unit.is_empty() {
+            let read = Unit::parse(&written.unit).map_err(|unit| QuantityError::UnknownUnit {
+                text: text.to_owned(),
+                unit,
+                name,
+                example,
+            })?;
+            // The unit of a dimension is a constant that the tests read for every dimension.
+            let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
+            if read.exponents != own {
+                return Err(QuantityError::WrongUnit {
+                    text: text.to_owned(),
+                    got: read.exponents.to_string(),
+                    name,
+                    in_unit: match unit {
+                        "" => String::new(),
+                        unit => format!(" in {unit}"),
+                    },
+                    example,
+                });
+            }
+            written.si = number * read.factor;
+        }
+        self.finite(written.si, trimmed)?;
+        Ok(written)
+    }
+
+    pub(super) fn finite(&self, si: f64, text: &str) -> Result<f64, QuantityError> {
+        if si.is_finite() {
+            return Ok(si);
+        }
+        Err(QuantityError::NotFinite {
+            text: text.to_owned(),
+            name: self.name,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::Speed;
+    use rstest::rstest;
+
+    #[rstest]
+    #[case("60-90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("60..90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("60 – 90 km/h", [60.0 / 3.6, 25.0])]
+    #[case("36 km/h to 90 km/h", [10.0, 25.0])]
+    #[case("36 km/h bis 25 m/s", [10.0, 25.0])]
+    #[case("10-25", [10.0, 25.0])]
+    #[case("1e-3-2e-3 m/s", [1e-3, 2e-3])]
+    #[case("1.5...2.5", [1.5, 2.5])]
+    #[case("0-25 m/s", [0.0, 25.0])]
+    #[case("-5--3", [-5.0, -3.0])]
+    #[case("10 m s-1 - 25 m s-1", [10.0, 25.0])]
+    fn reads_ranges(#[case] text: &str, #[case] ends: [f64; 2]) {
+        let read = Kind::of::<Speed>().read_range(text).unwrap();
+        for (read, end) in read.into_iter().zip(ends) {
+            let read = read.si;
+            assert!(
+                (read - end).abs() <= 4.0 * f64::EPSILON * end.abs(),
+                "{read}"
+            );
+        }
+    }
+
+    #[rstest]
+    #[case("60 km/h")]
+    #[case("1e-3")]
+    #[case("-5")]
+    #[case("5 m s-1")]
+    #[case("60-90 kg")]
+    #[case("5 km/h-10")]
+    #[case("fast-slow")]
+    fn what_is_no_range(#[case] text: &str) {
+        assert_eq!(Kind::of::<Speed>().read_range(text), None);
+    }
+}

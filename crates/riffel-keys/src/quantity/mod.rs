@@ -1,0 +1,242 @@
+//! Physical quantities in files of keys: a bare number in SI or a string with its unit.
+
+mod dimension;
+mod error;
+mod kind;
+mod written;
+
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+
+pub use dimension::*;
+pub use error::QuantityError;
+pub use kind::Kind;
+pub(crate) use written::WrittenQuantity;
+
+/// A quantity of the dimension `D`, held in SI.
+pub struct Quantity<D> {
+    si: f64,
+    dimension: PhantomData<fn() -> D>,
+}
+
+impl<D> Clone for Quantity<D> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<D> Copy for Quantity<D> {}
+
+impl<D> PartialEq for Quantity<D> {
+    fn eq(&self, other: &Self) -> bool {
+        self.si == other.si
+    }
+}
+
+impl<D: Dimension> fmt::Debug for Quantity<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+impl<D: Dimension> Quantity<D> {
+    /// A quantity of the given SI value.
+    pub const fn new(si: f64) -> Self {
+        Self {
+            si,
+            dimension: PhantomData,
+        }
+    }
+
+    /// Value in SI units.
+    pub const fn si(&self) -> f64 {
+        self.si
+    }
+}
+
+impl<D: Dimension> FromStr for Quantity<D> {
+    type Err = QuantityError;
+
+    fn from_str(text: &str) -> Result<Self, QuantityError> {
+        Kind::of::<D>().read(text).map(Self::new)
+    }
+}
+
+impl<D: Dimension> fmt::Display for Quantity<D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let size = self.si.abs();
+        if size > 0.0 && !(1e-3..1e6).contains(&size) {
+            write!(f, "{:e}", self.si)?;
+        } else {
+            write!(f, "{}", self.si)?;
+        }
+        if D::UNIT.is_empty() {
+            return Ok(());
+        }
+        write!(f, " {}", D::UNIT)
+    }
+}
+
+impl<D: Dimension> Serialize for Quantity<D> {
+    /// A ratio as a number, anything else as a string with its SI unit, which reads back.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if D::UNIT.is_empty() {
+            serializer.serialize_f64(self.si)
+        } else {
+            serializer.collect_str(self)
+        }
+    }
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        struct Visitor<D>(PhantomData<fn() -> D>);
+
+        impl<D: Dimension> de::Visitor<'_> for Visitor<D> {
+            type Value = Quantity<D>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match D::UNIT {
+                    "" => write!(f, "{} such as 0.4 or \"{}\"", D::NAME, D::EXAMPLE),
+                    unit => write!(f, "{} in {unit} or as in \"{}\"", D::NAME, D::EXAMPLE),
+                }
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
+                Kind::of::<D>()
+                    .finite(value, &value.to_string())
+                    .map(Quantity::new)
+                    .map_err(E::custom)
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
+                self.visit_f64(value as f64)
+            }
+
+            fn visit_u64<E: de::Error>(self, value: u64) -> Result<Self::Value, E> {
+                self.visit_f64(value as f64)
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                text.parse().map_err(E::custom)
+            }
+        }
+
+        deserializer.deserialize_any(Visitor(PhantomData))
+    }
+}
+
+impl<D: Dimension> JsonSchema for Quantity<D> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed(D::NAME)
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["number", "string"],
+            "pattern": r"^\s*[+-]?[0-9.]+([eE][+-]?[0-9]+)?\s*[^0-9]*.*$",
+            "unit": D::UNIT,
+            "examples": [D::EXAMPLE],
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::unit::Unit;
+    use rstest::rstest;
+
+    fn si<D: Dimension>(text: &str) -> Result<f64, String> {
+        text.parse::<Quantity<D>>()
+            .map(|quantity| quantity.si())
+            .map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn reads_what_engineers_write() {
+        assert_eq!(si::<Force>("50 kN"), Ok(50e3));
+        assert_eq!(si::<Force>("50kN"), Ok(50e3));
+        assert_eq!(si::<Force>("5e4"), Ok(50e3));
+        assert_eq!(si::<Speed>(" 90 km/h "), Ok(25.0));
+        assert_eq!(si::<Ratio>("0.4 %"), Ok(0.004));
+        assert_eq!(si::<Length>("5e3 m"), Ok(5000.0));
+    }
+
+    #[rstest]
+    #[case(
+        "280 kg",
+        "\"280 kg\" is in kg, not a stiffness in N/m; write it as in \"280 MN/m\""
+    )]
+    #[case(
+        "280 MM/m",
+        "unknown unit \"MM\" in \"280 MM/m\"; write a stiffness as in \"280 MN/m\""
+    )]
+    #[case(
+        "stiff",
+        "\"stiff\" does not begin with a number; write a stiffness as in \"280 MN/m\""
+    )]
+    #[case("inf", "inf is not finite, as a stiffness must be")]
+    #[case("1e400 N/m", "1e400 N/m is not finite, as a stiffness must be")]
+    #[case(
+        "0,4 MN/m",
+        "\"0,4 MN/m\" has a comma or a gap in its number; write a decimal point and no separators of thousands, \
+         as in \"280 MN/m\" for a stiffness"
+    )]
+    #[case(
+        "280 000 000 N/m",
+        "\"280 000 000 N/m\" has a comma or a gap in its number; write a decimal point and no separators of \
+         thousands, as in \"280 MN/m\" for a stiffness"
+    )]
+    #[case(
+        "100-280 MN/m",
+        "\"100-280 MN/m\" is a range, but one value is needed; write a stiffness as in \"280 MN/m\""
+    )]
+    fn refuses_with_a_sentence(#[case] text: &str, #[case] sentence: &str) {
+        assert_eq!(si::<Stiffness>(text), Err(sentence.to_owned()));
+    }
+
+    /// The example of every dimension reads as that dimension, and what is written reads back.
+    #[test]
+    fn examples_read() {
+        fn check<D: Dimension>() {
+            let quantity: Quantity<D> = D::EXAMPLE.parse().unwrap();
+            assert!(Unit::parse(D::UNIT).is_ok());
+            assert_eq!(
+                quantity.to_string().parse::<Quantity<D>>().unwrap(),
+                quantity
+            );
+            // As engineers write it, the same again.
+            let (number, unit) = Kind::of::<D>().in_engineers_unit(quantity.si());
+            let again: Quantity<D> = format!("{number} {unit}").parse().unwrap();
+            assert!((again.si() / quantity.si() - 1.0).abs() < 4.0 * f64::EPSILON);
+        }
+        assert_eq!(Kind::of::<Force>().in_engineers_unit(5e4), (50.0, "kN"));
+        assert_eq!(Kind::of::<Ratio>().in_engineers_unit(0.4), (0.4, ""));
+        check::<Ratio>();
+        check::<Length>();
+        check::<Speed>();
+        check::<Frequency>();
+        check::<Mass>();
+        check::<Force>();
+        check::<Inertia>();
+        check::<Modulus>();
+        check::<Area>();
+        check::<SecondMoment>();
+        check::<MassPerLength>();
+        check::<Stiffness>();
+        check::<Damping>();
+        check::<DampingPerLength>();
+        check::<Density>();
+        check::<WearCoefficient>();
+    }
+}

@@ -1,0 +1,277 @@
+//! What is said of a value that is not usual, or not possible.
+
+use crate::quantity::{Kind, WrittenQuantity};
+use crate::unit::Unit;
+use crate::{Language, PhysicalRange, Remark};
+
+/// What is said of a value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Judgement {
+    /// Nothing.
+    Usual,
+    /// It is computed, but the reader is asked; the sentence begins with the key.
+    Unusual(Remark),
+    /// It is refused.
+    Impossible {
+        /// Value and rule, after the key: "is 460 m, but must be between …".
+        rule: String,
+        /// "did you mean …?", or empty.
+        help: String,
+    },
+}
+
+impl PhysicalRange {
+    /// What is said of the value of a key as it was written.
+    pub(crate) fn judge(&self, key: &str, written: &WrittenQuantity) -> Judgement {
+        let kind = &self.kind;
+        let [low, high] = self.hard;
+        let value = written.in_words(kind);
+        if !(low..=high).contains(&written.si) {
+            return Judgement::Impossible {
+                rule: format!(
+                    "is {value}, but must be between {} and {}",
+                    amount(kind, low),
+                    amount(kind, high)
+                ),
+                help: self.question(written, Language::English),
+            };
+        }
+        let [from, to] = self.usual;
+        let question = |language| match self.question(written, language) {
+            none if none.is_empty() => none,
+            question => format!(" ({question})"),
+        };
+        let (english, german) = (Language::English, Language::German);
+        if !(from..=to).contains(&written.si) {
+            let (from, to) = (amount(kind, from), amount(kind, to));
+            return Judgement::Unusual(Remark::new(
+                format!(
+                    "{key} is {value}; usual values are {from} to {to}{}",
+                    question(english)
+                ),
+                format!(
+                    "{key} ist {value}; üblich sind {from} bis {to}{}",
+                    question(german)
+                ),
+            ));
+        }
+        if written.unit.is_empty() && written.si > self.bare_up_to {
+            let in_engineers_unit = kind.in_engineers_unit(written.si);
+            let read = format!(
+                "{value} = {} {}",
+                significant(in_engineers_unit.0),
+                in_engineers_unit.1
+            );
+            return Judgement::Unusual(Remark::new(
+                format!(
+                    "{key} has no unit and is read as {read}{}",
+                    question(english)
+                ),
+                format!(
+                    "{key} hat keine Einheit und wird als {read} gelesen{}",
+                    question(german)
+                ),
+            ));
+        }
+        Judgement::Usual
+    }
+
+    /// The number with other units with which it would be usual, at most two of them, as a question.
+    fn question(&self, written: &WrittenQuantity, language: Language) -> String {
+        let kind = &self.kind;
+        const MOST: usize = 2;
+        let [from, to] = self.usual;
+        let meant: Vec<String> = units(kind)
+            .iter()
+            .filter(|&&unit| {
+                unit != written.unit && (unit != kind.unit || !written.unit.is_empty())
+            })
+            .filter(|unit| {
+                Unit::parse(unit)
+                    .is_ok_and(|unit| (from..=to).contains(&(written.number * unit.factor)))
+            })
+            .take(MOST)
+            .map(|unit| match language {
+                Language::English => format!("\"{} {unit}\"", written.number),
+                Language::German => format!("„{} {unit}“", written.number),
+            })
+            .collect();
+        match (meant.is_empty(), language) {
+            (true, _) => String::new(),
+            (_, Language::English) => format!("did you mean {}?", meant.join(" or ")),
+            (_, Language::German) => format!("gemeint: {}?", meant.join(" oder ")),
+        }
+    }
+}
+
+/// Units in which engineers write a quantity, the likeliest first.
+fn units(kind: &Kind) -> &'static [&'static str] {
+    match kind.unit {
+        "" => &["%"],
+        "m" => &["mm", "m", "cm", "µm", "in", "ft"],
+        "m/s" => &["km/h", "mph", "m/s"],
+        "Hz" => &["Hz", "kHz"],
+        "kg" => &["kg", "t", "lb", "g"],
+        "N" => &["kN", "N", "kip", "lbf", "MN"],
+        "Pa" => &["GPa", "MPa", "Pa", "ksi"],
+        "m2" => &["cm2", "mm2", "m2", "in2"],
+        "m4" => &["cm4", "mm4", "m4", "in4"],
+        "kg/m" => &["kg/m", "lb/yd"],
+        "N/m" => &["MN/m", "kN/mm", "kN/m", "N/m", "GN/m", "kip/in"],
+        "N s/m" => &["kN s/m", "N s/m", "MN s/m"],
+        "N s/m2" => &["kN s/m2", "N s/m2"],
+        "kg/m3" => &["kg/m3", "t/m3", "g/cm3"],
+        _ => &[],
+    }
+}
+
+/// Units in which bounds are written, from the smallest to the largest.
+fn handy(kind: &Kind) -> &'static [&'static str] {
+    match kind.unit {
+        "m" => &["µm", "mm", "m"],
+        "m/s" => &["m/s"],
+        "Hz" => &["mHz", "Hz", "kHz", "MHz"],
+        "kg" => &["g", "kg", "t"],
+        "N" => &["N", "kN", "MN"],
+        "Pa" => &["GPa"],
+        "m2" => &["mm2", "cm2", "m2"],
+        "m4" => &["mm4", "cm4", "m4"],
+        "N/m" => &["N/m", "kN/m", "MN/m", "GN/m"],
+        "N s/m" => &["N s/m", "kN s/m", "MN s/m"],
+        "N s/m2" => &["N s/m2", "kN s/m2", "MN s/m2"],
+        _ => &[],
+    }
+}
+
+/// A value in the largest handy unit that leaves no less than one, as in "5 mm".
+pub(crate) fn amount(kind: &Kind, si: f64) -> String {
+    let in_unit = |unit: &str| Unit::parse(unit).map_or(si, |unit| si / unit.factor);
+    let handy = handy(kind);
+    let unit = handy
+        .iter()
+        .rev()
+        .find(|unit| in_unit(unit).abs() >= 1.0)
+        .or(handy.first())
+        .filter(|_| si != 0.0)
+        .unwrap_or(&kind.unit);
+    let number = significant(in_unit(unit));
+    match *unit {
+        "" => number,
+        unit => format!("{number} {unit}"),
+    }
+}
+
+/// A number with six digits, in powers of ten where it is very small or large.
+fn significant(number: f64) -> String {
+    // WrittenQuantity with six digits, it reads back as a number.
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    match rounded.abs() {
+        size if size != 0.0 && !(1e-4..1e6).contains(&size) => format!("{rounded:e}"),
+        _ => rounded.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    fn judged(key: &str, text: &str) -> Judgement {
+        let range = PhysicalRange::of(key).unwrap();
+        range.judge(key, &range.kind.read_written(text).unwrap())
+    }
+
+    #[rstest]
+    #[case(
+        "contact.friction",
+        "40",
+        "is 40, but must be between 0.001 and 1.5",
+        "did you mean \"40 %\"?"
+    )]
+    #[case(
+        "wheel.rolling_radius",
+        "460",
+        "is 460 m, but must be between 5 mm and 5 m",
+        "did you mean \"460 mm\"?"
+    )]
+    #[case(
+        "wheel.rolling_radius",
+        "0.46 mm",
+        "is 0.46 mm, but must be between 5 mm and 5 m",
+        "did you mean \"0.46 m\"?"
+    )]
+    #[case(
+        "steel.youngs_modulus",
+        "207",
+        "is 207 Pa, but must be between 1 GPa and 1000 GPa",
+        "did you mean \"207 GPa\"?"
+    )]
+    #[case(
+        "map.wavelength.min",
+        "55",
+        "is 55 m, but must be between 100 µm and 10 m",
+        "did you mean \"55 mm\" or \"55 cm\"?"
+    )]
+    #[case(
+        "wheel.mass",
+        "-350 kg",
+        "is -350 kg, but must be between 10 g and 100 t",
+        ""
+    )]
+    fn the_impossible_is_refused(
+        #[case] key: &str,
+        #[case] text: &str,
+        #[case] rule: &str,
+        #[case] help: &str,
+    ) {
+        let (rule, help) = (rule.to_owned(), help.to_owned());
+        assert_eq!(judged(key, text), Judgement::Impossible { rule, help });
+    }
+
+    #[rstest]
+    #[case(
+        "contact.normal_load",
+        "50",
+        "contact.normal_load is 50 N; usual values are 10 kN to 250 kN (did you mean \"50 kN\" or \"50 kip\"?)",
+        "contact.normal_load ist 50 N; üblich sind 10 kN bis 250 kN (gemeint: „50 kN“ oder „50 kip“?)"
+    )]
+    #[case(
+        "map.speed.max",
+        "108",
+        "map.speed.max is 108 m/s; usual values are 1 m/s to 100 m/s (did you mean \"108 km/h\" or \"108 mph\"?)",
+        "map.speed.max ist 108 m/s; üblich sind 1 m/s bis 100 m/s (gemeint: „108 km/h“ oder „108 mph“?)"
+    )]
+    #[case(
+        "map.speed.max",
+        "52",
+        "map.speed.max has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \"52 mph\"?)",
+        "map.speed.max hat keine Einheit und wird als 52 m/s = 187,2 km/h gelesen (gemeint: „52 km/h“ oder „52 mph“?)"
+    )]
+    #[case(
+        "contact.friction",
+        "0.9",
+        "contact.friction is 0.9; usual values are 0.02 to 0.8",
+        "contact.friction ist 0,9; üblich sind 0,02 bis 0,8"
+    )]
+    fn the_unusual_is_asked_about(
+        #[case] key: &str,
+        #[case] text: &str,
+        #[case] english: &str,
+        #[case] german: &str,
+    ) {
+        let Judgement::Unusual(remark) = judged(key, text) else {
+            panic!("{key} = {text} is usual");
+        };
+        assert_eq!(remark.in_language(Language::English), english);
+        assert_eq!(remark.in_language(Language::German), german);
+    }
+
+    #[rstest]
+    #[case("map.speed.max", "52 m/s")]
+    #[case("map.speed.max", "40")]
+    #[case("contact.normal_load", "11 kip")]
+    #[case("track.pad.damping", "0")]
+    fn the_usual_is_not(#[case] key: &str, #[case] text: &str) {
+        assert_eq!(judged(key, text), Judgement::Usual);
+    }
+}

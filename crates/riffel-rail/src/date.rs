@@ -1,0 +1,187 @@
+//! Dates as files write them.
+
+use jiff::civil::Date;
+
+/// The numbers of a date in the order in which they are written.
+enum Written {
+    YearFirst([i16; 3]),
+    DayFirst([i16; 3]),
+    /// Day and month in an order that depends on the country.
+    Open([i16; 3]),
+}
+
+/// The date that a text gives; see [`read_dates`].
+///
+/// # Errors
+/// A sentence on the text.
+pub fn read_date(text: &str) -> Result<Date, String> {
+    Ok(read_dates([text])?[0])
+}
+
+/// The dates of a column, in its order: 2026-01-31, 2026/01/31, 20260131 or 31.01.2026, each with or without a time of
+/// day. 31/01/2026, 01/31/2026 and the same with hyphens are read where one date of the column leaves no doubt which
+/// number is the day.
+///
+/// # Errors
+/// A sentence that begins with the first text that is no date, or may be two.
+pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Date>, String> {
+    let texts: Vec<&str> = texts.into_iter().collect();
+    let written: Vec<Written> = texts
+        .iter()
+        .map(|text| Written::of(text))
+        .collect::<Result<_, _>>()?;
+    let open = || {
+        let pairs = written.iter().zip(&texts);
+        pairs.filter_map(|(date, text)| match date {
+            Written::Open(numbers) => Some((*numbers, *text)),
+            _ => None,
+        })
+    };
+    let day_first = open().find(|([first, ..], _)| *first > 12);
+    let month_first = open().find(|([_, second, _], _)| *second > 12);
+    if let (Some((_, day)), Some((_, month))) = (day_first, month_first) {
+        return Err(format!(
+            "\"{day}\" and \"{month}\" have day and month in different orders; write both as in 2026-01-31"
+        ));
+    }
+    if day_first.is_none()
+        && month_first.is_none()
+        && let Some(([first, second, year], text)) =
+            open().find(|([day, month, _], _)| day != month)
+    {
+        return Err(format!(
+            "\"{text}\" may be two dates; write {year}-{second:02}-{first:02} or {year}-{first:02}-{second:02}"
+        ));
+    }
+    let dates = written.into_iter().zip(&texts).map(|(date, text)| {
+        let [year, month, day] = match date {
+            Written::YearFirst(numbers) => numbers,
+            Written::DayFirst([day, month, year]) => [year, month, day],
+            Written::Open([month, day, year]) if month_first.is_some() => [year, month, day],
+            Written::Open([day, month, year]) => [year, month, day],
+        };
+        let small = |number: i16| i8::try_from(number).unwrap_or(0);
+        Date::new(year, small(month), small(day))
+            .map_err(|_| format!("\"{text}\" is not in the calendar"))
+    });
+    dates.collect()
+}
+
+impl Written {
+    fn of(text: &str) -> Result<Self, String> {
+        let wrong = |rule: &str| format!("\"{}\" {rule}", riffel_keys::text_file::printable(text));
+        let no_date = || wrong("is no date; write it as 2026-01-31 or 31.01.2026");
+        let date = without_time(text.trim()).ok_or_else(no_date)?;
+        if date.len() == 8 && date.bytes().all(|byte| byte.is_ascii_digit()) {
+            let part = |range: std::ops::Range<usize>| date[range].parse().unwrap_or(0);
+            return Ok(Self::YearFirst([part(0..4), part(4..6), part(6..8)]));
+        }
+        let mark = ['-', '.', '/']
+            .into_iter()
+            .find(|mark| date.contains(*mark));
+        let mark = mark.ok_or_else(no_date)?;
+        let parts: Vec<&str> = date.split(mark).collect();
+        let [first, second, third] = parts[..] else {
+            return Err(no_date());
+        };
+        let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+        if !(digits(first) && digits(second) && digits(third)) {
+            return Err(no_date());
+        }
+        // No more than four digits, or refused by the lengths below.
+        let numbers = [first, second, third].map(|part| part.parse().unwrap_or(0));
+        match (first.len(), second.len(), third.len(), mark) {
+            (4, 1..=2, 1..=2, _) => Ok(Self::YearFirst(numbers)),
+            (1..=2, 1..=2, 4, '.') => Ok(Self::DayFirst(numbers)),
+            (1..=2, 1..=2, 4, _) => Ok(Self::Open(numbers)),
+            (1..=2, 1..=2, 2, _) => Err(wrong("has a year of two digits; write all four")),
+            _ => Err(no_date()),
+        }
+    }
+}
+
+/// The date without a time of day behind it; None if something else is there.
+fn without_time(text: &str) -> Option<&str> {
+    let Some(end) = text.find([' ', 'T', ',']) else {
+        return Some(text);
+    };
+    let (date, time) = (&text[..end], text[end + 1..].trim());
+    let hours = time.bytes().take_while(u8::is_ascii_digit).count();
+    let clock = |c: char| c.is_ascii_digit() || ":.,+-ZhAPMapm ".contains(c);
+    let is_time = (1..=2).contains(&hours)
+        && matches!(time.as_bytes().get(hours), Some(b':' | b'h'))
+        && time.trim_end_matches("Uhr").chars().all(clock);
+    is_time.then_some(date)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rstest::rstest;
+
+    #[rstest]
+    #[case("2024-03-15")]
+    #[case("2024/03/15")]
+    #[case("20240315")]
+    #[case("15.03.2024")]
+    #[case("15.3.2024")]
+    #[case(" 15.03.2024 09:30 ")]
+    #[case("15.03.2024, 09:30:12 Uhr")]
+    #[case("2024-03-15T09:30:12.5Z")]
+    #[case("2024-03-15 09:30:12+01:00")]
+    #[case("15/03/2024")]
+    #[case("03/15/2024 2:30 PM")]
+    #[case("15-03-2024")]
+    fn the_same_day_in_many_ways(#[case] text: &str) {
+        assert_eq!(
+            read_date(text).map(|date| date.to_string()),
+            Ok("2024-03-15".to_owned())
+        );
+    }
+
+    #[test]
+    fn one_date_of_a_column_tells_the_order_of_all() {
+        let words = |texts: &[&str]| {
+            let dates = read_dates(texts.iter().copied());
+            dates.map(|dates| {
+                dates
+                    .iter()
+                    .map(Date::to_string)
+                    .collect::<Vec<_>>()
+                    .join(" ")
+            })
+        };
+        assert_eq!(
+            words(&["03/04/2024", "25/04/2024"]).unwrap(),
+            "2024-04-03 2024-04-25"
+        );
+        assert_eq!(
+            words(&["03/04/2024", "04/25/2024"]).unwrap(),
+            "2024-03-04 2024-04-25"
+        );
+        assert_eq!(words(&["05/05/2024"]).unwrap(), "2024-05-05");
+        assert_eq!(
+            words(&["03/04/2024", "05/06/2024"]).unwrap_err(),
+            "\"03/04/2024\" may be two dates; write 2024-04-03 or 2024-03-04"
+        );
+        assert!(
+            words(&["25/04/2024", "04/25/2024"])
+                .unwrap_err()
+                .contains("different orders")
+        );
+    }
+
+    #[rstest]
+    #[case("31.02.2024", "not in the calendar")]
+    #[case("15.03.24", "two digits")]
+    #[case("March", "no date")]
+    #[case("", "no date")]
+    #[case("2024-03", "no date")]
+    #[case("15.03.2024 before grinding", "no date")]
+    #[case("1.2.3.2024", "no date")]
+    #[case("2024-03-99999999999999999999", "no date")]
+    fn what_is_no_date_is_refused(#[case] text: &str, #[case] part: &str) {
+        let wrong = read_date(text).unwrap_err();
+        assert!(wrong.contains(part), "{wrong}");
+    }
+}

@@ -1,0 +1,252 @@
+//! Records of one-third-octave levels.
+
+use std::path::Path;
+
+use jiff::civil::Date;
+use riffel::diagnosis::{Course, CoursePoint, DominantWavelength, TimeUnit, dominant_levels};
+use riffel::roughness::{Spectrum, ThirdOctave};
+use riffel_keys::CaseError;
+
+use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
+use crate::{LabelledSpectrum, RailRecord, RailRoughness, Survey};
+
+/// The history of rails whose levels were measured.
+pub(super) fn history(
+    present: &RailRecord<'_>,
+    spectra: &[LabelledSpectrum],
+    earlier: &[RailRecord<'_>],
+    choice: SpectraChoice<'_>,
+) -> Result<RailHistory, CaseError> {
+    let chosen = |name: &Path, spectra: &[LabelledSpectrum]| {
+        Survey::new(name, spectra.to_vec(), Vec::new())?.choose(choice.choose)
+    };
+    let mut records: Vec<(String, Survey)> = Vec::new();
+    for record in earlier {
+        let RailRoughness::Spectra(spectra) = record.roughness else {
+            return Err(CaseError::data(
+                record.name,
+                format!(
+                    "is a profile, but {} is a table of levels; both must be the same",
+                    present.name.display()
+                ),
+            ));
+        };
+        let survey = chosen(record.name, spectra)?;
+        records.push((record.name.display().to_string(), survey));
+    }
+    let survey = chosen(present.name, spectra)?;
+    // The rails, unless the records are told apart by just that.
+    let rails: Vec<Option<String>> = match survey.rail_column() {
+        Some(column) if choice.by != Some(column) => {
+            let rails = survey.by_rail().into_iter();
+            rails.map(|(name, _)| Some(name)).collect()
+        }
+        _ => vec![None],
+    };
+    if records.is_empty() {
+        records = survey.groups(choice.by.or_else(|| survey.date_column()))?;
+    } else {
+        records.push((present.name.display().to_string(), survey));
+    }
+    // Dates of the spectra, where each has one.
+    let given = dates(earlier.iter().chain([present])).filter(|_| !earlier.is_empty());
+    let dates = match given {
+        Some(dates) => dates,
+        None => sorted_by_date(&mut records)?.unwrap_or_default(),
+    };
+    let (times, unit) = times(records.len(), &dates);
+    let words = format!(
+        "{}, {}{}",
+        counted(
+            records.iter().map(|record| record.1.records.len()).sum(),
+            "one-third-octave spectrum",
+            "one-third-octave spectra"
+        ),
+        counted(records.len(), "record", "records"),
+        match rails.len() {
+            1 => String::new(),
+            several => format!(", {several} rails judged one by one"),
+        }
+    );
+    let mut warnings = Vec::new();
+    let mut tables: Vec<RailTable> = Vec::new();
+    for rail in rails.iter().cloned() {
+        let mut groups = Vec::new();
+        for ((name, survey), &time) in records.iter().zip(&times) {
+            let of_rail = match (&rail, survey.rail_column()) {
+                (Some(rail), Some(_)) => {
+                    let mut rails = survey.by_rail().into_iter();
+                    rails
+                        .find(|(name, _)| name == rail)
+                        .map(|(_, survey)| survey)
+                }
+                (Some(_), None) if rails.len() > 1 => None,
+                _ => Some(survey.clone()),
+            };
+            match (of_rail, &rail) {
+                (Some(survey), _) => groups.push(Group {
+                    name: name.clone(),
+                    time,
+                    spectra: survey.spectra(),
+                }),
+                (None, Some(rail)) => warnings.push(format!(
+                    "{name}: has no rail {rail}, whose course is not known there"
+                )),
+                (None, None) => {}
+            }
+        }
+        tables.push(RailTable::new(rail, groups));
+    }
+    // The rail with the highest of all dominant levels leads.
+    tables.sort_by(|a, b| b.highest().total_cmp(&a.highest()));
+    let measured = tables
+        .iter()
+        .flat_map(|table| table.measured(&tables, unit))
+        .collect();
+    let several = tables.len() > 1;
+    let curves = tables.iter().flat_map(|table| table.curves(several));
+    let curves = curves.collect();
+    Ok(RailHistory {
+        measured,
+        words,
+        curves: Curves::Levels(curves),
+        warnings,
+    })
+}
+
+/// The spectra of a rail in one record.
+struct Group {
+    name: String,
+    time: f64,
+    spectra: Vec<Spectrum>,
+}
+
+impl Group {
+    /// Arithmetic mean of the levels of a band.
+    fn level(&self, band: ThirdOctave) -> Option<f64> {
+        Spectrum::arithmetic_mean(&self.spectra)?.level(band)
+    }
+
+    /// The point of this record in the course of a band.
+    fn point(&self, band: ThirdOctave) -> Option<CoursePoint> {
+        let spectra = self.spectra.iter();
+        let levels: Vec<f64> = spectra
+            .filter_map(|spectrum| spectrum.level(band))
+            .collect();
+        Some(CoursePoint {
+            label: self.name.clone(),
+            time: self.time,
+            level: self.level(band)?,
+            scatter: standard_error(&levels),
+        })
+    }
+}
+
+/// A rail in the records of a table of levels.
+struct RailTable {
+    rail: Option<String>,
+    groups: Vec<Group>,
+    /// What stands out, the most prominent first, each with the record where it does most.
+    peaks: Vec<(DominantWavelength, String)>,
+}
+
+impl RailTable {
+    fn new(rail: Option<String>, groups: Vec<Group>) -> Self {
+        // A band counts where it stands out of one record or more; the record where it does most describes it.
+        let mut peaks: Vec<(DominantWavelength, String)> = Vec::new();
+        for group in &groups {
+            for peak in dominant_levels(&group.spectra) {
+                let mut known = peaks.iter_mut();
+                match known.find(|(other, _)| other.wavelength == peak.wavelength) {
+                    Some((other, _)) if other.prominence >= peak.prominence => {}
+                    Some(other) => *other = (peak, group.name.clone()),
+                    None => peaks.push((peak, group.name.clone())),
+                }
+            }
+        }
+        peaks.sort_by(|a, b| b.0.prominence.total_cmp(&a.0.prominence));
+        Self {
+            rail,
+            groups,
+            peaks,
+        }
+    }
+
+    /// The highest level of what stands out.
+    fn highest(&self) -> f64 {
+        let levels = self.peaks.iter().map(|peak| peak.0.level);
+        levels.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// What stands out of this rail, with the levels of all rails in the record where it does most.
+    fn measured<'a>(
+        &'a self,
+        all: &'a [Self],
+        unit: TimeUnit,
+    ) -> impl Iterator<Item = Measured> + 'a {
+        self.peaks.iter().map(move |(peak, record)| {
+            let band = ThirdOctave::containing(peak.wavelength).ok();
+            let groups = || self.groups.iter();
+            let points = groups().filter_map(|group| group.point(band?));
+            let course = Course::new(points.collect(), unit).ok();
+            let energy = groups()
+                .filter_map(|group| Spectrum::energy_mean(&group.spectra)?.level(band?))
+                .collect();
+            let rails = all.iter().filter(|_| all.len() > 1);
+            let rails = rails.filter_map(|table| {
+                let mut groups = table.groups.iter();
+                let level = groups.find(|group| group.name == *record)?.level(band?)?;
+                Some((table.rail.clone()?, level))
+            });
+            Measured {
+                rail: self.rail.clone(),
+                places: Vec::new(),
+                all_along: true,
+                energy_levels: course.is_some().then_some(energy),
+                peak: peak.clone(),
+                course,
+                rails: rails.collect(),
+            }
+        })
+    }
+
+    /// Mean levels of each record, with the name of the rail where there are `several`.
+    fn curves(&self, several: bool) -> impl Iterator<Item = (String, Spectrum)> + '_ {
+        let rail = self.rail.as_deref().filter(|_| several);
+        self.groups.iter().filter_map(move |group| {
+            let name = match (rail, self.groups.len()) {
+                (None, _) => group.name.clone(),
+                (Some(rail), 1) => rail.to_owned(),
+                (Some(rail), _) => format!("{rail}, {}", group.name),
+            };
+            Some((name, Spectrum::arithmetic_mean(&group.spectra)?))
+        })
+    }
+}
+
+/// Put records in the order of the dates in their columns, of which each takes the one in the middle; None unless
+/// every record has a column of dates.
+fn sorted_by_date(records: &mut Vec<(String, Survey)>) -> Result<Option<Vec<Date>>, CaseError> {
+    let mut dated = Vec::new();
+    for (_, survey) in records.iter() {
+        let Some(column) = survey.date_column() else {
+            return Ok(None);
+        };
+        let dates = survey.by_date(column)?;
+        dated.push(dates[dates.len() / 2].0);
+    }
+    let mut pairs: Vec<(Date, (String, Survey))> =
+        dated.into_iter().zip(records.drain(..)).collect();
+    pairs.sort_by_key(|(date, _)| *date);
+    let (dates, sorted) = pairs.into_iter().unzip();
+    *records = sorted;
+    Ok(Some(dates))
+}
+
+/// Standard error of the mean of several levels; None for one.
+fn standard_error(levels: &[f64]) -> Option<f64> {
+    let count = levels.len() as f64;
+    let mean = levels.iter().sum::<f64>() / count;
+    let squares: f64 = levels.iter().map(|level| (level - mean).powi(2)).sum();
+    (count > 1.0).then(|| (squares / (count - 1.0) / count).sqrt())
+}

@@ -1,0 +1,61 @@
+//! # Files of measured rails
+//!
+//! Profiles and one-third-octave spectra as instruments write them: told apart by their first lines, read, checked
+//! against what rails can be, put right where that is safe. Limits to hold them to, recipes to synthesise them, and
+//! what stands out of the records of a rail over the years.
+//!
+//! ```
+//! use riffel_rail::{Layout, RoughnessFile};
+//!
+//! # let folder = tempfile::tempdir()?;
+//! # let path = folder.path().join("levels.csv");
+//! std::fs::write(&path, "wavelength_mm,level_db\n50,2\n40,1\n")?;
+//! let RoughnessFile::Spectra(spectra) = RoughnessFile::read(&path, &Layout::default(), &|_| ())? else {
+//!     panic!("a table of levels");
+//! };
+//! assert_eq!(spectra[0].spectrum.levels().len(), 2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod chainage;
+mod date;
+mod format;
+mod ground;
+mod heading;
+pub mod history;
+mod input;
+mod labelled_spectrum;
+mod layout;
+mod length_unit;
+mod limit;
+mod number;
+mod part;
+mod plausibility;
+mod rail;
+mod rail_record;
+mod rail_spectrum;
+mod recipe;
+mod record;
+mod refusal;
+mod resampling;
+mod roughness_file;
+mod rows;
+mod sniff;
+mod spectra;
+mod survey;
+
+pub use date::{read_date, read_dates};
+pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
+pub use ground::GroundRail;
+pub use labelled_spectrum::LabelledSpectrum;
+pub use layout::Layout;
+pub use length_unit::LengthUnit;
+pub use limit::{Limit, LimitTable};
+pub use part::RecordPart;
+pub use rail::Rail;
+pub use rail_record::{RailRecord, RailRoughness};
+pub use rail_spectrum::RailSpectrum;
+pub use recipe::{DEFAULT_RECIPE, RecipeFile};
+pub use record::{Record, coarse_sampling};
+pub use roughness_file::RoughnessFile;
+pub use survey::Survey;

@@ -1,0 +1,415 @@
+//! A measured profile of one or more rails.
+
+use riffel::roughness::Profile;
+
+use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
+use crate::format::ReaderFormat;
+use crate::plausibility;
+use crate::rail::Rail;
+use crate::refusal::Refusal;
+use crate::resampling::resampled;
+use crate::rows::Rows;
+
+/// Shortest stretch that says anything \[m\]: the shortest segment of EN 15610.
+const SHORTEST: f64 = 1.0;
+/// Equal samples at the end of the range from which a sensor is taken to be there.
+const CLIPPED_RUN: usize = 4;
+/// Share of samples that may be clipped.
+const MOST_CLIPPED: f64 = 0.01;
+/// Largest height of a rail over the zero of the instrument, drift included \[m\].
+const LARGEST_HEIGHT: f64 = 100.0;
+/// Samples in which the smallest step of the sensor is looked for.
+const SAMPLE: usize = 100_000;
+
+/// A measured profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Record {
+    /// How the file was read.
+    pub format: ReaderFormat,
+    /// Step between samples \[m\].
+    pub spacing: f64,
+    /// First position \[m\].
+    pub from: f64,
+    /// Last position \[m\].
+    pub to: f64,
+    /// Whether positions fall from line to line; heights here are in the order of rising position.
+    pub falling: bool,
+    /// The rails, in the order of the format.
+    pub rails: Vec<Rail>,
+    /// Defects of the file that were put right, each counted.
+    pub warnings: Vec<String>,
+}
+
+impl Record {
+    /// `insisted` on the unit of the heights, a user is not refused because they are unlike any rail.
+    pub(super) fn new(
+        format: ReaderFormat,
+        rows: Rows,
+        assumptions: Vec<String>,
+        insisted: bool,
+    ) -> Result<Self, Refusal> {
+        let mut warnings = assumptions;
+        let count = rows.columns.first().map_or(0, Vec::len);
+        if count < 2 {
+            return Err(Refusal::new(
+                None,
+                "the file has less than two rows of numbers, which are no profile",
+            ));
+        }
+        let mut columns = rows.columns.iter();
+        let unit = |column: &crate::format::Column| column.metres().unwrap_or(1.0);
+        let chainage = match (&format.position, format.spacing) {
+            (Some(column), _) => {
+                let positions = columns.next().map_or(&[][..], Vec::as_slice);
+                let scale = unit(column);
+                let metres: Vec<f64> = positions.iter().map(|position| scale * position).collect();
+                Chainage::new(&metres)
+                    .map_err(|defect| Refusal::new(Some(rows.line(defect.row)), defect.message))?
+            }
+            (None, spacing) => Chainage {
+                spacing: spacing.map_or(0.0, |spacing| spacing.si()),
+                falling: false,
+                stretches: vec![Stretch {
+                    start: 0.0,
+                    rows: vec![(0, 0..count)],
+                }],
+                uneven: None,
+                warnings: Vec::new(),
+            },
+        };
+        if let Some(column) = &format.position {
+            plausibility::check_spacing(chainage.spacing, Some((&column.unit, unit(column))))?;
+        }
+        warnings.extend(chainage.warnings.iter().map(|defect| {
+            format!(
+                "{}; the first is line {}",
+                defect.message,
+                rows.line(defect.row)
+            )
+        }));
+        let mut rails = Vec::new();
+        for (column, heights) in format.rails.iter().zip(columns) {
+            let name = match &column.name[..] {
+                "" => format!("column {}", column.column),
+                name => name.to_owned(),
+            };
+            let reader = RailReader {
+                name: &name,
+                heights,
+                scale: unit(column),
+                chainage: &chainage,
+                rows: &rows,
+            };
+            let (stretches, remarks) = reader.read()?;
+            warnings.extend(remarks);
+            rails.push(Rail { name, stretches });
+        }
+        let read: Vec<(&Rail, &str, f64)> = rails
+            .iter()
+            .zip(&format.rails)
+            .map(|(rail, column)| (rail, column.unit.as_str(), unit(column)))
+            .collect();
+        match plausibility::check_heights(&read) {
+            Err(refusal) if insisted => warnings.push(refusal.message),
+            checked => checked?,
+        }
+        warnings.extend(coarse_sampling(chainage.spacing));
+        let all = || rails.iter().flat_map(|rail| &rail.stretches);
+        let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
+        let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
+        let to = all().map(end).fold(f64::NEG_INFINITY, f64::max);
+        Ok(Self {
+            format,
+            spacing: chainage.spacing,
+            from,
+            to,
+            falling: chainage.falling,
+            rails,
+            warnings,
+        })
+    }
+
+    /// Mean length of the rails \[m\].
+    pub fn length(&self) -> f64 {
+        self.rails.iter().map(Rail::length).sum::<f64>() / self.rails.len().max(1) as f64
+    }
+}
+
+/// What to say of samples too far apart \[m\] for EN 15610.
+pub fn coarse_sampling(spacing: f64) -> Option<String> {
+    (spacing > 1.001e-3).then(|| {
+        format!(
+            "sampled every {:.3} mm; EN 15610 asks for 1 mm or less",
+            1e3 * spacing
+        )
+    })
+}
+
+/// One column of heights on its way to stretches.
+struct RailReader<'a> {
+    name: &'a str,
+    heights: &'a [f64],
+    scale: f64,
+    chainage: &'a Chainage,
+    rows: &'a Rows,
+}
+
+impl RailReader<'_> {
+    fn read(&self) -> Result<(Vec<Profile>, Vec<String>), Refusal> {
+        let mut remarks = Vec::new();
+        self.check_range(&mut remarks)?;
+        let spacing = self.chainage.spacing;
+        let (mut profiles, mut dropped) = (Vec::new(), 0.0);
+        let longest_fill = (LONGEST_FILLED / spacing).round() as usize;
+        for stretch in &self.chainage.stretches {
+            let (start, heights) = self.assemble(stretch);
+            for (first, heights) in filled(heights, longest_fill) {
+                let length = heights.len() as f64 * spacing;
+                if length < SHORTEST * (1.0 - 2e-3) {
+                    dropped += length;
+                    continue;
+                }
+                let start = start + first as f64 * spacing;
+                // Every height is finite after filling; there are two or more in a metre, or the spacing
+                // is refused here.
+                let profile = Profile::new(start, spacing, heights)
+                    .map_err(|error| Refusal::new(None, format!("rail {}: {error}", self.name)))?;
+                profiles.push(profile);
+            }
+        }
+        if profiles.is_empty() {
+            let length = self.heights.len() as f64 * spacing;
+            return Err(Refusal::new(
+                Some(self.rows.line(0)),
+                format!(
+                    "rail {}: the record of {length:.3} m has no stretch of {SHORTEST} m without gaps, the least \
+                     that EN 15610 takes",
+                    self.name
+                ),
+            ));
+        }
+        if dropped > 0.0 {
+            remarks.push(format!(
+                "rail {}: {dropped:.3} m left out in stretches shorter than {SHORTEST} m",
+                self.name
+            ));
+        }
+        self.remark_missing(longest_fill, &mut remarks);
+        profiles.sort_by(|a, b| a.start().total_cmp(&b.start()));
+        Ok((profiles, remarks))
+    }
+
+    /// First position and heights \[m\] by rising position; not a number where samples are missing.
+    fn assemble(&self, stretch: &Stretch) -> (f64, Vec<f64>) {
+        let samples = stretch
+            .rows
+            .iter()
+            .map(|(absent, rows)| absent + rows.len());
+        let mut heights = Vec::with_capacity(samples.sum());
+        if let Some(positions) = &self.chainage.uneven {
+            return self.assemble_uneven(stretch, positions);
+        }
+        for (absent, rows) in &stretch.rows {
+            heights.extend(std::iter::repeat_n(f64::NAN, *absent));
+            heights.extend(
+                self.heights[rows.clone()]
+                    .iter()
+                    .map(|height| self.scale * height),
+            );
+        }
+        if !self.chainage.falling {
+            return (stretch.start, heights);
+        }
+        heights.reverse();
+        let length = (heights.len() - 1) as f64 * self.chainage.spacing;
+        (stretch.start - length, heights)
+    }
+
+    /// The same, resampled in even steps.
+    fn assemble_uneven(&self, stretch: &Stretch, positions: &[f64]) -> (f64, Vec<f64>) {
+        let rows = || stretch.rows.iter().flat_map(|(_, rows)| rows.clone());
+        let mut places: Vec<f64> = rows().map(|row| positions[row]).collect();
+        let mut heights: Vec<f64> = rows().map(|row| self.scale * self.heights[row]).collect();
+        if self.chainage.falling {
+            places.reverse();
+            heights.reverse();
+        }
+        (
+            places[0],
+            resampled(&places, &heights, self.chainage.spacing),
+        )
+    }
+
+    fn remark_missing(&self, longest_fill: usize, remarks: &mut Vec<String>) {
+        let mut missing = self
+            .heights
+            .iter()
+            .enumerate()
+            .filter(|(_, height)| height.is_nan());
+        if let Some((first, _)) = missing.next() {
+            let count = missing.count() + 1;
+            let heights = if count == 1 { "height" } else { "heights" };
+            remarks.push(format!(
+                "rail {}: {count} {heights} missing, filled by straight lines where no more than {longest_fill} \
+                 follow each other, else left out; the first is line {}",
+                self.name,
+                self.rows.line(first)
+            ));
+        }
+    }
+
+    /// A sensor that says nothing, or that is at its end.
+    fn check_range(&self, remarks: &mut Vec<String>) -> Result<(), Refusal> {
+        let finite = || {
+            self.heights
+                .iter()
+                .copied()
+                .filter(|height| height.is_finite())
+        };
+        let (low, high) = finite()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| {
+                (low.min(height), high.max(height))
+            });
+        if low >= high {
+            let what = if low == high {
+                format!("every height is {low}: the sensor gave nothing")
+            } else {
+                "no height is a number".to_owned()
+            };
+            let from = Some(self.rows.line(0));
+            return Err(Refusal::new(from, format!("rail {}: {what}", self.name)));
+        }
+        if self.scale * low.abs().max(high.abs()) > LARGEST_HEIGHT {
+            let too_large = |height: &f64| self.scale * height.abs() > LARGEST_HEIGHT;
+            let row = self.heights.iter().position(too_large).unwrap_or(0);
+            let message = format!(
+                "rail {}: a height of {} m is none of a rail; look at the unit, or at what the file writes where \
+                 there is no height",
+                self.name,
+                self.scale * self.heights[row]
+            );
+            return Err(Refusal::new(Some(self.rows.line(row)), message));
+        }
+        let (mut samples, mut first) = (0, None);
+        let quantum = self.quantum();
+        for run in runs_at(self.heights, low, high) {
+            // A wave that is only rounded comes to its crest in the smallest of steps.
+            let beside =
+                |at: Option<&f64>, edge: f64| at.is_none_or(|at| (at - edge).abs() > 2.5 * quantum);
+            let edge = self.heights[run.start];
+            let before = run.start.checked_sub(1).and_then(|at| self.heights.get(at));
+            if run.len() >= CLIPPED_RUN
+                && beside(before, edge)
+                && beside(self.heights.get(run.end), edge)
+            {
+                samples += run.len();
+                first.get_or_insert(run.start);
+            }
+        }
+        let Some(first) = first else {
+            return Ok(());
+        };
+        let line = self.rows.line(first);
+        let share = samples as f64 / self.heights.len() as f64;
+        let what = format!(
+            "{samples} heights stand at the end of the range, {low} or {high} in the unit of the file, for \
+             {CLIPPED_RUN} samples and more: the sensor is clipped"
+        );
+        if share > MOST_CLIPPED {
+            let share = 100.0 * share;
+            let message = format!(
+                "rail {}: {what} over {share:.1} % of the record, here first",
+                self.name
+            );
+            return Err(Refusal::new(Some(line), message));
+        }
+        remarks.push(format!(
+            "rail {}: {what}; the first is line {line}",
+            self.name
+        ));
+        Ok(())
+    }
+
+    /// The smallest step between two heights that differ.
+    fn quantum(&self) -> f64 {
+        let stride = (self.heights.len() / SAMPLE).max(1);
+        self.heights
+            .windows(2)
+            .step_by(stride)
+            .map(|pair| (pair[1] - pair[0]).abs())
+            .filter(|step| *step > 0.0)
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Runs of samples that stand at either end of the range.
+fn runs_at(heights: &[f64], low: f64, high: f64) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let ends = |height: &f64| *height == low || *height == high;
+        let start = at + heights[at..].iter().position(ends)?;
+        let same = heights[start..]
+            .iter()
+            .take_while(|&&height| height == heights[start]);
+        at = start + same.count();
+        Some(start..at)
+    })
+}
+
+/// Stretches without missing heights: runs of at most `longest` between two heights are filled by a
+/// straight line. With each, the index of its first sample.
+fn filled(mut heights: Vec<f64>, longest: usize) -> Vec<(usize, Vec<f64>)> {
+    if heights.iter().all(|height| height.is_finite()) {
+        return vec![(0, heights)];
+    }
+    let mut stretches = Vec::new();
+    let mut start = 0;
+    let mut last: Option<usize> = None;
+    for index in 0..heights.len() {
+        if !heights[index].is_finite() {
+            continue;
+        }
+        match last {
+            Some(before) if index - before > longest + 1 => {
+                stretches.push((start, heights[start..=before].to_vec()));
+                start = index;
+            }
+            Some(before) => {
+                let (from, to) = (heights[before], heights[index]);
+                let steps = (index - before) as f64;
+                for (step, height) in heights[before..index].iter_mut().enumerate().skip(1) {
+                    *height = from + step as f64 / steps * (to - from);
+                }
+            }
+            None => start = index,
+        }
+        last = Some(index);
+    }
+    if let Some(last) = last {
+        stretches.push((start, heights[start..=last].to_vec()));
+    }
+    stretches
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_gaps_are_filled_and_long_ones_divide() {
+        let none = f64::NAN;
+        let heights = vec![none, 1.0, none, 3.0, none, none, none, 7.0, 8.0, none];
+        let stretches = filled(heights.clone(), 2);
+        assert_eq!(stretches, [(1, vec![1.0, 2.0, 3.0]), (7, vec![7.0, 8.0])]);
+        let one = filled(heights, 3);
+        assert_eq!(one, [(1, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0])]);
+        assert!(filled(vec![none; 3], 3).is_empty());
+    }
+
+    #[test]
+    fn runs_at_the_ends_are_found() {
+        let heights = [0.0, 2.0, 2.0, 1.0, -1.0, 2.0];
+        let runs: Vec<_> = runs_at(&heights, -1.0, 2.0).collect();
+        assert_eq!(runs, [1..3, 4..5, 5..6]);
+    }
+}

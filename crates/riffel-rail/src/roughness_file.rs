@@ -1,0 +1,473 @@
+//! Files of roughness: profiles and spectra.
+
+use std::path::Path;
+
+use riffel_keys::CaseError;
+use riffel_keys::text_file::Encoding;
+
+use crate::format::ReaderFormat;
+use crate::labelled_spectrum::LabelledSpectrum;
+use crate::layout::Layout;
+use crate::record::Record;
+use crate::refusal::Refusal;
+use crate::rows::Cells;
+use crate::sniff::Table;
+use crate::{input, number, plausibility, rows, spectra};
+
+/// What a file of roughness holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RoughnessFile {
+    /// A longitudinal profile.
+    Profile(Record),
+    /// One-third-octave spectra.
+    Spectra(Vec<LabelledSpectrum>),
+}
+
+impl RoughnessFile {
+    /// Read a file, or standard input for the path `-`: as the layout says, or as its first lines let it be understood.
+    /// `progress` is told of bytes done, from several threads.
+    ///
+    /// Text in columns, with or without a header, in UTF-8, UTF-16 or Windows-1252; blank lines and those that begin
+    /// with `#` or `%` are left out, but units are read from remarks above the numbers. A profile needs columns of
+    /// heights and a position or a spacing; a table of spectra needs a header with a wavelength and a level, or with
+    /// wavelengths. Some hundred megabytes a second.
+    ///
+    /// # Errors
+    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line and the rule if it is none of
+    /// these, or its values are unlike any rail. Defects of less than one row in a hundred are put right and counted in
+    /// the warnings of the record.
+    pub fn read(
+        path: &Path,
+        layout: &Layout,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, CaseError> {
+        let bytes = input::read(path, &|head| match layout.format {
+            Some(_) => Ok(()),
+            None => Table::find(head).map(|_| ()).ok_or_else(|| no_table(head)),
+        })?;
+        Self::parse(&bytes, layout, progress).map_err(|refusal| refusal.of(path))
+    }
+
+    /// Text in UTF-8 or Windows-1252 whose lines end in line feeds.
+    fn parse(
+        bytes: &[u8],
+        layout: &Layout,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, Refusal> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        refuse_what_is_no_text(bytes)?;
+        let spacing = layout.spacing;
+        if let Some(spacing) = spacing {
+            if spacing.si() <= 0.0 {
+                let message = format!("--spacing is {spacing}, but must be greater than zero");
+                return Err(Refusal::new(None, message));
+            }
+            plausibility::check_spacing(spacing.si(), None)?;
+        }
+        let (format, count, text_behind, assumptions) = match &layout.format {
+            Some(format) => {
+                let format = layout.apply(format);
+                let (count, text_behind) = count_of(bytes, &format)?;
+                (format, count, text_behind, Vec::new())
+            }
+            None => {
+                let table = Table::find(bytes).ok_or_else(|| no_table(bytes))?;
+                if table.mixed_marks {
+                    let message = format!(
+                        "numbers have a {} from here on, but a {} above",
+                        table.decimal.words(),
+                        table.decimal.other().words()
+                    );
+                    return Err(Refusal::new(Some(table.header_lines + 1), message));
+                }
+                if let Some(header) = table.heading.names.as_deref()
+                    && let Some(columns) =
+                        spectra::Columns::of(header, &table.numeric, table.decimal)
+                {
+                    for (argument, given) in [
+                        ("--height-unit", &layout.height_unit),
+                        ("--position-unit", &layout.position_unit),
+                    ] {
+                        if given.is_some() {
+                            let message = format!(
+                                "{argument} is for profiles, but this is a table of levels"
+                            );
+                            return Err(Refusal::new(None, message));
+                        }
+                    }
+                    let above = table.header_lines;
+                    progress(bytes.len());
+                    let rows = spectra::Rows {
+                        text: from_line(bytes, above),
+                        above,
+                        header,
+                        delimiter: table.delimiter,
+                        decimal: table.decimal,
+                    };
+                    return spectra::read(&rows, &columns).map(Self::Spectra);
+                }
+                let format = table.format(layout).map_err(|message| Refusal {
+                    line: None,
+                    message,
+                    help: Some(HELP.to_owned()),
+                })?;
+                let assumptions = table.assumptions(&format, layout);
+                (format, table.count, table.text_behind, assumptions)
+            }
+        };
+        let start = bytes.len() - from_line(bytes, format.header_lines).len();
+        let rows = Cells::new(&format, count, text_behind)
+            .parse(bytes, start, format.header_lines + 1, progress)
+            .map_err(|error| Refusal::new(Some(error.line), error.message))?;
+        let insisted = layout.height_unit.is_some();
+        let record = Record::new(format, rows, assumptions, insisted)?;
+        if let Some(spacing) = spacing
+            && (spacing.si() / record.spacing - 1.0).abs() > 0.02
+        {
+            return Err(Refusal::new(
+                None,
+                format!(
+                    "--spacing is {spacing}, but the positions are {} m apart",
+                    record.spacing
+                ),
+            ));
+        }
+        Ok(Self::Profile(record))
+    }
+}
+
+fn no_table(bytes: &[u8]) -> Refusal {
+    let first = rows::lines(bytes).position(|line| !rows::is_comment(line));
+    Refusal {
+        line: first.map(|line| line + 1),
+        message: "no table of numbers begins here or below".to_owned(),
+        help: Some(HELP.to_owned()),
+    }
+}
+
+const HELP: &str = "a profile is a position and a height in columns, or heights alone with --spacing; \
+                    --format names the columns of any other file";
+
+fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        let what = if bytes.is_empty() {
+            "is empty"
+        } else {
+            "holds only blanks"
+        };
+        return Err(Refusal::new(None, format!("the file {what}")));
+    }
+    Encoding::of(bytes).map_err(|byte| Refusal::new(Some(byte.line), byte.to_string()))?;
+    Ok(())
+}
+
+/// Cells of the first row below the header up to the last number, which must reach to the last column of the format,
+/// and whether text stands behind them.
+fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusal> {
+    let columns = format.position.iter().chain(&format.rails);
+    let needed = columns.map(|column| column.column).max().unwrap_or(0);
+    let body = from_line(bytes, format.header_lines);
+    let first = rows::lines(body)
+        .enumerate()
+        .find(|(_, line)| !rows::is_comment(line));
+    let Some((index, line)) = first else {
+        let message = format!(
+            "nothing follows the {} lines of the header",
+            format.header_lines
+        );
+        return Err(Refusal::new(None, message));
+    };
+    let cells = rows::cells(line, format.delimiter);
+    let number = |cell: &&[u8]| number::parse(cell, format.decimal.byte()).is_some();
+    let numbers = cells.iter().rposition(number).map_or(0, |last| last + 1);
+    if cells.len() >= needed {
+        let count = numbers.max(needed);
+        return Ok((count, count < cells.len()));
+    }
+    Err(Refusal::new(
+        Some(format.header_lines + index + 1),
+        format!(
+            "the reader profile asks for column {needed}, but there are {}, separated by {}",
+            cells.len(),
+            format.delimiter.words()
+        ),
+    ))
+}
+
+/// The text from a line on, counted from zero.
+fn from_line(bytes: &[u8], line: usize) -> &[u8] {
+    match line.checked_sub(1) {
+        None => bytes,
+        Some(last) => memchr::memchr_iter(b'\n', bytes)
+            .nth(last)
+            .map_or(&[], |end| &bytes[end + 1..]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+    use riffel_keys::quantity::Quantity;
+
+    fn parse(text: &[u8], spacing: Option<f64>) -> Result<RoughnessFile, String> {
+        let layout = Layout {
+            spacing: spacing.map(Quantity::new),
+            ..Layout::default()
+        };
+        RoughnessFile::parse(text, &layout, &|_| ()).map_err(|refusal| match refusal.line {
+            Some(line) => format!("line {line}: {}", refusal.message),
+            None => refusal.message,
+        })
+    }
+
+    fn profile(text: &str) -> Record {
+        match parse(text.as_bytes(), None) {
+            Ok(RoughnessFile::Profile(record)) => record,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn height(row: usize) -> f64 {
+        (row * 7919 % 101) as f64 * 0.1 - 5.0
+    }
+
+    fn rows(count: usize) -> Vec<String> {
+        (0..count)
+            .map(|row| format!("{:.3},{:.1}", 10.0 + 1e-3 * row as f64, height(row)))
+            .collect()
+    }
+
+    #[test]
+    fn positions_and_heights_come_back() {
+        let text = rows(2000).join("\n");
+        let record = profile(&text);
+        assert_eq!((record.spacing, record.rails.len()), (1e-3, 1));
+        let stretch = &record.rails[0].stretches[0];
+        assert_eq!(stretch.start(), 10.0);
+        for (row, found) in stretch.heights().iter().enumerate() {
+            assert!((found - 1e-6 * height(row)).abs() < 1e-18);
+        }
+        // The other way round, the same rail.
+        let mut falling = rows(2000);
+        falling.reverse();
+        let again = profile(&(falling.join("\r\n") + "\r\n"));
+        assert!(again.falling);
+        let (again, stretch) = (&again.rails[0].stretches[0], stretch.heights());
+        assert!((again.start() - 10.0).abs() < 1e-9);
+        assert_eq!(again.heights(), stretch);
+    }
+
+    #[test]
+    fn heights_alone_need_a_spacing() {
+        let text: String = (0..1500)
+            .map(|row| format!("{:.1}\n", height(row)))
+            .collect();
+        assert!(
+            parse(text.as_bytes(), None)
+                .unwrap_err()
+                .contains("no position")
+        );
+        let Ok(RoughnessFile::Profile(record)) = parse(text.as_bytes(), Some(1e-3)) else {
+            panic!("no profile");
+        };
+        assert_eq!(record.rails[0].stretches[0].heights().len(), 1500);
+    }
+
+    #[test]
+    fn defects_are_named_with_their_line() {
+        let refusal = |change: &dyn Fn(&mut Vec<String>)| {
+            let mut rows = rows(2000);
+            change(&mut rows);
+            parse(rows.join("\n").as_bytes(), None).unwrap_err()
+        };
+        let wrong = refusal(&|rows| rows[1500] = "11.500,abc".to_owned());
+        assert!(
+            wrong.starts_with("line 1501: column 2 is \"abc\""),
+            "{wrong}"
+        );
+        let wrong = refusal(&|rows| rows[1500] = "11.500".to_owned());
+        assert!(wrong.starts_with("line 1501: has 1 column"), "{wrong}");
+        let wrong = refusal(&|rows| (700..800).for_each(|row| rows[row] = rows[700].clone()));
+        assert!(wrong.starts_with("line 702: 99 rows"), "{wrong}");
+        let wrong = refusal(&|rows| {
+            (0..2000).for_each(|row| rows[row] = format!("{},1.0", 1e-3 * row as f64))
+        });
+        assert!(wrong.contains("every height is 1"), "{wrong}");
+        let clip = |row: usize| {
+            format!(
+                "{:.3},{:.1}",
+                1e-3 * row as f64,
+                height(row).clamp(-5.0, 5.0) * 3.0
+            )
+        };
+        let wrong = refusal(&|rows| {
+            for (row, line) in rows.iter_mut().enumerate() {
+                *line = match row % 20 {
+                    0..9 => format!("{:.3},15.0", 1e-3 * row as f64),
+                    _ => clip(row),
+                };
+            }
+        });
+        assert!(wrong.contains("clipped"), "{wrong}");
+        let wrong = refusal(&|rows| rows.truncate(900));
+        assert!(wrong.contains("no stretch of 1 m"), "{wrong}");
+        let mixed: String = (0..2000)
+            .map(|row| match row {
+                1700 => "1.700;2,5\n".to_owned(),
+                _ => format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row)),
+            })
+            .collect();
+        let wrong = parse(mixed.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.starts_with("line 1701: column 2 is \"2,5\", with a decimal comma"),
+            "{wrong}"
+        );
+        // However many rows there are of either mark.
+        let turns: String = (0..2000)
+            .map(|row| {
+                let line = format!("{:.3};{:.1}\n", 1e-3 * row as f64, height(row));
+                if row < 900 {
+                    line
+                } else {
+                    line.replace('.', ",")
+                }
+            })
+            .collect();
+        let wrong = parse(turns.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.starts_with("line 901: numbers have a decimal comma from here on"),
+            "{wrong}"
+        );
+        let wrong = refusal(&|rows| rows[1500] = "11.500,-1e9".to_owned());
+        assert!(
+            wrong.starts_with("line 1501: rail column 2: a height of -1000 m"),
+            "{wrong}"
+        );
+        assert_eq!(parse(b"", None).unwrap_err(), "the file is empty");
+        assert!(
+            parse(b"\x7fELF\x02\x01\x00\x00", None)
+                .unwrap_err()
+                .starts_with("line 1: the file is binary")
+        );
+        assert!(
+            parse(b"only words\nand more\n", None)
+                .unwrap_err()
+                .starts_with("line 1: no table")
+        );
+    }
+
+    #[test]
+    fn what_can_be_put_right_is_counted() {
+        let mut some = rows(4000);
+        some[500] = format!("{:.3},NaN", 10.5);
+        some[1000] = format!("{:.3},", 11.0);
+        some[1500] = some[1499].clone();
+        some.insert(3, "# a remark".to_owned());
+        let record = profile(&some.join("\n"));
+        let warnings = record.warnings.join("\n");
+        assert!(
+            warnings.contains("2 heights missing") && warnings.contains("line 502"),
+            "{warnings}"
+        );
+        assert!(
+            warnings.contains("1 row with the position of the row before"),
+            "{warnings}"
+        );
+        assert!(warnings.contains("line 1502"), "{warnings}");
+        assert_eq!(record.rails[0].stretches.len(), 1);
+        assert_eq!(record.rails[0].stretches[0].heights().len(), 4000);
+    }
+
+    #[test]
+    fn spectra_are_told_by_their_header() {
+        let text = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-3.0\nB,19.95,-6\n";
+        let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+            panic!("no spectra");
+        };
+        assert_eq!(spectra.len(), 2);
+        assert_eq!(spectra[1].label("site"), Some("B"));
+        assert_eq!(spectra[0].spectrum.levels().len(), 2);
+        let twice = "wavelength_mm,level_db\n20,-4.0\n19.953,-3.0\n";
+        assert!(
+            parse(twice.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 3: 20 mm is there twice")
+        );
+        // Lines are those of the file, whatever stands above the table and between it and its header.
+        let below = "a title\n\n# wavelength_mm,level_db\n\n20,-4.0\n25,-2.0\n19.953,-3.0\n";
+        assert!(
+            parse(below.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 7: 20 mm is there twice")
+        );
+        let odd = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-2.0\nA,31.5\nA,40,1\n";
+        let wrong = parse(odd.as_bytes(), None).unwrap_err();
+        assert_eq!(wrong, "line 4: has 2 columns, the header has 3");
+        let none = "wavelength_mm,level_db\n20,-4.0\n22.4,-3.0\n25,1\n";
+        assert!(
+            parse(none.as_bytes(), None)
+                .unwrap_err()
+                .starts_with("line 3: 22.4 mm is no")
+        );
+    }
+
+    #[test]
+    fn bands_may_be_columns() {
+        for header in [
+            "site;31,5 mm;40 mm;50 mm;63 mm",
+            "site / wavelength mm;31,5;40;50;63",
+            "site;L_31.5mm;L_40mm;L_50mm;L_63mm",
+        ] {
+            let text = format!("{header}\nBern;2,5;3;20,1;\nThun;1,5;2;4,5;3\n");
+            let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+                panic!("{header}: {:?}", parse(text.as_bytes(), None));
+            };
+            assert_eq!(spectra.len(), 2, "{header}");
+            assert_eq!(spectra[0].spectrum.levels().len(), 3, "{header}");
+            assert_eq!(spectra[1].spectrum.levels().len(), 4, "{header}");
+            assert_eq!(spectra[1].labels[0].1, "Thun");
+        }
+        let rails = "wavelength_mm,left,right\n50,2,3\n40,1,5\n";
+        let Ok(RoughnessFile::Spectra(spectra)) = parse(rails.as_bytes(), None) else {
+            panic!("no spectra");
+        };
+        assert_eq!(spectra[1].label("rail"), Some("right"));
+        assert_eq!(spectra[1].spectrum.levels()[0].level, 5.0);
+        let bare = "site;31.5;40;50;63;80\nBern;2;3;20;3;2\n";
+        let wrong = parse(bare.as_bytes(), None).unwrap_err();
+        assert!(wrong.contains("have no unit"), "{wrong}");
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(300))]
+        /// Whatever is in a file, it is read or refused with a sentence.
+        #[test]
+        fn no_file_panics(bytes in prop::collection::vec(any::<u8>(), 0..400), spaced in any::<bool>()) {
+            if let Err(message) = parse(&bytes, spaced.then_some(0.01)) {
+                prop_assert!(message.len() > 10);
+            }
+        }
+
+        #[test]
+        fn no_table_panics(text in "([0-9NnaAeE+.,;\t# -]{0,12}\n){0,60}", spaced in any::<bool>()) {
+            if let Err(message) = parse(text.as_bytes(), spaced.then_some(0.1)) {
+                prop_assert!(message.len() > 10);
+            }
+        }
+
+        /// A whole profile with lines changed at random is read or refused.
+        #[test]
+        fn no_broken_profile_panics(
+            changes in prop::collection::vec((0..2200usize, "[0-9.,;aN-]{0,10}"), 0..20),
+        ) {
+            let mut rows = rows(2200);
+            for (row, text) in changes {
+                rows[row] = text;
+            }
+            if let Ok(RoughnessFile::Profile(record)) = parse(rows.join("\n").as_bytes(), None) {
+                prop_assert!(record.rails.iter().all(|rail| !rail.stretches.is_empty()));
+            }
+        }
+    }
+}

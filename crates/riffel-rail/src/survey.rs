@@ -1,0 +1,273 @@
+//! Measurements of one rail or several, as one-third-octave spectra with what is known of each.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use jiff::civil::Date;
+use riffel::forecast::MeasuredChange;
+use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum};
+use riffel_keys::CaseError;
+
+use crate::date::{read_date, read_dates};
+use crate::heading::is_date;
+use crate::rail_spectrum::RailSpectrum;
+use crate::{LabelledSpectrum, RoughnessFile};
+
+/// Spectra of a file: those of a table, or one for each rail of a profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Survey {
+    path: PathBuf,
+    /// The spectra.
+    pub records: Vec<LabelledSpectrum>,
+    /// What was put right in a profile.
+    pub warnings: Vec<String>,
+}
+
+impl Survey {
+    /// Spectra of a file, with what was put right in it.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] where there is none.
+    pub fn new(
+        path: &Path,
+        records: Vec<LabelledSpectrum>,
+        warnings: Vec<String>,
+    ) -> Result<Self, CaseError> {
+        if records.is_empty() {
+            return Err(CaseError::data(path, "there is no spectrum in the file"));
+        }
+        Ok(Self {
+            path: path.to_owned(),
+            records,
+            warnings,
+        })
+    }
+
+    /// What was read of a file; profiles are processed after EN 15610, see [`RailAnalysis`].
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] where a profile has no spectrum.
+    pub fn of(path: &Path, file: RoughnessFile) -> Result<Self, CaseError> {
+        let record = match file {
+            RoughnessFile::Spectra(records) => return Self::new(path, records, Vec::new()),
+            RoughnessFile::Profile(record) => record,
+        };
+        // Levels alone.
+        let settings = AnalysisSettings {
+            bands: Vec::new(),
+            ..AnalysisSettings::default()
+        };
+        let mut rails = Vec::new();
+        for rail in record.rails {
+            let analysis = RailAnalysis::new(rail.stretches, &settings, &|| {})
+                .map_err(|error| CaseError::data(path, format!("{}: {error}", rail.name)))?;
+            rails.push(LabelledSpectrum::of_rail(&rail.name, analysis.spectrum));
+        }
+        Self::new(path, rails, record.warnings)
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The columns by which records can be chosen: those besides wavelength and level.
+    pub fn columns(&self) -> impl Iterator<Item = &str> {
+        let labels = self.records[0].labels.iter();
+        labels.map(|(column, _)| column.as_str())
+    }
+
+    /// The records whose columns have the values of all choices `COLUMN=VALUE`.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a choice without `=`, a column that is not there, or where nothing is left.
+    pub fn choose(mut self, choices: &[String]) -> Result<Self, CaseError> {
+        for choice in choices {
+            let Some((column, value)) = choice.split_once('=') else {
+                let message = format!("the choice is {choice}, but must be COLUMN=VALUE");
+                return Err(self.refuse(message));
+            };
+            self.check_column(column)?;
+            // A date may be written as in the file or in another way.
+            let date = is_date(column).then(|| read_date(value).ok()).flatten();
+            let date = date.map(|date| date.to_string());
+            let chosen = |record: &LabelledSpectrum| {
+                let label = record.label(column);
+                label == Some(value) || (date.is_some() && label == date.as_deref())
+            };
+            if !self.records.iter().any(chosen) {
+                return Err(self.refuse(format!("no spectrum has {choice}")));
+            }
+            self.records.retain(chosen);
+        }
+        Ok(self)
+    }
+
+    /// The first column that is called a date.
+    pub fn date_column(&self) -> Option<&str> {
+        self.columns().find(|column| is_date(column))
+    }
+
+    /// The records by the values of a column: by dates the earliest first, else in the order of the file; one group
+    /// named "all" without a column.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a column that is not there, or is called a date and holds something else.
+    pub fn groups(&self, by: Option<&str>) -> Result<Vec<(String, Self)>, CaseError> {
+        match by {
+            None => Ok(vec![("all".to_owned(), self.clone())]),
+            Some(column) if is_date(column) => {
+                let dates = self.by_date(column)?.into_iter();
+                Ok(dates
+                    .map(|(date, survey)| (date.to_string(), survey))
+                    .collect())
+            }
+            Some(column) => self.groups_in_order(column),
+        }
+    }
+
+    fn groups_in_order(&self, column: &str) -> Result<Vec<(String, Self)>, CaseError> {
+        self.check_column(column)?;
+        let mut groups: Vec<(String, Self)> = Vec::new();
+        for record in &self.records {
+            let name = record.label(column).unwrap_or_default();
+            match groups.iter_mut().find(|group| group.0 == name) {
+                Some((_, survey)) => survey.records.push(record.clone()),
+                None => groups.push((
+                    name.to_owned(),
+                    Self {
+                        path: self.path.clone(),
+                        records: vec![record.clone()],
+                        warnings: Vec::new(),
+                    },
+                )),
+            }
+        }
+        Ok(groups)
+    }
+
+    /// The column that names the rail of each record, if there is one.
+    pub fn rail_column(&self) -> Option<&str> {
+        self.columns()
+            .find(|column| ["rail", "schiene"].contains(&column.to_lowercase().as_str()))
+    }
+
+    /// The records of each rail, in the order of the file; all under an empty name where rails are not named.
+    pub fn by_rail(&self) -> Vec<(String, Self)> {
+        self.rail_column()
+            .and_then(|column| self.groups(Some(column)).ok())
+            .unwrap_or_else(|| vec![(String::new(), self.clone())])
+    }
+
+    /// The records by the dates in a column, the earliest first.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a column that is not there or holds something else than dates.
+    pub fn by_date(&self, column: &str) -> Result<Vec<(Date, Self)>, CaseError> {
+        let groups = self.groups_in_order(column)?;
+        let read = read_dates(groups.iter().map(|(written, _)| written.as_str()))
+            .map_err(|message| self.refuse(format!("column `{column}`: {message}")))?;
+        let mut dates: Vec<(Date, Self)> = Vec::new();
+        for (date, (_, mut survey)) in read.into_iter().zip(groups) {
+            // One date may be written in several ways.
+            match dates.iter_mut().find(|(other, _)| *other == date) {
+                Some((_, same)) => same.records.append(&mut survey.records),
+                None => dates.push((date, survey)),
+            }
+        }
+        dates.sort_by_key(|(date, _)| *date);
+        Ok(dates)
+    }
+
+    /// Energy mean of the records.
+    pub fn mean(&self) -> Spectrum {
+        let spectra = self.spectra();
+        // There is a record in every survey, and a band in every record.
+        Spectrum::energy_mean(&spectra).unwrap_or_else(|| spectra[0].clone())
+    }
+
+    /// The energy mean of each rail, in the order of the file; of all records where rails are not named.
+    pub fn rail_means(&self) -> Vec<RailSpectrum> {
+        let named = self.rail_column().is_some();
+        let rails = self.by_rail().into_iter();
+        rails
+            .map(|(name, survey)| RailSpectrum {
+                rail: named.then_some(name),
+                spectrum: survey.mean(),
+            })
+            .collect()
+    }
+
+    /// The spectra.
+    pub fn spectra(&self) -> Vec<Spectrum> {
+        let records = self.records.iter();
+        records.map(|record| record.spectrum.clone()).collect()
+    }
+
+    /// The change from an earlier survey to this one, with the axle passages between.
+    ///
+    /// Records are paired by the columns that hold the same values in both surveys, if these tell the
+    /// records of each apart; a number of the spectrum or a date does not count, for its values differ.
+    ///
+    /// # Errors
+    /// [`riffel::Error::OutOfRange`] for passages not above zero.
+    pub fn change_since(
+        &self,
+        earlier: &Self,
+        passages: f64,
+    ) -> Result<MeasuredChange, riffel::Error> {
+        let values = |survey: &Self, column: &str| -> BTreeSet<String> {
+            let labels = survey.records.iter().filter_map(|r| r.label(column));
+            labels.map(str::to_owned).collect()
+        };
+        let columns: Vec<&str> = self.records[0]
+            .labels
+            .iter()
+            .map(|(column, _)| column.as_str())
+            .filter(|column| values(self, column) == values(earlier, column))
+            .collect();
+        let key = |record: &LabelledSpectrum| -> Vec<String> {
+            let labels = columns.iter().map(|column| record.label(column));
+            labels
+                .map(|label| label.unwrap_or_default().to_owned())
+                .collect()
+        };
+        let sorted = |survey: &Self| {
+            let mut keyed: Vec<(Vec<String>, Spectrum)> = survey
+                .records
+                .iter()
+                .map(|record| (key(record), record.spectrum.clone()))
+                .collect();
+            keyed.sort_by(|a, b| a.0.cmp(&b.0));
+            keyed.into_iter().unzip::<_, _, Vec<_>, Vec<_>>()
+        };
+        let (later_keys, later) = sorted(self);
+        let (earlier_keys, earlier) = sorted(earlier);
+        let unique = later_keys.windows(2).all(|pair| pair[0] != pair[1]);
+        if unique && later_keys == earlier_keys && !columns.is_empty() {
+            MeasuredChange::paired(earlier, later, passages)
+        } else {
+            MeasuredChange::groups(earlier, later, passages)
+        }
+    }
+
+    fn check_column(&self, column: &str) -> Result<(), CaseError> {
+        if self.columns().any(|known| known == column) {
+            return Ok(());
+        }
+        let there: Vec<&str> = self.columns().collect();
+        Err(self.refuse(match &there[..] {
+            [] => format!(
+                "no column \"{column}\" to choose by; there are wavelengths and levels alone"
+            ),
+            there => format!(
+                "no column \"{column}\" to choose by; there are {}",
+                there.join(", ")
+            ),
+        }))
+    }
+
+    fn refuse(&self, message: String) -> CaseError {
+        CaseError::data(&self.path, message)
+    }
+}
