@@ -2,27 +2,27 @@
 
 use std::path::Path;
 
-use riffel::{
-    Axis, Carter3d, FeedbackLoop, HertzContact, LoopState, contact::MeanRolling, growth::Bay,
-};
+use riffel::contact::MeanRolling;
+use riffel::growth::Bay;
+use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Receptance};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 
-use crate::Point;
-use crate::builder::Builder;
+use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
-use crate::creep_laws::CreepLaws;
+use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
-use crate::given::{Given, GivenReceptance};
+use crate::given::{GivenReceptance, GivenReceptances};
+use crate::measurement;
 use crate::track::{Direction, Track};
-use crate::validity::Window;
+use crate::window::Window;
 
 /// A case ready to compute.
 #[derive(Clone)]
 pub struct Case {
-    pub(crate) builder: Builder,
+    pub(crate) keys: CheckedKeys,
     /// The keys as they were written and overridden, before presets.
-    pub(crate) written: CaseText,
+    pub(crate) unfilled: CaseText,
     /// Every key with its value, presets and defaults filled in.
     pub file: CaseFile,
     /// The loop of the case.
@@ -78,26 +78,53 @@ impl Case {
         text: &str,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
-        let mut written = CaseText::parse(name, text)?;
-        written.apply(overrides)?;
-        Self::of_text(written, folder, Given::default(), Window::Map)
+        let mut unfilled = CaseText::parse(name, text)?;
+        unfilled.apply(overrides)?;
+        Self::of_text(unfilled, folder, GivenReceptances::default(), Window::Map)
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
     pub(crate) fn of_text(
-        written: CaseText,
+        unfilled: CaseText,
         folder: Option<&Path>,
-        given: Given,
+        given: GivenReceptances,
         window: Window,
     ) -> Result<Self, CaseError> {
-        let mut text = written.clone();
+        let mut text = unfilled.clone();
         text.fill_in()?;
         let file = text.deserialize()?;
         text.judge()?;
         if folder.is_none() && file.track.measurement.is_some() {
-            return Err(Builder::names_a_file(&text));
+            return Err(CheckedKeys::names_a_file(&text));
         }
-        Builder::new(text, folder.map(Path::to_owned), file, given, window).build(written)
+        let keys = CheckedKeys::new(text, folder.map(Path::to_owned), file, given, window);
+        Self::of_keys(keys, unfilled)
+    }
+
+    fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
+        let BuiltCase {
+            feedback,
+            track,
+            hertz,
+            steady,
+            carter,
+            wavelength,
+            speed,
+            remarks,
+        } = keys.build()?;
+        Ok(Self {
+            file: keys.file.clone(),
+            keys,
+            unfilled,
+            feedback,
+            track,
+            hertz,
+            steady,
+            carter,
+            wavelength,
+            speed,
+            remarks,
+        })
     }
 
     /// The case with further sets of overrides `key=value`, one set after the other and all after those it
@@ -116,7 +143,7 @@ impl Case {
 
     /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
     pub(crate) fn keys_with(&self, sets: &[&[String]]) -> Result<CaseFile, CaseError> {
-        let mut text = self.written.clone();
+        let mut text = self.unfilled.clone();
         for overrides in sets {
             text.apply(overrides)?;
         }
@@ -125,14 +152,14 @@ impl Case {
     }
 
     fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {
-        let mut text = self.written.clone();
+        let mut text = self.unfilled.clone();
         for overrides in sets {
             text.apply(overrides)?;
         }
         Self::of_text(
             text,
-            self.builder.folder(),
-            self.builder.given.clone(),
+            self.keys.folder.as_deref(),
+            self.keys.given.clone(),
             window,
         )
     }
@@ -143,9 +170,9 @@ impl Case {
     /// # Errors
     /// [`CaseError`] as of [`with`](Self::with).
     pub fn with_track(&self, track: GivenReceptance) -> Result<Self, CaseError> {
-        let mut builder = self.builder.clone();
-        builder.given.track = Some(track);
-        builder.build(self.written.clone())
+        let mut keys = self.keys.clone();
+        keys.given.track = Some(track);
+        Self::of_keys(keys, self.unfilled.clone())
     }
 
     /// The case under a wheel of the receptance given; its rotation stays that of the file. Otherwise as
@@ -154,9 +181,9 @@ impl Case {
     /// # Errors
     /// [`CaseError`] as of [`with`](Self::with).
     pub fn with_wheel(&self, wheel: GivenReceptance) -> Result<Self, CaseError> {
-        let mut builder = self.builder.clone();
-        builder.given.wheel = Some(wheel);
-        builder.build(self.written.clone())
+        let mut keys = self.keys.clone();
+        keys.given.wheel = Some(wheel);
+        Self::of_keys(keys, self.unfilled.clone())
     }
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that
@@ -170,7 +197,7 @@ impl Case {
 
     /// The creep law: as written, or the one that goes with the response.
     pub fn creep_law(&self) -> CreepLawName {
-        self.builder.creep_law_name()
+        self.keys.creep_law_name()
     }
 
     /// The creep laws that are formulas of the ellipse of the case, whichever is its own.
@@ -178,7 +205,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] for a Poisson's ratio or an ellipse beyond the table of Kalker's coefficients.
     pub fn creep_laws(&self) -> Result<CreepLaws, CaseError> {
-        self.builder.creep_laws(self.hertz, self.steady.friction)
+        self.keys.creep_laws(self.hertz, self.steady.friction)
     }
 
     /// The case with a contact that answers at wavelengths \[m\] outside the window of its map, too: a
@@ -192,35 +219,14 @@ impl Case {
         if !tabulated || shortest <= from && to <= longest {
             return Ok(self.clone());
         }
-        let mut builder = self.builder.clone();
-        let window = &mut builder.file.map.wavelength;
+        let mut keys = self.keys.clone();
+        let window = &mut keys.file.map.wavelength;
         window.min = Quantity::new(shortest.min(from));
         window.max = Quantity::new(longest.max(to));
         Ok(Self {
-            feedback: builder.build(self.written.clone())?.feedback,
+            feedback: keys.build()?.feedback,
             ..self.clone()
         })
-    }
-
-    /// One turn of the loop at a wavelength \[m\] and a speed \[m/s\], inside or outside the window of the map.
-    ///
-    /// # Errors
-    /// [`CaseError`] for a point outside its physical range, where the track is not known or the contact not resolved,
-    /// and where a number would not be finite.
-    pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
-        self.check_points([wavelength; 2], [speed; 2])?;
-        let case = self.covering(wavelength, wavelength)?;
-        let state = case.feedback.at(wavelength, speed);
-        match Point::new(&case, &state).not_finite() {
-            None => Ok(state),
-            Some(quantity) => Err(CaseError::Point {
-                message: format!(
-                    "{} at {wavelength} m and {speed} m/s is not a finite number: values of the case are too large or \
-                     too small to compute with",
-                    quantity.name()
-                ),
-            }),
-        }
     }
 
     /// `Ok` if wavelengths \[m\] and speeds \[m/s\] from the smallest to the largest are within their physical
@@ -236,7 +242,7 @@ impl Case {
 
     /// How the rail bends: as written, or with shear where supports are discrete.
     pub fn beam_model(&self) -> BeamModel {
-        self.builder.beam_model()
+        self.keys.beam_model()
     }
 
     /// The track in any direction.
@@ -244,7 +250,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] where the case lacks a value for it, or its model has no such direction.
     pub fn track_in(&self, direction: Direction) -> Result<Track, CaseError> {
-        self.builder.track(direction)
+        self.keys.track(direction)
     }
 
     /// `Ok` if the track is known over the frequencies \[Hz\]: a measured receptance is not
@@ -253,7 +259,34 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the frequencies at which it is known.
     pub fn check_frequencies(&self, lowest: f64, highest: f64) -> Result<(), CaseError> {
-        self.builder.check_frequencies(&self.track, lowest, highest)
+        /// Frequencies come from V/λ and pass through ω: some roundings.
+        const ROUNDING: f64 = 1e-9;
+        let outside = |receptance: &dyn Receptance| {
+            let (low, high) = measurement::range(receptance);
+            let within = lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING);
+            (!within).then_some((low, high))
+        };
+        let wheel = self.keys.given.wheel.as_ref();
+        let (key, (low, high)) = if let Some(range) = outside(&*self.track.receptance) {
+            match self.keys.given.track {
+                Some(_) => ("receptance of the track", range),
+                None => ("track.measurement.file", range),
+            }
+        } else if let Some(range) = wheel.and_then(|wheel| outside(&*wheel.receptance)) {
+            ("receptance of the wheel", range)
+        } else {
+            return Ok(());
+        };
+        let asked = if lowest == highest {
+            format!("{lowest:.4} Hz is")
+        } else {
+            format!("{lowest:.4} to {highest:.4} Hz are")
+        };
+        Err(self.keys.text.keys.invalid(
+            key,
+            &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
+            "narrow the window, or measure further",
+        ))
     }
 
     /// [`check_frequencies`](Self::check_frequencies) for the whole window of the map.
@@ -269,6 +302,6 @@ impl Case {
 
     /// A sentence about a key of the case.
     pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
-        self.builder.text.keys.refuse(key, message)
+        self.keys.text.keys.refuse(key, message)
     }
 }

@@ -3,12 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use riffel::contact::MeanRolling;
-use riffel_keys::CaseError;
 use serde::Serialize;
 
 use crate::file::CaseFile;
-use crate::{Case, Variant};
 
 /// What of the mean state of rolling is held where a variant changes friction or load.
 ///
@@ -42,95 +39,6 @@ impl Hold {
             Self::Ratio => "ratio",
             Self::Creepage => "creepage",
         }
-    }
-}
-
-/// What a variant holds of the mean state of one wheel.
-pub(crate) struct Held {
-    pub(crate) hold: Hold,
-    /// The mean state before the change.
-    steady: MeanRolling,
-    /// Friction times load μP₀ \[N\] after it.
-    limit: f64,
-    /// The override `key=value` that holds it; none where it is what the case gives.
-    assignment: Option<String>,
-}
-
-impl Held {
-    /// On the wheel that the overrides `own` make of that of the case, in a window; none where friction and load
-    /// stay, or the variant gives the mean state itself.
-    ///
-    /// # Errors
-    /// Those of [`Case::with`] for the wheel before the change.
-    pub(crate) fn of(
-        variant: &Variant,
-        case: &Case,
-        own: &[String],
-        window: &[String],
-    ) -> Result<Option<Self>, CaseError> {
-        let keys = [
-            case.keys_with(&[own]),
-            case.keys_with(&[own, &variant.overrides]),
-        ];
-        // What is wrong with the keys is said where the case is built of them.
-        let [Ok(before), Ok(after)] = keys else {
-            return Ok(None);
-        };
-        let Some(hold) = variant.holds(&before, &after) else {
-            return Ok(None);
-        };
-        let steady = case.of_vehicle(&[own, window])?.steady;
-        let limit = after.contact.friction.si() * after.contact.normal_load.si();
-        let assignment = variant.hold.map(|hold| match hold {
-            Hold::Force => format!(
-                "contact.tractive_ratio={:e}",
-                steady.tangential_force / limit
-            ),
-            Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => format!("contact.creepage={:e}", steady.creepage),
-        });
-        Ok(Some(Self {
-            hold,
-            steady,
-            limit,
-            assignment,
-        }))
-    }
-
-    /// The overrides that hold it.
-    pub(crate) fn assignments(held: Option<&Self>) -> &[String] {
-        held.map_or(&[], |held| held.assignment.as_slice())
-    }
-
-    /// Why it cannot be held, where its override is refused for a reason.
-    pub(crate) fn refusal(&self, reason: &str) -> String {
-        let state = match self.hold {
-            Hold::Force => format!(
-                "the traction force of {:.3} kN on a wheel is {:.2} times what friction can carry, μP₀ = {:.3} kN",
-                1e-3 * self.steady.tangential_force,
-                self.steady.tangential_force / self.limit,
-                1e-3 * self.limit
-            ),
-            Hold::Ratio => format!(
-                "at the tractive ratio of {:.3}, {reason}",
-                self.steady.tractive_ratio()
-            ),
-            Hold::Creepage => {
-                format!(
-                    "at the creepage of {:.3} %, {reason}",
-                    1e2 * self.steady.creepage
-                )
-            }
-        };
-        let others = [Hold::Force, Hold::Ratio, Hold::Creepage].into_iter();
-        let others: Vec<&str> = others
-            .filter(|hold| *hold != self.hold)
-            .map(Hold::name)
-            .collect();
-        format!(
-            "what it holds is out of reach: {state}; choose --hold {}, or give contact.tractive_ratio with the change",
-            others.join(" or --hold ")
-        )
     }
 }
 

@@ -37,7 +37,7 @@ impl Case {
 
     fn idle_in_track(&self, table: &str, key: &str) -> Option<String> {
         let track = &self.file.track;
-        if self.builder.given.track.is_some() {
+        if self.keys.given.track.is_some() {
             return Some("the track is a receptance given in place of the model".to_owned());
         }
         if track.model == TrackModel::Measured {

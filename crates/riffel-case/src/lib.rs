@@ -15,20 +15,22 @@
 //! ```
 
 mod branches;
-mod builder;
+mod build;
 mod case;
 mod case_text;
-mod creep_laws;
+mod checked_keys;
 pub mod diagnosis;
 pub mod file;
 mod fill_in;
 mod given;
+mod held;
 mod hold;
 mod idle_key;
 mod key;
 mod measurement;
 mod mechanisms;
 mod point;
+mod portable_case;
 mod preset;
 mod receptance_curves;
 mod resonances;
@@ -36,26 +38,26 @@ mod rolling;
 mod site;
 mod track;
 pub mod traffic;
-mod validity;
 mod variant;
 pub mod what_if;
-mod written_case;
+mod window;
 
 pub use branches::BranchDocument;
+pub use build::CreepLaws;
 pub use case::Case;
 pub use case_text::case_keys;
-pub use creep_laws::CreepLaws;
-pub use given::{GivenReceptance, UniversalFunction};
+pub use given::GivenReceptance;
 pub use hold::Hold;
 pub use key::CaseKey;
+pub use measurement::UniversalFunction;
 pub use point::{Point, PointQuantity, PointValue};
+pub use portable_case::PortableCase;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
 pub use track::{Direction, Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
-pub use written_case::WrittenCase;
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

@@ -50,7 +50,7 @@ impl Case {
             if mechanisms.iter().any(|known| known.kind == kind) {
                 continue;
             }
-            let frequency = self.builder.pinned_pinned(direction);
+            let frequency = self.keys.pinned_pinned(direction);
             match frequency.filter(|_| self.may_have_supports()) {
                 Some(frequency) => mechanisms.push(Mechanism::of_frequency(kind, frequency)),
                 None => unknown.push(format!(

@@ -1,6 +1,7 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
 use riffel::{Complex64, LoopState};
+use riffel_keys::CaseError;
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
@@ -330,6 +331,29 @@ impl Serialize for Point {
             map.serialize_entry(quantity.key(), value)?;
         }
         map.end()
+    }
+}
+
+impl Case {
+    /// One turn of the loop at a wavelength \[m\] and a speed \[m/s\], inside or outside the window of the map.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a point outside its physical range, where the track is not known or the contact not resolved,
+    /// and where a number would not be finite.
+    pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
+        self.check_points([wavelength; 2], [speed; 2])?;
+        let case = self.covering(wavelength, wavelength)?;
+        let state = case.feedback.at(wavelength, speed);
+        match Point::new(&case, &state).not_finite() {
+            None => Ok(state),
+            Some(quantity) => Err(CaseError::Point {
+                message: format!(
+                    "{} at {wavelength} m and {speed} m/s is not a finite number: values of the case are too large or \
+                     too small to compute with",
+                    quantity.name()
+                ),
+            }),
+        }
     }
 }
 

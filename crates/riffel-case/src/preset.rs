@@ -120,7 +120,7 @@ pub struct PresetValue {
 
 /// A preset as it stands in its file: after the head, one table for each key.
 #[derive(Deserialize)]
-struct Written {
+struct PresetFile {
     name: String,
     #[serde(default)]
     aliases: Vec<String>,
@@ -133,7 +133,7 @@ struct Written {
 /// The table of one key.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenValue {
+struct PresetFileValue {
     value: String,
     badge: Badge,
     source: String,
@@ -141,7 +141,7 @@ struct WrittenValue {
 
 impl Preset {
     fn read(text: &str) -> Result<Self, toml::de::Error> {
-        let written: Written = toml::from_str(text)?;
+        let written: PresetFile = toml::from_str(text)?;
         let mut values = Vec::new();
         collect("", written.tables, &mut values)?;
         Ok(Self {
@@ -203,7 +203,7 @@ fn collect(
                 collect(&key, inner, values)?;
             }
             other => {
-                let written: WrittenValue = other.try_into()?;
+                let written: PresetFileValue = other.try_into()?;
                 values.push(PresetValue {
                     key,
                     value: written.value,

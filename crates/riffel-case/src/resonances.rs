@@ -95,7 +95,7 @@ impl Case {
             .into_iter()
             .map(|peak| self.named(peak_kind, peak))
             .collect();
-        if let Some(expected) = self.builder.pinned_pinned(Direction::Vertical) {
+        if let Some(expected) = self.keys.pinned_pinned(Direction::Vertical) {
             let distance = |peak: &Resonance| (peak.angular_frequency / TAU / expected).ln().abs();
             let nearest = peaks
                 .iter_mut()
@@ -144,7 +144,7 @@ impl Case {
     /// one that the caller gives may know no others.
     fn known(&self, receptance: &dyn Receptance) -> (f64, f64) {
         let (from, to) = receptance.frequency_range();
-        let is_given = self.builder.given.track.is_some() || self.builder.given.wheel.is_some();
+        let is_given = self.keys.given.track.is_some() || self.keys.given.wheel.is_some();
         if to.is_finite() || !is_given {
             return (from, to);
         }

@@ -35,7 +35,7 @@ pub struct Site {
 /// The file: one table.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Written {
+struct SiteFile {
     site: Site,
 }
 
@@ -53,7 +53,7 @@ impl Site {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let written: Written = KeyFile::parse(name, text)?.deserialize()?;
+        let written: SiteFile = KeyFile::parse(name, text)?.deserialize()?;
         Ok(written.site)
     }
 

@@ -6,7 +6,7 @@ use riffel::{Ridge, growth::RidgePoint};
 use riffel_keys::CaseError;
 use riffel_rail::RailSpectrum;
 
-use crate::hold::Held;
+use crate::held::Held;
 use crate::traffic::{DAYS_PER_MONTH, RailForecast, Traffic, bands_of};
 use crate::{Case, Hold, SpeedChange, Variant};
 

@@ -44,7 +44,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
                 complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
                 return BAD_INPUT;
             }
-            return match output::heard(usage.print()) {
+            return match output::unless_reader_left(usage.print()) {
                 Ok(()) => 0,
                 Err(error) => {
                     complain(error);

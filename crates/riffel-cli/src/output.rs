@@ -13,7 +13,7 @@ use crate::messages::is_quiet;
 /// Print to standard output.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
-    heard(
+    unless_reader_left(
         stdout
             .write_all(text.as_bytes())
             .and_then(|()| stdout.flush()),
@@ -21,7 +21,7 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
 }
 
 /// The outcome of writing to standard output: a reader that has gone away (`riffel … | head`) is not an error.
-pub(crate) fn heard(outcome: io::Result<()>) -> Result<(), CliError> {
+pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError> {
     match outcome {
         Err(reason) if reason.kind() != io::ErrorKind::BrokenPipe => {
             Err(CliError::StandardOutput { reason })

@@ -37,10 +37,10 @@ pub(crate) struct Case {
 
 /// What makes a case anew elsewhere: it is pickled as the strings that it is made of.
 #[pyclass(frozen, module = "riffel._riffel")]
-pub(crate) struct WrittenCase(riffel_case::WrittenCase);
+pub(crate) struct PortableCase(riffel_case::PortableCase);
 
 #[pymethods]
-impl WrittenCase {
+impl PortableCase {
     #[new]
     fn new(
         name: String,
@@ -49,7 +49,7 @@ impl WrittenCase {
         overrides: Vec<(String, String)>,
         folder: Option<PathBuf>,
     ) -> Self {
-        Self(riffel_case::WrittenCase {
+        Self(riffel_case::PortableCase {
             name,
             text,
             keys,
@@ -112,7 +112,7 @@ impl Case {
     }
 
     /// What a callable of the case raised goes before any result.
-    pub(crate) fn heard<T>(&self, result: T) -> PyResult<T> {
+    pub(crate) fn unless_callable_failed<T>(&self, result: T) -> PyResult<T> {
         match self
             .callables
             .iter()
@@ -131,7 +131,7 @@ impl Case {
     ) -> PyResult<T> {
         let case = self.case.clone();
         let result = interruptible(py, move || work(&case));
-        self.heard(result?)
+        self.unless_callable_failed(result?)
     }
 
     /// The case on wavelengths and speeds that may leave its window.
@@ -166,7 +166,7 @@ impl Case {
         let ridge = interruptible(py, move || {
             Ridge::search_at(&searched.feedback, axis, &speeds)
         })?;
-        Ok((case, self.heard(ridge)?))
+        Ok((case, self.unless_callable_failed(ridge)?))
     }
 
     fn with_given(
@@ -261,7 +261,7 @@ impl Case {
     #[staticmethod]
     fn restore(
         py: Python<'_>,
-        written: &WrittenCase,
+        portable: &PortableCase,
         track: Option<&Bound<'_, PyAny>>,
         wheel: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Self> {
@@ -278,16 +278,16 @@ impl Case {
             PyResult::Ok(receptance)
         };
         let (track, wheel) = (extract(track, "track")?, extract(wheel, "wheel")?);
-        let written = written.0.clone();
+        let portable = portable.0.clone();
         let built = interruptible(py, move || {
-            riffel_case::Case::restore(&written, track, wheel)
+            riffel_case::Case::restore(&portable, track, wheel)
         })?;
         Self::built(built, callables)
     }
 
     /// What makes the case anew elsewhere.
-    fn written(&self) -> WrittenCase {
-        WrittenCase(self.case.written())
+    fn portable(&self) -> PortableCase {
+        PortableCase(self.case.portable())
     }
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -345,7 +345,7 @@ impl Case {
                     .collect()
             })?
         };
-        let points = self.heard(points)?;
+        let points = self.unless_callable_failed(points)?;
         let columns = points[0].quantities.iter().enumerate();
         Ok(columns
             .map(|(index, (quantity, _))| {
@@ -393,7 +393,7 @@ impl Case {
             tiles
         };
         let (tiles, prepared) = interruptible_meanwhile(py, work, || meanwhile.call0())?;
-        let values = self.heard(tiles)?.into_flattened();
+        let values = self.unless_callable_failed(tiles)?.into_flattened();
         Ok((values.into_pyarray(py).reshape(shape)?, rate, prepared))
     }
 
@@ -472,7 +472,7 @@ impl Case {
         )>,
     > {
         let (case, ridge) = self.search_ridge(py, wavelength, &speeds)?;
-        let documents = self.heard(BranchDocument::all(&case, &ridge))?;
+        let documents = self.unless_callable_failed(BranchDocument::all(&case, &ridge))?;
         let branches = documents.iter().zip(&ridge.branches);
         branches
             .map(|(document, branch)| {

@@ -25,7 +25,7 @@ mod tables;
 #[pyo3::pymodule]
 mod _riffel {
     #[pymodule_export]
-    use crate::case::{Case, WrittenCase};
+    use crate::case::{Case, PortableCase};
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]

@@ -3,7 +3,7 @@
 use jiff::civil::Date;
 
 /// The numbers of a date in the order in which they are written.
-enum Written {
+enum DateNumbers {
     YearFirst([i16; 3]),
     DayFirst([i16; 3]),
     /// Day and month in an order that depends on the country.
@@ -26,14 +26,14 @@ pub fn read_date(text: &str) -> Result<Date, String> {
 /// A sentence that begins with the first text that is no date, or may be two.
 pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Date>, String> {
     let texts: Vec<&str> = texts.into_iter().collect();
-    let written: Vec<Written> = texts
+    let written: Vec<DateNumbers> = texts
         .iter()
-        .map(|text| Written::of(text))
+        .map(|text| DateNumbers::of(text))
         .collect::<Result<_, _>>()?;
     let open = || {
         let pairs = written.iter().zip(&texts);
         pairs.filter_map(|(date, text)| match date {
-            Written::Open(numbers) => Some((*numbers, *text)),
+            DateNumbers::Open(numbers) => Some((*numbers, *text)),
             _ => None,
         })
     };
@@ -55,10 +55,10 @@ pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Da
     }
     let dates = written.into_iter().zip(&texts).map(|(date, text)| {
         let [year, month, day] = match date {
-            Written::YearFirst(numbers) => numbers,
-            Written::DayFirst([day, month, year]) => [year, month, day],
-            Written::Open([month, day, year]) if month_first.is_some() => [year, month, day],
-            Written::Open([day, month, year]) => [year, month, day],
+            DateNumbers::YearFirst(numbers) => numbers,
+            DateNumbers::DayFirst([day, month, year]) => [year, month, day],
+            DateNumbers::Open([month, day, year]) if month_first.is_some() => [year, month, day],
+            DateNumbers::Open([day, month, year]) => [year, month, day],
         };
         let small = |number: i16| i8::try_from(number).unwrap_or(0);
         Date::new(year, small(month), small(day))
@@ -67,7 +67,7 @@ pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Da
     dates.collect()
 }
 
-impl Written {
+impl DateNumbers {
     fn of(text: &str) -> Result<Self, String> {
         let wrong = |rule: &str| format!("\"{}\" {rule}", riffel_keys::text_file::printable(text));
         let no_date = || wrong("is no date; write it as 2026-01-31 or 31.01.2026");

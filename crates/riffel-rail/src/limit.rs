@@ -39,28 +39,28 @@ pub enum Limit {
 /// The file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Written {
+struct LimitKeys {
     name: String,
     title: String,
     edition: String,
     source: String,
     share_of_length: Option<Quantity<Ratio>>,
     #[serde(default)]
-    level: Vec<WrittenLevel>,
+    level: Vec<LevelKeys>,
     #[serde(default)]
-    band: Vec<WrittenBand>,
+    band: Vec<BandKeys>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenLevel {
+struct LevelKeys {
     wavelength: Quantity<Length>,
     level_db: f64,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenBand {
+struct BandKeys {
     from: Quantity<Length>,
     to: Quantity<Length>,
     rms: Quantity<Length>,
@@ -109,7 +109,7 @@ impl LimitTable {
     /// [`CaseError`] with the key, the line and the rule.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = KeyFile::parse(name, text)?;
-        let written: Written = source.deserialize()?;
+        let written: LimitKeys = source.deserialize()?;
         let limit = match (&written.level[..], &written.band[..]) {
             ([_, ..], []) => levels(&source, &written.level)?,
             ([], [_, ..]) => bands(&source, &written)?,
@@ -131,7 +131,7 @@ impl LimitTable {
     }
 }
 
-fn levels(source: &KeyFile, written: &[WrittenLevel]) -> Result<Limit, CaseError> {
+fn levels(source: &KeyFile, written: &[LevelKeys]) -> Result<Limit, CaseError> {
     let refuse = |error: riffel::Error| source.invalid("level", &error.to_string(), "");
     let levels: Result<Vec<_>, _> = written
         .iter()
@@ -146,7 +146,7 @@ fn levels(source: &KeyFile, written: &[WrittenLevel]) -> Result<Limit, CaseError
     Ok(Limit::Levels(LevelLimit::new(spectrum)))
 }
 
-fn bands(source: &KeyFile, written: &Written) -> Result<Limit, CaseError> {
+fn bands(source: &KeyFile, written: &LimitKeys) -> Result<Limit, CaseError> {
     let refuse = |error: riffel::Error| source.invalid("band", &error.to_string(), "");
     let bands: Result<Vec<_>, _> = written
         .band

@@ -21,22 +21,22 @@ pub struct RecipeFile {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Written {
+struct RecipeKeys {
     length: Quantity<Length>,
     spacing: Quantity<Length>,
     #[serde(default)]
     seed: u64,
     #[serde(default = "one_rail")]
     rails: Vec<String>,
-    noise: Option<WrittenNoise>,
+    noise: Option<NoiseKeys>,
     #[serde(default)]
-    sinusoid: Vec<WrittenSinusoid>,
+    sinusoid: Vec<SinusoidKeys>,
     #[serde(default)]
-    spike: Vec<WrittenSpike>,
+    spike: Vec<SpikeKeys>,
     #[serde(default)]
-    pit: Vec<WrittenPit>,
+    pit: Vec<PitKeys>,
     #[serde(default)]
-    dropout: Vec<WrittenDropout>,
+    dropout: Vec<DropoutKeys>,
 }
 
 fn one_rail() -> Vec<String> {
@@ -45,7 +45,7 @@ fn one_rail() -> Vec<String> {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenNoise {
+struct NoiseKeys {
     level_db: f64,
     wavelength: Quantity<Length>,
     slope_db_per_decade: f64,
@@ -59,7 +59,7 @@ fn two_metres() -> Quantity<Length> {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenSinusoid {
+struct SinusoidKeys {
     wavelength: Quantity<Length>,
     amplitude: Quantity<Length>,
     #[serde(default)]
@@ -70,7 +70,7 @@ struct WrittenSinusoid {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenSpike {
+struct SpikeKeys {
     at: Quantity<Length>,
     height: Quantity<Length>,
     width: Quantity<Length>,
@@ -78,7 +78,7 @@ struct WrittenSpike {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenPit {
+struct PitKeys {
     at: Quantity<Length>,
     depth: Quantity<Length>,
     width: Quantity<Length>,
@@ -86,7 +86,7 @@ struct WrittenPit {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct WrittenDropout {
+struct DropoutKeys {
     from: Quantity<Length>,
     to: Quantity<Length>,
 }
@@ -107,7 +107,7 @@ impl RecipeFile {
     /// [`CaseError`] with the key, the line and the rule.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = KeyFile::parse(name, text)?;
-        let written: Written = source.deserialize()?;
+        let written: RecipeKeys = source.deserialize()?;
         if written.rails.is_empty() {
             return Err(source.invalid("rails", "is empty, but must name at least one rail", ""));
         }
@@ -171,7 +171,7 @@ impl RecipeFile {
     }
 }
 
-impl Written {
+impl RecipeKeys {
     /// What must be above zero is so.
     fn check(&self, source: &KeyFile) -> Result<(), CaseError> {
         let mut lengths = vec![

@@ -47,15 +47,15 @@ fn completed_case_reads_back(#[case] text: &str) {
 
 /// A case that was written is the same elsewhere, and goes on with the same errors.
 #[test]
-fn a_written_case_is_restored() -> Result<(), CaseError> {
+fn a_portable_case_is_restored() -> Result<(), CaseError> {
     let overrides = ["contact.friction=0.35", "wheel.mass=600 kg"].map(str::to_owned);
     let case = Case::parse("mine.toml", NOMINAL_CASE, &overrides)?;
-    let again = Case::restore(&case.written(), None, None)?;
+    let again = Case::restore(&case.portable(), None, None)?;
     assert_eq!(again.file, case.file);
     assert_eq!(again.remarks, case.remarks);
     assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
-    assert_eq!(again.written(), case.written());
-    assert!(case.written().folder.is_some_and(|f| f.is_absolute()));
+    assert_eq!(again.portable(), case.portable());
+    assert!(case.portable().folder.is_some_and(|f| f.is_absolute()));
     for wrong in ["contact.normal_load=0", "rail.section=none", "contact=3"] {
         let refused = |case: &Case| {
             let error = case.with(&[&[wrong.to_owned()]]).err();
@@ -413,7 +413,7 @@ fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
     assert_eq!((case.speed.min(), case.speed.points()), (40.0 * 0.44704, 5));
     assert_eq!((case.wavelength.min(), case.wavelength.max()), (0.01, 0.2));
     // What the file says of a written case comes back.
-    let again = Case::restore(&case.written(), None, None)?;
+    let again = Case::restore(&case.portable(), None, None)?;
     assert_eq!(again.file, case.file);
     Ok(())
 }

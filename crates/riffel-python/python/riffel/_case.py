@@ -181,7 +181,7 @@ class Case:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Keys and not results: it is built anew where it arrives. A callable goes as Python pickles it.
-        return _restored, (self._case.written(), self._given)
+        return _restored, (self._case.portable(), self._given)
 
     def __copy__(self) -> Case:
         return self
@@ -779,9 +779,9 @@ class Case:
         return mean, 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
 
 
-def _restored(written: _riffel.WrittenCase, given: dict[str, Any]) -> Case:
+def _restored(portable: _riffel.PortableCase, given: dict[str, Any]) -> Case:
     """A pickled case."""
-    return Case(_riffel.Case.restore(written, given.get("track"), given.get("wheel")), given)
+    return Case(_riffel.Case.restore(portable, given.get("track"), given.get("wheel")), given)
 
 
 def _numbers(value: Any, name: str) -> Floats:

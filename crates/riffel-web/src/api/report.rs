@@ -50,7 +50,7 @@ pub(crate) async fn of_rail(
                 .replace('&', "&amp;")
                 .replace('<', "&lt;")
                 .replace('>', "&gt;");
-            Ok(written(upload.folder())?.replace(file, &escaped))
+            Ok(report_in(upload.folder())?.replace(file, &escaped))
         })
         .await?;
     Ok(attached(html))
@@ -78,13 +78,13 @@ pub(crate) async fn of_case(
             std::fs::write(folder.path().join("case.toml"), text).map_err(stored)?;
             let arguments = ["report", "case.toml", "-o", REPORT];
             program.run(folder.path(), &arguments, wanted)?;
-            written(folder.path())
+            report_in(folder.path())
         })
         .await?;
     Ok(attached(html))
 }
 
-fn written(folder: &Path) -> Result<String, Fault> {
+fn report_in(folder: &Path) -> Result<String, Fault> {
     std::fs::read_to_string(folder.join(REPORT))
         .map_err(|error| Fault::defect(&format!("there is no report: {error}")))
 }

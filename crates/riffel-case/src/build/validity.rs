@@ -3,7 +3,7 @@
 use riffel::{Axis, FeedbackLoop, HertzContact};
 use riffel_keys::{Language, Remark};
 
-use crate::builder::Builder;
+use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::measurement;
 use crate::track::{Direction, Track};
@@ -31,39 +31,21 @@ const EVEN_SUPPORT_UP_TO: f64 = 0.5;
 /// contact is 1 %.
 const CLOSED_FORM_UP_TO: f64 = 0.05;
 
-/// What the window of wavelengths and speeds of a case is, which sentences name.
-#[derive(Clone, Copy)]
-pub(crate) enum Window {
-    /// The growth map, as the case file says.
-    Map,
-    /// Bands of the spectrum at the speeds of a vehicle.
-    Traffic,
-}
-
-impl Window {
-    fn name(self, language: Language) -> &'static str {
-        match self {
-            Self::Map => language.pick("map", "Karte"),
-            Self::Traffic => language.pick("traffic", "Verkehr"),
-        }
-    }
-}
-
 /// Sentences on the validity of the models over the window.
 pub(crate) fn remarks(
-    builder: &Builder,
+    keys: &CheckedKeys,
     track: &Track,
     feedback: &FeedbackLoop,
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
 ) -> Vec<Remark> {
     let mut remarks = Vec::new();
-    let file = &builder.file;
-    let window = builder.window.name(Language::English);
-    let window_de = builder.window.name(Language::German);
+    let file = &keys.file;
+    let window = keys.window.name(Language::English);
+    let window_de = keys.window.name(Language::German);
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
-    let measured = builder.given.track.is_some() || file.track.model == TrackModel::Measured;
+    let measured = keys.given.track.is_some() || file.track.model == TrackModel::Measured;
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
         remarks.push(Remark::new(
             format!(
@@ -76,7 +58,7 @@ pub(crate) fn remarks(
             ),
         ).in_short(format!("the rail has no support: wrong below about {FREE_BEAM_FROM_HZ} Hz ({window} from {lowest:.0} Hz)")));
     }
-    let bends_only = builder.beam_model() == BeamModel::EulerBernoulli;
+    let bends_only = keys.beam_model() == BeamModel::EulerBernoulli;
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
         remarks.push(Remark::new(
             format!(
@@ -97,7 +79,7 @@ pub(crate) fn remarks(
              und wird nicht genannt (rail.beam = \"timoshenko\" wählen)",
         ).in_short("the rail bends without shear: its pinned-pinned frequency is too high and not named"));
     }
-    if let Some(pinned) = evenly_supported_pinned_pinned(builder).filter(|_| !measured)
+    if let Some(pinned) = evenly_supported_pinned_pinned(keys).filter(|_| !measured)
         && highest > EVEN_SUPPORT_UP_TO * pinned
     {
         remarks.push(Remark::new(
@@ -128,7 +110,7 @@ pub(crate) fn remarks(
             ),
         ).in_short(format!("the contact does not average over its patch: growth is overstated below {shortest:.0} mm")));
     }
-    if builder.hertz_theory() == HertzTheory::Paper
+    if keys.hertz_theory() == HertzTheory::Paper
         && let Ok(exact) = HertzContact::exact(
             hertz.material(),
             hertz.rolling_radius(),
@@ -152,7 +134,7 @@ pub(crate) fn remarks(
         }
     }
     let polach = file.contact.polach.as_ref();
-    if builder.creep_law_name() == CreepLawName::Polach
+    if keys.creep_law_name() == CreepLawName::Polach
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
         remarks.push(Remark::new(
@@ -200,9 +182,9 @@ pub(crate) fn remarks(
 
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on
 /// the supports of the case.
-fn evenly_supported_pinned_pinned(builder: &Builder) -> Option<f64> {
-    let mut discrete = builder.clone();
-    discrete.file.track.model = match builder.file.track.model {
+fn evenly_supported_pinned_pinned(keys: &CheckedKeys) -> Option<f64> {
+    let mut discrete = keys.clone();
+    discrete.file.track.model = match keys.file.track.model {
         TrackModel::OneLayer => TrackModel::OneLayerPeriodic,
         TrackModel::TwoLayer => TrackModel::TwoLayerPeriodic,
         _ => return None,

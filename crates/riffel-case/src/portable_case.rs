@@ -6,13 +6,13 @@ use riffel_keys::{CaseError, KeyFile};
 
 use crate::case::Case;
 use crate::case_text::CaseText;
-use crate::given::{Given, GivenReceptance};
-use crate::validity::Window;
+use crate::given::{GivenReceptance, GivenReceptances};
+use crate::window::Window;
 
 /// The keys of a case before presets and defaults, with all that its errors show. Files that the case names stay where
 /// they are, and receptances that were given go beside it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct WrittenCase {
+pub struct PortableCase {
     /// The name shown in errors.
     pub name: String,
     /// The text that was read, which errors show.
@@ -27,13 +27,13 @@ pub struct WrittenCase {
 }
 
 impl Case {
-    /// The case as it was written.
-    pub fn written(&self) -> WrittenCase {
-        let folder = self.builder.folder().map(|folder| {
-            std::env::current_dir().map_or_else(|_| folder.to_owned(), |here| here.join(folder))
+    /// What makes the case again elsewhere.
+    pub fn portable(&self) -> PortableCase {
+        let folder = self.keys.folder.as_ref().map(|folder| {
+            std::env::current_dir().map_or_else(|_| folder.clone(), |here| here.join(folder))
         });
-        let keys = &self.written.keys;
-        WrittenCase {
+        let keys = &self.unfilled.keys;
+        PortableCase {
             name: keys.name().to_owned(),
             text: keys.text().to_owned(),
             keys: keys.table().to_string(),
@@ -48,21 +48,21 @@ impl Case {
     /// # Errors
     /// [`CaseError`] as of [`parse`](Self::parse).
     pub fn restore(
-        written: &WrittenCase,
+        portable: &PortableCase,
         track: Option<GivenReceptance>,
         wheel: Option<GivenReceptance>,
     ) -> Result<Self, CaseError> {
-        let WrittenCase {
+        let PortableCase {
             name,
             text,
             keys,
             overrides,
             ..
-        } = written;
+        } = portable;
         Self::of_text(
             CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
-            written.folder.as_deref(),
-            Given { track, wheel },
+            portable.folder.as_deref(),
+            GivenReceptances { track, wheel },
             Window::Map,
         )
     }

@@ -6,14 +6,15 @@ mod smoothing;
 mod table;
 mod universal;
 mod universal_file;
+mod universal_function;
 
 use std::path::Path;
 
 use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
 use riffel_keys::{Exponents, Language, Remark, text_file};
 
-use crate::UniversalFunction;
 use crate::file::{Measurement, Response};
+pub use universal_function::UniversalFunction;
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.

@@ -12,7 +12,7 @@ use riffel::{
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
-use super::Builder;
+use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, Support, TrackModel};
 use crate::measurement;
 use crate::track::{Direction, Origin, Track};
@@ -20,7 +20,7 @@ use crate::track::{Direction, Origin, Track};
 /// Density of rail steel \[kg/m³\].
 const RAIL_DENSITY: f64 = 7850.0;
 
-impl Builder {
+impl CheckedKeys {
     /// The track in one direction, over a support or where the case says.
     pub(crate) fn track(&self, direction: Direction) -> Result<Track, CaseError> {
         self.check_position()?;
@@ -179,17 +179,6 @@ impl Builder {
         sheared.file.rail.beam = Some(BeamModel::Timoshenko);
         let beam = sheared.beam(self.steel().ok()?, direction).ok()?;
         Some(beam.pinned_pinned_frequency(spacing, 1) / std::f64::consts::TAU)
-    }
-
-    /// How the rail bends: as written, or with shear where supports are discrete.
-    pub(crate) fn beam_model(&self) -> BeamModel {
-        self.file.rail.beam.unwrap_or({
-            if self.file.track.model.is_periodic() {
-                BeamModel::Timoshenko
-            } else {
-                BeamModel::EulerBernoulli
-            }
-        })
     }
 
     /// True for a rail without shear and without loss, which has closed forms of its own.

@@ -11,7 +11,7 @@ use riffel::{
 };
 use riffel_keys::CaseError;
 
-use crate::builder::Builder;
+use crate::checked_keys::CheckedKeys;
 use crate::file::PolachParameters;
 
 /// Every creep law that is a formula of the ellipse, on that of a case and with its friction.
@@ -40,7 +40,7 @@ pub(crate) struct PolachTerms {
     speed: f64,
 }
 
-impl Builder {
+impl CheckedKeys {
     /// The laws on an ellipse, with the coefficient of friction μ \[-\].
     pub(crate) fn creep_laws(
         &self,

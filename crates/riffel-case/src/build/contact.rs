@@ -10,7 +10,7 @@ use riffel::{
 };
 use riffel_keys::CaseError;
 
-use super::Builder;
+use crate::checked_keys::CheckedKeys;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
 
 /// Elements over a diameter; the half grid has half as many.
@@ -39,25 +39,7 @@ pub(super) struct BuiltContact {
     pub(super) carter: Option<Carter3d>,
 }
 
-impl Builder {
-    /// The creep law: as written, or the exact one with a non-steady response, or the paper's.
-    pub(crate) fn creep_law_name(&self) -> CreepLawName {
-        let contact = &self.file.contact;
-        contact.creep_law.unwrap_or(match contact.response {
-            ContactDynamics::NonSteady => CreepLawName::HalfSpace,
-            _ => CreepLawName::Carter3d,
-        })
-    }
-
-    /// The theory of the ellipse: as written, or the one that goes with the creep law.
-    pub(crate) fn hertz_theory(&self) -> HertzTheory {
-        let contact = &self.file.contact;
-        contact.hertz.unwrap_or(match self.creep_law_name() {
-            CreepLawName::Carter3d => HertzTheory::Paper,
-            _ => HertzTheory::Exact,
-        })
-    }
-
+impl CheckedKeys {
     pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
         let radius = self.file.wheel.rolling_radius.si();

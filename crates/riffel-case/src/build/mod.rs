@@ -1,0 +1,112 @@
+//! From checked keys to the physics: every joint of the loop built.
+
+mod contact;
+mod creep_laws;
+mod track;
+mod validity;
+
+use std::sync::Arc;
+
+use riffel::contact::MeanRolling;
+use riffel::wheelset::{
+    ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation,
+};
+use riffel::{Axis, Carter3d, EnergyWear, FeedbackLoop, HertzContact, PlaceOfWear, Receptance};
+use riffel_keys::{CaseError, Remark};
+
+pub use creep_laws::CreepLaws;
+
+use crate::checked_keys::CheckedKeys;
+use crate::file::{DissipationPhase, Rotation};
+use crate::track::{Direction, Track};
+
+/// What is built of the keys of a case.
+pub(crate) struct BuiltCase {
+    pub(crate) feedback: FeedbackLoop,
+    pub(crate) track: Track,
+    pub(crate) hertz: HertzContact,
+    pub(crate) steady: MeanRolling,
+    pub(crate) carter: Option<Carter3d>,
+    pub(crate) wavelength: Axis,
+    pub(crate) speed: Axis,
+    pub(crate) remarks: Vec<Remark>,
+}
+
+impl CheckedKeys {
+    /// The loop of the case, and what goes with it.
+    pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
+        let file = &self.file;
+        let steel = self.steel()?;
+
+        let hertz = self.hertz(steel)?;
+        let contact = self.contact(hertz)?;
+        let steady = contact.rolling.steady();
+
+        let (wavelength, speed) = self.window()?;
+        let track = self.track(Direction::Vertical)?;
+        let wheel = RigidMass::new(file.wheel.mass.si());
+        let mut wheel: Arc<dyn Receptance> = Arc::new(self.physics("wheel.mass", wheel)?);
+        if let Some(given) = &self.given.wheel {
+            wheel = given.receptance.clone();
+        }
+        let place_of_wear = PlaceOfWear::new(
+            match file.contact.dissipation_phase {
+                DissipationPhase::Lag => riffel::DissipationPhase::Lag,
+                DissipationPhase::Lead => riffel::DissipationPhase::Lead,
+                DissipationPhase::None => riffel::DissipationPhase::None,
+            },
+            hertz.semi_axis_longitudinal(),
+            steady.tractive_ratio(),
+        );
+        let wear = EnergyWear::new(
+            file.wear.coefficient.si(),
+            file.wear.density.si(),
+            hertz.semi_axis_lateral(),
+        );
+        let feedback = FeedbackLoop {
+            track: track.receptance.clone(),
+            wheel,
+            contact_stiffness: hertz.stiffness(),
+            contact: contact.rolling,
+            rotation: self.rotation(hertz.rolling_radius())?,
+            rolling_radius: hertz.rolling_radius(),
+            place_of_wear,
+            wear: self.physics("wear", wear)?,
+            amplitude: file.corrugation.amplitude.si(),
+        };
+        let mut remarks = self.text.remarks.clone();
+        remarks.extend(track.remarks.iter().cloned());
+        remarks.extend(
+            self.given
+                .wheel
+                .iter()
+                .flat_map(|given| given.remarks.clone()),
+        );
+        let axes = [wavelength, speed];
+        remarks.extend(validity::remarks(self, &track, &feedback, hertz, axes));
+        Ok(BuiltCase {
+            feedback,
+            track,
+            hertz,
+            steady,
+            carter: contact.carter,
+            wavelength,
+            speed,
+            remarks,
+        })
+    }
+
+    fn rotation(&self, radius: f64) -> Result<Arc<dyn WheelRotation>, CaseError> {
+        let wheel = &self.file.wheel;
+        // Filled in above; the mass it may come from is checked.
+        let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
+        Ok(match wheel.rotation {
+            Rotation::Inertia => {
+                let rigid = RigidInertia::new(inertia, radius);
+                Arc::new(self.physics("wheel.inertia", rigid)?)
+            }
+            Rotation::ConstantTangentialForce => Arc::new(ConstantTangentialForce),
+            Rotation::ConstantCreepage => Arc::new(ConstantCreepage),
+        })
+    }
+}

@@ -1,0 +1,187 @@
+//! The keys of a case, checked one by one.
+
+use std::fmt::Display;
+use std::path::PathBuf;
+
+use riffel::wheelset::RigidInertia;
+use riffel::{Axis, ElasticMaterial};
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Quantity};
+
+use crate::case_text::CaseText;
+use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, HertzTheory};
+use crate::given::GivenReceptances;
+use crate::window::Window;
+
+/// Most points along one axis of a map.
+const MOST_AXIS_POINTS: u64 = 100_000;
+/// Most points of a map: 16 bytes each in memory, some 100 in its table on disk.
+const MOST_MAP_POINTS: u64 = 100_000_000;
+
+/// The keys of a case with presets and defaults filled in, and what was given with them. Every quantity that is
+/// written lies in its physical range.
+#[derive(Clone)]
+pub(crate) struct CheckedKeys {
+    pub(crate) text: CaseText,
+    /// Folder to which file names in the case are relative; without one the case may not name any.
+    pub(crate) folder: Option<PathBuf>,
+    pub(crate) file: CaseFile,
+    /// Structures in place of those of the file.
+    pub(crate) given: GivenReceptances,
+    /// What wavelengths and speeds of the file are a window of.
+    pub(crate) window: Window,
+}
+
+impl CheckedKeys {
+    pub(crate) fn new(
+        text: CaseText,
+        folder: Option<PathBuf>,
+        mut file: CaseFile,
+        given: GivenReceptances,
+        window: Window,
+    ) -> Self {
+        let wheel = &mut file.wheel;
+        wheel.inertia.get_or_insert_with(|| {
+            let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
+            Quantity::new(RigidInertia::reduced_inertia(mass, radius))
+        });
+        Self {
+            text,
+            folder,
+            file,
+            given,
+            window,
+        }
+    }
+
+    /// The error of a case that names a file and may not.
+    pub(crate) fn names_a_file(text: &CaseText) -> CaseError {
+        text.keys.invalid(
+            "track.measurement.file",
+            "is a file, and this case may not name any",
+            "use it in a case file with the program, `riffel map CASE`",
+        )
+    }
+
+    /// The creep law: as written, or the exact one with a non-steady response, or the paper's.
+    pub(crate) fn creep_law_name(&self) -> CreepLawName {
+        let contact = &self.file.contact;
+        contact.creep_law.unwrap_or(match contact.response {
+            ContactDynamics::NonSteady => CreepLawName::HalfSpace,
+            _ => CreepLawName::Carter3d,
+        })
+    }
+
+    /// The theory of the ellipse: as written, or the one that goes with the creep law.
+    pub(crate) fn hertz_theory(&self) -> HertzTheory {
+        let contact = &self.file.contact;
+        contact.hertz.unwrap_or(match self.creep_law_name() {
+            CreepLawName::Carter3d => HertzTheory::Paper,
+            _ => HertzTheory::Exact,
+        })
+    }
+
+    /// How the rail bends: as written, or with shear where supports are discrete.
+    pub(crate) fn beam_model(&self) -> BeamModel {
+        self.file.rail.beam.unwrap_or({
+            if self.file.track.model.is_periodic() {
+                BeamModel::Timoshenko
+            } else {
+                BeamModel::EulerBernoulli
+            }
+        })
+    }
+
+    /// The material of wheel and rail.
+    pub(crate) fn steel(&self) -> Result<ElasticMaterial, CaseError> {
+        let steel = &self.file.steel;
+        let steel = ElasticMaterial::new(steel.youngs_modulus.si(), steel.poisson_ratio.si());
+        self.physics("steel", steel)
+    }
+
+    /// Wavelengths and speeds of the map.
+    pub(crate) fn window(&self) -> Result<(Axis, Axis), CaseError> {
+        let map = &self.file.map;
+        let (wavelength, speed) = (&map.wavelength, &map.speed);
+        let wavelength_axis = self.axis(
+            "map.wavelength",
+            wavelength.min,
+            wavelength.max,
+            wavelength.points,
+        )?;
+        let speed_axis = self.axis("map.speed", speed.min, speed.max, speed.points)?;
+        if wavelength.points * speed.points > MOST_MAP_POINTS {
+            return Err(self.text.keys.invalid(
+                "map",
+                &format!(
+                    "{} wavelengths at {} speeds are more than the {MOST_MAP_POINTS} points of the \
+                     largest map",
+                    wavelength.points, speed.points
+                ),
+                "lower map.wavelength.points or map.speed.points",
+            ));
+        }
+        Ok((wavelength_axis, speed_axis))
+    }
+
+    fn axis<D: Dimension>(
+        &self,
+        key: &str,
+        min: Quantity<D>,
+        max: Quantity<D>,
+        points: u64,
+    ) -> Result<Axis, CaseError> {
+        let (low, high) = (min.si(), max.si());
+        if low >= high {
+            return Err(self.text.keys.invalid(
+                &format!("{key}.max"),
+                &format!("is {max}, but the window is empty unless it is above the min of {min}"),
+                "",
+            ));
+        }
+        if !(2..=MOST_AXIS_POINTS).contains(&points) {
+            return Err(self.text.keys.invalid(
+                &format!("{key}.points"),
+                &format!("is {points}, but must be between 2 and {MOST_AXIS_POINTS}"),
+                "",
+            ));
+        }
+        // At most MOST_AXIS_POINTS, which any usize holds.
+        self.physics(key, Axis::new(low, high, points as usize))
+    }
+
+    pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
+        self.text
+            .keys
+            .invalid(key, &format!("is {value}, but must be {rule}"), "")
+    }
+
+    /// A value that the model of the track cannot do without.
+    pub(crate) fn required<T>(&self, key: &str, value: Option<T>) -> Result<T, CaseError> {
+        value.ok_or_else(|| {
+            let model = self.file.track.model.name();
+            let preset = if key == "track.measurement" {
+                ""
+            } else {
+                ", or name a preset by track.preset"
+            };
+            let help = format!("track.model = \"{model}\" needs it: give it{preset}");
+            self.text.keys.missing(key, &help)
+        })
+    }
+
+    /// An error of the physics, as one of the key that causes it.
+    pub(crate) fn physics<T>(
+        &self,
+        key: &str,
+        result: Result<T, riffel::Error>,
+    ) -> Result<T, CaseError> {
+        result.map_err(|error| {
+            let invalid = self.text.keys.invalid(key, &error.to_string(), "");
+            match error {
+                riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
+                _ => invalid,
+            }
+        })
+    }
+}

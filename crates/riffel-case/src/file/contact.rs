@@ -1,0 +1,160 @@
+//! The keys of the contact.
+
+use riffel_keys::quantity::{Force, Length, Quantity, Ratio, Speed, VelocityDecay};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// Relative transverse radius of wheel and rail R_r.
+    pub transverse_radius: Quantity<Length>,
+    /// Normal force P₀ per wheel.
+    pub normal_load: Quantity<Force>,
+    /// Coefficient of friction μ.
+    pub friction: Quantity<Ratio>,
+    /// Tractive ratio τ = Q₀/μP₀, between 0 and 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tractive_ratio: Option<Quantity<Ratio>>,
+    /// Creepage ξ₀, above 0 and below the one at which full slip begins.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creepage: Option<Quantity<Ratio>>,
+    /// Reading of the phase between dissipation at the wheel and at a point of the rail; a non-steady
+    /// contact resolves it itself.
+    #[serde(default)]
+    pub dissipation_phase: DissipationPhase,
+    /// Steady creep law; left out, `carter-3d`, or `half-space` with a non-steady response.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creep_law: Option<CreepLawName>,
+    /// How the contact answers to oscillations.
+    #[serde(default)]
+    pub response: ContactDynamics,
+    /// Contact ellipse; left out, `paper` with `carter-3d` and `exact` with all others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hertz: Option<HertzTheory>,
+    /// Elements over a diameter of the ellipse for `half-space`, an even number.
+    #[serde(default = "Contact::default_grid")]
+    #[schemars(range(min = 16, max = 200))]
+    pub grid: u64,
+    /// Falling friction and layers between the surfaces, for `polach`; left out, dry and constant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polach: Option<PolachParameters>,
+}
+
+impl Contact {
+    fn default_grid() -> u64 {
+        36
+    }
+}
+
+/// Parameters of Polach's creep law: μ(w) = μ ((1 − A) exp(−B w) + A) at the slip velocity w = V ξ, and the
+/// reduced slopes of the creep curve. Give `limit_friction_ratio`, `friction_decay` and `speed`
+/// together.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct PolachParameters {
+    /// A, the coefficient of friction at infinite slip velocity over `friction`, the one at rest; above
+    /// 0 and at most 1. Left out, friction is constant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit_friction_ratio: Option<Quantity<Ratio>>,
+    /// B, exponential decay of friction over slip velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction_decay: Option<Quantity<VelocityDecay>>,
+    /// Rolling speed V of the slip velocity.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub speed: Option<Quantity<Speed>>,
+    /// k_A, reduction factor in the area of adhesion, above 0 and at most 1.
+    pub adhesion_reduction: Quantity<Ratio>,
+    /// k_S, reduction factor in the area of slip, above 0 and at most `adhesion_reduction`.
+    pub slip_reduction: Quantity<Ratio>,
+}
+
+impl Default for PolachParameters {
+    fn default() -> Self {
+        Self {
+            limit_friction_ratio: None,
+            friction_decay: None,
+            speed: None,
+            adhesion_reduction: Quantity::new(1.0),
+            slip_reduction: Quantity::new(1.0),
+        }
+    }
+}
+
+/// Steady creep law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub enum CreepLawName {
+    /// The paper's, equation (5).
+    #[serde(rename = "carter-3d")]
+    Carter3d,
+    /// Carter (1926), a line contact as long and as large as the ellipse.
+    #[serde(rename = "carter-2d")]
+    Carter2d,
+    /// Vermeulen & Johnson (1964), with Kalker's slope.
+    #[serde(rename = "johnson-vermeulen")]
+    JohnsonVermeulen,
+    /// Shen, Hedrick & Elkins (1983).
+    #[serde(rename = "shen-hedrick-elkins")]
+    ShenHedrickElkins,
+    /// Polach (2000), with the parameters of `polach`.
+    #[serde(rename = "polach")]
+    Polach,
+    /// Kalker's simplified theory (1982).
+    #[serde(rename = "fastsim")]
+    Fastsim,
+    /// Kalker's exact theory.
+    #[serde(rename = "half-space")]
+    HalfSpace,
+}
+
+impl CreepLawName {
+    /// The name in a case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Carter3d => "carter-3d",
+            Self::Carter2d => "carter-2d",
+            Self::JohnsonVermeulen => "johnson-vermeulen",
+            Self::ShenHedrickElkins => "shen-hedrick-elkins",
+            Self::Polach => "polach",
+            Self::Fastsim => "fastsim",
+            Self::HalfSpace => "half-space",
+        }
+    }
+}
+
+/// How the contact answers to oscillations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactDynamics {
+    /// At once, by the slopes of the creep law.
+    #[default]
+    QuasiStatic,
+    /// By a spring (Mindlin) in series with a dashpot (the slope of the creep law).
+    SpringDashpot,
+    /// By the exact theory of non-steady rolling, which resolves where in the patch the rail wears.
+    NonSteady,
+}
+
+/// Theory of the contact ellipse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum HertzTheory {
+    /// Elliptic integrals.
+    Exact,
+    /// The paper's closed form, equations (22) and (26).
+    Paper,
+}
+
+/// Reading of the phase between dissipation at the wheel and at a point of the rail.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DissipationPhase {
+    /// Later, as in the figures of the paper.
+    #[default]
+    Lag,
+    /// Earlier, as geometry alone has it.
+    Lead,
+    /// At the wheel centre.
+    None,
+}

@@ -1,0 +1,110 @@
+//! The keys of a case file, as written.
+
+mod contact;
+mod map;
+mod measurement;
+mod rail;
+mod track;
+mod wheel;
+
+use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, WearCoefficient};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+pub use contact::{
+    Contact, ContactDynamics, CreepLawName, DissipationPhase, HertzTheory, PolachParameters,
+};
+pub use map::{Map, SpeedRange, WavelengthRange};
+pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
+pub use rail::{BeamModel, Rail};
+pub use track::{Sleeper, Support, Track, TrackModel};
+pub use wheel::{Rotation, Wheel};
+
+/// A Riffel case: one vehicle wheel on one track.
+///
+/// Every quantity is a bare number in SI or a string with its unit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Riffel case file")]
+pub struct CaseFile {
+    /// What the case is, for titles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Name of a vehicle preset, for the wheel and its normal load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vehicle: Option<String>,
+    /// Material of wheel and rail.
+    #[serde(default)]
+    pub steel: Steel,
+    /// The wheel.
+    pub wheel: Wheel,
+    /// The rail.
+    pub rail: Rail,
+    /// What the rail lies on.
+    pub track: Track,
+    /// Contact of wheel and rail.
+    pub contact: Contact,
+    /// The profile already on the rail.
+    #[serde(default)]
+    pub corrugation: Corrugation,
+    /// Law of wear.
+    #[serde(default)]
+    pub wear: Wear,
+    /// Window of a growth map.
+    #[serde(default)]
+    pub map: Map,
+}
+
+/// Material of wheel and rail.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Steel {
+    /// Young's modulus E.
+    pub youngs_modulus: Quantity<Modulus>,
+    /// Poisson's ratio ν, between -1 and 0.5.
+    pub poisson_ratio: Quantity<Ratio>,
+}
+
+impl Default for Steel {
+    fn default() -> Self {
+        Self {
+            youngs_modulus: Quantity::new(207e9),
+            poisson_ratio: Quantity::new(0.3),
+        }
+    }
+}
+
+/// The profile already on the rail.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Corrugation {
+    /// Amplitude Δ. Forces and dissipation are proportional to it; growth rates do not depend on it.
+    pub amplitude: Quantity<Length>,
+}
+
+impl Default for Corrugation {
+    fn default() -> Self {
+        Self {
+            amplitude: Quantity::new(31.5e-6),
+        }
+    }
+}
+
+/// Law of wear: depth in proportion to dissipated energy.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Wear {
+    /// Mass worn per dissipated energy k_w.
+    pub coefficient: Quantity<WearCoefficient>,
+    /// Density ρ of the rail.
+    pub density: Quantity<Density>,
+}
+
+impl Default for Wear {
+    fn default() -> Self {
+        Self {
+            coefficient: Quantity::new(riffel::EnergyWear::DEFAULT_COEFFICIENT),
+            density: Quantity::new(riffel::EnergyWear::DEFAULT_DENSITY),
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! The keys of the rail.
+
+use riffel_keys::quantity::{Area, Density, MassPerLength, Modulus, Quantity, Ratio, SecondMoment};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The rail: a named section, its values one by one, or a section with values that replace its own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Rail {
+    /// Name of a rail preset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub section: Option<String>,
+    /// Mass per length m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_per_length: Option<Quantity<MassPerLength>>,
+    /// Second moment of area I for vertical bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second_moment: Option<Quantity<SecondMoment>>,
+    /// Second moment of area about the vertical axis, for lateral bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_second_moment: Option<Quantity<SecondMoment>>,
+    /// How the rail bends; left out, `timoshenko` on discrete supports and `euler-bernoulli` on all
+    /// others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub beam: Option<BeamModel>,
+    /// Cross-section A, for Timoshenko's beam and for the bar.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub area: Option<Quantity<Area>>,
+    /// Shear coefficient κ for vertical bending, for Timoshenko's beam.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_coefficient: Option<Quantity<Ratio>>,
+    /// Shear coefficient for lateral bending.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_shear_coefficient: Option<Quantity<Ratio>>,
+    /// Shear modulus G; left out, that of the steel.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shear_modulus: Option<Quantity<Modulus>>,
+    /// Density ρ, of which rotary inertia is made; left out, 7850 kg/m³.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub density: Option<Quantity<Density>>,
+    /// Loss factor η of the rail: E and G become E(1 + iη) and G(1 + iη); left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loss_factor: Option<Quantity<Ratio>>,
+}
+
+/// How the rail bends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BeamModel {
+    /// Without shear: the paper's rail.
+    EulerBernoulli,
+    /// With shear and rotary inertia; needs `area` and `shear_coefficient`.
+    Timoshenko,
+}

@@ -1,0 +1,34 @@
+//! The keys of the wheel.
+
+use riffel_keys::quantity::{Inertia, Length, Mass, Quantity};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The wheel.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wheel {
+    /// Rolling radius R.
+    pub rolling_radius: Quantity<Length>,
+    /// Unsprung mass per wheel m_w.
+    pub mass: Quantity<Mass>,
+    /// Rotational inertia per wheel I_w; left out, 0.75 · mass · R² / 2.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inertia: Option<Quantity<Inertia>>,
+    /// How the wheel turns under the oscillating tangential force.
+    #[serde(default)]
+    pub rotation: Rotation,
+}
+
+/// How the wheel turns under the oscillating tangential force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rotation {
+    /// With its inertia.
+    #[default]
+    Inertia,
+    /// Freely: the limit of no inertia.
+    ConstantTangentialForce,
+    /// Evenly: the limit of infinite inertia.
+    ConstantCreepage,
+}

@@ -1,0 +1,247 @@
+//! A mix of vehicles, read and checked.
+
+use std::path::Path;
+
+use riffel::forecast::SpeedDistribution;
+use riffel_keys::quantity::{Dimension, Quantity, Ratio};
+use riffel_keys::text_file::read_keys;
+use riffel_keys::{CaseError, KeyFile, Remark};
+use toml::Value;
+
+use super::{Line, TrafficFile, Vehicle};
+
+/// How far the sum of shares may be from one: shares in tenths of a per cent.
+const SHARE_TOLERANCE: f64 = 2e-3;
+/// A mix of vehicles, checked.
+#[derive(Clone)]
+pub struct Traffic {
+    pub(super) source: KeyFile,
+    /// The keys as written.
+    pub file: TrafficFile,
+    /// Speeds of each vehicle.
+    pub(super) speeds: Vec<SpeedDistribution>,
+    /// What is to be asked about values that are not usual.
+    pub(super) remarks: Vec<Remark>,
+}
+
+impl Traffic {
+    /// Read a traffic file.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule. Values that go into the case are checked with it, by
+    /// [`on`](Self::on).
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        Self::parse(
+            &path.display().to_string(),
+            &read_keys(path, "traffic file")?,
+        )
+    }
+
+    /// Read traffic from TOML; `name` is shown in errors.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
+        let source = KeyFile::parse(name, text)?;
+        is_a_traffic(&source)?;
+        let file: TrafficFile = source.deserialize()?;
+        let line = file.line;
+        if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
+            return Err(exclusive(
+                &source,
+                "line.mgt_per_year",
+                "line.passages_per_day",
+            ));
+        }
+        for (key, value) in [
+            ("line.passages_per_day", line.passages_per_day),
+            ("line.mgt_per_year", line.mgt_per_year),
+        ] {
+            if let Some(value) = value {
+                positive(&source, key, value)?;
+            }
+        }
+        if file.vehicle.is_empty() {
+            return Err(source.missing("vehicle", "write one [[vehicle]] or more"));
+        }
+        let (mut speeds, mut remarks) = (Vec::new(), Vec::new());
+        for (index, vehicle) in file.vehicle.iter().enumerate() {
+            remarks.extend(judged(&source, index, vehicle)?);
+            let key = |name: &str| format!("vehicle[{index}].{name}");
+            if vehicle.name.trim().is_empty() {
+                return Err(source.invalid(&key("name"), "is empty, but tables need a name", ""));
+            }
+            if file.vehicle[..index]
+                .iter()
+                .any(|other| other.name == vehicle.name)
+            {
+                let rule = format!("is \"{}\" a second time", vehicle.name);
+                return Err(source.invalid(&key("name"), &rule, ""));
+            }
+            above_zero(&source, &key("share"), Some(vehicle.share))?;
+            if let Some(share) = vehicle.traction_share
+                && !(0.0..=1.0).contains(&share.si())
+            {
+                let rule = format!("is {share}, but must be between 0 and 1");
+                return Err(source.invalid(&key("traction_share"), &rule, ""));
+            }
+            if vehicle.axle_load.is_some() && vehicle.wheel_load.is_some() {
+                return Err(exclusive(&source, &key("wheel_load"), &key("axle_load")));
+            }
+            if vehicle.tractive_ratio.is_some() && vehicle.creepage.is_some() {
+                return Err(exclusive(&source, &key("creepage"), &key("tractive_ratio")));
+            }
+            speeds.push(distribution(&source, index, vehicle)?);
+        }
+        let shares = file.vehicle.iter().map(|vehicle| vehicle.share.si());
+        sums_to_one(&source, "vehicle", shares)?;
+        Ok(Self {
+            source,
+            file,
+            speeds,
+            remarks,
+        })
+    }
+
+    /// Nothing but the wheel of the case, at some speeds.
+    pub fn of_case(speeds: SpeedDistribution) -> Self {
+        Self {
+            source: KeyFile::empty("the wheel of the case"),
+            file: TrafficFile {
+                title: None,
+                line: Line::default(),
+                vehicle: vec![Vehicle {
+                    name: "wheel of the case".to_owned(),
+                    share: Quantity::<Ratio>::new(1.0),
+                    axle_load: None,
+                    wheel_load: None,
+                    wheel_mass: None,
+                    rolling_radius: None,
+                    speed: None,
+                    speeds: None,
+                    tractive_ratio: None,
+                    creepage: None,
+                    traction_share: None,
+                    set: toml::Table::new(),
+                }],
+            },
+            speeds: vec![speeds],
+            remarks: Vec::new(),
+        }
+    }
+}
+
+/// `Ok` unless this is a case file in the place of a traffic file.
+fn is_a_traffic(source: &KeyFile) -> Result<(), CaseError> {
+    if let Some(Value::Array(_)) = source.table().get("vehicle") {
+        return Ok(());
+    }
+    let tables = ["wheel", "rail", "track", "contact", "steel"];
+    match tables.into_iter().find(|table| source.has(table)) {
+        Some(table) => Err(source.refuse(
+            table,
+            &format!(
+                "this is a case file, with its table [{table}], and no traffic file; a traffic file lists the \
+                 vehicles of a line in [[vehicle]], `riffel init --traffic` writes one"
+            ),
+        )),
+        None => Ok(()),
+    }
+}
+
+/// What is to be asked about the values of a vehicle that are not usual.
+fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark>, CaseError> {
+    let speeds = 0..vehicle.speeds.as_ref().map_or(0, Vec::len);
+    let speeds = speeds.map(|place| format!("speeds[{place}].speed"));
+    let keys = [
+        "axle_load",
+        "wheel_load",
+        "wheel_mass",
+        "rolling_radius",
+        "speed.mean",
+        "speed.standard_deviation",
+        "tractive_ratio",
+        "creepage",
+    ];
+    let keys = keys.map(str::to_owned).into_iter().chain(speeds);
+    keys.filter_map(|key| source.judge(&format!("vehicle[{index}].{key}")).transpose())
+        .collect()
+}
+
+fn distribution(
+    source: &KeyFile,
+    index: usize,
+    vehicle: &Vehicle,
+) -> Result<SpeedDistribution, CaseError> {
+    let key = |name: &str| format!("vehicle[{index}].{name}");
+    match (&vehicle.speed, &vehicle.speeds) {
+        (Some(_), Some(_)) => Err(exclusive(source, &key("speeds"), &key("speed"))),
+        (None, None) => Err(source.missing(
+            &key("speed"),
+            "give speed = { mean = \"100 km/h\", standard_deviation = \"5 km/h\" } or \
+             speeds = [{ speed = \"100 km/h\", share = 1 }]",
+        )),
+        (Some(normal), None) => {
+            let deviation = normal
+                .standard_deviation
+                .map_or(0.0, |deviation| deviation.si());
+            SpeedDistribution::normal(normal.mean.si(), deviation).map_err(|error| {
+                source.invalid(&key("speed.standard_deviation"), &error.to_string(), "")
+            })
+        }
+        (None, Some(list)) => {
+            for (place, entry) in list.iter().enumerate() {
+                let key = |name: &str| key(&format!("speeds[{place}].{name}"));
+                above_zero(source, &key("share"), Some(entry.share))?;
+            }
+            let shares = list.iter().map(|entry| entry.share.si());
+            sums_to_one(source, &key("speeds"), shares)?;
+            let list: Vec<(f64, f64)> = list
+                .iter()
+                .map(|entry| (entry.speed.si(), entry.share.si()))
+                .collect();
+            SpeedDistribution::shares(&list)
+                .map_err(|error| source.invalid(&key("speeds"), &error.to_string(), ""))
+        }
+    }
+}
+
+fn sums_to_one(
+    source: &KeyFile,
+    key: &str,
+    shares: impl Iterator<Item = f64>,
+) -> Result<(), CaseError> {
+    let sum: f64 = shares.sum();
+    if (sum - 1.0).abs() <= SHARE_TOLERANCE {
+        return Ok(());
+    }
+    let message = format!("the shares of `{key}` sum to {sum:.4}, but must sum to 1");
+    Err(source.refuse(&format!("{key}[0].share"), &message))
+}
+
+fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {
+    let rule = format!("and `{other}` exclude each other");
+    source.invalid(key, &rule, "give one of the two")
+}
+
+fn above_zero<D: Dimension>(
+    source: &KeyFile,
+    key: &str,
+    value: Option<Quantity<D>>,
+) -> Result<(), CaseError> {
+    match value.filter(|value| value.si() <= 0.0) {
+        Some(value) => {
+            let rule = format!("is {value}, but must be greater than zero");
+            Err(source.invalid(key, &rule, ""))
+        }
+        None => Ok(()),
+    }
+}
+
+fn positive(source: &KeyFile, key: &str, value: f64) -> Result<(), CaseError> {
+    if value.is_finite() && value > 0.0 {
+        return Ok(());
+    }
+    let rule = format!("is {value}, but must be finite and greater than zero");
+    Err(source.invalid(key, &rule, ""))
+}

@@ -1,0 +1,262 @@
+//! Traffic on a case: the wheel of each vehicle, and growth under all of them.
+
+use riffel::forecast::{
+    STANDARD_GRAVITY, SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines,
+};
+use riffel::roughness::ThirdOctave;
+use riffel_keys::quantity::{Force, Quantity};
+use riffel_keys::{CaseError, Remark, overridden_key};
+
+use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
+use crate::held::Held;
+use crate::variant::assignments;
+use crate::{Case, Hold, Variant};
+
+/// Traffic on a case: growth rates, and what the reader should know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrafficOnCase {
+    /// Growth by vehicle and line.
+    pub growth: TrafficGrowth,
+    /// Axle passages a day, if the file says how much traffic there is.
+    pub passages_per_day: Option<f64>,
+    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    pub held: Vec<Hold>,
+    /// What the reader should know about the validity of the models.
+    pub remarks: Vec<String>,
+}
+
+/// One kind of vehicle on a case.
+struct VehicleOnCase {
+    growth: VehicleGrowth,
+    held: Option<Hold>,
+    remarks: Vec<String>,
+}
+
+impl TrafficOnCase {
+    /// Axle passages in a month of the mean calendar, if the file says how much traffic there is.
+    pub fn passages_per_month(&self) -> Option<f64> {
+        Some(self.passages_per_day? * DAYS_PER_MONTH)
+    }
+}
+
+impl Traffic {
+    /// The traffic with what a variant changes, on a case: growth in the bands under every vehicle.
+    ///
+    /// The wheel of each vehicle is that of the case with the keys of the vehicle in place of its own, and
+    /// those of the variant in place of both. On discrete supports growth is the mean over the bay.
+    /// `progress` is told of each vehicle. Cost: see [`riffel::forecast::MeanGrowth::compute`].
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key of the vehicle or of the variant, the value and the rule.
+    pub fn on(
+        &self,
+        case: &Case,
+        bands: &[ThirdOctave],
+        variant: &Variant,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<TrafficOnCase, CaseError> {
+        let mut vehicles = Vec::new();
+        let mut remarks = Vec::new();
+        let mut held = Vec::new();
+        for index in 0..self.file.vehicle.len() {
+            let vehicle = self.vehicle_on(index, case, bands, variant)?;
+            vehicles.push(vehicle.growth);
+            remarks.push(vehicle.remarks);
+            held.extend(vehicle.held.filter(|hold| !held.contains(hold)));
+            progress(1);
+        }
+        let own = self.remarks.iter().chain(&variant.remarks);
+        let own: Vec<String> = own.map(Remark::to_string).collect();
+        let mut remarks = self.merged(remarks);
+        remarks.splice(0..0, own);
+        let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
+        let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
+        let line = self.file.line;
+        let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
+        let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
+        let reported =
+            passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
+        // It says most of all.
+        remarks.splice(0..0, reported);
+        Ok(TrafficOnCase {
+            growth,
+            passages_per_day,
+            held,
+            remarks,
+        })
+    }
+
+    /// The remarks on the vehicles, the one with most passages first. A remark that differs from an earlier
+    /// one by its numbers alone is left out.
+    fn merged(&self, remarks: Vec<Vec<String>>) -> Vec<String> {
+        let words =
+            |remark: &str| -> String { remark.chars().filter(|c| !c.is_ascii_digit()).collect() };
+        let mut of_vehicles: Vec<(&Vehicle, Vec<String>)> =
+            self.file.vehicle.iter().zip(remarks).collect();
+        of_vehicles.sort_by(|a, b| b.0.share.si().total_cmp(&a.0.share.si()));
+        let alone = of_vehicles.len() == 1;
+        let mut merged = Vec::new();
+        let mut known = Vec::new();
+        for (vehicle, remarks) in of_vehicles {
+            for remark in remarks {
+                let words = words(&remark);
+                if !known.contains(&words) {
+                    known.push(words);
+                    merged.push(match alone {
+                        true => remark,
+                        false => format!("{}: {remark}", vehicle.name),
+                    });
+                }
+            }
+        }
+        merged
+    }
+
+    fn vehicle_on(
+        &self,
+        index: usize,
+        case: &Case,
+        bands: &[ThirdOctave],
+        variant: &Variant,
+    ) -> Result<VehicleOnCase, CaseError> {
+        let vehicle = &self.file.vehicle[index];
+        let at = |key: &str| format!("vehicle[{index}]{key}");
+        let own = overrides(vehicle);
+        let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
+            let message = format!("vehicle \"{}\": {error}", vehicle.name);
+            self.source.refuse(&at(""), &message)
+        })?;
+        let lines = band_lines(bands);
+        let window = window(&lines, &speeds);
+        let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
+        let held = Held::of(variant, case, &own_assignments, &window)?;
+        let held_assignment = Held::assignments(held.as_ref());
+        let sets = [
+            &own_assignments[..],
+            &variant.overrides,
+            held_assignment,
+            &window,
+        ];
+        let wheel = case.of_vehicle(&sets).map_err(|error| match error {
+            CaseError::Override {
+                assignment,
+                message,
+            } => match own.iter().find(|(_, text)| *text == assignment) {
+                _ if held_assignment.contains(&assignment) => {
+                    let held = held.as_ref();
+                    let why = held.map_or(message.clone(), |held| held.refusal(&message));
+                    variant.refuse(&format!(
+                        "variant \"{}\" changes friction or load under \"{}\"; {why}",
+                        variant.title, vehicle.name
+                    ))
+                }
+                _ if variant.overrides.contains(&assignment) => {
+                    variant.explain(CaseError::Override {
+                        assignment,
+                        message,
+                    })
+                }
+                Some((key, _)) => {
+                    let message = format!("`{}`: {message}", at(&format!(".{key}")));
+                    self.source.refuse(&at(&format!(".{key}")), &message)
+                }
+                None => {
+                    let message = format!(
+                        "speeds and bands of vehicle \"{}\": {message}",
+                        vehicle.name
+                    );
+                    self.source.refuse(&at(""), &message)
+                }
+            },
+            error => error,
+        })?;
+        let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
+        let (lowest, highest) = speeds.range();
+        wheel.check_frequencies(lowest / longest, highest / shortest)?;
+        let growth = VehicleGrowth::compute(
+            &vehicle.name,
+            vehicle.share.si(),
+            &wheel.places(),
+            bands,
+            speeds,
+        );
+        let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
+        let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
+        let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
+        // That a preset of the case changes nothing for a vehicle with values of its own is no news.
+        let presets = wheel.keys.text.remarks;
+        let remarks = wheel.remarks.into_iter();
+        Ok(VehicleOnCase {
+            growth,
+            held: held.map(|held| held.hold),
+            remarks: remarks
+                .filter(|remark| !presets.contains(remark))
+                .map(|remark| remark.to_string())
+                .collect(),
+        })
+    }
+}
+
+/// Overrides of the case by a vehicle, each with the key of the vehicle that it comes from.
+fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    let mut add = |key: &str, path: &str, value: Option<f64>| {
+        if let Some(value) = value {
+            found.push((key.to_owned(), format!("{path}={value:e}")));
+        }
+    };
+    let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
+    let si = |force: Quantity<Force>| force.si();
+    add(
+        "axle_load",
+        "contact.normal_load",
+        vehicle.axle_load.map(|mass| wheel(mass.si())),
+    );
+    add(
+        "wheel_load",
+        "contact.normal_load",
+        vehicle.wheel_load.map(si),
+    );
+    add(
+        "wheel_mass",
+        "wheel.mass",
+        vehicle.wheel_mass.map(|mass| mass.si()),
+    );
+    add(
+        "rolling_radius",
+        "wheel.rolling_radius",
+        vehicle.rolling_radius.map(|radius| radius.si()),
+    );
+    add(
+        "tractive_ratio",
+        "contact.tractive_ratio",
+        vehicle.tractive_ratio.map(|ratio| ratio.si()),
+    );
+    add(
+        "creepage",
+        "contact.creepage",
+        vehicle.creepage.map(|creepage| creepage.si()),
+    );
+    for assignment in assignments(&vehicle.set) {
+        found.push((format!("set.{}", overridden_key(&assignment)), assignment));
+    }
+    found
+}
+
+/// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude
+/// at which no remark on the linear range applies, for the forecast has its own.
+fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<String> {
+    /// A single speed or line is a narrow window.
+    const MARGIN: f64 = 1e-6;
+    let (low, high) = speeds.range();
+    let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
+    let axis = |key: &str, low: f64, high: f64| {
+        let (low, high) = (low * (1.0 - MARGIN), high * (1.0 + MARGIN));
+        format!("map.{key}={{ min = {low:e}, max = {high:e}, points = 2 }}")
+    };
+    vec![
+        axis("wavelength", shortest, longest),
+        axis("speed", low, high),
+        "corrugation.amplitude=1e-6".to_owned(),
+    ]
+}
