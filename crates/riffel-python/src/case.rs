@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex64;
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use rayon::prelude::*;
@@ -21,7 +22,7 @@ use riffel_keys::CaseError;
 use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::given::{self, CallableReceptance};
-use crate::interrupt::{interruptible, interruptible_meanwhile};
+use crate::interrupt::{interruptible, interruptible_while};
 use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -372,29 +373,31 @@ impl Case {
             .collect())
     }
 
-    /// Ŵ₁, a row for each speed, filled up to whole tiles; and the growth rate for Ŵ₁ = 1. While they are computed
-    /// `meanwhile` is called, whose result comes last.
+    /// Write Ŵ₁ to `values`, a row for each speed, filled up to whole tiles. While it is computed `meanwhile` is called
+    /// with the growth rate for Ŵ₁ = 1; its result is returned.
     fn growth_map<'py>(
         &self,
         py: Python<'py>,
         wavelengths: PyReadonlyArray1<'py, f64>,
         speeds: PyReadonlyArray1<'py, f64>,
+        mut values: PyReadwriteArray2<'py, Complex64>,
         meanwhile: &Bound<'py, PyAny>,
-    ) -> PyResult<(Bound<'py, PyArray2<Complex64>>, f64, Bound<'py, PyAny>)> {
+    ) -> PyResult<Bound<'py, PyAny>> {
         let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
         let case = self.over(py, &wavelengths, &speeds)?;
         let rate = case.feedback.growth_rate_per_dissipation();
-        let shape = [speeds.len(), wavelengths.len().div_ceil(TILE) * TILE];
-        // Taken here, where memory that an earlier map gave back is at hand: a short-lived thread gets fresh pages,
-        // whose first touch costs as much as the map.
-        let mut tiles = Vec::with_capacity(shape[0] * shape[1] / TILE);
-        let work = move || {
-            GrowthMap::compute_tiles(&case.feedback, &wavelengths, &speeds, &mut tiles, |_| ());
-            tiles
+        let (tiles, _) = values.as_slice_mut()?.as_chunks_mut::<TILE>();
+        let work = |wanted: &AtomicBool| {
+            let wanted = || wanted.load(Ordering::Relaxed);
+            GrowthMap::compute_into(&case.feedback, &wavelengths, &speeds, tiles, wanted, |_| ());
         };
-        let (tiles, prepared) = interruptible_meanwhile(py, work, || meanwhile.call0())?;
-        let values = self.unless_callable_failed(tiles)?.into_flattened();
-        Ok((values.into_pyarray(py).reshape(shape)?, rate, prepared))
+        let give_up = |error: &PyErr| {
+            for callable in &self.callables {
+                callable.fail(error.clone_ref(py));
+            }
+        };
+        let done = interruptible_while(py, work, || meanwhile.call1((rate,)), give_up);
+        self.unless_callable_failed(done)?
     }
 
     /// Ŵ₁ over a support, in mid-span and in the mean over the bay, over the window of the case.

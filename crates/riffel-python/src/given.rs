@@ -41,6 +41,13 @@ impl CallableReceptance {
         self.what == what
     }
 
+    /// Call nothing from now on, until the failure is taken.
+    pub(crate) fn fail(&self, error: PyErr) {
+        if let Ok(mut failure) = self.failure.lock() {
+            failure.get_or_insert(error);
+        }
+    }
+
     fn has_failed(&self) -> bool {
         self.failure.lock().is_ok_and(|failure| failure.is_some())
     }
@@ -60,11 +67,7 @@ impl CallableReceptance {
                 }
                 return;
             }
-            Some(Err(error)) => {
-                if let Ok(mut failure) = self.failure.lock() {
-                    failure.get_or_insert(error);
-                }
-            }
+            Some(Err(error)) => self.fail(error),
             None => {}
         }
         for index in 0..angular.len() {

@@ -50,6 +50,9 @@ mod _riffel {
     };
     #[pymodule_export]
     use crate::study::{Study, merge_study, sobol_indices, study_summary};
+    /// Rows of a map are filled up to a multiple of this.
+    #[pymodule_export]
+    const TILE: usize = riffel::tile::TILE;
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");
 }

@@ -24,6 +24,30 @@ except KeyboardInterrupt:
 """
 
 
+CALLABLE = """
+import signal, time
+import numpy as np, riffel
+signal.signal(signal.SIGINT, signal.default_int_handler)
+calls = -1_000_000  # while it is built
+def slow(frequency):
+    global calls
+    calls += 1
+    if calls == 3:
+        print("begun", flush=True)
+    time.sleep(0.01 * frequency.size)
+    return 1e-9 / (1.0 + 1j * frequency)
+case = riffel.Case.from_toml("cases/nominal.toml").with_track(slow)
+calls = 0
+try:
+    case.growth_map(wavelength=np.linspace(0.02, 0.08, 200), speed=np.linspace(5.0, 60.0, 200))
+except KeyboardInterrupt:
+    after = calls
+    time.sleep(0.5)
+    print("interrupted", calls == after, flush=True)
+    print(np.isfinite(case.point(wavelength=0.05, speed=30.0)["growth_rate_per_passage"]), flush=True)
+"""
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_a_signal_ends_the_wait() -> None:
     command = [sys.executable, "-c", SCRIPT]
@@ -35,5 +59,20 @@ def test_a_signal_ends_the_wait() -> None:
             time.sleep(0.3)
             process.send_signal(signal.SIGINT)
             assert process.stdout.readline() == "interrupted\n"
+        finally:
+            process.kill()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_a_signal_ends_the_calls_of_a_receptance() -> None:
+    """A map asks it for minutes; once given up, never again, and the case stays good."""
+    command = [sys.executable, "-c", CALLABLE]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as process:
+        assert process.stdout is not None
+        try:
+            assert process.stdout.readline() == "begun\n"
+            process.send_signal(signal.SIGINT)
+            assert process.stdout.readline() == "interrupted True\n"
+            assert process.stdout.readline() == "True\n"
         finally:
             process.kill()

@@ -254,16 +254,22 @@ class Case:
         wavelengths = self._window("wavelength", wavelength)
         speeds = self._window("speed", speed)
         own = wavelength is None and speed is None
+        # Memory of NumPy, which asks the system for large pages; they are touched while the map is computed.
+        padded = -(-wavelengths.size // _riffel.TILE) * _riffel.TILE
+        values = np.empty((speeds.size, padded), dtype=np.complex128)
+        normalized = values[:, : wavelengths.size]
 
-        def without_values() -> xr.Dataset:
-            if own and self._window_map is not None:
-                return self._window_map.copy()
-            return _growth.empty_map(wavelengths, speeds, self.title)
+        def dataset(factor: float) -> xr.Dataset:
+            if not own or self._window_map is None:
+                return _growth.growth_map(wavelengths, speeds, normalized, factor, self.title)
+            rate = _growth.growth_rate(normalized, factor)
+            return self._window_map.copy(data={"normalized_dissipation": normalized, "growth_rate": rate})
 
-        values, rate, growth = self._case.growth_map(wavelengths, speeds, without_values)
+        growth = self._case.growth_map(wavelengths, speeds, values, dataset)
         if own and self._window_map is None:
-            self._window_map = growth.copy()
-        return _growth.filled(growth, values[:, : wavelengths.size], rate)
+            nothing = np.broadcast_to(np.complex128(0.0), normalized.shape)
+            self._window_map = growth.copy(data={"normalized_dissipation": nothing, "growth_rate": nothing.real})
+        return growth
 
     def bay_maps(self) -> xr.Dataset:
         """Growth over a sleeper bay on discrete supports, over the window of the case.

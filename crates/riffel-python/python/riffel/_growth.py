@@ -38,22 +38,15 @@ class GrowthRate(BackendArray):
         return rates
 
 
-def filled(growth: xr.Dataset, normalized: Complexes, factor: float) -> xr.Dataset:
-    """The map with its values."""
-    variables = growth.variables
-    variables["normalized_dissipation"].data = normalized
-    variables["growth_rate"].data = indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
-    return growth
-
-
-def empty_map(wavelength: Floats, speed: Floats, title: str | None) -> xr.Dataset:
-    """A map over speed and wavelength, to which `filled` gives its values."""
+def growth_map(
+    wavelength: Floats, speed: Floats, normalized: Complexes, factor: float, title: str | None
+) -> xr.Dataset:
+    """A map over speed and wavelength."""
     dimensions = ("speed", "wavelength")
-    nothing = np.broadcast_to(np.complex128(0.0), (speed.size, wavelength.size))
     return xr.Dataset(
         {
-            "normalized_dissipation": xr.Variable(dimensions, nothing, _datasets.NORMALIZED),
-            "growth_rate": xr.Variable(dimensions, nothing.real, _datasets.GROWTH_RATE),
+            "normalized_dissipation": xr.Variable(dimensions, normalized, _datasets.NORMALIZED),
+            "growth_rate": xr.Variable(dimensions, growth_rate(normalized, factor), _datasets.GROWTH_RATE),
         },
         {
             "speed": _datasets.coordinate("speed", speed, _datasets.SPEED),
@@ -63,12 +56,16 @@ def empty_map(wavelength: Floats, speed: Floats, title: str | None) -> xr.Datase
     )
 
 
+def growth_rate(normalized: Complexes, factor: float) -> Any:
+    """The growth rate of a map, as the data of a variable."""
+    return indexing.LazilyIndexedArray(GrowthRate(normalized, factor))
+
+
 def bay_maps(
     maps: Sequence[Complexes], factor: float, wavelength: Floats, speed: Floats, title: str | None
 ) -> xr.Dataset:
     """Maps over the places of the wheel in a sleeper bay."""
-    empty = empty_map(wavelength, speed, title)
-    places = [filled(empty.copy(), values, factor).load() for values in maps]
+    places = [growth_map(wavelength, speed, values, factor, title).load() for values in maps]
     names = xr.Variable("place", ["over support", "mid-span", "mean"], {"long_name": "place of the wheel"})
     return xr.concat(places, xr.DataArray(names, name="place"), combine_attrs="override")
 

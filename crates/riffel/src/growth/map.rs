@@ -40,16 +40,22 @@ impl GrowthMap {
         wanted: impl Fn() -> bool + Sync,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
-        let mut tiles = Vec::new();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
-        Self::tiles_while(
-            feedback,
-            &wavelengths,
-            &speeds,
-            &mut tiles,
+        let grid = Grid {
+            tiles_a_row: wavelengths.len().div_ceil(TILE),
+            speeds: &speeds,
             wanted,
             progress,
-        );
+        };
+        let mut tiles = Vec::new();
+        (0..grid.tiles())
+            .into_par_iter()
+            .with_min_len(grid.tiles_a_row)
+            .map_with(
+                RowEvaluator::for_map(feedback, &wavelengths, &speeds),
+                |evaluator, index| grid.evaluate(evaluator, index),
+            )
+            .collect_into_vec(&mut tiles);
         Self {
             wavelength,
             speed,
@@ -58,46 +64,38 @@ impl GrowthMap {
         }
     }
 
-    /// Ŵ₁ over any wavelengths \[m\] and speeds \[m/s\], not only equally spaced ones, in place of what `tiles`
-    /// holds: for each speed as many whole tiles as hold the wavelengths, of which the last is filled up with values
-    /// that mean nothing.
+    /// Write Ŵ₁ over any wavelengths \[m\] and speeds \[m/s\], not only equally spaced ones, to `tiles`: for each
+    /// speed as many whole tiles as hold the wavelengths, of which the last is filled up with values that mean
+    /// nothing.
     ///
-    /// Method, `progress` and accuracy are those of [`compute`](Self::compute).
-    pub fn compute_tiles(
+    /// Method, `wanted`, `progress` and accuracy are those of [`compute_while`](Self::compute_while).
+    ///
+    /// # Panics
+    ///
+    /// If there are not that many tiles.
+    pub fn compute_into(
         feedback: &FeedbackLoop,
         wavelengths: &[f64],
         speeds: &[f64],
-        tiles: &mut Vec<[Complex64; TILE]>,
-        progress: impl Fn(usize) + Sync,
-    ) {
-        Self::tiles_while(feedback, wavelengths, speeds, tiles, || true, progress);
-    }
-
-    fn tiles_while(
-        feedback: &FeedbackLoop,
-        wavelengths: &[f64],
-        speeds: &[f64],
-        tiles: &mut Vec<[Complex64; TILE]>,
+        tiles: &mut [[Complex64; TILE]],
         wanted: impl Fn() -> bool + Sync,
         progress: impl Fn(usize) + Sync,
     ) {
-        let evaluator = RowEvaluator::for_map(feedback, wavelengths, speeds);
-        let tiles_a_row = wavelengths.len().div_ceil(TILE);
-        (0..speeds.len() * tiles_a_row)
-            .into_par_iter()
-            .with_min_len(tiles_a_row)
-            .map_with(evaluator, |evaluator, index| {
-                let (row, tile) = (index / tiles_a_row, index % tiles_a_row);
-                if !wanted() {
-                    return [Complex64::ZERO; TILE];
-                }
-                let values = evaluator.evaluate_tile(speeds[row], tile);
-                if tile + 1 == tiles_a_row {
-                    progress(1);
-                }
-                values
-            })
-            .collect_into_vec(tiles);
+        let grid = Grid {
+            tiles_a_row: wavelengths.len().div_ceil(TILE),
+            speeds,
+            wanted,
+            progress,
+        };
+        assert_eq!(tiles.len(), grid.tiles(), "tiles of a map");
+        tiles
+            .par_iter_mut()
+            .enumerate()
+            .with_min_len(grid.tiles_a_row)
+            .for_each_with(
+                RowEvaluator::for_map(feedback, wavelengths, speeds),
+                |evaluator, (index, tile)| *tile = grid.evaluate(evaluator, index),
+            );
     }
 
     /// The map with every value multiplied by a factor.
@@ -142,5 +140,32 @@ impl GrowthMap {
     /// Rows of the map in order of speed: the speed \[m/s\] and Ŵ₁ over the wavelengths.
     pub fn rows(&self) -> impl Iterator<Item = (f64, &[Complex64])> {
         (0..self.speed.points()).map(|index| (self.speed.value(index), self.row(index)))
+    }
+}
+
+/// The tiles of a map, row by row.
+struct Grid<'a, W, P> {
+    tiles_a_row: usize,
+    speeds: &'a [f64],
+    wanted: W,
+    progress: P,
+}
+
+impl<W: Fn() -> bool, P: Fn(usize)> Grid<'_, W, P> {
+    fn tiles(&self) -> usize {
+        self.speeds.len() * self.tiles_a_row
+    }
+
+    /// One tile; zeros once the map is no longer wanted.
+    fn evaluate(&self, evaluator: &mut RowEvaluator, index: usize) -> [Complex64; TILE] {
+        let (row, tile) = (index / self.tiles_a_row, index % self.tiles_a_row);
+        if !(self.wanted)() {
+            return [Complex64::ZERO; TILE];
+        }
+        let values = evaluator.evaluate_tile(self.speeds[row], tile);
+        if tile + 1 == self.tiles_a_row {
+            (self.progress)(1);
+        }
+        values
     }
 }
