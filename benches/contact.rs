@@ -5,13 +5,11 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::time::Instant;
 
-use riffel::{
-    ElasticMaterial, HertzContact,
-    contact::{
-        CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
-        TransientRolling,
-    },
+use riffel::contact::{
+    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
+    TransientRolling,
 };
+use riffel::{ElasticMaterial, HertzContact};
 
 use crate::contestant::{Contestant, Failure};
 use crate::median;
@@ -93,7 +91,7 @@ fn response(across: usize) -> Result<(f64, f64), Failure> {
     for index in 0..WAVELENGTHS {
         let share = index as f64 / (WAVELENGTHS - 1) as f64;
         let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
-        sum += response.dq_dxi.norm() + response.dq_dp.norm();
+        sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
     }
     Ok((begun.elapsed().as_secs_f64(), sum))
 }
@@ -106,7 +104,7 @@ fn one_wavelength(across: usize) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let response = contact.response(&state, 8.0 * hertz.semi_axis_longitudinal())?;
     let seconds = begun.elapsed().as_secs_f64();
-    Ok((seconds, response.dq_dxi.norm()))
+    Ok((seconds, response.by_longitudinal.force[0].norm()))
 }
 
 /// The same by oscillations of creepage and of load, followed in time on one grid: two diameters until the

@@ -15,11 +15,9 @@ use std::io::{BufRead, Write as _};
 use std::path::Path;
 use std::time::Instant;
 
-use riffel::{
-    Axis, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Receptance, Ridge,
-    growth::RowEvaluator,
-    receptance::{Beam, Layer, PeriodicTrack, ShearSection, Support},
-};
+use riffel::growth::RowEvaluator;
+use riffel::receptance::{Beam, Layer, PeriodicTrack, ShearSection, Support};
+use riffel::{Axis, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Receptance, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 use contestant::{Contestant, Failure, machine, numpy_version, rolland_version};

@@ -1,6 +1,8 @@
 //! Contact patch and creep law against the exact theory.
 
-use riffel::{ElasticMaterial, HertzContact, RollingContact, contact::KalkerCoefficients};
+use riffel::contact::{CreepLaw, Creepages, KalkerCoefficients};
+
+use riffel::{ElasticMaterial, HertzContact};
 
 use crate::Row;
 use crate::ground::{extent, nominal};
@@ -20,8 +22,9 @@ pub(crate) fn hertz_semi_axis() -> Row {
 }
 
 pub(crate) fn creep_curve() -> Row {
-    let law = nominal(&[]).carter.expect("the paper's law");
-    let limit = law.steady().friction * law.steady().normal_force;
+    let case = nominal(&[]);
+    let law = case.carter.expect("the paper's law");
+    let limit = law.friction() * case.steady.normal_force;
     let (low, high) = extent(
         include_str!("../reference/contact/creep_curve.csv")
             .lines()
@@ -30,8 +33,10 @@ pub(crate) fn creep_curve() -> Row {
                 let cells: Vec<f64> = line.split(',').map_while(|c| c.parse().ok()).collect();
                 let (load, creepage, exact) = (cells[0], cells[1], cells[2]);
                 // Beyond 0.4 % both saturate and the comparison says nothing.
-                (creepage <= 4e-3)
-                    .then(|| law.tangential_force(load, creepage) / (limit * exact) - 1.0)
+                (creepage <= 4e-3).then(|| {
+                    let creepages = Creepages::longitudinal(creepage);
+                    law.forces(load, creepages).longitudinal / (limit * exact) - 1.0
+                })
             }),
     );
     Row {

@@ -2,10 +2,8 @@
 
 use std::f64::consts::PI;
 
-use riffel::{
-    ElasticMaterial, HertzContact,
-    contact::{ContactFilter, ContactGrid, NormalContact},
-};
+use riffel::contact::{ContactFilter, ContactGrid, NormalContact};
+use riffel::{ElasticMaterial, HertzContact};
 
 use crate::Row;
 

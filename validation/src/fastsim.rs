@@ -1,11 +1,9 @@
 //! FASTSIM against CONTACT's: what is the theory's, what is the grid's.
 
-use riffel::{
-    ElasticMaterial, HertzContact,
-    contact::{
-        CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
-    },
+use riffel::contact::{
+    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
 };
+use riffel::{ElasticMaterial, HertzContact};
 
 use crate::Row;
 use crate::ground::extent;

@@ -1,6 +1,7 @@
 //! The cases that the statements of the paper are about.
 
-use riffel::{Axis, Complex64, LoopState, Ridge, growth::RidgePoint};
+use riffel::growth::RidgePoint;
+use riffel::{Axis, Complex64, LoopState, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 /// The nominal case with overrides.

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::sync::LazyLock;
 
-use riffel::{Ridge, growth::RidgePoint};
+use riffel::Ridge;
+use riffel::growth::RidgePoint;
 
 use crate::Row;
 use crate::ground::{extent, nominal, ridge, ridge_at};

@@ -95,7 +95,7 @@ fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, 
             "saturation_creepage",
             real(case.carter.expect("the paper's law").saturation_creepage()),
         ),
-        ("creepage", real(case.steady.creepage)),
+        ("creepage", real(case.steady.creepages.longitudinal)),
         (
             "contact_stiffness_n_per_m",
             real(case.feedback.contact_stiffness),

@@ -2,13 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use riffel::{
-    Complex64, ElasticMaterial, Receptance,
-    receptance::{
-        Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection,
-        Support,
-    },
+use riffel::receptance::{
+    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection,
+    Support,
 };
+use riffel::{Complex64, ElasticMaterial, Receptance};
 use serde::Deserialize;
 
 use crate::Row;

@@ -1,9 +1,7 @@
 //! The exact theory of rolling contact against CONTACT.
 
-use riffel::{
-    Complex64, ElasticMaterial, HertzContact,
-    contact::{ContactResponse, HalfSpace, HalfSpaceRolling},
-};
+use riffel::contact::{ContactResponse, HalfSpace, HalfSpaceRolling};
+use riffel::{Complex64, ElasticMaterial, HertzContact};
 
 use crate::Row;
 
@@ -80,10 +78,22 @@ fn compare(input: &str) -> (f64, f64, f64, usize) {
     let states = states(&contact);
     let (mut modulus, mut phase, mut absolute): (f64, f64, f64) = (0.0, 0.0, 0.0);
     let mut compared = 0;
-    let force = |response: &ContactResponse| (response.dq_dxi, response.dq_dxi);
-    let dissipation = |response: &ContactResponse| (response.de_dxi, response.de_dxi);
-    let force_by_load = |response: &ContactResponse| (response.dq_dp, response.dq_dp);
-    let dissipation_by_load = |response: &ContactResponse| (response.de_dp, response.de_dp);
+    let force = |response: &ContactResponse| {
+        (
+            response.by_longitudinal.force[0],
+            response.by_longitudinal.force[0],
+        )
+    };
+    let dissipation = |response: &ContactResponse| {
+        (
+            response.by_longitudinal.energy,
+            response.by_longitudinal.energy,
+        )
+    };
+    let force_by_load =
+        |response: &ContactResponse| (response.by_load.force[0], response.by_load.force[0]);
+    let dissipation_by_load =
+        |response: &ContactResponse| (response.by_load.energy, response.by_load.energy);
     type Value = fn(&ContactResponse) -> (Complex64, Complex64);
     let values: [(usize, Value); 2] = if input == "xi" {
         [(4, force), (8, dissipation)]
@@ -173,12 +183,15 @@ pub(crate) fn dissipation_at_the_rail() -> Row {
         compared += 1;
         if row[0] == "xi" {
             let got = normalized(&contact, state, ratio, |response| {
-                (response.at_rail(0.0).de_dxi, response.de_dxi)
+                (
+                    response.by_longitudinal.at_rail(0.0),
+                    response.by_longitudinal.energy,
+                )
             });
             by_creepage = by_creepage.max((got - expected).norm());
         } else {
             let got = normalized(&contact, state, ratio, |response| {
-                (response.at_rail(0.0).de_dp, response.de_dp)
+                (response.by_load.at_rail(0.0), response.by_load.energy)
             });
             by_load = by_load.max((got - expected).norm());
         }

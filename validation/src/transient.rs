@@ -2,12 +2,10 @@
 
 use std::f64::consts::PI;
 
-use riffel::{
-    Complex64, ElasticMaterial, HertzContact,
-    contact::{
-        Carter2d, CreepLaw, Creepages, HalfSpace, KalkerCoefficients, LineContact, TransientRolling,
-    },
+use riffel::contact::{
+    Carter2d, CreepLaw, Creepages, HalfSpace, KalkerCoefficients, LineContact, TransientRolling,
 };
+use riffel::{Complex64, ElasticMaterial, HertzContact};
 
 use crate::Row;
 
@@ -207,16 +205,31 @@ pub(crate) fn frequency_response_by_time() -> Row {
             (load, creepage * (1.0 + share_of_creepage * wave))
         });
         let response = contact.response(&state, wavelength).expect("a response");
-        let at_rail = response.at_rail(0.0);
+        let at_rail = [
+            response.by_load.at_rail(0.0),
+            response.by_longitudinal.at_rail(0.0),
+        ];
         let (size, direct, slow) = if share_of_load > 0.0 {
-            let direct = [response.dq_dp, response.de_dp, at_rail.de_dp];
-            (share_of_load * load, direct, [slow.dq_dp, slow.de_dp])
+            let direct = [
+                response.by_load.force[0],
+                response.by_load.energy,
+                at_rail[0],
+            ];
+            (
+                share_of_load * load,
+                direct,
+                [slow.by_load.force[0], slow.by_load.energy],
+            )
         } else {
-            let direct = [response.dq_dxi, response.de_dxi, at_rail.de_dxi];
+            let direct = [
+                response.by_longitudinal.force[0],
+                response.by_longitudinal.energy,
+                at_rail[1],
+            ];
             (
                 share_of_creepage * creepage,
                 direct,
-                [slow.dq_dxi, slow.de_dxi],
+                [slow.by_longitudinal.force[0], slow.by_longitudinal.energy],
             )
         };
         let error = |index: usize, value: Complex64, slow: Complex64| {

@@ -1,7 +1,8 @@
 //! The branches of the ridge of a case: as a document, and in words.
 
+use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
-use riffel::{Ridge, growth::RidgeBranch};
+use riffel::growth::RidgeBranch;
 use riffel_keys::{Language, Remark};
 use serde::Serialize;
 

@@ -67,8 +67,8 @@ impl CheckedKeys {
     pub(crate) fn creep_law_name(&self) -> CreepLawName {
         let contact = &self.file.contact;
         contact.creep_law.unwrap_or(match contact.response {
-            ContactDynamics::NonSteady => CreepLawName::HalfSpace,
-            _ => CreepLawName::Carter3d,
+            ContactDynamics::NonSteady => CreepLawName::HALF_SPACE,
+            _ => CreepLawName::CARTER_3D,
         })
     }
 
@@ -76,7 +76,7 @@ impl CheckedKeys {
     pub(crate) fn hertz_theory(&self) -> HertzTheory {
         let contact = &self.file.contact;
         contact.hertz.unwrap_or(match self.creep_law_name() {
-            CreepLawName::Carter3d => HertzTheory::Paper,
+            CreepLawName::CARTER_3D => HertzTheory::Paper,
             _ => HertzTheory::Exact,
         })
     }

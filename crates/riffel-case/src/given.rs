@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use riffel::{Receptance, receptance::MeasuredReceptance};
+use riffel::Receptance;
+use riffel::receptance::MeasuredReceptance;
 use riffel_keys::{CaseError, Remark};
 
 use crate::measurement::{self, UniversalFunction};

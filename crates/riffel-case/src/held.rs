@@ -44,10 +44,10 @@ impl Held {
         let assignment = variant.hold.map(|hold| match hold {
             Hold::Force => format!(
                 "contact.tractive_ratio={:e}",
-                steady.tangential_force / limit
+                steady.forces.longitudinal / limit
             ),
             Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => format!("contact.creepage={:e}", steady.creepage),
+            Hold::Creepage => format!("contact.creepage={:e}", steady.creepages.longitudinal),
         });
         Ok(Some(Self {
             hold,
@@ -67,8 +67,8 @@ impl Held {
         let state = match self.hold {
             Hold::Force => format!(
                 "the traction force of {:.3} kN on a wheel is {:.2} times what friction can carry, μP₀ = {:.3} kN",
-                1e-3 * self.steady.tangential_force,
-                self.steady.tangential_force / self.limit,
+                1e-3 * self.steady.forces.longitudinal,
+                self.steady.forces.longitudinal / self.limit,
                 1e-3 * self.limit
             ),
             Hold::Ratio => format!(
@@ -78,7 +78,7 @@ impl Held {
             Hold::Creepage => {
                 format!(
                     "at the creepage of {:.3} %, {reason}",
-                    1e2 * self.steady.creepage
+                    1e2 * self.steady.creepages.longitudinal
                 )
             }
         };

@@ -1,7 +1,8 @@
 //! Keys that cannot change growth in a case.
 
 use crate::Case;
-use crate::file::{ContactDynamics, CreepLawName, Rotation, TrackModel};
+use crate::file::CreepLawName;
+use crate::file::{ContactDynamics, Rotation, TrackModel};
 
 impl Case {
     /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
@@ -17,11 +18,11 @@ impl Case {
                 "wheel.rotation is the limit of no inertia or of infinite inertia"
             }
             "contact"
-                if inner.starts_with("polach") && self.creep_law() != CreepLawName::Polach =>
+                if inner.starts_with("polach") && self.creep_law() != CreepLawName::POLACH =>
             {
                 "it belongs to contact.creep_law = \"polach\""
             }
-            "contact" if inner == "grid" && self.creep_law() != CreepLawName::HalfSpace => {
+            "contact" if inner == "grid" && self.creep_law() != CreepLawName::HALF_SPACE => {
                 "it belongs to contact.creep_law = \"half-space\""
             }
             "contact"

@@ -242,7 +242,7 @@ impl PointQuantity {
             Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
             Self::CreepCoefficient => real(case.carter?.creep_coefficient()),
             Self::SaturationCreepage => real(case.carter?.saturation_creepage()),
-            Self::Creepage => real(case.steady.creepage),
+            Self::Creepage => real(case.steady.creepages.longitudinal),
             Self::TractiveRatio => real(case.steady.tractive_ratio()),
             Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness),
             Self::AngularFrequencyRadPerS => real(state.angular_frequency),

@@ -2,10 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use riffel::{
-    Complex64, Receptance,
-    receptance::{Extremum, Resonance, ResonanceKind},
-};
+use riffel::receptance::{Extremum, Resonance, ResonanceKind};
+use riffel::{Complex64, Receptance};
 
 use crate::Case;
 use crate::track::{Direction, Origin};

@@ -2,10 +2,8 @@
 
 use std::sync::Arc;
 
-use riffel::{
-    Receptance,
-    receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support},
-};
+use riffel::Receptance;
+use riffel::receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support};
 use riffel_keys::Remark;
 
 /// The direction of force and displacement.

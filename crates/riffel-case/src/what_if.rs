@@ -1,8 +1,9 @@
 //! What would help: one traffic on a case and on variants of it, side by side.
 
+use riffel::Ridge;
 use riffel::forecast::{Reach, TrafficGrowth};
+use riffel::growth::RidgePoint;
 use riffel::roughness::{LevelLimit, ThirdOctave};
-use riffel::{Ridge, growth::RidgePoint};
 use riffel_keys::CaseError;
 use riffel_rail::RailSpectrum;
 

@@ -2,10 +2,8 @@
 
 use std::io::{self, Write};
 
-use riffel::{
-    Axis, LoopState, Ridge,
-    growth::{Bay, BayMaps},
-};
+use riffel::growth::{Bay, BayMaps};
+use riffel::{Axis, LoopState, Ridge};
 use riffel_case::{BranchDocument, Case};
 use riffel_figures::{
     SIGN, Shown, branches_csv, map_csv, map_netcdf, panel, parameters, ridge_csv,

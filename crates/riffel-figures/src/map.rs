@@ -2,6 +2,7 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
+
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
 use riffel_keys::Language;
 use riffel_plot::{
@@ -196,8 +197,8 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
     };
     let law = language.pick("creep law", "Kraftschlussgesetz");
     let law = match case.creep_law() {
-        CreepLawName::Carter3d => String::new(),
-        CreepLawName::Polach => format!("{law} polach{}; ", polach(case)),
+        CreepLawName::CARTER_3D => String::new(),
+        CreepLawName::POLACH => format!("{law} polach{}; ", polach(case)),
         name => format!("{law} {}; ", name.name()),
     };
     let dynamics = match file.contact.response {
@@ -219,7 +220,7 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         1e-3 * steady.normal_force,
         steady.friction,
         steady.tractive_ratio(),
-        100.0 * steady.creepage,
+        100.0 * steady.creepages.longitudinal,
         1e6 * case.feedback.amplitude,
     )
 }

@@ -9,10 +9,11 @@ use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, P
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
 use rayon::prelude::*;
-use riffel::{
-    Axis, GrowthMap, Ridge, contact::KalkerCoefficients, growth::Bay, receptance::DecayRate,
-    tile::TILE,
-};
+use riffel::contact::KalkerCoefficients;
+use riffel::growth::Bay;
+use riffel::receptance::DecayRate;
+use riffel::tile::TILE;
+use riffel::{Axis, GrowthMap, Ridge};
 use riffel_case::{
     BranchDocument, CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves,
     RollingTheories,

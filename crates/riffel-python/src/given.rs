@@ -8,11 +8,9 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use riffel::{
-    Receptance,
-    receptance::MeasuredReceptance,
-    tile::{Frequencies, SplitComplex},
-};
+use riffel::Receptance;
+use riffel::receptance::MeasuredReceptance;
+use riffel::tile::{Frequencies, SplitComplex};
 use riffel_case::file::VerticalAxis;
 use riffel_case::{GivenReceptance, UniversalFunction};
 

@@ -8,7 +8,7 @@
 //! | structure | [`Receptance`] | (23) [`FreeBeam`], (25) [`RigidMass`], (27)–(33) [`MovingBeam`]; [`ContinuousTrack`], [`PeriodicTrack`], [`MovingLoadTrack`], [`MeasuredReceptance`] |
 //! | contact patch | [`HertzContact`], [`EllipticContact`], [`KalkerCoefficients`]; [`NormalContact`], [`ContactFilter`] | (22), (26) |
 //! | rolling contact | [`RollingContact`] | (1)–(14) [`Carter3d`], (7) [`creep_coefficient`]; [`CreepLaw`], [`HalfSpace`], [`NonSteady`] |
-//! | wheel rotation | [`WheelRotation`] | (15)–(18) [`RigidInertia`], [`ConstantTangentialForce`], [`ConstantCreepage`] |
+//! | wheel rotation | [`Motion`] of a [`Receptance`] along the rail | (15)–(18) [`RigidInertia`] |
 //! | place of wear | [`PlaceOfWear`] | below (22) |
 //! | wear | [`EnergyWear`] | |
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
@@ -22,14 +22,16 @@
 //!
 //! ```
 //! use std::sync::Arc;
+//! use riffel::contact::{MeanState, QuasiStatic};
 //! use riffel::receptance::{EulerBernoulliBeam, FreeBeam};
-//! use riffel::wheelset::{RigidInertia, RigidMass};
+//! use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 //! use riffel::*;
 //!
 //! # fn main() -> Result<(), riffel::Error> {
 //! let steel = ElasticMaterial::new(207e9, 0.3)?;
 //! let hertz = HertzContact::new(steel, 0.46, 0.23, 50e3)?;
-//! let contact = Carter3d::from_tractive_ratio(hertz, 0.4, 0.1)?;
+//! let law = Carter3d::new(hertz, 0.4)?;
+//! let contact = QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1))?;
 //! let rail = EulerBernoulliBeam::new(steel, 2.35e-5, 56.0)?;
 //! let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
 //! let feedback = FeedbackLoop {
@@ -37,7 +39,7 @@
 //!     wheel: Arc::new(RigidMass::new(350.0)?),
 //!     contact_stiffness: hertz.stiffness(),
 //!     contact: Arc::new(contact),
-//!     rotation: Arc::new(RigidInertia::new(inertia, 0.46)?),
+//!     rotation: Motion::compliant(RigidInertia::new(inertia, 0.46)?),
 //!     rolling_radius: 0.46,
 //!     place_of_wear: PlaceOfWear::new(
 //!         DissipationPhase::Lag,
@@ -64,8 +66,6 @@
 //! # }
 //! ```
 //!
-//! [`ConstantCreepage`]: wheelset::ConstantCreepage
-//! [`ConstantTangentialForce`]: wheelset::ConstantTangentialForce
 //! [`ContactFilter`]: contact::ContactFilter
 //! [`ContinuousTrack`]: receptance::ContinuousTrack
 //! [`CreepLaw`]: contact::CreepLaw
@@ -81,7 +81,7 @@
 //! [`PeriodicTrack`]: receptance::PeriodicTrack
 //! [`RigidInertia`]: wheelset::RigidInertia
 //! [`RigidMass`]: wheelset::RigidMass
-//! [`WheelRotation`]: wheelset::WheelRotation
+//! [`Motion`]: wheelset::Motion
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod contact;

@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use riffel::{
-    Carter3d, ElasticMaterial, HertzContact, RollingContact,
-    contact::{
-        HalfSpace, HalfSpaceRolling, NonSteady, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
-    },
+use riffel::contact::{
+    HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic, QuasiStaticHalfSpace,
+    SpringDashpot,
 };
+use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
 
 use crate::checked_keys::CheckedKeys;
@@ -16,19 +15,11 @@ use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
 /// Elements over a diameter; the half grid has half as many.
 const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
 
-/// The mean state, as the case gives it.
-#[derive(Clone, Copy)]
-enum MeanState {
-    TractiveRatio(f64),
-    Creepage(f64),
-}
-
-impl MeanState {
-    fn key(self) -> &'static str {
-        match self {
-            Self::TractiveRatio(_) => "contact.tractive_ratio",
-            Self::Creepage(_) => "contact.creepage",
-        }
+/// The key that gives a mean state.
+fn key(mean: MeanState) -> &'static str {
+    match mean {
+        MeanState::TractiveRatio(_) => "contact.tractive_ratio",
+        MeanState::Creepages(_) => "contact.creepage",
     }
 }
 
@@ -58,7 +49,7 @@ impl CheckedKeys {
         let mean = self.mean_state()?;
         let name = self.creep_law_name();
         if self.file.contact.response == ContactDynamics::NonSteady
-            && name != CreepLawName::HalfSpace
+            && name != CreepLawName::HALF_SPACE
         {
             return Err(self.text.keys.invalid(
                 "contact.creep_law",
@@ -73,41 +64,22 @@ impl CheckedKeys {
         }
         // Checked whatever the law is, so that a comparison changes one line.
         self.polach(friction)?;
-        if name == CreepLawName::Carter3d {
-            let law = match mean {
-                MeanState::TractiveRatio(ratio) => {
-                    Carter3d::from_tractive_ratio(hertz, friction, ratio)
-                }
-                MeanState::Creepage(creepage) => Carter3d::from_creepage(hertz, friction, creepage),
-            };
-            let law = self.physics(mean.key(), law)?;
+        let load = hertz.normal_force();
+        if name == CreepLawName::CARTER_3D {
+            let law = self.physics("contact", Carter3d::new(hertz, friction))?;
+            let rolling = self.physics(key(mean), QuasiStatic::new(law, load, mean))?;
             return Ok(BuiltContact {
-                rolling: self.answering(law, hertz),
+                rolling: self.answering(rolling, hertz),
                 carter: Some(law),
             });
         }
-        let laws = || self.creep_laws(hertz, friction);
-        let law = match name {
-            CreepLawName::Carter3d | CreepLawName::HalfSpace => None,
-            CreepLawName::Carter2d => Some(laws()?.carter_2d),
-            CreepLawName::JohnsonVermeulen => Some(laws()?.johnson_vermeulen),
-            CreepLawName::ShenHedrickElkins => Some(laws()?.shen_hedrick_elkins),
-            CreepLawName::Polach => Some(laws()?.polach),
-            CreepLawName::Fastsim => Some(laws()?.fastsim),
-        };
-        let rolling = match law {
+        let rolling = match name.entry() {
             None => self.half_space(hertz, friction, mean)?,
-            Some(law) => {
-                let load = hertz.normal_force();
-                let law = match mean {
-                    MeanState::TractiveRatio(ratio) => {
-                        QuasiStatic::from_tractive_ratio(law, load, ratio)
-                    }
-                    MeanState::Creepage(creepage) => {
-                        QuasiStatic::from_creepage(law, load, creepage)
-                    }
-                };
-                self.answering(self.physics(mean.key(), law)?, hertz)
+            Some(entry) => {
+                let inputs = self.creep_law_inputs(hertz, friction)?;
+                let law = self.physics("contact", entry.build(&inputs))?;
+                let rolling = self.physics(key(mean), QuasiStatic::new(law, load, mean))?;
+                self.answering(rolling, hertz)
             }
         };
         Ok(BuiltContact {
@@ -139,15 +111,16 @@ impl CheckedKeys {
         let contact = self.physics("contact.grid", HalfSpace::new(hertz, friction, across))?;
         let state: HalfSpaceRolling = match mean {
             MeanState::TractiveRatio(ratio) => {
-                self.physics(mean.key(), contact.roll_at_tractive_ratio(ratio))?
+                self.physics(key(mean), contact.roll_at_tractive_ratio(ratio))?
             }
-            MeanState::Creepage(creepage) => {
-                let state = self.physics(mean.key(), contact.roll(creepage))?;
+            MeanState::Creepages(creepages) => {
+                let creepage = creepages.longitudinal;
+                let state = self.physics(key(mean), contact.roll(creepage))?;
                 let ratio = contact.steady(&state).tractive_ratio();
                 let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
                 if ratio > largest {
                     return Err(self.out_of_range(
-                        mean.key(),
+                        key(mean),
                         creepage,
                         &format!(
                             "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
@@ -181,7 +154,7 @@ impl CheckedKeys {
                 "give contact.tractive_ratio or contact.creepage",
             )),
             (Some(ratio), None) => Ok(MeanState::TractiveRatio(ratio.si())),
-            (None, Some(creepage)) => Ok(MeanState::Creepage(creepage.si())),
+            (None, Some(creepage)) => Ok(MeanState::creepage(creepage.si())),
         }
     }
 }

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use riffel::{
-    HertzContact,
-    contact::{
-        Carter2d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, JohnsonVermeulen,
-        KalkerCoefficients, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
-    },
+use riffel::HertzContact;
+use riffel::contact::{
+    CREEP_LAWS, CreepLaw, CreepLawEntry, CreepLawInputs, FallingFriction, KalkerCoefficients,
+    SlopeReduction,
 };
 use riffel_keys::CaseError;
 
@@ -19,16 +17,8 @@ use crate::file::PolachParameters;
 pub struct CreepLaws {
     /// Kalker's coefficients of the ellipse, with which the laws begin.
     pub kalker: KalkerCoefficients,
-    /// Carter's line contact.
-    pub carter_2d: Arc<dyn CreepLaw>,
-    /// Vermeulen & Johnson's, with Kalker's slope.
-    pub johnson_vermeulen: Arc<dyn CreepLaw>,
-    /// Shen, Hedrick & Elkins'.
-    pub shen_hedrick_elkins: Arc<dyn CreepLaw>,
-    /// Polach's, with the parameters of the case.
-    pub polach: Arc<dyn CreepLaw>,
-    /// FASTSIM.
-    pub fastsim: Arc<dyn CreepLaw>,
+    /// The laws, each with its entry in the catalogue, in the order there.
+    pub laws: Vec<(&'static CreepLawEntry, Arc<dyn CreepLaw>)>,
 }
 
 /// What Polach's law takes besides the ellipse.
@@ -47,9 +37,22 @@ impl CheckedKeys {
         hertz: HertzContact,
         friction: f64,
     ) -> Result<CreepLaws, CaseError> {
-        fn shared<L: CreepLaw + 'static>(law: L) -> Arc<dyn CreepLaw> {
-            Arc::new(law)
-        }
+        let inputs = self.creep_law_inputs(hertz, friction)?;
+        let laws = CREEP_LAWS
+            .iter()
+            .map(|entry| Ok((entry, entry.build(&inputs)?)));
+        Ok(CreepLaws {
+            kalker: inputs.kalker,
+            laws: self.physics("contact", laws.collect())?,
+        })
+    }
+
+    /// What a creep law is made of.
+    pub(crate) fn creep_law_inputs(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+    ) -> Result<CreepLawInputs, CaseError> {
         let poisson_ratio = hertz.material().poisson_ratio();
         let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
         let key = if poisson_ratio < 0.0 {
@@ -58,22 +61,15 @@ impl CheckedKeys {
             "contact.transverse_radius"
         };
         let kalker = self.physics(key, kalker)?;
-        let ellipse = CreepEllipse::new(hertz, kalker);
         let polach = self.polach(friction)?;
-        let laws = || -> Result<CreepLaws, riffel::Error> {
-            let divisions = Fastsim::DEFAULT_DIVISIONS;
-            let bound = TractionBound::Parabolic;
-            Ok(CreepLaws {
-                kalker,
-                carter_2d: Carter2d::of_ellipse(ellipse, poisson_ratio, friction).map(shared)?,
-                johnson_vermeulen: JohnsonVermeulen::new(ellipse, friction).map(shared)?,
-                shen_hedrick_elkins: ShenHedrickElkins::new(ellipse, friction).map(shared)?,
-                polach: Polach::new(ellipse, polach.friction, polach.reduction, polach.speed)
-                    .map(shared)?,
-                fastsim: Fastsim::new(ellipse, friction, bound, divisions).map(shared)?,
-            })
-        };
-        self.physics("contact", laws())
+        Ok(CreepLawInputs {
+            hertz,
+            kalker,
+            friction,
+            falling_friction: polach.friction,
+            slope_reduction: polach.reduction,
+            speed: polach.speed,
+        })
     }
 
     /// The parameters of Polach's law: as written, or dry and constant.

@@ -8,9 +8,7 @@ mod validity;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
-use riffel::wheelset::{
-    ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation,
-};
+use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{Axis, Carter3d, EnergyWear, FeedbackLoop, HertzContact, PlaceOfWear, Receptance};
 use riffel_keys::{CaseError, Remark};
 
@@ -96,17 +94,17 @@ impl CheckedKeys {
         })
     }
 
-    fn rotation(&self, radius: f64) -> Result<Arc<dyn WheelRotation>, CaseError> {
+    fn rotation(&self, radius: f64) -> Result<Motion, CaseError> {
         let wheel = &self.file.wheel;
         // Filled in above; the mass it may come from is checked.
         let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
         Ok(match wheel.rotation {
             Rotation::Inertia => {
                 let rigid = RigidInertia::new(inertia, radius);
-                Arc::new(self.physics("wheel.inertia", rigid)?)
+                Motion::compliant(self.physics("wheel.inertia", rigid)?)
             }
-            Rotation::ConstantTangentialForce => Arc::new(ConstantTangentialForce),
-            Rotation::ConstantCreepage => Arc::new(ConstantCreepage),
+            Rotation::ConstantTangentialForce => Motion::Free,
+            Rotation::ConstantCreepage => Motion::Held,
         })
     }
 }

@@ -2,12 +2,10 @@
 
 use std::sync::Arc;
 
-use riffel::{
-    ElasticMaterial,
-    receptance::{
-        Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam,
-        MovingLoadTrack, PeriodicTrack, ShearSection, Waveguide,
-    },
+use riffel::ElasticMaterial;
+use riffel::receptance::{
+    Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadTrack,
+    PeriodicTrack, ShearSection, Waveguide,
 };
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};

@@ -134,7 +134,7 @@ pub(crate) fn remarks(
         }
     }
     let polach = file.contact.polach.as_ref();
-    if keys.creep_law_name() == CreepLawName::Polach
+    if keys.creep_law_name() == CreepLawName::POLACH
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
         remarks.push(Remark::new(

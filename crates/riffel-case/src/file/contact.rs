@@ -4,6 +4,8 @@ use riffel_keys::quantity::{Force, Length, Quantity, Ratio, Speed, VelocityDecay
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::CreepLawName;
+
 /// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -78,47 +80,6 @@ impl Default for PolachParameters {
             speed: None,
             adhesion_reduction: Quantity::new(1.0),
             slip_reduction: Quantity::new(1.0),
-        }
-    }
-}
-
-/// Steady creep law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-pub enum CreepLawName {
-    /// The paper's, equation (5).
-    #[serde(rename = "carter-3d")]
-    Carter3d,
-    /// Carter (1926), a line contact as long and as large as the ellipse.
-    #[serde(rename = "carter-2d")]
-    Carter2d,
-    /// Vermeulen & Johnson (1964), with Kalker's slope.
-    #[serde(rename = "johnson-vermeulen")]
-    JohnsonVermeulen,
-    /// Shen, Hedrick & Elkins (1983).
-    #[serde(rename = "shen-hedrick-elkins")]
-    ShenHedrickElkins,
-    /// Polach (2000), with the parameters of `polach`.
-    #[serde(rename = "polach")]
-    Polach,
-    /// Kalker's simplified theory (1982).
-    #[serde(rename = "fastsim")]
-    Fastsim,
-    /// Kalker's exact theory.
-    #[serde(rename = "half-space")]
-    HalfSpace,
-}
-
-impl CreepLawName {
-    /// The name in a case file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Carter3d => "carter-3d",
-            Self::Carter2d => "carter-2d",
-            Self::JohnsonVermeulen => "johnson-vermeulen",
-            Self::ShenHedrickElkins => "shen-hedrick-elkins",
-            Self::Polach => "polach",
-            Self::Fastsim => "fastsim",
-            Self::HalfSpace => "half-space",
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The keys of a case file, as written.
 
 mod contact;
+mod creep_law_name;
 mod map;
 mod measurement;
 mod rail;
@@ -11,9 +12,8 @@ use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, WearCoeff
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use contact::{
-    Contact, ContactDynamics, CreepLawName, DissipationPhase, HertzTheory, PolachParameters,
-};
+pub use contact::{Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters};
+pub use creep_law_name::CreepLawName;
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use rail::{BeamModel, Rail};

@@ -10,7 +10,8 @@ mod universal_function;
 
 use std::path::Path;
 
-use riffel::{Complex64, Receptance, receptance::MeasuredReceptance};
+use riffel::receptance::MeasuredReceptance;
+use riffel::{Complex64, Receptance};
 use riffel_keys::{Exponents, Language, Remark, text_file};
 
 use crate::file::{Measurement, Response};

@@ -58,25 +58,11 @@ impl CreepCurves {
             label,
             tractive_ratios,
         };
-        let laws = &theories.laws;
-        let carter = over(&|creepage| theories.carter.tangential_force(load, creepage));
-        let laws = vec![
-            curve("carter-3d", "Carter 3D (paper)", carter),
-            curve("carter-2d", "Carter 2D", by(&*laws.carter_2d)),
-            curve(
-                "johnson-vermeulen",
-                "Johnson–Vermeulen",
-                by(&*laws.johnson_vermeulen),
-            ),
-            curve(
-                "shen-hedrick-elkins",
-                "Shen–Hedrick–Elkins",
-                by(&*laws.shen_hedrick_elkins),
-            ),
-            curve("polach", "Polach", by(&*laws.polach)),
-            curve("fastsim", "FASTSIM", by(&*laws.fastsim)),
-            curve("half-space", "half-space (exact)", exact),
-        ];
+        let laws = theories.laws.laws.iter();
+        let mut laws: Vec<CreepCurve> = laws
+            .map(|(entry, law)| curve(entry.name, entry.label, by(&**law)))
+            .collect();
+        laws.push(curve("half-space", "half-space (exact)", exact));
         Ok(Self { creepages, laws })
     }
 }

@@ -1,6 +1,7 @@
 //! Responses of the exact contact to small oscillations over wavelength.
 
-use riffel::{Complex64, contact::ContactResponse};
+use riffel::Complex64;
+use riffel::contact::ContactResponse;
 use riffel_keys::CaseError;
 
 use super::{RollingTheories, refused};
@@ -68,16 +69,19 @@ impl FrequencyResponse {
         for &ratio in &ratios {
             let wavelength = ratio * theories.hertz.semi_axis_longitudinal();
             let response = at(wavelength, format!("λ/a = {ratio}"))?;
-            let rail = response.at_rail(0.0);
+            let rail = [
+                response.by_load.at_rail(0.0),
+                response.by_longitudinal.at_rail(0.0),
+            ];
             creepage.push([
-                response.dq_dxi / slow.dq_dxi,
-                response.de_dxi / slow.de_dxi,
-                rail.de_dxi / slow.de_dxi,
+                response.by_longitudinal.force[0] / slow.by_longitudinal.force[0],
+                response.by_longitudinal.energy / slow.by_longitudinal.energy,
+                rail[1] / slow.by_longitudinal.energy,
             ]);
             load.push([
-                response.dq_dp / slow.dq_dp,
-                response.de_dp / slow.de_dp,
-                rail.de_dp / slow.de_dp,
+                response.by_load.force[0] / slow.by_load.force[0],
+                response.by_load.energy / slow.by_load.energy,
+                rail[0] / slow.by_load.energy,
             ]);
         }
         Ok(Self {

@@ -3,10 +3,10 @@
 mod creep_curves;
 mod frequency_response;
 
-use riffel::{
-    Carter3d, HertzContact,
-    contact::{ContactElement, HalfSpace, HalfSpaceRolling},
+use riffel::contact::{
+    ContactElement, CreepEllipse, CreepLaw, HalfSpace, HalfSpaceRolling, JohnsonVermeulen,
 };
+use riffel::{Carter3d, HertzContact};
 
 pub use creep_curves::{CreepCurve, CreepCurves};
 pub use frequency_response::{FrequencyResponse, ResponseOutputs};
@@ -21,14 +21,13 @@ pub struct RollingTheories {
     pub hertz: HertzContact,
     /// Coefficient of friction \[-\].
     pub friction: f64,
-    /// The law of the paper.
-    pub carter: Carter3d,
-    /// The other laws that are formulas of the ellipse.
+    /// The laws that are formulas of the ellipse.
     pub laws: CreepLaws,
     /// Kalker's exact theory on half-spaces.
     pub half_space: HalfSpace,
     /// The mean state by the exact theory.
     pub state: HalfSpaceRolling,
+    full_slip_creepage: f64,
 }
 
 impl RollingTheories {
@@ -49,8 +48,14 @@ impl RollingTheories {
             return Err(case.refuse("contact.tractive_ratio", &message));
         }
         let mean_state = || refused("the mean state of the case");
-        let carter = Carter3d::from_tractive_ratio(hertz, friction, ratio).map_err(mean_state())?;
         let laws = case.creep_laws()?;
+        let full_slip = || -> Result<f64, riffel::Error> {
+            let ellipse = CreepEllipse::new(hertz, laws.kalker);
+            let by_ellipse = JohnsonVermeulen::new(ellipse, friction)?.limit(hertz.normal_force());
+            let by_paper = Carter3d::new(hertz, friction)?.saturation_creepage();
+            Ok(by_ellipse.creepage().max(by_paper))
+        };
+        let full_slip_creepage = full_slip().map_err(mean_state())?;
         let across = usize::try_from(case.file.contact.grid).unwrap_or(usize::MAX);
         let half_space =
             HalfSpace::new(hertz, friction, across).map_err(refused("contact.grid"))?;
@@ -60,7 +65,7 @@ impl RollingTheories {
         Ok(Self {
             hertz,
             friction,
-            carter,
+            full_slip_creepage,
             laws,
             half_space,
             state,
@@ -69,9 +74,7 @@ impl RollingTheories {
 
     /// The larger of the creepages at which Johnson & Vermeulen and the paper see full slip.
     pub fn full_slip_creepage(&self) -> f64 {
-        let law = &self.laws.johnson_vermeulen;
-        let by_ellipse = law.limit(self.hertz.normal_force()).creepage();
-        by_ellipse.max(self.carter.saturation_creepage())
+        self.full_slip_creepage
     }
 
     /// Q/μP of a tangential force \[N\].

@@ -1,6 +1,7 @@
 //! The branches of the ridge on tracks with supports: the strongest leads, whatever the number of its points.
 
-use riffel::{Ridge, growth::RidgeBranch};
+use riffel::Ridge;
+use riffel::growth::RidgeBranch;
 use riffel_case::{BranchDocument, Case, NOMINAL_CASE};
 use riffel_keys::Language;
 use rstest::rstest;

@@ -285,7 +285,13 @@ fn overrides_replace_values_and_exclusive_keys() {
         60e3
     );
     // The case gives a tractive ratio; a creepage on the command line takes its place.
-    assert_eq!(case(&["contact.creepage=0.4 %"]).steady.creepage, 0.004);
+    assert_eq!(
+        case(&["contact.creepage=0.4 %"])
+            .steady
+            .creepages
+            .longitudinal,
+        0.004
+    );
     assert_eq!(
         case(&["contact.friction=0.3", "contact.friction=0.2"])
             .steady

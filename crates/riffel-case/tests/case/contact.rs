@@ -75,7 +75,7 @@ fn falling_friction_reaches_the_loop() {
         let curve = adhesion / (1.0 + adhesion * adhesion) + slip.atan();
         2.0 * friction * load / std::f64::consts::PI * curve
     };
-    let creepage = case.steady.creepage;
+    let creepage = case.steady.creepages.longitudinal;
     // The tractive ratio of the nominal case is over the friction at rest.
     assert!((force(creepage) / (0.1 * 0.4 * load) - 1.0).abs() < 1e-9);
     let step = 1e-4 * creepage;

@@ -283,7 +283,7 @@ fn sets_of_overrides_follow_each_other() -> Result<(), CaseError> {
     ])?;
     assert!((ratio.steady.tractive_ratio() - 0.3).abs() < 1e-12);
     assert_eq!(ratio.file.rail.mass_per_length.unwrap().si(), 60.21);
-    assert!((base.steady.creepage - 1e-3).abs() < 1e-15);
+    assert!((base.steady.creepages.longitudinal - 1e-3).abs() < 1e-15);
     Ok(())
 }
 

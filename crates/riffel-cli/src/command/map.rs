@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use riffel::{GrowthMap, Ridge, growth::RidgePoint};
+use riffel::growth::RidgePoint;
+use riffel::{GrowthMap, Ridge};
 use riffel_case::{BranchDocument, Case};
 use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
 use riffel_keys::Remark;
@@ -100,7 +101,7 @@ impl<'a> Summary<'a> {
                 semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
                 creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
                 saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
-                creepage: steady.creepage,
+                creepage: steady.creepages.longitudinal,
                 tractive_ratio: steady.tractive_ratio(),
                 contact_stiffness_n_per_m: case.feedback.contact_stiffness,
                 mean_dissipation_j_per_m: steady.energy_per_metre(),

@@ -87,7 +87,7 @@ fn readable(case: &Case, state: &LoopState) -> String {
         3.6 * state.speed,
         state.speed / state.wavelength,
         case.steady.tractive_ratio(),
-        100.0 * case.steady.creepage,
+        100.0 * case.steady.creepages.longitudinal,
         2e3 * case.hertz.semi_axis_longitudinal(),
         2e3 * case.hertz.semi_axis_lateral(),
         state.normalized_dissipation.re,

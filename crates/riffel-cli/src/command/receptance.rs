@@ -3,10 +3,8 @@
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-use riffel::{
-    Complex64,
-    receptance::{DecayRate, Resonance, ResonanceKind},
-};
+use riffel::Complex64;
+use riffel::receptance::{DecayRate, Resonance, ResonanceKind};
 use riffel_case::{Case, Direction, Origin, ReceptanceCurve, ReceptanceCurves, Track};
 use riffel_figures::parameters;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};

@@ -1,12 +1,8 @@
 //! Figures 6–8: the highest growth over speed, tractive ratio and inertia.
 
-use std::sync::Arc;
-
-use riffel::{
-    Axis, Ridge,
-    growth::RidgePoint,
-    wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, WheelRotation},
-};
+use riffel::growth::RidgePoint;
+use riffel::wheelset::{Motion, RigidInertia};
+use riffel::{Axis, Ridge};
 use riffel_case::Case;
 use riffel_keys::Language;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
@@ -47,13 +43,13 @@ fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, FigureError> {
 
 /// The case with another rotation of the wheel; its contact stays as it is.
 fn turning(case: &Case, turning: Turning) -> Result<Case, FigureError> {
-    let rotation: Arc<dyn WheelRotation> = match turning {
+    let rotation = match turning {
         Turning::Inertia(inertia) => {
             let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
-            Arc::new(rigid?)
+            Motion::compliant(rigid?)
         }
-        Turning::Freely => Arc::new(ConstantTangentialForce),
-        Turning::Evenly => Arc::new(ConstantCreepage),
+        Turning::Freely => Motion::Free,
+        Turning::Evenly => Motion::Held,
     };
     let mut case = case.clone();
     case.feedback.rotation = rotation;

@@ -2,10 +2,8 @@
 
 mod band;
 
-use riffel::{
-    Complex64, Ridge,
-    growth::{RidgeRow, RowEvaluator},
-};
+use riffel::growth::{RidgeRow, RowEvaluator};
+use riffel::{Complex64, Ridge};
 use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile, Remark};
 

@@ -1,10 +1,8 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
 use axum::extract::State;
-use riffel::{
-    Axis, FeedbackLoop, GrowthMap, Ridge,
-    growth::{RidgeBranch, RidgePoint},
-};
+use riffel::growth::{RidgeBranch, RidgePoint};
+use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge};
 use riffel_case::{BranchDocument, Case};
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -139,7 +137,7 @@ impl Derived {
             semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
             semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
             contact_stiffness_n_per_m: case.feedback.contact_stiffness,
-            creepage: case.steady.creepage,
+            creepage: case.steady.creepages.longitudinal,
             tractive_ratio: case.steady.tractive_ratio(),
             inertia_kg_m2: case.file.wheel.inertia.map(|inertia| inertia.si()),
             pinned_pinned_hz: case.track.pinned_pinned.map(|w| w / std::f64::consts::TAU),

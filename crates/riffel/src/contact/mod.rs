@@ -7,6 +7,7 @@ mod law;
 mod mean_state;
 mod non_steady;
 mod quasi_static;
+mod quasi_static_half_space;
 mod response;
 mod rolling;
 mod spring_dashpot;
@@ -19,14 +20,16 @@ pub use half_space::{
     ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
     TransientRolling, TransientStep,
 };
+pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
 pub use law::{
     Carter2d, Carter3d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw,
     Creepages, FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach,
     ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
 };
-pub use mean_state::MeanRolling;
-pub use non_steady::{NonSteady, QuasiStaticHalfSpace};
+pub use mean_state::{MeanRolling, MeanState};
+pub use non_steady::NonSteady;
 pub use quasi_static::QuasiStatic;
-pub use response::{ContactResponse, RailDissipation};
+pub use quasi_static_half_space::QuasiStaticHalfSpace;
+pub use response::{ContactDerivative, ContactResponse};
 pub use rolling::RollingContact;
 pub use spring_dashpot::SpringDashpot;

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::half_space::REMEDY;
 use super::{
-    ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RailDissipation, RollingContact,
+    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RollingContact,
 };
 use crate::Error;
 
@@ -35,50 +35,19 @@ pub struct NonSteady {
 /// Derivatives at Chebyshev's points, from the longest wavelength to the shortest.
 struct Octave(Vec<[Complex64; DERIVATIVES]>);
 
-/// A [`HalfSpace`] that answers at once, by the slopes of its creep curve.
-pub struct QuasiStaticHalfSpace {
-    steady: MeanRolling,
-    response: ContactResponse,
-}
-
-impl QuasiStaticHalfSpace {
-    /// The slopes about a state.
-    ///
-    /// # Errors
-    /// Those of [`HalfSpace::response`].
-    pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
-        let response = contact.response(state, f64::INFINITY)?;
-        Ok(Self {
-            steady: contact.steady(state),
-            response: ContactResponse {
-                at_rail: None,
-                ..response
-            },
-        })
-    }
-}
-
-impl RollingContact for QuasiStaticHalfSpace {
-    fn steady(&self) -> MeanRolling {
-        self.steady
-    }
-
-    fn response(&self, _wavelength: f64) -> ContactResponse {
-        self.response
-    }
-}
-
 const DERIVATIVES: usize = 6;
 
+/// The derivatives by load and by longitudinal creepage, each of the force along the rail and of the energy at both
+/// places. The force across it vanishes: the contact rolls straight on, and is symmetric.
 fn listed(response: ContactResponse) -> [Complex64; DERIVATIVES] {
-    let rail = response.at_rail(0.0);
+    let (load, creepage) = (response.by_load, response.by_longitudinal);
     [
-        response.dq_dp,
-        response.dq_dxi,
-        response.de_dp,
-        response.de_dxi,
-        rail.de_dp,
-        rail.de_dxi,
+        load.force[0],
+        creepage.force[0],
+        load.energy,
+        creepage.energy,
+        load.at_rail(0.0),
+        creepage.at_rail(0.0),
     ]
 }
 
@@ -86,13 +55,23 @@ impl NonSteady {
     /// The response of the contact about a state, for wavelengths from `shortest` to `longest` \[m\].
     ///
     /// # Errors
-    /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of an octave do not do.
+    /// [`Error::OutOfRange`] with lateral creepage, of which there is no table; those of [`HalfSpace::response`];
+    /// [`Error::NotConverged`] if 64 intervals of an octave do not do.
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,
         shortest: f64,
         longest: f64,
     ) -> Result<Self, Error> {
+        let lateral = contact.steady(state).creepages.lateral;
+        if lateral != 0.0 {
+            return Err(Error::OutOfRange {
+                quantity: "lateral creepage",
+                value: lateral,
+                unit: "",
+                rule: "must be zero: the table is that of longitudinal rolling",
+            });
+        }
         contact.check_wavelength(shortest)?;
         let resolved = contact.shortest_wavelength();
         let below = (shortest / resolved).log2().floor();
@@ -191,23 +170,23 @@ impl RollingContact for NonSteady {
         // Counted from the same wavelength by every table: equal roundings.
         let place = (wavelength / self.resolved).log2();
         let (first, end) = (self.first, self.first + self.octaves.len() as f64);
-        let [dq_dp, dq_dxi, de_dp, de_dxi, rail_de_dp, rail_de_dxi] =
-            if (first - ROUNDING..=end + ROUNDING).contains(&place) {
-                let octave = place.floor().clamp(first, end - 1.0);
-                let t = 2.0 * (place - octave) - 1.0;
-                self.octaves[(octave - first) as usize].at(t.clamp(-1.0, 1.0))
-            } else {
-                [Complex64::new(f64::NAN, f64::NAN); DERIVATIVES]
-            };
+        let values = if (first - ROUNDING..=end + ROUNDING).contains(&place) {
+            let octave = place.floor().clamp(first, end - 1.0);
+            let t = 2.0 * (place - octave) - 1.0;
+            self.octaves[(octave - first) as usize].at(t.clamp(-1.0, 1.0))
+        } else {
+            [Complex64::new(f64::NAN, f64::NAN); DERIVATIVES]
+        };
+        let derivative = |input: usize| ContactDerivative {
+            force: [values[input], Complex64::ZERO],
+            energy: values[2 + input],
+            energy_at_rail: Some(values[4 + input]),
+        };
         ContactResponse {
-            dq_dp,
-            dq_dxi,
-            de_dp,
-            de_dxi,
-            at_rail: Some(RailDissipation {
-                de_dp: rail_de_dp,
-                de_dxi: rail_de_dxi,
-            }),
+            by_load: derivative(0),
+            by_longitudinal: derivative(1),
+            by_lateral: None,
+            by_spin: None,
         }
     }
 }

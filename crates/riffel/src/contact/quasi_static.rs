@@ -2,18 +2,21 @@
 
 use num_complex::Complex64;
 
-use super::{ContactResponse, CreepLaw, Creepages, ForceLimit, MeanRolling, RollingContact};
+use super::{
+    ContactDerivative, ContactResponse, CreepForces, CreepLaw, Creepages, ForceLimit, MeanRolling,
+    MeanState, RollingContact,
+};
 use crate::Error;
 
 /// Any creep law, answering to oscillations as if each instant were steady.
 ///
-/// The mean state has longitudinal creepage only. With e = ξQ: ∂e/∂P = ξ ∂Q/∂P and
-/// ∂e/∂ξ = Q + ξ ∂Q/∂ξ. Range of validity: wavelengths much longer than the patch; below λ ≈ 40 a a
-/// real contact answers visibly weaker and later.
+/// With e = ξ·Q: ∂e/∂P = ξ·∂Q/∂P and ∂e/∂ξ = Q + ξ·∂Q/∂ξ, for both components of the creepage; a moment of spin is
+/// left out, and so is the response to spin. Range of validity: wavelengths much longer than the patch; below
+/// λ ≈ 40 a a real contact answers visibly weaker and later.
 ///
 /// The response is the same at every wavelength, so the law is linearised once, at construction: a loop asks
 /// for it at every point of a map.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct QuasiStatic<L> {
     law: L,
     steady: MeanRolling,
@@ -21,111 +24,52 @@ pub struct QuasiStatic<L> {
 }
 
 impl<L: CreepLaw> QuasiStatic<L> {
-    /// Mean state given by the normal force P₀ \[N\] and the tractive ratio τ = Q₀/μP₀ \[-\], with the μ
-    /// of [`CreepLaw::friction`].
-    ///
-    /// The creepage is bracketed between zero and the limit of the law and bisected to rounding.
+    /// A law about a mean state under the normal force P₀ \[N\]. A tractive ratio refers to the μ of
+    /// [`CreepLaw::friction`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless P₀ > 0 and 0 < τ < 1, and if the law does not reach τ at any
-    /// creepage up to one; [`Error::BeyondAdhesion`] above its maximum of adhesion.
-    pub fn from_tractive_ratio(
-        law: L,
-        normal_force: f64,
-        tractive_ratio: f64,
-    ) -> Result<Self, Error> {
+    /// [`Error::OutOfRange`] unless P₀ > 0, 0 < τ < 1 and ξ₀ > 0 (a vector of creepages: not zero), and if the law
+    /// does not reach τ at any creepage up to one; [`Error::BeyondAdhesion`] from the law's maximum of adhesion on,
+    /// [`Error::FullSlip`] from its full slip on.
+    pub fn new(law: L, normal_force: f64, mean: MeanState) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
-        let out_of_range = |rule| Error::OutOfRange {
-            quantity: "tractive ratio",
-            value: tractive_ratio,
-            unit: "",
-            rule,
-        };
-        if !(tractive_ratio > 0.0 && tractive_ratio < 1.0) {
-            return Err(out_of_range("must lie between 0 and 1, both excluded"));
-        }
-        let target = tractive_ratio * law.friction() * normal_force;
-        let force = |creepage: f64| {
-            law.forces(normal_force, Creepages::longitudinal(creepage))
-                .longitudinal
-        };
-        let limit = law.limit(normal_force);
-        let (mut low, mut high) = (0.0, limit.creepage());
-        if force(high) <= target {
-            return Err(match limit {
-                ForceLimit::AdhesionMaximum(_) => Error::BeyondAdhesion {
-                    quantity: "tractive ratio",
-                    value: tractive_ratio,
-                    maximum: force(high) / (law.friction() * normal_force),
-                },
-                _ => out_of_range("is not reached by the creep law at any creepage"),
-            });
-        }
-        loop {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
+        let creepages = match mean {
+            MeanState::TractiveRatio(ratio) => {
+                Creepages::longitudinal(creepage_at(&law, normal_force, ratio)?)
             }
-            if force(middle) < target {
-                low = middle;
-            } else {
-                high = middle;
+            MeanState::Creepages(creepages) => {
+                check(&law, normal_force, creepages)?;
+                creepages
             }
-        }
-        Ok(Self::about(law, normal_force, high))
-    }
-
-    /// Mean state given by the normal force P₀ \[N\] and the creepage ξ₀ \[-\].
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless P₀ > 0 and ξ₀ > 0; [`Error::BeyondAdhesion`] from the law's maximum
-    /// of adhesion on, [`Error::FullSlip`] from its full slip on.
-    pub fn from_creepage(law: L, normal_force: f64, creepage: f64) -> Result<Self, Error> {
-        Error::unless_positive("normal force", normal_force, "N")?;
-        Error::unless_positive("creepage", creepage, "")?;
-        let limit = law.limit(normal_force);
-        if creepage >= limit.creepage() {
-            return Err(match limit {
-                ForceLimit::FullSlip(saturation_creepage) => Error::FullSlip {
-                    creepage,
-                    saturation_creepage,
-                },
-                ForceLimit::AdhesionMaximum(maximum) => Error::BeyondAdhesion {
-                    quantity: "creepage",
-                    value: creepage,
-                    maximum,
-                },
-                ForceLimit::None => Error::OutOfRange {
-                    quantity: "creepage",
-                    value: creepage,
-                    unit: "",
-                    rule: "must be less than 1, the locked wheel",
-                },
-            });
-        }
-        Ok(Self::about(law, normal_force, creepage))
+        };
+        Ok(Self::about(law, normal_force, creepages))
     }
 
     /// The law with its slopes at the mean state.
-    fn about(law: L, normal_force: f64, creepage: f64) -> Self {
-        let creepages = Creepages::longitudinal(creepage);
-        let tangential_force = law.forces(normal_force, creepages).longitudinal;
+    fn about(law: L, normal_force: f64, creepages: Creepages) -> Self {
+        let forces = law.forces(normal_force, creepages);
         let slopes = law.derivatives(normal_force, creepages);
-        let dq_dp = slopes.by_normal_force.longitudinal;
-        let dq_dxi = slopes.by_longitudinal.longitudinal;
+        let derivative = |force: CreepForces, energy: f64| ContactDerivative {
+            force: [force.longitudinal.into(), force.lateral.into()],
+            energy: Complex64::from(
+                energy
+                    + creepages.longitudinal * force.longitudinal
+                    + creepages.lateral * force.lateral,
+            ),
+            energy_at_rail: None,
+        };
         Self {
             steady: MeanRolling {
                 normal_force,
                 friction: law.friction(),
-                creepage,
-                tangential_force,
+                creepages,
+                forces,
             },
             response: ContactResponse {
-                dq_dp: Complex64::from(dq_dp),
-                dq_dxi: Complex64::from(dq_dxi),
-                de_dp: Complex64::from(creepage * dq_dp),
-                de_dxi: Complex64::from(tangential_force + creepage * dq_dxi),
-                at_rail: None,
+                by_load: derivative(slopes.by_normal_force, 0.0),
+                by_longitudinal: derivative(slopes.by_longitudinal, forces.longitudinal),
+                by_lateral: Some(derivative(slopes.by_lateral, forces.lateral)),
+                by_spin: None,
             },
             law,
         }
@@ -135,6 +79,73 @@ impl<L: CreepLaw> QuasiStatic<L> {
     pub fn law(&self) -> &L {
         &self.law
     }
+}
+
+/// The longitudinal creepage \[-\] of a tractive ratio.
+fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64, Error> {
+    MeanState::check_tractive_ratio(ratio, None)?;
+    let most = law.friction() * normal_force;
+    law.creepage(normal_force, ratio * law.friction() * normal_force)
+        .ok_or_else(|| {
+            let limit = law.limit(normal_force);
+            match limit {
+                ForceLimit::AdhesionMaximum(creepage) => Error::BeyondAdhesion {
+                    quantity: "tractive ratio",
+                    value: ratio,
+                    maximum: law
+                        .forces(normal_force, Creepages::longitudinal(creepage))
+                        .longitudinal
+                        / most,
+                },
+                _ => Error::OutOfRange {
+                    quantity: "tractive ratio",
+                    value: ratio,
+                    unit: "",
+                    rule: "is not reached by the creep law at any creepage",
+                },
+            }
+        })
+}
+
+/// `Ok` if the law has slopes at the creepages.
+fn check(law: &impl CreepLaw, normal_force: f64, creepages: Creepages) -> Result<(), Error> {
+    if creepages.lateral != 0.0 || creepages.spin != 0.0 {
+        // The law itself says where a vector of creepages leaves no stick.
+        Error::unless_positive("magnitude of the creepage", creepages.magnitude(), "")?;
+        let force = law.forces(normal_force, creepages).magnitude();
+        if force < law.friction() * normal_force {
+            return Ok(());
+        }
+        return Err(Error::OutOfRange {
+            quantity: "magnitude of the creepage",
+            value: creepages.magnitude(),
+            unit: "",
+            rule: "must leave a region of stick: here the creep force reaches friction times load",
+        });
+    }
+    let creepage = creepages.longitudinal;
+    Error::unless_positive("creepage", creepage, "")?;
+    let limit = law.limit(normal_force);
+    if creepage < limit.creepage() {
+        return Ok(());
+    }
+    Err(match limit {
+        ForceLimit::FullSlip(saturation_creepage) => Error::FullSlip {
+            creepage,
+            saturation_creepage,
+        },
+        ForceLimit::AdhesionMaximum(maximum) => Error::BeyondAdhesion {
+            quantity: "creepage",
+            value: creepage,
+            maximum,
+        },
+        ForceLimit::None => Error::OutOfRange {
+            quantity: "creepage",
+            value: creepage,
+            unit: "",
+            rule: "must be less than 1, the locked wheel",
+        },
+    })
 }
 
 impl<L: CreepLaw> RollingContact for QuasiStatic<L> {
@@ -154,8 +165,8 @@ mod tests {
 
     use super::super::law::checks::ELLIPSE;
     use super::super::{
-        Carter2d, CreepDerivatives, CreepForces, FallingFriction, Fastsim, JohnsonVermeulen,
-        Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
+        Carter2d, CreepDerivatives, FallingFriction, Fastsim, JohnsonVermeulen, Polach,
+        ShenHedrickElkins, SlopeReduction, TractionBound,
     };
     use super::*;
     use approx::assert_relative_eq;
@@ -187,10 +198,10 @@ mod tests {
         #[test]
         fn tractive_ratio_round_trip(force in 5e3..150e3, ratio in 0.001..0.9f64) {
             for law in laws() {
-                let contact = QuasiStatic::from_tractive_ratio(law, force, ratio).unwrap();
+                let contact = QuasiStatic::new(law, force, MeanState::TractiveRatio(ratio)).unwrap();
                 assert_relative_eq!(contact.steady().tractive_ratio(), ratio, epsilon = 1e-13);
-                let again = QuasiStatic::from_creepage(
-                    contact.law().clone(), force, contact.steady().creepage,
+                let again = QuasiStatic::new(
+                    contact.law().clone(), force, MeanState::Creepages(contact.steady().creepages),
                 ).unwrap();
                 assert_eq!(again.steady(), contact.steady());
             }
@@ -200,8 +211,8 @@ mod tests {
         #[test]
         fn response_of_the_cubic(force in 5e3..150e3, ratio in 0.001..0.99f64) {
             let law = JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap();
-            let contact = QuasiStatic::from_tractive_ratio(law, force, ratio).unwrap();
-            let xi = contact.steady().creepage;
+            let contact = QuasiStatic::new(law, force, MeanState::TractiveRatio(ratio)).unwrap();
+            let xi = contact.steady().creepages.longitudinal;
             let x = xi / law.limit(force).creepage();
             let response = contact.response(0.05);
             let limit = 0.4 * force;
@@ -209,10 +220,10 @@ mod tests {
                 assert_relative_eq!(value.re, exact, epsilon = 1e-12 * scale);
                 assert_eq!(value.im, 0.0);
             };
-            close(response.dq_dp, 0.8 * x * (1.0 - x / 2.0), 1.0);
-            close(response.dq_dxi, 3.0 * limit * x / xi * (1.0 - x).powi(2), limit / xi);
-            close(response.de_dp, xi * 0.8 * x * (1.0 - x / 2.0), xi);
-            close(response.de_dxi, 6.0 * limit * x * (1.0 - 1.5 * x * (1.0 - 4.0 / 9.0 * x)), limit);
+            close(response.by_load.force[0], 0.8 * x * (1.0 - x / 2.0), 1.0);
+            close(response.by_longitudinal.force[0], 3.0 * limit * x / xi * (1.0 - x).powi(2), limit / xi);
+            close(response.by_load.energy, xi * 0.8 * x * (1.0 - x / 2.0), xi);
+            close(response.by_longitudinal.energy, 6.0 * limit * x * (1.0 - 1.5 * x * (1.0 - 4.0 / 9.0 * x)), limit);
         }
     }
 
@@ -247,7 +258,7 @@ mod tests {
             law: JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap(),
             linearised: AtomicUsize::new(0),
         };
-        let contact = QuasiStatic::from_tractive_ratio(law, 50e3, 0.1).unwrap();
+        let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.1)).unwrap();
         let responses: Vec<_> = (1..100)
             .map(|mm| contact.response(1e-3 * f64::from(mm)))
             .collect();
@@ -259,13 +270,17 @@ mod tests {
     fn refusals_name_their_reason() {
         let law = JohnsonVermeulen::new(ELLIPSE, 0.4).unwrap();
         let refusal = |error: Error| error.to_string();
-        let slip = refusal(QuasiStatic::from_creepage(law, 50e3, 0.02).unwrap_err());
+        let slip = refusal(QuasiStatic::new(law, 50e3, MeanState::creepage(0.02)).unwrap_err());
         assert!(slip.contains("full slip begins at"), "{slip}");
-        let beyond = refusal(QuasiStatic::from_creepage(falling(), 50e3, 0.1).unwrap_err());
+        let beyond =
+            refusal(QuasiStatic::new(falling(), 50e3, MeanState::creepage(0.1)).unwrap_err());
         assert!(beyond.contains("below the maximum of adhesion"), "{beyond}");
-        let high = refusal(QuasiStatic::from_tractive_ratio(falling(), 50e3, 0.999).unwrap_err());
+        let high = refusal(
+            QuasiStatic::new(falling(), 50e3, MeanState::TractiveRatio(0.999)).unwrap_err(),
+        );
         assert!(high.contains("below the maximum of adhesion"), "{high}");
-        let negative = refusal(QuasiStatic::from_tractive_ratio(law, 50e3, -0.1).unwrap_err());
+        let negative =
+            refusal(QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(-0.1)).unwrap_err());
         assert!(negative.contains("between 0 and 1"), "{negative}");
     }
 }

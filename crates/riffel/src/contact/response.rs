@@ -1,47 +1,43 @@
-//! Linear response of a rolling contact.
+//! Linear response of a rolling contact to small oscillations.
 
 use num_complex::Complex64;
 
-/// Linear response of a rolling contact at one wavelength.
+/// Linear response of a rolling contact at one wavelength: to the normal force and to each creepage, the other inputs
+/// held constant.
 ///
 /// Complex, because a non-steady contact answers late; a quasi-static one has no imaginary part.
 /// Dissipation is the energy e = W/V left on a metre of rail \[J/m\]: unlike the power W it does not
-/// depend on speed, so neither does any of the four derivatives.
+/// depend on speed, so neither does any of the derivatives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactResponse {
-    /// ∂Q/∂P at constant creepage \[-\].
-    pub dq_dp: Complex64,
-    /// ∂Q/∂ξ at constant normal force \[N\].
-    pub dq_dxi: Complex64,
-    /// ∂e/∂P at constant creepage \[m/m\].
-    pub de_dp: Complex64,
-    /// ∂e/∂ξ at constant normal force \[J/m\].
-    pub de_dxi: Complex64,
-    /// The energy that a point of the rail receives, where the contact resolves its patch; none where
-    /// the place of wear is a joint of its own.
-    pub at_rail: Option<RailDissipation>,
+    /// By the normal force P \[N\].
+    pub by_load: ContactDerivative,
+    /// By the longitudinal creepage ξ \[-\].
+    pub by_longitudinal: ContactDerivative,
+    /// By the lateral creepage η \[-\]; none where the contact does not tell it.
+    pub by_lateral: Option<ContactDerivative>,
+    /// By the spin φ \[1/m\]; none where the contact does not tell it.
+    pub by_spin: Option<ContactDerivative>,
 }
 
-/// Energy left at a point of the rail over the whole passage of the patch, relative to the input at the
-/// instant at which the wheel centre passes the point.
+/// What one input does to a rolling contact, per unit of the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RailDissipation {
-    /// ∂e/∂P at constant creepage \[m/m\].
-    pub de_dp: Complex64,
-    /// ∂e/∂ξ at constant normal force \[J/m\].
-    pub de_dxi: Complex64,
+pub struct ContactDerivative {
+    /// Creep force along and across the rail \[N per unit\].
+    pub force: [Complex64; 2],
+    /// Energy left on a metre of rail, as the whole patch spends it at this instant \[J/m per unit\].
+    pub energy: Complex64,
+    /// Energy left at a point of the rail over the whole passage of the patch \[J/m per unit\], relative to the input
+    /// at the instant at which the wheel centre passes the point; none where the contact does not resolve its patch
+    /// and the place of wear is a joint of its own.
+    pub energy_at_rail: Option<Complex64>,
 }
 
-impl ContactResponse {
+impl ContactDerivative {
     /// The energy that a point of the rail receives: as the contact resolves it, or that at the wheel
     /// centre later by an angle \[rad\].
-    pub fn at_rail(&self, lag: f64) -> RailDissipation {
-        self.at_rail.unwrap_or_else(|| {
-            let phase = Complex64::cis(-lag);
-            RailDissipation {
-                de_dp: self.de_dp * phase,
-                de_dxi: self.de_dxi * phase,
-            }
-        })
+    pub fn at_rail(&self, lag: f64) -> Complex64 {
+        self.energy_at_rail
+            .unwrap_or_else(|| self.energy * Complex64::cis(-lag))
     }
 }

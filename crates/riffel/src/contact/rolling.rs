@@ -2,12 +2,12 @@
 
 use super::{ContactResponse, MeanRolling};
 
-/// Joint of the loop: a wheel rolling on a rail with longitudinal creepage.
+/// Joint of the loop: a wheel rolling on a rail.
 pub trait RollingContact: Send + Sync {
     /// The mean state.
     fn steady(&self) -> MeanRolling;
 
-    /// Response to oscillations of normal force and creepage of the given wavelength \[m\],
+    /// Response to oscillations of normal force and creepages of the given wavelength \[m\],
     /// referred to the instant at which the wheel centre passes.
     fn response(&self, wavelength: f64) -> ContactResponse;
 }

@@ -3,7 +3,8 @@
 use num_complex::Complex64;
 
 use super::{TrafficSpeeds, normal};
-use crate::{FeedbackLoop, growth::RowEvaluator};
+use crate::FeedbackLoop;
+use crate::growth::RowEvaluator;
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
 ///

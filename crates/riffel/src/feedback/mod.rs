@@ -5,11 +5,9 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::{
-    EnergyWear, PlaceOfWear, Receptance, RollingContact,
-    contact::{ContactResponse, MeanRolling},
-    wheelset::{RotationRatio, WheelRotation},
-};
+use crate::contact::{ContactResponse, MeanRolling};
+use crate::wheelset::Motion;
+use crate::{EnergyWear, PlaceOfWear, Receptance, RollingContact};
 
 /// The joints of the loop, each of any kind.
 ///
@@ -31,8 +29,8 @@ pub struct FeedbackLoop {
     pub contact_stiffness: f64,
     /// Steady rolling and its linear response.
     pub contact: Arc<dyn RollingContact>,
-    /// Rotation of the wheel under the tangential force.
-    pub rotation: Arc<dyn WheelRotation>,
+    /// How the surface of the wheel moves along the rail under the tangential force: its rotation.
+    pub rotation: Motion,
     /// Rolling radius R \[m\], which turns angular velocity into creepage.
     pub rolling_radius: f64,
     /// Phase between dissipation at the wheel and at a point of the rail.
@@ -92,35 +90,33 @@ struct Turn {
     wheel_receptance: Complex64,
     normal_force: Complex64,
     response: ContactResponse,
-    creepage_per_omega: f64,
-    dq_domega: Complex64,
-    ratio: RotationRatio,
-    /// Q_P P₁/(impedance − Q_Ω lever), of which Ω₁ and Q₁ are multiples.
-    slip: Complex64,
-    angular_velocity: Complex64,
+    tangential_force: Complex64,
+    creepage: Complex64,
     dissipation_at_rail: Complex64,
 }
 
 impl FeedbackLoop {
     /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive.
     pub fn at(&self, wavelength: f64, speed: f64) -> LoopState {
-        let turn = self.turn(wavelength, speed);
         let Turn {
             angular_frequency,
             track_receptance,
             wheel_receptance,
             normal_force,
             response,
-            dq_domega,
-            angular_velocity,
+            tangential_force,
+            creepage,
             dissipation_at_rail,
-            ..
-        } = turn;
+        } = self.turn(wavelength, speed);
         let steady = self.contact.steady();
-        let tangential_force = turn.slip * turn.ratio.impedance; // (18)
+        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
 
-        let dw_dp = response.de_dp * speed; // (11)
-        let dw_domega = response.de_dxi * turn.creepage_per_omega * speed; // (12)
+        // ξ₁ = −Ω₁R/V from (4) turns creepage and derivatives by it into those of angular velocity.
+        let creepage_per_omega = -self.rolling_radius / speed;
+        let angular_velocity = creepage / creepage_per_omega;
+        let dq_domega = by_creepage.force[0] * creepage_per_omega; // (10)
+        let dw_dp = by_load.energy * speed; // (11)
+        let dw_domega = by_creepage.energy * creepage_per_omega * speed; // (12)
         let dissipation = dw_dp * normal_force + dw_domega * angular_velocity; // (14), (19)
         let dissipation_lag_angle = -(dissipation_at_rail / dissipation).arg();
         let normalized_dissipation =
@@ -133,7 +129,7 @@ impl FeedbackLoop {
             track_receptance,
             wheel_receptance,
             normal_force,
-            dq_dp: response.dq_dp,
+            dq_dp: by_load.force[0],
             dq_domega,
             dw_dp,
             dw_domega,
@@ -160,9 +156,17 @@ impl FeedbackLoop {
             / (steady.full_slip_energy_per_metre() * speed)
     }
 
+    /// Receptance between profile and normal force, H + H_w + 1/k_H \[m/N\]: the denominator of equation (24).
+    pub fn vertical_receptance(&self, angular_frequency: f64, speed: f64) -> Complex64 {
+        let track = self.track.receptance(angular_frequency, speed);
+        let wheel = self.wheel.receptance(angular_frequency, speed);
+        track + wheel + self.contact_stiffness.recip()
+    }
+
     fn turn(&self, wavelength: f64, speed: f64) -> Turn {
         let angular_frequency = 2.0 * PI * speed / wavelength;
         let response = self.contact.response(wavelength);
+        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
 
         let track_receptance = self.track.receptance(angular_frequency, speed);
         let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
@@ -170,30 +174,25 @@ impl FeedbackLoop {
         let normal_force =
             self.amplitude / (track_receptance + wheel_receptance + self.contact_stiffness.recip());
 
-        // ξ₁ = −Ω₁R/V from (4) turns derivatives by creepage into derivatives by angular velocity.
-        let creepage_per_omega = -self.rolling_radius / speed;
-        let dq_domega = response.dq_dxi * creepage_per_omega; // (10)
+        // (13) and (16) for ξ₁ and Q₁, finite in both limits of the inertia: (17), (18)
+        let ratio = self.rotation.ratio(angular_frequency, speed);
+        let creepage = -ratio.speed / speed;
+        let slip =
+            by_load.force[0] * normal_force / (ratio.force - by_creepage.force[0] * creepage);
+        let tangential_force = slip * ratio.force;
+        let creepage = slip * creepage;
 
-        // (13) and (16) for Ω₁ and Q₁, finite in both limits of the inertia: (17), (18)
-        let ratio = self.rotation.ratio(angular_frequency);
-        let slip = response.dq_dp * normal_force / (ratio.impedance - dq_domega * ratio.lever);
-        let angular_velocity = slip * ratio.lever;
-
-        let rail = response.at_rail(self.place_of_wear.lag(wavelength));
-        let dissipation_at_rail = (rail.de_dp * normal_force
-            + rail.de_dxi * creepage_per_omega * angular_velocity)
-            * speed;
+        let lag = self.place_of_wear.lag(wavelength);
+        let dissipation_at_rail =
+            (by_load.at_rail(lag) * normal_force + by_creepage.at_rail(lag) * creepage) * speed;
         Turn {
             angular_frequency,
             track_receptance,
             wheel_receptance,
             normal_force,
             response,
-            creepage_per_omega,
-            dq_domega,
-            ratio,
-            slip,
-            angular_velocity,
+            tangential_force,
+            creepage,
             dissipation_at_rail,
         }
     }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
-use crate::{FeedbackLoop, LoopState, receptance::CrossReceptance};
+use crate::receptance::CrossReceptance;
+use crate::{FeedbackLoop, LoopState};
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;

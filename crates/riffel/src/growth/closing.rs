@@ -8,11 +8,12 @@ use crate::tile::SplitComplex;
 pub(super) struct Closing<'a> {
     pub(super) track: &'a SplitComplex,
     pub(super) wheel: &'a SplitComplex,
-    pub(super) levers: &'a SplitComplex,
-    pub(super) impedances: &'a SplitComplex,
-    pub(super) by_impedance: &'a SplitComplex,
-    pub(super) by_lever: &'a SplitComplex,
+    pub(super) speeds: &'a SplitComplex,
+    pub(super) by_force: &'a SplitComplex,
+    pub(super) by_speed: &'a SplitComplex,
     pub(super) slip: &'a SplitComplex,
+    /// z, the share of the force.
+    pub(super) force: f64,
     /// 1/k_H \[m/N\].
     pub(super) contact: f64,
     /// 1/V \[s/m\].
@@ -23,44 +24,38 @@ pub(super) struct Closing<'a> {
 impl WithSimd for Closing<'_> {
     type Output = ();
 
-    /// Ŵ₁ = (by_impedance z + by_lever y/V) / ((H + H_w + 1/k_H)(z + slip y/V)), z = impedance and
-    /// y = lever: one division for each wavelength.
+    /// Ŵ₁ = (by_force z + by_speed y/V) / ((H + H_w + 1/k_H)(z + slip y/V)), z and y the shares of force and
+    /// speed: one division for each wavelength.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let [
-            track,
-            wheel,
-            levers,
-            impedances,
-            by_impedance,
-            by_lever,
-            slip,
-        ] = [
+        let [track, wheel, speeds, by_force, by_speed, slip] = [
             self.track,
             self.wheel,
-            self.levers,
-            self.impedances,
-            self.by_impedance,
-            self.by_lever,
+            self.speeds,
+            self.by_force,
+            self.by_speed,
             self.slip,
         ]
         .map(|row| Rows::<S>::of(row));
         let contact = simd.splat_f64s(self.contact);
         let per_speed = simd.splat_f64s(self.per_speed);
         let one = simd.splat_f64s(1.0);
+        let force = Vector {
+            re: simd.splat_f64s(self.force),
+            im: simd.splat_f64s(0.0),
+        };
         let (re, _) = S::as_mut_simd_f64s(&mut self.result.re);
         let (im, _) = S::as_mut_simd_f64s(&mut self.result.im);
         for (j, (re, im)) in re.iter_mut().zip(im).enumerate() {
-            let impedance = impedances.at(j);
-            let lever = levers.at(j).scaled(simd, per_speed);
+            let speed = speeds.at(j).scaled(simd, per_speed);
             let receptance = Vector {
                 re: simd.add_f64s(simd.add_f64s(track.at(j).re, wheel.at(j).re), contact),
                 im: simd.add_f64s(track.at(j).im, wheel.at(j).im),
             };
-            let numerator = by_impedance.at(j).times(simd, impedance);
-            let numerator = by_lever.at(j).times_plus(simd, lever, numerator);
-            let rotation = slip.at(j).times_plus(simd, lever, impedance);
-            let denominator = receptance.times(simd, rotation);
+            let numerator = by_force.at(j).scaled(simd, force.re);
+            let numerator = by_speed.at(j).times_plus(simd, speed, numerator);
+            let sliding = slip.at(j).times_plus(simd, speed, force);
+            let denominator = receptance.times(simd, sliding);
             let inverse = simd.div_f64s(one, denominator.norm_sqr(simd));
             let quotient = denominator.conj(simd).times(simd, numerator);
             let quotient = quotient.scaled(simd, inverse);

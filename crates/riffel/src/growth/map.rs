@@ -4,7 +4,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
-use crate::{FeedbackLoop, tile::TILE};
+use crate::FeedbackLoop;
+use crate::tile::TILE;
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,12 +7,9 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::closing::Closing;
-use crate::{
-    FeedbackLoop,
-    contact::{ContactResponse, RailDissipation},
-    receptance::Tabulated,
-    tile::{Frequencies, SplitComplex, TILE, Tile},
-};
+use crate::FeedbackLoop;
+use crate::receptance::Tabulated;
+use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
 
 /// Relative accuracy of a tabulated track receptance.
 const TABLE_TOLERANCE: f64 = 1e-9;
@@ -35,18 +32,18 @@ pub struct RowEvaluator {
 /// What a tile of wavelengths fixes, whatever the speed; the last is filled up with its last
 /// wavelength.
 ///
-/// With z = impedance and y = lever of the rotation, eliminating Ω₁ from (13), (14) leaves
-/// Ŵ₁ = (by_impedance z + by_lever y/V) / ((H + H_w + 1/k_H)(z + slip y/V)).
+/// With z : y the ratio of the creep force to the speed of the wheel's surface, eliminating the creepage −y/V from
+/// (13), (14) leaves Ŵ₁ = (by_force z + by_speed y/V) / ((H + H_w + 1/k_H)(z + slip y/V)).
 struct Columns {
     /// 2π/λ \[rad/m\].
     wavenumber: Tile,
     /// λ/2π \[m/rad\].
     per_wavenumber: Tile,
     /// e_P Δ/(μP₀ξ₀), as a point of the rail receives it.
-    by_impedance: SplitComplex,
-    /// R (e_P Q_ξ − e_ξ Q_P) Δ/(μP₀ξ₀), likewise.
-    by_lever: SplitComplex,
-    /// R Q_ξ.
+    by_force: SplitComplex,
+    /// (e_P Q_ξ − e_ξ Q_P) Δ/(μP₀ξ₀), likewise.
+    by_speed: SplitComplex,
+    /// Q_ξ.
     slip: SplitComplex,
 }
 
@@ -56,8 +53,7 @@ struct Scratch {
     frequencies: Frequencies,
     track: SplitComplex,
     wheel: SplitComplex,
-    levers: SplitComplex,
-    impedances: SplitComplex,
+    speeds: SplitComplex,
     result: SplitComplex,
 }
 
@@ -66,28 +62,38 @@ impl Columns {
         let last = wavelengths.len() - 1;
         let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
         let scale = feedback.amplitude / feedback.contact.steady().full_slip_energy_per_metre();
-        let radius = feedback.rolling_radius;
         let at = wavelengths.map(|wavelength| {
             let response = feedback.contact.response(wavelength);
-            (
-                response,
-                response.at_rail(feedback.place_of_wear.lag(wavelength)),
-            )
+            let lag = feedback.place_of_wear.lag(wavelength);
+            At {
+                force_by_load: response.by_load.force[0],
+                force_by_creepage: response.by_longitudinal.force[0],
+                rail_by_load: response.by_load.at_rail(lag),
+                rail_by_creepage: response.by_longitudinal.at_rail(lag),
+            }
         });
-        let column = |value: &dyn Fn(ContactResponse, RailDissipation) -> Complex64| {
-            SplitComplex::from_fn(|j| value(at[j].0, at[j].1))
-        };
+        let column = |value: &dyn Fn(&At) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
         Self {
             wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
             per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
-            by_impedance: column(&|_, rail| rail.de_dp * scale),
-            by_lever: column(&|response, rail| {
-                let cross = rail.de_dp * response.dq_dxi - rail.de_dxi * response.dq_dp;
-                cross * scale * radius
+            by_force: column(&|at| at.rail_by_load * scale),
+            by_speed: column(&|at| {
+                let cross =
+                    at.rail_by_load * at.force_by_creepage - at.rail_by_creepage * at.force_by_load;
+                cross * scale
             }),
-            slip: column(&|response, _| response.dq_dxi * radius),
+            slip: column(&|at| at.force_by_creepage),
         }
     }
+}
+
+/// What the contact answers at one wavelength.
+#[derive(Clone, Copy)]
+struct At {
+    force_by_load: Complex64,
+    force_by_creepage: Complex64,
+    rail_by_load: Complex64,
+    rail_by_creepage: Complex64,
 }
 
 impl RowEvaluator {
@@ -106,8 +112,7 @@ impl RowEvaluator {
                 },
                 track: SplitComplex::ZERO,
                 wheel: SplitComplex::ZERO,
-                levers: SplitComplex::ZERO,
-                impedances: SplitComplex::ZERO,
+                speeds: SplitComplex::ZERO,
                 result: SplitComplex::ZERO,
             }),
             arch: Arch::new(),
@@ -159,15 +164,15 @@ impl RowEvaluator {
             .receptances(frequencies, speed, &mut scratch.wheel);
         joints
             .rotation
-            .ratios(frequencies, &mut scratch.levers, &mut scratch.impedances);
+            .speeds(frequencies, speed, &mut scratch.speeds);
         self.arch.dispatch(Closing {
             track: &scratch.track,
             wheel: &scratch.wheel,
-            levers: &scratch.levers,
-            impedances: &scratch.impedances,
-            by_impedance: &columns.by_impedance,
-            by_lever: &columns.by_lever,
+            speeds: &scratch.speeds,
+            by_force: &columns.by_force,
+            by_speed: &columns.by_speed,
             slip: &columns.slip,
+            force: joints.rotation.force(),
             contact: joints.contact_stiffness.recip(),
             per_speed,
             result: &mut scratch.result,

@@ -124,7 +124,8 @@ impl Receptance for MovingBeam {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ElasticMaterial, receptance::FreeBeam};
+    use crate::ElasticMaterial;
+    use crate::receptance::FreeBeam;
     use proptest::prelude::*;
 
     fn rail() -> EulerBernoulliBeam {

@@ -323,10 +323,8 @@ impl Polynomial {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        ElasticMaterial,
-        receptance::{EulerBernoulliBeam, MovingBeam, ShearSection},
-    };
+    use crate::ElasticMaterial;
+    use crate::receptance::{EulerBernoulliBeam, MovingBeam, ShearSection};
     use proptest::prelude::*;
 
     fn steel() -> ElasticMaterial {

@@ -255,11 +255,9 @@ impl Receptance for Tabulated {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{
-        ElasticMaterial,
-        receptance::{
-            Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support,
-        },
+    use crate::ElasticMaterial;
+    use crate::receptance::{
+        Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack, ShearSection, Support,
     };
 
     fn track(damping: f64) -> ContinuousTrack {

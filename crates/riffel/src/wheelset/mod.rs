@@ -1,9 +1,9 @@
-//! The wheelset at the contact: its vertical receptance, and how it turns.
+//! The wheelset at the contact: how it answers the forces there, along the rail and downward.
 
+mod motion;
+mod rigid_inertia;
 mod rigid_mass;
-mod rotation;
 
+pub use motion::Motion;
+pub use rigid_inertia::RigidInertia;
 pub use rigid_mass::RigidMass;
-pub use rotation::{
-    ConstantCreepage, ConstantTangentialForce, RigidInertia, RotationRatio, WheelRotation,
-};

@@ -1,6 +1,7 @@
 //! Convergence of the exact theory of rolling contact.
 
-use riffel::{Complex64, ElasticMaterial, HertzContact, contact::HalfSpace};
+use riffel::contact::HalfSpace;
+use riffel::{Complex64, ElasticMaterial, HertzContact};
 
 /// Creep force and, at λ = 8a and over its quasi-static value, its response to creepage.
 fn at(across: usize) -> (f64, Complex64) {
@@ -8,7 +9,13 @@ fn at(across: usize) -> (f64, Complex64) {
     let hertz = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap();
     let contact = HalfSpace::new(hertz, 0.4, across).unwrap();
     let state = contact.roll(2.5e-4).unwrap();
-    let response = |wavelength| contact.response(&state, wavelength).unwrap().dq_dxi;
+    let response = |wavelength| {
+        contact
+            .response(&state, wavelength)
+            .unwrap()
+            .by_longitudinal
+            .force[0]
+    };
     let wavelength = 8.0 * hertz.semi_axis_longitudinal();
     (
         state.tangential_force() / 20e3,

@@ -3,24 +3,29 @@
 use std::f64::consts::LN_10;
 use std::sync::Arc;
 
+use riffel::contact::{MeanState, QuasiStatic};
 use riffel::forecast::{
     Forecast, LINES_PER_BAND, MeanGrowth, MeasuredChange, Reach, SpeedDistribution, TrafficGrowth,
     VehicleGrowth, WearFit, WearVerdict, band_lines,
 };
+use riffel::growth::Bay;
+use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support};
 use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
+use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, Error, FeedbackLoop, HertzContact,
     PlaceOfWear, RollingContact,
-    growth::Bay,
-    receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support},
-    wheelset::{RigidInertia, RigidMass},
 };
 
 /// The nominal loop with a load, a tractive ratio and a wear coefficient.
 fn feedback(load: f64, ratio: f64, wear: f64) -> Result<FeedbackLoop, Error> {
     let steel = ElasticMaterial::new(207e9, 0.3)?;
     let hertz = HertzContact::new(steel, 0.46, 0.23, load)?;
-    let contact = Carter3d::from_tractive_ratio(hertz, 0.4, ratio)?;
+    let contact = QuasiStatic::new(
+        Carter3d::new(hertz, 0.4)?,
+        load,
+        MeanState::TractiveRatio(ratio),
+    )?;
     let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
     Ok(FeedbackLoop {
         track: Arc::new(FreeBeam::new(EulerBernoulliBeam::new(
@@ -34,7 +39,7 @@ fn feedback(load: f64, ratio: f64, wear: f64) -> Result<FeedbackLoop, Error> {
             contact.steady().tractive_ratio(),
         ),
         contact: Arc::new(contact),
-        rotation: Arc::new(RigidInertia::new(inertia, 0.46)?),
+        rotation: Motion::compliant(RigidInertia::new(inertia, 0.46)?),
         rolling_radius: 0.46,
         wear: EnergyWear::new(wear, 7850.0, hertz.semi_axis_lateral())?,
         amplitude: 31.5e-6,

@@ -3,16 +3,17 @@
 use std::sync::Arc;
 
 use proptest::prelude::*;
+use riffel::contact::{MeanState, QuasiStatic};
+use riffel::growth::{Bay, RidgeRow, RowEvaluator};
+use riffel::receptance::{
+    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, PeriodicTrack,
+    ShearSection, Support,
+};
+use riffel::tile::TILE;
+use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop, GrowthMap,
     HertzContact, LoopState, PlaceOfWear, Receptance, Ridge, RollingContact,
-    growth::{Bay, RidgeRow, RowEvaluator},
-    receptance::{
-        Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, PeriodicTrack,
-        ShearSection, Support,
-    },
-    tile::TILE,
-    wheelset::{ConstantCreepage, ConstantTangentialForce, RigidInertia, RigidMass, WheelRotation},
 };
 
 /// The range of railways: from a metro car to a freight wagon, from wet to very dry rail.
@@ -58,22 +59,22 @@ impl Railway {
         EulerBernoulliBeam::new(steel, self.second_moment, self.rail_mass).unwrap()
     }
 
-    fn feedback(
-        &self,
-        track: impl Receptance + 'static,
-        rotation: impl WheelRotation + 'static,
-    ) -> FeedbackLoop {
+    fn feedback(&self, track: impl Receptance + 'static, rotation: Motion) -> FeedbackLoop {
         let steel = ElasticMaterial::new(207e9, self.poisson_ratio).unwrap();
         let (radius, across) = (self.rolling_radius, self.transverse_radius);
         let hertz = HertzContact::new(steel, radius, across, self.normal_force).unwrap();
-        let contact =
-            Carter3d::from_tractive_ratio(hertz, self.friction, self.tractive_ratio).unwrap();
+        let contact = QuasiStatic::new(
+            Carter3d::new(hertz, self.friction).unwrap(),
+            hertz.normal_force(),
+            MeanState::TractiveRatio(self.tractive_ratio),
+        )
+        .unwrap();
         FeedbackLoop {
             track: Arc::new(track),
             wheel: Arc::new(RigidMass::new(self.wheel_mass).unwrap()),
             contact_stiffness: hertz.stiffness(),
             contact: Arc::new(contact),
-            rotation: Arc::new(rotation),
+            rotation,
             rolling_radius: radius,
             place_of_wear: PlaceOfWear::new(
                 DissipationPhase::Lag,
@@ -85,16 +86,25 @@ impl Railway {
         }
     }
 
+    /// The rotation of a rigid wheel of an inertia \[kg m²\].
+    fn turning(&self, inertia: f64) -> Motion {
+        let rotation = RigidInertia::new(inertia, self.rolling_radius).unwrap();
+        Motion::compliant(rotation)
+    }
+
+    fn rotation(&self) -> Motion {
+        self.turning(self.inertia())
+    }
+
     fn inertia(&self) -> f64 {
         RigidInertia::reduced_inertia(self.wheel_mass, self.rolling_radius)
     }
 
     fn with_inertia(&self, inertia: f64) -> LoopState {
-        let rotation = RigidInertia::new(inertia, self.rolling_radius).unwrap();
-        self.at(rotation)
+        self.at(self.turning(inertia))
     }
 
-    fn at(&self, rotation: impl WheelRotation + 'static) -> LoopState {
+    fn at(&self, rotation: Motion) -> LoopState {
         self.feedback(FreeBeam::new(self.rail()), rotation)
             .at(self.wavelength, self.speed)
     }
@@ -105,7 +115,7 @@ proptest! {
     /// is that of ωI_w/(|Q_Ω|R), a relative change of every quantity.
     #[test]
     fn vanishing_inertia_is_constant_tangential_force(railway in railway()) {
-        let limit = railway.at(ConstantTangentialForce);
+        let limit = railway.at(Motion::Free);
         prop_assert_eq!(limit.tangential_force.norm(), 0.0);
         for inertia in [1e-6, 1e-9] {
             let state = railway.with_inertia(inertia);
@@ -124,7 +134,7 @@ proptest! {
     /// I_w → ∞: the distance to constant creepage falls in proportion to 1/I_w.
     #[test]
     fn infinite_inertia_is_constant_creepage(railway in railway()) {
-        let limit = railway.at(ConstantCreepage);
+        let limit = railway.at(Motion::Held);
         prop_assert_eq!(limit.angular_velocity.norm(), 0.0);
         for inertia in [1e9, 1e12] {
             let state = railway.with_inertia(inertia);
@@ -153,11 +163,11 @@ proptest! {
     fn the_vertical_loop_is_passive(railway in railway(), stiffness in 3e7..1e9, damping in 0.0..2e5) {
         let layer = Layer::new(stiffness, damping).unwrap();
         let rail = railway.rail();
-        let rotation = ConstantCreepage;
+        let rotation = || Motion::Held;
         for feedback in [
-            railway.feedback(FreeBeam::new(rail), rotation),
-            railway.feedback(MovingBeam::new(rail), rotation),
-            railway.feedback(ContinuousTrack::new(Beam::from(rail), Support::two_layer(layer, 150.0, layer).unwrap()), rotation),
+            railway.feedback(FreeBeam::new(rail), rotation()),
+            railway.feedback(MovingBeam::new(rail), rotation()),
+            railway.feedback(ContinuousTrack::new(Beam::from(rail), Support::two_layer(layer, 150.0, layer).unwrap()), rotation()),
         ] {
             let state = feedback.at(railway.wavelength, railway.speed);
             prop_assert!(state.track_receptance.im <= 0.0);
@@ -169,7 +179,7 @@ proptest! {
     /// The growth rate depends on the amplitude of the profile not at all, forces in proportion.
     #[test]
     fn the_loop_is_linear(railway in railway(), factor in 0.01..100.0f64) {
-        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let rotation = railway.rotation();
         let feedback = railway.feedback(FreeBeam::new(railway.rail()), rotation);
         let mut scaled = feedback.clone();
         scaled.amplitude *= factor;
@@ -184,7 +194,7 @@ proptest! {
     /// The vectorised row is the loop, point by point: another order of the same operations.
     #[test]
     fn a_row_is_its_points(railway in railway(), count in 1..2 * TILE + 3) {
-        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let rotation = railway.rotation();
         let feedback = railway.feedback(MovingBeam::new(railway.rail()), rotation);
         let wavelengths: Vec<f64> = (0..count).map(|j| railway.wavelength + 1e-3 * j as f64).collect();
         let mut row = vec![Default::default(); count];
@@ -225,7 +235,7 @@ fn a_tabulated_map_is_its_points() {
         Beam::from(railway.rail()),
         Support::two_layer(pad, 157.0, ballast).unwrap(),
     );
-    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let rotation = railway.rotation();
     let feedback = railway.feedback(track, rotation);
     let (wavelength, speed) = (
         Axis::new(0.02, 0.2, 301).unwrap(),
@@ -261,7 +271,7 @@ fn branches_of_the_ridge_are_apart_and_the_strongest_leads() {
         );
         let rail = Beam::from(railway.rail());
         let track = ContinuousTrack::new(rail, Support::two_layer(pad, 150.0, ballast).unwrap());
-        let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+        let rotation = railway.rotation();
         let feedback = railway.feedback(track, rotation);
         let ridge = Ridge::search_at(&feedback, wavelength, &speeds);
         prop_assert_eq!(ridge.points.len(), speeds.len());
@@ -318,7 +328,7 @@ fn branches_do_not_depend_on_the_order_of_speeds() {
         wavelength: 0.05,
         speed: 20.0,
     };
-    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let rotation = railway.rotation();
     let feedback = railway.feedback(FreeBeam::new(railway.rail()), rotation);
     let wavelength = Axis::new(0.02, 0.08, 241).unwrap();
     let rising: Vec<f64> = (0..80).map(|index| 5.0 + 0.5 * f64::from(index)).collect();
@@ -380,7 +390,7 @@ fn bay_mean() {
     let ballast = Layer::new(8e7, 6e4).unwrap();
     let support = Support::two_layer(pad, 150.0, ballast).unwrap();
     let track = PeriodicTrack::new(rail, support, 0.6).unwrap();
-    let rotation = RigidInertia::new(railway.inertia(), railway.rolling_radius).unwrap();
+    let rotation = railway.rotation();
     let feedback = railway.feedback(track, rotation);
     let bay = Bay::new(&feedback, Arc::new(track)).unwrap();
 

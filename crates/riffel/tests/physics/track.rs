@@ -3,13 +3,11 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use riffel::{
-    Complex64, ElasticMaterial, Receptance,
-    receptance::{
-        Bar, Beam, ContinuousTrack, CrossReceptance, EulerBernoulliBeam, FreeBeam, Layer,
-        PeriodicTrack, ShearSection, Support, Waveguide,
-    },
+use riffel::receptance::{
+    Bar, Beam, ContinuousTrack, CrossReceptance, EulerBernoulliBeam, FreeBeam, Layer,
+    PeriodicTrack, ShearSection, Support, Waveguide,
 };
+use riffel::{Complex64, ElasticMaterial, Receptance};
 
 /// From a light rail on soft pads to a heavy one on stiff ones; loss may be nil.
 #[derive(Debug, Clone, Copy)]

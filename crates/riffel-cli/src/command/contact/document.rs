@@ -1,6 +1,7 @@
 //! `contact --json`.
 
-use riffel::{Complex64, contact::KalkerCoefficients};
+use riffel::Complex64;
+use riffel::contact::KalkerCoefficients;
 use riffel_case::{CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 use serde::Serialize;
 

@@ -27,8 +27,8 @@ use self::influence::{Field, Influence};
 use self::patch::Patch;
 use self::response::{Input, Response};
 use super::{
-    Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, RailDissipation,
-    RollingContact,
+    Carter3d, ContactDerivative, ContactResponse, CreepForces, Creepages, HertzContact,
+    MeanRolling, MeanState, QuasiStatic, RollingContact,
 };
 use crate::Error;
 
@@ -238,24 +238,20 @@ impl HalfSpace {
     pub fn roll_at_tractive_ratio(&self, ratio: f64) -> Result<HalfSpaceRolling, Error> {
         const TOLERANCE: f64 = 1e-6;
         const MOST_STEPS: usize = 20;
-        if !(ratio > 0.0 && ratio <= Self::LARGEST_TRACTIVE_RATIO) {
-            return Err(Error::OutOfRange {
-                quantity: "tractive ratio",
-                value: ratio,
-                unit: "",
-                rule: "must be above 0 and at most 0.99: nearer to full slip there is no slope",
-            });
-        }
+        let rule = "must be above 0 and at most 0.99: nearer to full slip there is no slope";
+        MeanState::check_tractive_ratio(ratio, Some((Self::LARGEST_TRACTIVE_RATIO, rule)))?;
         let limit = self.friction * self.hertz.normal_force();
-        let law = Carter3d::from_tractive_ratio(self.hertz, self.friction, ratio)?;
-        let mut state = self.roll(law.steady().creepage)?;
+        let load = self.hertz.normal_force();
+        let law = Carter3d::new(self.hertz, self.friction)?;
+        let start = QuasiStatic::new(law, load, MeanState::TractiveRatio(ratio))?.steady();
+        let mut state = self.roll_from(start.creepages, None)?;
         let mut error = f64::NAN;
         for _ in 0..MOST_STEPS {
             error = state.tangential_force() / limit - ratio;
             if error.abs() <= TOLERANCE {
                 return Ok(state);
             }
-            let slope = self.at(&state, Input::Creepage, 0.0)?.force.re / limit;
+            let slope = self.at(&state, Input::Creepage, 0.0)?.force[0].re / limit;
             // Stay on the rising side of the creep curve.
             let creepage = state.creepage();
             let next = (creepage - error / slope).clamp(0.5 * creepage, 2.0 * creepage);
@@ -280,7 +276,7 @@ impl HalfSpace {
         let coarse = self.coarse.response(&state.coarse, input, wavenumber)?;
         let extrapolated = |fine: Complex64, coarse: Complex64| 2.0 * fine - coarse;
         Ok(Response {
-            force: extrapolated(fine.force, coarse.force),
+            force: [0, 1].map(|part| extrapolated(fine.force[part], coarse.force[part])),
             dissipation: extrapolated(fine.dissipation, coarse.dissipation),
             rail_dissipation: extrapolated(fine.rail_dissipation, coarse.rail_dissipation),
         })
@@ -333,15 +329,16 @@ impl HalfSpace {
         let by_creepage = self.at(state, Input::Creepage, wavenumber)?;
         let by_share = self.at(state, Input::Load, wavenumber)?;
         let per_newton = self.hertz.normal_force().recip();
+        let derivative = |response: Response, per_unit: f64| ContactDerivative {
+            force: response.force.map(|force| force * per_unit),
+            energy: response.dissipation * per_unit,
+            energy_at_rail: Some(response.rail_dissipation * per_unit),
+        };
         Ok(ContactResponse {
-            dq_dp: by_share.force * per_newton,
-            dq_dxi: by_creepage.force,
-            de_dp: by_share.dissipation * per_newton,
-            de_dxi: by_creepage.dissipation,
-            at_rail: Some(RailDissipation {
-                de_dp: by_share.rail_dissipation * per_newton,
-                de_dxi: by_creepage.rail_dissipation,
-            }),
+            by_load: derivative(by_share, per_newton),
+            by_longitudinal: derivative(by_creepage, 1.0),
+            by_lateral: None,
+            by_spin: None,
         })
     }
 
@@ -350,8 +347,8 @@ impl HalfSpace {
         MeanRolling {
             normal_force: self.hertz.normal_force(),
             friction: self.friction,
-            creepage: state.creepage(),
-            tangential_force: state.tangential_force(),
+            creepages: state.creepages,
+            forces: state.forces,
         }
     }
 

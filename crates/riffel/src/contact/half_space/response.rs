@@ -24,8 +24,8 @@ pub(super) enum Input {
 /// Complex amplitudes per unit of the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Response {
-    /// Longitudinal creep force \[N\].
-    pub(super) force: Complex64,
+    /// Creep force along and across the rail \[N\].
+    pub(super) force: [Complex64; 2],
     /// Energy dissipated per metre rolled, in the patch at this moment \[J/m\].
     pub(super) dissipation: Complex64,
     /// Energy dissipated per metre at a point of the rail over the whole passage \[J/m\], relative to the
@@ -150,14 +150,16 @@ pub(super) fn response(
     let moved = convolution.complex(field, difference);
 
     let mut result = Response {
-        force: Complex64::ZERO,
+        force: [Complex64::ZERO; 2],
         dissipation: Complex64::ZERO,
         rail_dissipation: Complex64::ZERO,
     };
     let area = patch.area();
     let growth = if input == Input::Load { 1.0 / 3.0 } else { 0.0 };
-    for (change, mean) in field[0].iter().zip(&steady.tractions[0]) {
-        result.force += area * (change + 2.0 * growth * mean);
+    for part in 0..2 {
+        for (change, mean) in field[part].iter().zip(&steady.tractions[part]) {
+            result.force[part] += area * (change + 2.0 * growth * mean);
+        }
     }
     for (index, step) in patch.steps.iter().enumerate() {
         // The traction on the way is the mean of that at both ends of the step; so the sum over all

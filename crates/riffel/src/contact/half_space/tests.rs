@@ -124,13 +124,15 @@ fn slow_response_is_the_slope_of_the_creep_curve() {
     let slope = (force(creepage + step) - force(creepage - step)) / (2.0 * step);
     let response = contact.response(&state, f64::INFINITY).unwrap();
     assert!(
-        (response.dq_dxi.re / slope - 1.0).abs() < 2e-3,
+        (response.by_longitudinal.force[0].re / slope - 1.0).abs() < 2e-3,
         "{} {slope}",
-        response.dq_dxi
+        response.by_longitudinal.force[0]
     );
-    let energy = state.tangential_force() + creepage * response.dq_dxi.re;
-    assert!((response.de_dxi.re / energy - 1.0).abs() < 1e-3);
-    assert!((response.de_dp.re / (creepage * response.dq_dp.re) - 1.0).abs() < 1e-3);
+    let energy = state.tangential_force() + creepage * response.by_longitudinal.force[0].re;
+    assert!((response.by_longitudinal.energy.re / energy - 1.0).abs() < 1e-3);
+    assert!(
+        (response.by_load.energy.re / (creepage * response.by_load.force[0].re) - 1.0).abs() < 1e-3
+    );
 }
 
 /// By dimension Q/μP depends on the creepage over μ(P/GR²)^{1/3} alone: the response to load at zero
@@ -146,9 +148,9 @@ fn slow_response_to_load_is_that_of_another_load() {
     let slope = (force(50.1e3) - force(49.9e3)) / 200.0;
     let response = contact.response(&state, f64::INFINITY).unwrap();
     assert!(
-        (response.dq_dp.re / slope - 1.0).abs() < 5e-3,
+        (response.by_load.force[0].re / slope - 1.0).abs() < 5e-3,
         "{} {slope}",
-        response.dq_dp
+        response.by_load.force[0]
     );
 }
 
@@ -158,13 +160,25 @@ fn limits_of_wavelength() {
     let contact = contact(24);
     let state = contact.roll_at_tractive_ratio(0.3).unwrap();
     let limit = contact.response(&state, f64::INFINITY).unwrap();
-    let rail = limit.at_rail(0.0);
-    assert!((rail.de_dxi - limit.de_dxi).norm() < 1e-9 * limit.de_dxi.norm());
+    let rail = [
+        limit.by_load.at_rail(0.0),
+        limit.by_longitudinal.at_rail(0.0),
+    ];
+    assert!(
+        (rail[1] - limit.by_longitudinal.energy).norm()
+            < 1e-9 * limit.by_longitudinal.energy.norm()
+    );
     let long = contact.response(&state, 6.0).unwrap();
-    assert!((long.dq_dxi - limit.dq_dxi).norm() < 0.02 * limit.dq_dxi.norm());
+    assert!(
+        (long.by_longitudinal.force[0] - limit.by_longitudinal.force[0]).norm()
+            < 0.02 * limit.by_longitudinal.force[0].norm()
+    );
     let short = contact.response(&state, 9e-3).unwrap();
-    assert!(short.dq_dxi.norm() < 0.3 * limit.dq_dxi.norm());
-    assert!(short.dq_dxi.im < 0.0, "a contact answers late");
+    assert!(short.by_longitudinal.force[0].norm() < 0.3 * limit.by_longitudinal.force[0].norm());
+    assert!(
+        short.by_longitudinal.force[0].im < 0.0,
+        "a contact answers late"
+    );
 }
 
 #[test]
@@ -220,12 +234,21 @@ fn table_of_the_response() {
             crate::RollingContact::response(&table, wavelength),
             contact.response(&state, wavelength).unwrap(),
         );
-        let (rail, expected_rail) = (got.at_rail(0.0), expected.at_rail(0.0));
+        let (rail, expected_rail) = (
+            [got.by_load.at_rail(0.0), got.by_longitudinal.at_rail(0.0)],
+            [
+                expected.by_load.at_rail(0.0),
+                expected.by_longitudinal.at_rail(0.0),
+            ],
+        );
         for (got, expected) in [
-            (got.dq_dp, expected.dq_dp),
-            (got.dq_dxi, expected.dq_dxi),
-            (rail.de_dp, expected_rail.de_dp),
-            (rail.de_dxi, expected_rail.de_dxi),
+            (got.by_load.force[0], expected.by_load.force[0]),
+            (
+                got.by_longitudinal.force[0],
+                expected.by_longitudinal.force[0],
+            ),
+            (rail[0], expected_rail[0]),
+            (rail[1], expected_rail[1]),
         ] {
             assert!(
                 (got - expected).norm() < 2e-4 * expected.norm(),
@@ -233,5 +256,5 @@ fn table_of_the_response() {
             );
         }
     }
-    assert!(crate::RollingContact::response(&table, 0.01).dq_dp.is_nan());
+    assert!(crate::RollingContact::response(&table, 0.01).by_load.force[0].is_nan());
 }

@@ -201,7 +201,7 @@ fn direct(across: usize, creepage: f64, input: Input) -> [Complex64; 3] {
     let wavenumber = 2.0 * PI / (2.0 * across as f64 * grid.patch.dx);
     let response = grid.response(&state, input, wavenumber).unwrap();
     [
-        response.force,
+        response.force[0],
         response.dissipation,
         response.rail_dissipation,
     ]

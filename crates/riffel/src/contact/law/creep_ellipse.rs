@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::{CreepForces, Creepages};
-use crate::{Error, HertzContact, contact::KalkerCoefficients};
+use crate::contact::KalkerCoefficients;
+use crate::{Error, HertzContact};
 
 /// Contact ellipse under a reference load, with Kalker's creep coefficients.
 ///

@@ -2,6 +2,7 @@
 
 mod carter2d;
 mod carter3d;
+mod catalogue;
 mod creep_ellipse;
 mod fastsim;
 mod johnson_vermeulen;
@@ -15,6 +16,7 @@ mod comparison;
 
 pub use carter2d::{Carter2d, LineContact};
 pub use carter3d::Carter3d;
+pub use catalogue::{CATALOGUE, CreepLawEntry, CreepLawInputs};
 pub use creep_ellipse::CreepEllipse;
 
 pub use fastsim::{ContactCell, Fastsim, TractionBound, TractionDistribution};
@@ -42,6 +44,11 @@ impl Creepages {
             longitudinal: creepage,
             ..Self::default()
         }
+    }
+
+    /// Magnitude |ξ| of longitudinal and lateral creepage \[-\].
+    pub fn magnitude(self) -> f64 {
+        self.longitudinal.hypot(self.lateral)
     }
 }
 
@@ -154,6 +161,32 @@ pub trait CreepLaw: Send + Sync {
     /// Where the longitudinal force stops growing, in pure longitudinal creepage under the normal
     /// force P > 0 \[N\].
     fn limit(&self, normal_force: f64) -> ForceLimit;
+
+    /// The longitudinal creepage \[-\] at which the force alone along the rail is Q \[N\], 0 < Q, below
+    /// [`limit`](Self::limit); none where the law does not reach it.
+    ///
+    /// Provided: bracketed between zero and the limit and bisected to rounding, some sixty forces.
+    fn creepage(&self, normal_force: f64, tangential_force: f64) -> Option<f64> {
+        let force = |creepage: f64| {
+            self.forces(normal_force, Creepages::longitudinal(creepage))
+                .longitudinal
+        };
+        let (mut low, mut high) = (0.0, self.limit(normal_force).creepage());
+        if force(high) <= tangential_force {
+            return None;
+        }
+        loop {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                return Some(high);
+            }
+            if force(middle) < tangential_force {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+    }
 }
 
 impl<L: CreepLaw + ?Sized> CreepLaw for Arc<L> {
@@ -171,5 +204,9 @@ impl<L: CreepLaw + ?Sized> CreepLaw for Arc<L> {
 
     fn limit(&self, normal_force: f64) -> ForceLimit {
         (**self).limit(normal_force)
+    }
+
+    fn creepage(&self, normal_force: f64, tangential_force: f64) -> Option<f64> {
+        (**self).creepage(normal_force, tangential_force)
     }
 }

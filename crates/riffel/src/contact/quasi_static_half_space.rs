@@ -1,0 +1,45 @@
+//! Rolling contact that answers at once, with the slopes of the exact creep curve.
+
+use super::{
+    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RollingContact,
+};
+use crate::Error;
+
+/// A [`HalfSpace`] that answers at once, by the slopes of its creep curve.
+pub struct QuasiStaticHalfSpace {
+    steady: MeanRolling,
+    response: ContactResponse,
+}
+
+impl QuasiStaticHalfSpace {
+    /// The slopes about a state.
+    ///
+    /// # Errors
+    /// Those of [`HalfSpace::response`].
+    pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
+        // Where the energy goes is the place of wear's to say.
+        let at_once = |by: ContactDerivative| ContactDerivative {
+            energy_at_rail: None,
+            ..by
+        };
+        let response = contact.response(state, f64::INFINITY)?;
+        Ok(Self {
+            steady: contact.steady(state),
+            response: ContactResponse {
+                by_load: at_once(response.by_load),
+                by_longitudinal: at_once(response.by_longitudinal),
+                ..response
+            },
+        })
+    }
+}
+
+impl RollingContact for QuasiStaticHalfSpace {
+    fn steady(&self) -> MeanRolling {
+        self.steady
+    }
+
+    fn response(&self, _wavelength: f64) -> ContactResponse {
+        self.response
+    }
+}
