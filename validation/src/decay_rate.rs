@@ -3,8 +3,8 @@
 use std::sync::LazyLock;
 use std::thread;
 
+use riffel::Direction;
 use riffel::receptance::DecayRate;
-use riffel_case::Direction;
 
 use crate::Row;
 use crate::ground::{extent, nominal};

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
-use riffel::{Axis, Carter3d, FeedbackLoop, HertzContact, Receptance};
+use riffel::{Axis, Carter3d, Direction, FeedbackLoop, HertzContact, Receptance};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 
@@ -14,7 +14,7 @@ use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::given::{GivenReceptance, GivenReceptances};
 use crate::measurement;
-use crate::track::{Direction, Track};
+use crate::track::Track;
 use crate::window::Window;
 
 /// A case ready to compute.

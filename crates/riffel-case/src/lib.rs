@@ -56,7 +56,7 @@ pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
 pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use site::Site;
-pub use track::{Direction, Origin, Track};
+pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file

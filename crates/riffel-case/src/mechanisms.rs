@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use riffel::Direction;
 use riffel::diagnosis::{Mechanism, MechanismKind, TrafficSpeeds};
 use riffel::receptance::ResonanceKind;
 
 use crate::Case;
-use crate::track::{Direction, Origin};
+use crate::track::Origin;
 use crate::traffic::Traffic;
 
 impl Case {

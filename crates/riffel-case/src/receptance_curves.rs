@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use riffel::{Complex64, Receptance};
+use riffel::{Complex64, Direction, Receptance};
 
-use crate::{Case, Direction, Track};
+use crate::{Case, Track};
 
 /// A joint of the loop over frequency.
 #[derive(Debug, Clone, PartialEq)]

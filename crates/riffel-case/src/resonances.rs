@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use riffel::receptance::{Extremum, Resonance, ResonanceKind};
-use riffel::{Complex64, Receptance};
+use riffel::{Complex64, Direction, Receptance};
 
 use crate::Case;
-use crate::track::{Direction, Origin};
+use crate::track::Origin;
 
 /// How near a peak must be to the pinned-pinned frequency of the rail on the supports of the case to bear its name, as
 /// a ratio.
@@ -51,10 +51,7 @@ impl Case {
 
     /// H_rail + H_wheel + 1/k_H \[m/N\].
     fn total(&self, w: f64) -> Complex64 {
-        let speed = self.speed.max();
-        self.feedback.track.receptance(w, speed)
-            + self.feedback.wheel.receptance(w, speed)
-            + self.feedback.contact_stiffness.recip()
+        self.feedback.vertical_receptance(w, self.speed.max())
     }
 
     fn p2_of_lines(&self) -> Option<Resonance> {

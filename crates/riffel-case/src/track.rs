@@ -6,17 +6,6 @@ use riffel::Receptance;
 use riffel::receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support};
 use riffel_keys::Remark;
 
-/// The direction of force and displacement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
-    /// Downward.
-    Vertical,
-    /// Across the track.
-    Lateral,
-    /// Along the rail.
-    Longitudinal,
-}
-
 /// Where the receptance of a track comes from.
 #[derive(Clone)]
 pub enum Origin {

@@ -13,9 +13,9 @@ use riffel::contact::KalkerCoefficients;
 use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
-use riffel::{Axis, GrowthMap, Ridge};
+use riffel::{Axis, Direction, GrowthMap, Ridge};
 use riffel_case::{
-    BranchDocument, CreepCurves, Direction, FrequencyResponse, Point, PointValue, ReceptanceCurves,
+    BranchDocument, CreepCurves, FrequencyResponse, Point, PointValue, ReceptanceCurves,
     RollingTheories,
 };
 use riffel_keys::CaseError;

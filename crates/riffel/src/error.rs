@@ -56,6 +56,15 @@ pub enum Error {
         rule: &'static str,
     },
 
+    /// A contact that moves along an axis to which it does not tell its response.
+    #[error(
+        "the contact does not tell its response to {creepage}; hold its surfaces along that axis, or choose another contact"
+    )]
+    NoResponse {
+        /// The creepage, in the field's words.
+        creepage: &'static str,
+    },
+
     /// An iteration that did not reach its tolerance.
     #[error(
         "{problem} did not converge: residual {residual:.1e}, tolerance {tolerance:.1e}; {remedy}"

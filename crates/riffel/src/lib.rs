@@ -86,9 +86,10 @@
 
 pub mod contact;
 pub mod diagnosis;
+mod direction;
 mod elastic;
 mod error;
-mod feedback;
+pub mod feedback;
 pub mod forecast;
 mod golden_section;
 pub mod growth;
@@ -101,6 +102,7 @@ mod wear;
 pub mod wheelset;
 
 pub use contact::{Carter3d, HertzContact, RollingContact};
+pub use direction::{Direction, Place, Rail};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{FeedbackLoop, LoopState};

@@ -4,19 +4,20 @@ mod contact;
 mod creep_laws;
 mod track;
 mod validity;
-
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{Axis, Carter3d, EnergyWear, FeedbackLoop, HertzContact, PlaceOfWear, Receptance};
+use riffel::{
+    Axis, Carter3d, Direction, EnergyWear, FeedbackLoop, HertzContact, PlaceOfWear, Receptance,
+};
 use riffel_keys::{CaseError, Remark};
 
 pub use creep_laws::CreepLaws;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{DissipationPhase, Rotation};
-use crate::track::{Direction, Track};
+use crate::track::Track;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {

@@ -2,18 +2,18 @@
 
 use std::sync::Arc;
 
-use riffel::ElasticMaterial;
 use riffel::receptance::{
     Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadTrack,
     PeriodicTrack, ShearSection, Waveguide,
 };
+use riffel::{Direction, ElasticMaterial};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, Support, TrackModel};
 use crate::measurement;
-use crate::track::{Direction, Origin, Track};
+use crate::track::{Origin, Track};
 
 /// Density of rail steel \[kg/m³\].
 const RAIL_DENSITY: f64 = 7850.0;

@@ -1,12 +1,12 @@
 //! Where the models of a case leave their range of validity.
 
-use riffel::{Axis, FeedbackLoop, HertzContact};
+use riffel::{Axis, Direction, FeedbackLoop, HertzContact};
 use riffel_keys::{Language, Remark};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::measurement;
-use crate::track::{Direction, Track};
+use crate::track::Track;
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
 /// (2009), section 2.

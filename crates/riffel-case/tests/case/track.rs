@@ -1,7 +1,8 @@
 //! Every track model from keys to receptance.
 
+use riffel::Direction;
 use riffel::receptance::ResonanceKind;
-use riffel_case::{Case, Direction, NOMINAL_CASE};
+use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::CaseError;
 use rstest::rstest;
 

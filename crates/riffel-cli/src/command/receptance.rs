@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-use riffel::Complex64;
 use riffel::receptance::{DecayRate, Resonance, ResonanceKind};
-use riffel_case::{Case, Direction, Origin, ReceptanceCurve, ReceptanceCurves, Track};
+use riffel::{Complex64, Direction};
+use riffel_case::{Case, Origin, ReceptanceCurve, ReceptanceCurves, Track};
 use riffel_figures::parameters;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 use serde::Serialize;

@@ -35,6 +35,8 @@ pub struct Evidence<'a> {
 
 /// A mechanism as an explanation of a dominant wavelength.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Candidate {
     /// What it is.
     pub kind: MechanismKind,

@@ -24,6 +24,7 @@ impl TimeUnit {
 
 /// A level at one time.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct CoursePoint {
     /// Name or date of the record.
     pub label: String,
@@ -37,6 +38,8 @@ pub struct CoursePoint {
 
 /// A straight line through the levels of several records.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Course {
     /// The records, by time.
     pub points: Vec<CoursePoint>,

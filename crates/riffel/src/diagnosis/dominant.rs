@@ -23,6 +23,8 @@ pub(super) const MOST: usize = 6;
 
 /// A wavelength that stands out of the roughness.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct DominantWavelength {
     /// Wavelength λ \[m\]: the middle of the power between `from` and `to`, or the nominal one of the one-third
     /// octave.
@@ -53,6 +55,7 @@ impl DominantWavelength {
 
 /// Power of a record in narrow bands with its trend.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct FineSpectrum {
     power: PowerSpectrum,
     bands: Vec<FineBand>,

@@ -40,6 +40,8 @@ pub struct Place {
 
 /// A dominant wavelength with where it stands.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct LocatedWavelength {
     /// Wavelength and level at the first place; prominence and false peaks are those of the window, or of the
     /// whole rail, that shows it best.
@@ -52,6 +54,7 @@ pub struct LocatedWavelength {
 
 /// A rail without spikes, and what the wheel sees of it after EN 15610.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct CleanRail {
     on_rail: Vec<Profile>,
     on_wheel: Vec<Profile>,

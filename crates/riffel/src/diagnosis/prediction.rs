@@ -36,6 +36,8 @@ pub enum Prediction {
 
 /// A mechanism with what it predicts.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Mechanism {
     /// What it is.
     pub kind: MechanismKind,

@@ -1,5 +1,9 @@
 //! The loop that corrugation closes: profile, normal force, creepage, dissipation, wear, profile.
 
+mod general;
+
+pub use general::{Contact, ContactState, GeneralLoop};
+
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -44,6 +48,8 @@ pub struct FeedbackLoop {
 /// One turn of the loop at one wavelength and speed: every oscillation as complex amplitude for
 /// exp(+iωt), relative to a profile of real amplitude Δ, upward on the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct LoopState {
     /// Wavelength λ \[m\].
     pub wavelength: f64,

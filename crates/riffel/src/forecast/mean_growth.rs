@@ -8,6 +8,8 @@ use crate::FeedbackLoop;
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
 /// places of the wheel on the track.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct MeanGrowth {
     /// Growth rate of the amplitude per passage \[-\], by wavelength.
     pub rates: Vec<f64>,

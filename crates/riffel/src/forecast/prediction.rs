@@ -11,6 +11,7 @@ use crate::roughness::{BandLevel, LevelLimit, Spectrum, mean_square};
 /// [`valid_to`](Self::valid_to), and while track, friction and traffic stay as they are. Levels beyond are what
 /// the exponentials say and nothing more: real corrugation slows down.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Forecast {
     traffic: TrafficGrowth,
     bands: Vec<ForecastBand>,
@@ -49,6 +50,7 @@ impl Reach {
 
 /// One band of a forecast.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct ForecastBand {
     /// The band with its level now.
     pub now: BandLevel,

@@ -9,6 +9,8 @@ pub const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// One kind of vehicle in the mix.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct VehicleGrowth {
     /// Its name.
     pub name: String,
@@ -85,6 +87,7 @@ impl VehicleGrowth {
 
 /// Growth rates of the lines of some bands under a mix of vehicles.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct TrafficGrowth {
     bands: Vec<ThirdOctave>,
     vehicles: Vec<VehicleGrowth>,

@@ -49,6 +49,8 @@ impl WearVerdict {
 
 /// A band measured twice.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct FittedBand {
     /// The band.
     pub band: ThirdOctave,
@@ -71,6 +73,8 @@ impl FittedBand {
 
 /// The wear coefficient that fits best, as a factor of that of the case.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct WearFit {
     /// Factor of the wear coefficient \[-\]; not above zero where the bands have fallen.
     pub factor: f64,

@@ -132,6 +132,8 @@ impl Bay {
 
 /// Growth maps at the places of a bay that matter.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct BayMaps {
     /// Wheel over a support.
     pub over_support: GrowthMap,

@@ -10,6 +10,7 @@ use super::{Axis, RidgePoint};
 /// Each is a mechanism of its own, mostly a resonance of the track. It may be the highest at some of its speeds, at
 /// all, or at none, where a stronger branch grows at another wavelength.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct RidgeBranch {
     /// One point per speed, in order of speed; never empty.
     points: Vec<RidgePoint>,

@@ -9,6 +9,7 @@ use crate::tile::TILE;
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct GrowthMap {
     wavelength: Axis,
     speed: Axis,

@@ -17,6 +17,8 @@ const SPEEDS_A_POINT: usize = 50;
 
 /// The highest growth at one speed within the window of wavelengths.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct RidgePoint {
     /// Speed V \[m/s\].
     pub speed: f64,
@@ -35,6 +37,7 @@ pub struct RidgePoint {
 
 /// What the ridge needs of one row: the lowest point, refined, and the local minima on the grid.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct RidgeRow {
     highest: RidgePoint,
     lowest: usize,
@@ -66,6 +69,8 @@ impl RidgeRow {
 
 /// The highest growth at each speed, and the branches of which it consists.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Ridge {
     /// One point per speed.
     pub points: Vec<RidgePoint>,

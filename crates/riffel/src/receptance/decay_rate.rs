@@ -16,6 +16,8 @@ const LINES: u32 = 64;
 
 /// Track decay rate of one one-third-octave band.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct DecayRate {
     /// Nominal centre frequency \[Hz\].
     pub nominal_frequency: f64,

@@ -14,6 +14,8 @@ const HALF_POWER: f64 = 3.010_299_956_639_812;
 
 /// A peak or a dip of a receptance.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Extremum {
     /// Angular frequency ω \[rad/s\]: the vertex of the parabola through three lines, of the level over ln ω.
     pub angular_frequency: f64,

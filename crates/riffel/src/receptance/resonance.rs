@@ -46,6 +46,7 @@ impl fmt::Display for ResonanceKind {
 
 /// A peak with its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Resonance {
     /// What it is.
     pub kind: ResonanceKind,

@@ -6,6 +6,8 @@ use crate::square_root::square_root;
 
 /// A wave of unit amplitude leaving x = 0 like e^{−αx}, and how strongly a force excites it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Wave {
     /// α \[1/m\]: Re α > 0, or Re α = 0 for a wave without loss, which then carries energy away.
     pub propagation: Complex64,

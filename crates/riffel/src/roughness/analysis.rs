@@ -36,6 +36,8 @@ impl Default for AnalysisSettings {
 
 /// The roughness of one rail.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct RailAnalysis {
     /// Number of spikes removed.
     pub spikes: usize,
@@ -59,6 +61,8 @@ pub struct RailAnalysis {
 
 /// A band over the whole rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct BandSummary {
     /// The band.
     pub band: WavelengthBand,
@@ -80,6 +84,8 @@ pub struct BandSummary {
 
 /// RMS of one block.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct BlockRms {
     /// Where it begins \[m\].
     pub from: f64,

@@ -10,6 +10,8 @@ use crate::Error;
 
 /// Statistics of one stretch in one band.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct BandStatistics {
     /// The band.
     pub band: WavelengthBand,
@@ -34,6 +36,8 @@ pub struct BandStatistics {
 
 /// Samples around which the moving RMS is over a limit.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct Exceedance {
     /// The middles of these windows.
     pub samples: Range<usize>,

@@ -4,6 +4,8 @@ use super::WavelengthBand;
 
 /// A length of rail over a limit.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct GrindSection {
     /// Where it begins \[m\].
     pub from: f64,

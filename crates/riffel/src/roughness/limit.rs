@@ -11,6 +11,8 @@ pub struct LevelLimit {
 
 /// A band held against its limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct LevelExcess {
     /// The band.
     pub band: ThirdOctave,

@@ -17,6 +17,7 @@ const BATCH: usize = 8;
 
 /// Power of a record over wavenumber, averaged over segments.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct PowerSpectrum {
     /// Distance of two lines \[1/m\].
     line_spacing: f64,

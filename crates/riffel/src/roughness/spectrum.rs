@@ -26,6 +26,7 @@ impl BandLevel {
 
 /// One-third-octave levels of roughness, in dB re 1 µm.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Spectrum {
     /// By wavelength, the shortest first.
     levels: Vec<BandLevel>,

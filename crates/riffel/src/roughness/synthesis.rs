@@ -64,6 +64,7 @@ pub struct ColouredNoise {
 
 /// A spike or a pit.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Irregularity {
     /// Position of its middle.
     pub at: f64,
@@ -75,6 +76,7 @@ pub struct Irregularity {
 
 /// A length without readings.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Dropout {
     /// Where it begins.
     pub from: f64,

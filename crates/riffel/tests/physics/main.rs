@@ -2,5 +2,6 @@
 
 mod contact;
 mod forecast;
+mod general_loop;
 mod growth;
 mod track;

@@ -24,7 +24,7 @@ use crate::Error;
 /// |H|² = (4/α)(kr)⁻² ∫ J₁²(kr sec ψ) dψ from 0 to arctan α: there α is a measure of the correlation
 /// across. See [`elastic`](Self::elastic) and [`uniform`](Self::uniform).
 ///
-/// Source: derived here, held against [`NormalContact`](super::NormalContact) in its tests; for the weight
+/// Source: derived here, held against [`NormalContact`](crate::contact::NormalContact) in its tests; for the weight
 /// Johnson (1985), *Contact Mechanics*, section 3.5; P. J. Remington, *Journal of the Acoustical Society of
 /// America* 81 (1987), 1805–1823, for the mean over uncorrelated roughness. Range of validity: amplitudes
 /// that keep the patch whole, far below p₀λ/(πE\*), the amplitude at which a wave lifts off, and below

@@ -142,6 +142,8 @@ impl HalfSpaceRolling {
 
 /// One element of the patch in steady rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct ContactElement {
     /// Centre \[m\]; x along the direction of rolling, material enters at x = +a.
     pub centre: (f64, f64),

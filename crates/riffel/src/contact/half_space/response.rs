@@ -156,9 +156,10 @@ pub(super) fn response(
     };
     let area = patch.area();
     let growth = if input == Input::Load { 1.0 / 3.0 } else { 0.0 };
-    for part in 0..2 {
-        for (change, mean) in field[part].iter().zip(&steady.tractions[part]) {
-            result.force[part] += area * (change + 2.0 * growth * mean);
+    let parts = field.iter().zip(&steady.tractions);
+    for (force, (changes, means)) in result.force.iter_mut().zip(parts) {
+        for (change, mean) in changes.iter().zip(means) {
+            *force += area * (change + 2.0 * growth * mean);
         }
     }
     for (index, step) in patch.steps.iter().enumerate() {

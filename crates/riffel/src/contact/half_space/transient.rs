@@ -61,6 +61,7 @@ enum Motion {
 
 /// What a step of time has done.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct TransientStep {
     /// Creep forces at its end \[N\].
     pub forces: CreepForces,

@@ -58,6 +58,7 @@ pub struct NormalContact {
 
 /// A solved [`NormalContact`].
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct NormalState {
     grid: ContactGrid,
     pressures: Vec<f64>,

@@ -5,6 +5,8 @@ use super::{CreepForces, Creepages, Flexibility};
 
 /// One cell of the contact patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct ContactCell {
     /// Middle of the cell along the rail, from the centre of the patch \[m\]; the leading edge is at
     /// positive x.
@@ -37,6 +39,8 @@ impl ContactCell {
 
 /// Tractions over the patch, strip by strip from negative to positive y, each from its leading edge.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
+#[non_exhaustive]
 pub struct TractionDistribution {
     /// The cells.
     pub cells: Vec<ContactCell>,

@@ -1,0 +1,55 @@
+//! Structures that answer along several axes and at several places.
+
+use std::sync::Arc;
+
+use num_complex::Complex64;
+
+use super::Receptance;
+use crate::{Direction, Place};
+
+/// Joint of the general loop: a structure that answers at one place to a force at another, along any axis.
+///
+/// Reciprocal: the two places may be exchanged. The scalar [`Receptance`] is one entry of it and its fast path.
+pub trait Structure: Send + Sync {
+    /// Displacement at `at` per force at `from` \[m/N\], each along its own axis, at the angular frequency
+    /// ω > 0 \[rad/s\] under a load that travels at the given speed \[m/s\].
+    fn cross_receptance(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+        at: Place,
+        from: Place,
+    ) -> Complex64;
+}
+
+/// A structure whose axes do not feel each other and which answers at the place of the force alone: a wheel without a
+/// partner, a rail under one wheel.
+#[derive(Clone, Default)]
+pub struct Uncoupled {
+    /// Receptance along the rail; none for a structure that does not move so.
+    pub longitudinal: Option<Arc<dyn Receptance>>,
+    /// Receptance across the track; none for a structure that does not move so.
+    pub lateral: Option<Arc<dyn Receptance>>,
+    /// Receptance downward; none for a structure that does not move so.
+    pub vertical: Option<Arc<dyn Receptance>>,
+}
+
+impl Structure for Uncoupled {
+    fn cross_receptance(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+        at: Place,
+        from: Place,
+    ) -> Complex64 {
+        let axis = match at.direction {
+            Direction::Longitudinal => &self.longitudinal,
+            Direction::Lateral => &self.lateral,
+            Direction::Vertical => &self.vertical,
+        };
+        match axis {
+            Some(receptance) if at == from => receptance.receptance(angular_frequency, speed),
+            _ => Complex64::ZERO,
+        }
+    }
+}

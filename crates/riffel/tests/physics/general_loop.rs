@@ -1,0 +1,250 @@
+//! The loop of several contacts on all axes, against its special cases.
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+use riffel::contact::{Carter3d, Creepages, MeanState, QuasiStatic, SpringDashpot};
+use riffel::feedback::{Contact, ContactState, GeneralLoop};
+use riffel::receptance::{
+    Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Structure, Support, Uncoupled,
+};
+use riffel::wheelset::{Motion, RigidInertia, RigidMass};
+use riffel::{
+    Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, FeedbackLoop, HertzContact,
+    Place, PlaceOfWear, Rail, Receptance, RollingContact,
+};
+
+const AMPLITUDE: f64 = 20e-6;
+const RADIUS: f64 = 0.46;
+
+fn hertz() -> HertzContact {
+    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+    HertzContact::new(steel, RADIUS, 0.3, 60e3).unwrap()
+}
+
+/// The paper's law, which is alike in all directions, answering late.
+fn rolling(longitudinal: f64, lateral: f64) -> Arc<dyn RollingContact> {
+    let law = Carter3d::new(hertz(), 0.35).unwrap();
+    let mean = MeanState::Creepages(Creepages {
+        longitudinal,
+        lateral,
+        spin: 0.0,
+    });
+    Arc::new(SpringDashpot::new(
+        QuasiStatic::new(law, 60e3, mean).unwrap(),
+        hertz(),
+    ))
+}
+
+fn track() -> Arc<dyn Receptance> {
+    let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+    let rail = Beam::from(EulerBernoulliBeam::new(steel, 3e-5, 60.0).unwrap());
+    let pad = Layer::new(200e6, 30e3).unwrap();
+    Arc::new(ContinuousTrack::new(rail, Support::one_layer(pad)))
+}
+
+fn place_of_wear() -> PlaceOfWear {
+    PlaceOfWear::new(DissipationPhase::Lag, hertz().semi_axis_longitudinal(), 0.3)
+}
+
+fn wear() -> EnergyWear {
+    EnergyWear::new(1e-9, 7850.0, hertz().semi_axis_lateral()).unwrap()
+}
+
+fn contact(along: f64, rolling: Arc<dyn RollingContact>, motion: [Motion<()>; 2]) -> Contact {
+    Contact {
+        along,
+        rail: Rail::Right,
+        stiffness: hertz().stiffness(),
+        rolling,
+        motion,
+        place_of_wear: place_of_wear(),
+        wear: wear(),
+    }
+}
+
+fn vertical(structure: Arc<dyn Receptance>) -> Uncoupled {
+    Uncoupled {
+        vertical: Some(structure),
+        ..Uncoupled::default()
+    }
+}
+
+fn wheel(mass: f64, inertia: f64) -> Uncoupled {
+    Uncoupled {
+        longitudinal: Some(Arc::new(RigidInertia::new(inertia, RADIUS).unwrap())),
+        lateral: None,
+        vertical: Some(Arc::new(RigidMass::new(mass).unwrap())),
+    }
+}
+
+fn general(wheels: impl Structure + 'static, contacts: Vec<Contact>) -> GeneralLoop {
+    GeneralLoop {
+        track: Arc::new(vertical(track())),
+        wheels: Arc::new(wheels),
+        contacts,
+        amplitude: AMPLITUDE,
+    }
+}
+
+fn close(got: Complex64, expected: Complex64) {
+    assert!(
+        (got - expected).norm() <= 1e-12 * expected.norm(),
+        "{got} {expected}"
+    );
+}
+
+proptest! {
+    /// One wheel and one axis: the closed form, in all three kinds of motion. The tolerance is that of the condition of
+    /// three equations scaled by their rows.
+    #[test]
+    fn one_wheel_and_one_axis_is_the_closed_form(
+        wavelength in 0.02..0.3f64, speed in 5.0..60.0f64, creepage in 1e-4..4e-3f64, kind in 0..3usize,
+    ) {
+        let inertia = 40.0;
+        let motion = [
+            Motion::compliant(RigidInertia::new(inertia, RADIUS).unwrap()), Motion::Held, Motion::Free,
+        ];
+        let constraint = [Motion::Compliant(()), Motion::Held, Motion::Free];
+        let closed = FeedbackLoop {
+            track: track(),
+            wheel: Arc::new(RigidMass::new(400.0).unwrap()),
+            contact_stiffness: hertz().stiffness(),
+            contact: rolling(creepage, 0.0),
+            rotation: motion[kind].clone(),
+            rolling_radius: RADIUS,
+            place_of_wear: place_of_wear(),
+            wear: wear(),
+            amplitude: AMPLITUDE,
+        };
+        let contact = contact(0.0, rolling(creepage, 0.0), [constraint[kind].clone(), Motion::Held]);
+        let general = general(wheel(400.0, inertia), vec![contact]);
+        let (state, expected) = (general.at(wavelength, speed).unwrap()[0], closed.at(wavelength, speed));
+        close(state.force[2], expected.normal_force);
+        if kind != 2 {
+            close(state.force[0], expected.tangential_force);
+        } else {
+            assert_eq!(state.force[0], Complex64::ZERO);
+        }
+        close(state.creepage[0] * speed, -expected.angular_velocity * RADIUS);
+        close(state.energy_at_rail * speed, expected.dissipation_at_rail);
+        // The real part may be small beside the whole.
+        let whole = expected.dissipation_at_rail.norm() / speed * wear().depth_per_energy() / AMPLITUDE;
+        assert_relative_eq!(state.growth_rate, expected.growth_rate, epsilon = 1e-12 * whole);
+    }
+
+    /// A law that is alike in all directions: turning the creepage by 90°, with the receptances along and across
+    /// exchanged, leaves the growth.
+    #[test]
+    fn growth_turns_with_the_creepage(
+        wavelength in 0.02..0.3f64, speed in 5.0..60.0f64, along in 1e-4..3e-3f64, across in 1e-4..3e-3f64,
+    ) {
+        let compliant = || [Motion::Compliant(()), Motion::Compliant(())];
+        let [one, other]: [Arc<dyn Receptance>; 2] = [
+            Arc::new(RigidInertia::new(40.0, RADIUS).unwrap()),
+            Arc::new(RigidMass::new(700.0).unwrap()),
+        ];
+        let wheel = |longitudinal: &Arc<dyn Receptance>, lateral: &Arc<dyn Receptance>| Uncoupled {
+            longitudinal: Some(longitudinal.clone()),
+            lateral: Some(lateral.clone()),
+            vertical: Some(Arc::new(RigidMass::new(400.0).unwrap())),
+        };
+        let at = |wheel: Uncoupled, rolling: Arc<dyn RollingContact>| -> ContactState {
+            general(wheel, vec![contact(0.0, rolling, compliant())]).at(wavelength, speed).unwrap()[0]
+        };
+        let straight = at(wheel(&one, &other), rolling(along, across));
+        let turned = at(wheel(&other, &one), rolling(across, along));
+        close(turned.force[0], straight.force[1]);
+        close(turned.force[1], straight.force[0]);
+        close(turned.energy_at_rail, straight.energy_at_rail);
+    }
+
+    /// Wheels that do not feel each other grow the rail as each would alone, whatever their distance.
+    #[test]
+    fn wheels_that_do_not_feel_each_other_wear_alike(
+        wavelength in 0.02..0.3f64, speed in 5.0..60.0f64, distance in 0.5..20.0f64,
+    ) {
+        let contact = |along: f64| {
+            contact(along, rolling(1e-3, 0.0), [Motion::Compliant(()), Motion::Held])
+        };
+        let loop_of = |contacts| general(wheel(400.0, 40.0), contacts).at(wavelength, speed).unwrap();
+        let alone = loop_of(vec![contact(0.0)])[0];
+        let both = loop_of(vec![contact(0.0), contact(-distance)]);
+        for state in both {
+            assert_relative_eq!(state.growth_rate, alone.growth_rate, max_relative = 1e-9);
+        }
+    }
+}
+
+/// Wheels on one axle that share their rotation: antiphase profiles would turn it apart, equal ones turn it as one wheel
+/// of half its inertia.
+struct SharedAxle {
+    inertia: f64,
+}
+
+impl Structure for SharedAxle {
+    fn cross_receptance(&self, w: f64, speed: f64, at: Place, from: Place) -> Complex64 {
+        use riffel::Direction::{Longitudinal, Vertical};
+        match (at.direction, from.direction) {
+            (Longitudinal, Longitudinal) => RigidInertia::new(self.inertia, RADIUS)
+                .unwrap()
+                .receptance(w, speed),
+            (Vertical, Vertical) if at == from => {
+                RigidMass::new(400.0).unwrap().receptance(w, speed)
+            }
+            _ => Complex64::ZERO,
+        }
+    }
+}
+
+#[test]
+fn two_wheels_on_one_axle_turn_as_one_of_half_its_inertia() {
+    let side = |rail| Contact {
+        rail,
+        ..contact(
+            0.0,
+            rolling(1e-3, 0.0),
+            [Motion::Compliant(()), Motion::Held],
+        )
+    };
+    let axle = general(
+        SharedAxle { inertia: 80.0 },
+        vec![side(Rail::Left), side(Rail::Right)],
+    );
+    let single = general(wheel(400.0, 40.0), vec![side(Rail::Right)]);
+    let (both, single) = (axle.at(0.05, 30.0).unwrap(), single.at(0.05, 30.0).unwrap());
+    for state in both {
+        close(state.force[0], single[0].force[0]);
+        close(state.energy_at_rail, single[0].energy_at_rail);
+    }
+}
+
+/// A contact that knows nothing of lateral creepage cannot be let go laterally.
+#[test]
+fn a_response_that_is_not_told_is_asked_for() {
+    struct Silent(Arc<dyn RollingContact>);
+    impl RollingContact for Silent {
+        fn steady(&self) -> riffel::contact::MeanRolling {
+            self.0.steady()
+        }
+        fn response(&self, wavelength: f64) -> riffel::contact::ContactResponse {
+            riffel::contact::ContactResponse {
+                by_lateral: None,
+                ..self.0.response(wavelength)
+            }
+        }
+    }
+    let silent = || Arc::new(Silent(rolling(1e-3, 0.0)));
+    let free = contact(0.0, silent(), [Motion::Held, Motion::Free]);
+    let error = general(wheel(400.0, 40.0), vec![free])
+        .at(0.05, 30.0)
+        .unwrap_err();
+    assert!(matches!(error, Error::NoResponse { .. }), "{error}");
+    let held = contact(0.0, silent(), [Motion::Held, Motion::Held]);
+    assert!(
+        general(wheel(400.0, 40.0), vec![held])
+            .at(0.05, 30.0)
+            .is_ok()
+    );
+}
