@@ -200,9 +200,9 @@ impl KeyFile {
     /// Remove a key.
     pub fn remove(&mut self, key: &str) {
         let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
-        let parents = parents.split('.').filter(|parent| !parent.is_empty());
-        let table = parents.fold(Some(&mut self.table), |table, parent| {
-            table?.get_mut(parent)?.as_table_mut()
+        let mut parents = parents.split('.').filter(|parent| !parent.is_empty());
+        let table = parents.try_fold(&mut self.table, |table, parent| {
+            table.get_mut(parent)?.as_table_mut()
         });
         if let Some(table) = table {
             table.remove(last);
