@@ -5,3 +5,4 @@ mod forecast;
 mod general_loop;
 mod growth;
 mod track;
+mod work;

@@ -19,6 +19,12 @@ impl Scalar for Complex64 {
     }
 }
 
+#[cfg(test)]
+thread_local! {
+    /// Products with a matrix since the thread began, the work that half-spaces cost.
+    pub(super) static PRODUCTS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
+}
+
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
 /// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.
 /// `inverse` applies an approximate inverse of A in place, before the product.
@@ -42,6 +48,8 @@ pub(super) fn gmres<T: Scalar>(
         let mut direction = basis[step].clone();
         inverse(&mut direction);
         let mut next = product(&direction);
+        #[cfg(test)]
+        PRODUCTS.set(PRODUCTS.get() + 1);
         let mut column: Vec<T> = Vec::with_capacity(step + 2);
         for direction in &basis {
             let share = dot(direction, &next);

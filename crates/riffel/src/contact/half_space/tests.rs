@@ -258,3 +258,32 @@ fn table_of_the_response() {
     }
     assert!(crate::RollingContact::response(&table, 0.01).by_load.force[0].is_nan());
 }
+
+/// What a steady state and a response cost, in products with the matrix of influences: those needed today and a tenth
+/// more. A preconditioner or a start that is lost shows here without a clock.
+#[test]
+fn work_of_the_half_space() {
+    use super::gmres::PRODUCTS;
+    let contact = contact(36);
+    let products = |work: &mut dyn FnMut()| {
+        let before = PRODUCTS.get();
+        work();
+        PRODUCTS.get() - before
+    };
+    let mut state = None;
+    let steady = products(&mut || state = Some(contact.roll(1e-3).unwrap()));
+    let state = state.unwrap();
+    let response = products(&mut || {
+        for wavelength in [0.03, 0.05, 0.08] {
+            contact.response(&state, wavelength).unwrap();
+        }
+    });
+    assert!(
+        (1..=63).contains(&steady),
+        "{steady} products for a steady state"
+    );
+    assert!(
+        (1..=260).contains(&response),
+        "{response} products for three responses"
+    );
+}

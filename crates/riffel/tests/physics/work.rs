@@ -1,0 +1,140 @@
+//! How often the slow parts are asked for: a slow path shows here without a clock. Bounds are what is needed today and a
+//! tenth more.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use riffel::contact::{MeanState, QuasiStatic};
+use riffel::receptance::{
+    Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated,
+};
+use riffel::wheelset::{Motion, RigidInertia, RigidMass};
+use riffel::{
+    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop,
+    GrowthMap, HertzContact, PlaceOfWear, Receptance, Ridge,
+};
+
+/// A structure that counts how often it is asked.
+struct Counted<R> {
+    structure: R,
+    asked: Arc<AtomicUsize>,
+    worth_tabulating: bool,
+}
+
+impl<R: Receptance> Receptance for Counted<R> {
+    fn receptance(&self, angular_frequency: f64, speed: f64) -> Complex64 {
+        self.asked.fetch_add(1, Ordering::Relaxed);
+        self.structure.receptance(angular_frequency, speed)
+    }
+
+    fn worth_tabulating(&self) -> bool {
+        self.worth_tabulating
+    }
+}
+
+fn steel() -> ElasticMaterial {
+    ElasticMaterial::new(207e9, 0.3).unwrap()
+}
+
+/// UIC 60 on stiff pads, discrete, of a loss factor of 0.02.
+fn sleepers() -> PeriodicTrack {
+    let steel = ElasticMaterial::new(210e9, 0.3).unwrap();
+    let shear = ShearSection {
+        area: 7.67e-3,
+        shear_coefficient: 0.393,
+        shear_modulus: steel.shear_modulus(),
+        density: 7850.0,
+    };
+    let rail = Beam::timoshenko(steel, 3.0383e-5, 60.21, shear).unwrap();
+    let rail = rail.with_loss_factor(0.02).unwrap();
+    let pad = Layer::new(300e6, 40e3).unwrap();
+    let ballast = Layer::new(50e6, 40e3).unwrap();
+    let support = Support::two_layer(pad, 150.0, ballast).unwrap();
+    PeriodicTrack::new(rail, support, 0.6).unwrap()
+}
+
+/// The nominal wheel on a track that counts.
+fn feedback<R: Receptance + 'static>(
+    structure: R,
+    worth_tabulating: bool,
+) -> (FeedbackLoop, Arc<AtomicUsize>) {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
+    let law = Carter3d::new(hertz, 0.4).unwrap();
+    let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.1)).unwrap();
+    let track = Counted {
+        structure,
+        asked: asked.clone(),
+        worth_tabulating,
+    };
+    let feedback = FeedbackLoop {
+        track: Arc::new(track),
+        wheel: Arc::new(RigidMass::new(350.0).unwrap()),
+        contact_stiffness: hertz.stiffness(),
+        contact: Arc::new(contact),
+        rotation: Motion::compliant(RigidInertia::new(27.77, 0.46).unwrap()),
+        rolling_radius: 0.46,
+        place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, hertz.semi_axis_longitudinal(), 0.1),
+        wear: EnergyWear::new(1e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
+        amplitude: 20e-6,
+    };
+    (feedback, asked)
+}
+
+fn rail() -> FreeBeam {
+    FreeBeam::new(EulerBernoulliBeam::new(steel(), 2.35e-5, 56.0).unwrap())
+}
+
+fn window() -> (Axis, Axis) {
+    (
+        Axis::new(0.02, 0.08, 241).unwrap(),
+        Axis::new(5.0, 60.0, 221).unwrap(),
+    )
+}
+
+/// A ridge over a map takes the rows as they are, and some evaluations to refine each crest.
+#[test]
+fn ridge_of_a_map() {
+    let (feedback, asked) = feedback(rail(), false);
+    let (wavelength, speed) = window();
+    let map = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
+    let by_map = asked.swap(0, Ordering::Relaxed);
+    // Tiles of 64 wavelengths, the last filled up.
+    assert_eq!(by_map, 256 * 221);
+    let ridge = Ridge::of_map(&feedback, &map);
+    let by_ridge = asked.load(Ordering::Relaxed);
+    assert_eq!(ridge.points.len(), 221);
+    assert!(
+        (221..=6500).contains(&by_ridge),
+        "{by_ridge} evaluations for the ridge"
+    );
+}
+
+/// A map on a structure that is worth it asks for a table and for nothing else.
+#[test]
+fn table_of_a_receptance() {
+    let asked = Arc::new(AtomicUsize::new(0));
+    let track = Counted {
+        structure: sleepers(),
+        asked: asked.clone(),
+        worth_tabulating: true,
+    };
+    let lowest = std::f64::consts::TAU * 62.5;
+    let table = Tabulated::new(Arc::new(track), lowest, 48.0 * lowest, 1e-9);
+    let by_table = asked.load(Ordering::Relaxed);
+    assert!(table.cells() > 10);
+    assert!(
+        (1..=1960).contains(&by_table),
+        "{by_table} receptances for {} cells",
+        table.cells()
+    );
+    let (feedback, asked) = feedback(sleepers(), true);
+    let (wavelength, speed) = window();
+    let _ = GrowthMap::compute(&feedback, wavelength, speed, |_| ());
+    let by_map = asked.load(Ordering::Relaxed);
+    assert!(
+        (1..=1960).contains(&by_map),
+        "{by_map} receptances for a map of {} points",
+        241 * 221
+    );
+}
