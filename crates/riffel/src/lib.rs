@@ -114,5 +114,9 @@ pub use wear::EnergyWear;
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]
-#[doc = include_str!("../../../docs/src/adding-a-track-model.md")]
-mod book {}
+mod book {
+    #[doc = include_str!("../../../docs/src/adding-a-track-model.md")]
+    mod track_model {}
+    #[doc = include_str!("../../../docs/src/adding-a-creep-law.md")]
+    mod creep_law {}
+}
