@@ -301,7 +301,7 @@ impl Case {
     }
 
     /// A sentence about a key of the case.
-    pub(crate) fn refuse(&self, key: &str, message: &str) -> CaseError {
+    pub fn refuse(&self, key: &str, message: &str) -> CaseError {
         self.keys.text.keys.refuse(key, message)
     }
 }

@@ -93,3 +93,15 @@ impl Held {
         )
     }
 }
+
+impl Variant {
+    /// The case that the variant makes, with what it holds of the mean state.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key of the file of changes that is at fault.
+    pub fn applied_to(&self, case: &Case) -> Result<Case, CaseError> {
+        let held = Held::of(self, case, &[], &[])?;
+        case.with(&[&self.overrides, Held::assignments(held.as_ref())])
+            .map_err(|error| self.explain(error))
+    }
+}

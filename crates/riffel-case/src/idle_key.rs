@@ -6,7 +6,7 @@ use crate::file::{ContactDynamics, Rotation, TrackModel};
 
 impl Case {
     /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
-    pub(crate) fn idle_because(&self, key: &str) -> Option<String> {
+    pub fn idle_because(&self, key: &str) -> Option<String> {
         let (table, inner) = key.split_once('.').unwrap_or((key, ""));
         let contact = &self.file.contact;
         let words = match table {

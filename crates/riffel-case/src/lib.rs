@@ -14,12 +14,10 @@
 //! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 
-mod branches;
 mod build;
 mod case;
 mod case_text;
 mod checked_keys;
-pub mod diagnosis;
 pub mod file;
 mod fill_in;
 mod given;
@@ -32,18 +30,13 @@ mod mechanisms;
 mod point;
 mod portable_case;
 mod preset;
-mod receptance_curves;
 mod resonances;
-mod rolling;
 mod sensitivity;
-mod site;
 mod track;
 pub mod traffic;
 mod variant;
-pub mod what_if;
 mod window;
 
-pub use branches::BranchDocument;
 pub use build::CreepLaws;
 pub use case::Case;
 pub use case_text::case_keys;
@@ -54,10 +47,7 @@ pub use measurement::UniversalFunction;
 pub use point::{Point, PointQuantity, PointValue};
 pub use portable_case::PortableCase;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
-pub use receptance_curves::{ReceptanceCurve, ReceptanceCurves};
-pub use rolling::{CreepCurve, CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
 pub use sensitivity::Sensitivity;
-pub use site::Site;
 pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
 

@@ -123,7 +123,7 @@ impl Variant {
     }
 
     /// The keys that it changes, dotted.
-    pub(crate) fn keys(&self) -> impl Iterator<Item = &str> {
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
         let keys = self.overrides.iter();
         keys.map(|assignment| overridden_key(assignment))
     }

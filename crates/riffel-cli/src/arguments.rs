@@ -8,8 +8,8 @@ mod study;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use riffel_answers::paper::Model;
 use riffel_case::Case;
-use riffel_figures::paper::Model;
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;

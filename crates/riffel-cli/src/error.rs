@@ -59,12 +59,6 @@ pub(crate) enum CliError {
         message: String,
     },
 
-    #[error(
-        "--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail"
-    )]
-    #[diagnostic(help("choose track.model = \"one-layer-periodic\" or \"two-layer-periodic\""))]
-    NoBay { model: &'static str },
-
     #[error("--wavelength: {message}")]
     Wavelength { message: String },
 
@@ -93,7 +87,7 @@ pub(crate) enum CliError {
 
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Figure(#[from] riffel_figures::FigureError),
+    Answer(#[from] riffel_answers::AnswerError),
 
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] riffel_plot::PlotError),

@@ -3,8 +3,6 @@
 //! [`run`] is the whole of it. The executable is one caller, the Python package another.
 
 mod arguments;
-mod bay;
-mod column;
 mod command;
 mod error;
 mod fingerprint;

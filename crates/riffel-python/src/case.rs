@@ -14,10 +14,10 @@ use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
 use riffel::{Axis, Direction, GrowthMap, Ridge};
-use riffel_case::{
-    BranchDocument, CreepCurves, FrequencyResponse, Point, PointValue, ReceptanceCurves,
-    RollingTheories,
-};
+use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories};
+use riffel_answers::receptance::ReceptanceCurves;
+use riffel_answers::ridge::BranchDocument;
+use riffel_case::{Point, PointValue};
 use riffel_keys::CaseError;
 
 use crate::array::owned;

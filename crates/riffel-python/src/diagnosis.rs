@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
-use riffel_case::diagnosis::{Diagnosis, DiagnosisDocument, DiagnosisSettings};
+use riffel_answers::diagnose::{Diagnosis, DiagnosisSettings};
 use riffel_rail::history::SpectraChoice;
 
 use crate::case::Case;
@@ -80,5 +80,5 @@ pub(crate) fn diagnose<'py>(
     })?;
     let mut diagnosis = diagnosis.map_err(of_case)?;
     diagnosis.warnings.splice(0..0, remark);
-    document(py, &DiagnosisDocument::new(&name, &diagnosis))
+    document(py, &diagnosis.document(&name))
 }

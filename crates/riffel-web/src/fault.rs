@@ -129,10 +129,10 @@ impl From<riffel_plot::PlotError> for Fault {
     }
 }
 
-impl From<riffel_figures::FigureError> for Fault {
-    fn from(error: riffel_figures::FigureError) -> Self {
+impl From<riffel_answers::AnswerError> for Fault {
+    fn from(error: riffel_answers::AnswerError) -> Self {
         match error {
-            riffel_figures::FigureError::Case(error) => error.into(),
+            riffel_answers::AnswerError::Case(error) => error.into(),
             error => Self::bad(error.to_string()),
         }
     }

@@ -2,18 +2,14 @@
 
 mod mix;
 mod on_case;
-mod rail_forecast;
 mod reported_growth;
 mod traffic_file;
-mod wear_report;
 
 use riffel::roughness::ThirdOctave;
 
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
-pub use rail_forecast::RailForecast;
 pub use traffic_file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
-pub use wear_report::{WearDocument, WearReport};
 
 use crate::Case;
 

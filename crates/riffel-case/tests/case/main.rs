@@ -1,6 +1,5 @@
 //! Case files as users write them.
 
-mod branches;
 mod case_file;
 mod contact;
 mod measured_resonances;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use riffel::roughness::{AnalysisSettings, GrindSettings};
+use riffel_answers::roughness::ProfileRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity};
 use riffel_rail::{LengthUnit, RecordPart, read_date};
 
@@ -96,11 +97,16 @@ pub(crate) struct Statistics {
 }
 
 impl Statistics {
-    /// What one piece of grinding is.
-    pub(crate) fn grinding(&self) -> GrindSettings {
-        GrindSettings {
-            merge: self.merge.si(),
-            shortest: self.grinding_length.si(),
+    /// What is asked of a profile.
+    pub(crate) fn request(&self) -> ProfileRequest {
+        ProfileRequest {
+            longest: self.longest,
+            window: self.window.map(|window| window.si()),
+            block: self.block.si(),
+            grinding: GrindSettings {
+                merge: self.merge.si(),
+                shortest: self.grinding_length.si(),
+            },
         }
     }
 }

@@ -1,6 +1,6 @@
 //! `riffel figures`
 
-use riffel_figures::paper;
+use riffel_answers::paper;
 use riffel_keys::Language;
 
 use crate::arguments::Figures;

@@ -2,16 +2,12 @@
 
 use std::path::Path;
 
-use riffel::growth::RidgePoint;
-use riffel::{GrowthMap, Ridge};
-use riffel_case::{BranchDocument, Case};
-use riffel_figures::{branches_csv, map_csv, map_figure, map_netcdf, ridge_csv};
-use riffel_keys::Remark;
+use riffel_answers::map::{BayGrowth, MapAnswer, map_csv, map_netcdf};
+use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
+use riffel_case::Case;
 use riffel_plot::Observation;
-use serde::Serialize;
 
 use crate::arguments::{Map, covering};
-use crate::bay::{BayGrowth, BaySummary};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::observations;
@@ -20,105 +16,6 @@ use crate::staging::Staging;
 
 /// Rows of the table on the terminal.
 const TABLE_ROWS: usize = 9;
-
-/// `summary.json`.
-#[derive(Serialize)]
-struct Summary<'a> {
-    riffel_version: &'static str,
-    /// The case after presets, defaults and overrides; reads back as a case.
-    inputs: &'a riffel_case::file::CaseFile,
-    derived: Derived,
-    ridge: RidgeSummary<'a>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bay: Option<BaySummary>,
-    remarks: &'a [Remark],
-}
-
-#[derive(Serialize)]
-struct Derived {
-    semi_axis_longitudinal_m: f64,
-    semi_axis_lateral_m: f64,
-    /// Of the paper's creep law only.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    creep_coefficient: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    saturation_creepage: Option<f64>,
-    creepage: f64,
-    tractive_ratio: f64,
-    contact_stiffness_n_per_m: f64,
-    mean_dissipation_j_per_m: f64,
-}
-
-#[derive(Serialize)]
-struct RidgeSummary<'a> {
-    /// That of the strongest branch.
-    best_fit_frequency_hz: Option<f64>,
-    /// The strongest first.
-    branches: &'a [BranchDocument],
-    highest: Option<RidgeEntry>,
-    speeds_that_grow: usize,
-    speeds_at_edge: usize,
-    speeds: usize,
-}
-
-#[derive(Serialize)]
-struct RidgeEntry {
-    speed_m_per_s: f64,
-    wavelength_m: f64,
-    frequency_hz: f64,
-    normalized_dissipation_re: f64,
-    growth_rate_per_passage: f64,
-    at_edge: bool,
-}
-
-impl From<&RidgePoint> for RidgeEntry {
-    fn from(point: &RidgePoint) -> Self {
-        Self {
-            speed_m_per_s: point.speed,
-            wavelength_m: point.wavelength,
-            frequency_hz: point.frequency,
-            normalized_dissipation_re: point.normalized_dissipation,
-            growth_rate_per_passage: point.growth_rate,
-            at_edge: point.at_edge,
-        }
-    }
-}
-
-impl<'a> Summary<'a> {
-    fn new(
-        case: &'a Case,
-        ridge: &Ridge,
-        branches: &'a [BranchDocument],
-        bay: Option<&BayGrowth>,
-    ) -> Self {
-        let steady = case.steady;
-        let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
-        Self {
-            riffel_version: env!("CARGO_PKG_VERSION"),
-            inputs: &case.file,
-            derived: Derived {
-                semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
-                semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
-                creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
-                saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
-                creepage: steady.creepages.longitudinal,
-                tractive_ratio: steady.tractive_ratio(),
-                contact_stiffness_n_per_m: case.feedback.contact_stiffness,
-                mean_dissipation_j_per_m: steady.energy_per_metre(),
-            },
-            ridge: RidgeSummary {
-                best_fit_frequency_hz: ridge.best_fit_frequency(),
-                branches,
-                highest: ridge.highest().filter(grows).map(RidgeEntry::from),
-                speeds_that_grow: ridge.points.iter().filter(grows).count(),
-                speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
-                speeds: ridge.points.len(),
-            },
-            bay: bay.map(BayGrowth::summary),
-            remarks: &case.remarks,
-        }
-    }
-}
 
 pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
@@ -139,51 +36,41 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     };
     let folder = arguments.case.folder(arguments.output.as_deref(), "map");
 
-    let staging = Staging::new("map", &folder)?;
+    let mut staging = Staging::new("map", &folder)?;
     let progress = Progress::new("growth map", case.speed.points());
-    let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
-        progress.advance(rows);
-    });
+    let mut answer = MapAnswer::new(&case, |rows| progress.advance(rows));
     drop(progress);
-    let ridge = Ridge::of_map(&case.feedback, &map);
-    let bay = arguments
-        .bay
-        .then(|| BayGrowth::compute(&case, curve))
-        .transpose()?;
-    let branches = BranchDocument::all(&case, &ridge);
-    let summary = json(&Summary::new(&case, &ridge, &branches, bay.as_ref()));
-    let mut staging = write_files(staging, &case, &map, &ridge, observations, &summary)?;
-    if let Some(bay) = &bay {
-        bay.write(&case, &mut staging)?;
+    if arguments.bay {
+        let rows = case.speed.points() * BayGrowth::map_count();
+        let progress = Progress::new("growth over the bay", rows);
+        let bay = BayGrowth::new(&case, curve, |rows| progress.advance(rows))?;
+        answer.bay = Some(bay);
+    }
+    let document = json(&answer.document(&case));
+    write_files(&mut staging, &case, &answer, observations, &document)?;
+    if let Some(bay) = &answer.bay {
+        write_bay(&mut staging, &case, bay)?;
     }
     let files = staging.publish()?;
 
     if arguments.json {
-        print(&summary)?;
+        print(&document)?;
     } else {
-        let sentence = BranchDocument::sentence(&branches).to_string();
-        print(&readable(
-            &case,
-            &ridge,
-            &sentence,
-            bay.as_ref(),
-            &folder,
-            &files,
-        ))?;
+        print(&readable(&case, &answer, &folder, &files))?;
     }
     print_remarks(&case.remarks);
     Ok(())
 }
 
 fn write_files(
-    mut staging: Staging,
+    staging: &mut Staging,
     case: &Case,
-    map: &GrowthMap,
-    ridge: &Ridge,
+    answer: &MapAnswer,
     observations: Vec<Observation>,
-    summary: &str,
-) -> Result<Staging, CliError> {
-    let figure = map_figure(case, map, ridge, observations);
+    document: &str,
+) -> Result<(), CliError> {
+    let figure = answer.figure(case, observations);
+    let MapAnswer { map, ridge, .. } = answer;
     staging.write_picture("map", &figure.svg()?)?;
     staging.write("map.html", figure.html()?)?;
     let progress = Progress::new("writing map.csv", case.speed.points());
@@ -194,19 +81,35 @@ fn write_files(
     map_netcdf(map, &figure.title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
     staging.write_with("branches.csv", |file| branches_csv(ridge, file))?;
-    staging.write("summary.json", summary)?;
-    Ok(staging)
+    staging.write("summary.json", document)
+}
+
+fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), CliError> {
+    let (maps, curves) = (bay.map_figure(case), bay.curve_figure(case));
+    for (name, svg, html) in [
+        ("bay-map", maps.svg()?, maps.html()?),
+        ("bay", curves.svg()?, curves.html()?),
+    ] {
+        staging.write_picture(name, &svg)?;
+        staging.write(&format!("{name}.html"), html)?;
+    }
+    staging.write_with("bay.csv", |file| bay.position_csv(file))?;
+    staging.write_with("bay-wavelength.csv", |file| bay.wavelength_csv(file))?;
+    let (mean, ridge) = bay.mean();
+    let progress = Progress::new("writing bay-mean.csv", case.speed.points());
+    staging.write_with("bay-mean.csv", |file| {
+        map_csv(mean, file, |rows| progress.advance(rows))
+    })?;
+    drop(progress);
+    map_netcdf(mean, "Mean over the bay", &staging.path("bay-mean.nc"))?;
+    staging.write_with("bay-mean-ridge.csv", |file| ridge_csv(ridge, file))?;
+    staging.write_with("bay-mean-branches.csv", |file| branches_csv(ridge, file))
 }
 
 /// The ridge at a few speeds, its branches in a sentence, and where the files are.
-fn readable(
-    case: &Case,
-    ridge: &Ridge,
-    branches: &str,
-    bay: Option<&BayGrowth>,
-    folder: &Path,
-    files: &[String],
-) -> String {
+fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) -> String {
+    let ridge = &answer.ridge;
+    let branches = BranchDocument::sentence(&answer.branches);
     let mut table = table(&[
         "speed km/h",
         "wavelength mm",
@@ -234,6 +137,7 @@ fn readable(
             if point.at_edge { "edge" } else { "" }.to_owned(),
         ]);
     }
+    let bay = answer.bay.as_ref();
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     format!(
         "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{branches}\n{bay}{}: {}\n",

@@ -4,7 +4,7 @@ use axum::extract::{Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel::{GrowthMap, Ridge};
-use riffel_figures::{map_csv, map_figure};
+use riffel_answers::map::{map_csv, map_figure};
 use riffel_plot::{DEFAULT_PNG_SCALE, png};
 use serde::Deserialize;
 

@@ -2,7 +2,7 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel_figures::paper::{Drawing, FIGURES, Model};
+use riffel_answers::paper::{Drawing, FIGURES, Model};
 use riffel_keys::Language;
 use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;

@@ -3,7 +3,8 @@
 use axum::extract::State;
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge};
-use riffel_case::{BranchDocument, Case};
+use riffel_answers::ridge::BranchDocument;
+use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 

@@ -3,7 +3,8 @@
 use axum::Json;
 use axum::extract::State;
 use riffel::{Axis, Complex64, Ridge};
-use riffel_case::{Case, Point, ReceptanceCurves};
+use riffel_answers::receptance::ReceptanceCurves;
+use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
 use super::map::Highest;

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use jiff::civil::Date;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
+use riffel_answers::diagnose::{Diagnosis, DiagnosisSettings};
 use riffel_case::Case;
-use riffel_case::diagnosis::{Diagnosis, DiagnosisSettings};
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
 use riffel_rail::history::SpectraChoice;

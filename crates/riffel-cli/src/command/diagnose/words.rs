@@ -1,8 +1,9 @@
 //! A diagnosis in words.
 
-use riffel::diagnosis::{Candidate, TrafficSpeeds};
+use riffel::diagnosis::TrafficSpeeds;
+use riffel_answers::capital;
+use riffel_answers::diagnose::{Diagnosis, Finding, candidate_row};
 use riffel_case::Case;
-use riffel_case::diagnosis::{Diagnosis, Finding};
 
 use crate::output::table;
 
@@ -33,7 +34,7 @@ fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
     }
     let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
     for candidate in &finding.candidates {
-        rows.add_row(row(candidate));
+        rows.add_row(candidate_row(candidate));
     }
     text += &format!("{rows}\n{}\n", capital(&finding.summary()));
     let shown = finding.candidates.iter().enumerate();
@@ -52,35 +53,4 @@ fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
         text += &format!("  {measurement}\n");
     }
     text
-}
-
-/// Name, share, frequency and wavelengths of a candidate.
-pub(crate) fn row(candidate: &Candidate) -> [String; 4] {
-    let millimetres = |range: (f64, f64)| {
-        let words = |value: f64| match 1e3 * value {
-            value if value < 100.0 => format!("{value:.1}"),
-            value => format!("{value:.0}"),
-        };
-        let (from, to) = (words(range.0), words(range.1));
-        if from == to {
-            from
-        } else {
-            format!("{from}–{to}")
-        }
-    };
-    [
-        candidate.kind.name().to_owned(),
-        format!("{:.3}", candidate.share),
-        candidate
-            .frequency
-            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
-        candidate.wavelengths.map_or_else(String::new, millimetres),
-    ]
-}
-
-pub(crate) fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }

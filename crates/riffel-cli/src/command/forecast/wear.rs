@@ -1,7 +1,8 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
+use riffel_answers::forecast::WearReport;
 use riffel_case::Case;
-use riffel_case::traffic::{TrafficOnCase, WearReport};
+use riffel_case::traffic::TrafficOnCase;
 
 use super::dated::Dated;
 use crate::arguments::Spectra;

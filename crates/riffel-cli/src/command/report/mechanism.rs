@@ -4,14 +4,15 @@ use std::fmt::Write as _;
 
 use riffel::diagnosis::MechanismKind;
 use riffel::{GrowthMap, Ridge};
-use riffel_case::diagnosis::{Diagnosis, SHARE};
-use riffel_case::{BranchDocument, Case};
-use riffel_figures::{SIGN, Shown, panel, parameters};
+use riffel_answers::diagnose::{Diagnosis, SHARE, candidate_row};
+use riffel_answers::map::{SIGN, Shown, panel};
+use riffel_answers::ridge::BranchDocument;
+use riffel_answers::{capital, parameters};
+use riffel_case::Case;
 use riffel_plot::{LineFigure, MapFigure, Observation};
 
 use super::outlook::Outlook;
 use super::page::{Section, escape, figure, list, table};
-use crate::command::diagnose::{capital, figure as figures, row};
 use crate::error::CliError;
 use crate::output::Progress;
 
@@ -102,7 +103,7 @@ fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>
 /// Dominant wavelengths with their candidates.
 pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, CliError> {
     const HEADING: &str = "Diagnosis";
-    let drawing = figures::of(file, diagnosis);
+    let drawing = diagnosis.figure(file);
     let caption = drawing.caption.clone();
     let drawing = LineFigure {
         title: String::new(),
@@ -130,7 +131,7 @@ pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, Cl
             .candidates
             .iter()
             .map(|candidate| {
-                let [name, share, frequency, wavelengths] = row(candidate);
+                let [name, share, frequency, wavelengths] = candidate_row(candidate);
                 let bar = format!(
                     "{share}<span class=\"bar\"><i style=\"width:{:.1}%\"></i></span>",
                     100.0 * candidate.share

@@ -11,14 +11,16 @@ use std::path::Path;
 use inputs::Inputs;
 use outlook::{Now, Outlook};
 use page::{Head, Section, escape};
-use riffel_case::{Case, Site};
+use riffel_answers::capital;
+use riffel_answers::report::Site;
+use riffel_answers::roughness::SpectraAnswer;
+use riffel_case::Case;
 use riffel_keys::quantity::Quantity;
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{CaseArguments, DiagnosisArguments, Report, Statistics};
-use crate::command::diagnose::{capital, diagnosis};
-use crate::command::roughness::profile::Report as ProfileReport;
-use crate::command::roughness::spectra::Means;
+use crate::command::diagnose::diagnosis;
+use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
 use crate::output::print;
@@ -222,7 +224,7 @@ fn measured(
                 block: Quantity::new(roughness::block_of_strip(&profile)),
                 ..Statistics::default()
             };
-            let report = ProfileReport::new(path, profile, limits, &statistics)?;
+            let report = judged(path, profile, limits, &statistics)?;
             let worst = report.worst().map(|worst| escape(&(capital(&worst) + ".")));
             let verdicts = report.verdicts().map(roughness::sentence);
             let mut brief: Vec<String> = worst.into_iter().chain(verdicts).collect();
@@ -248,7 +250,7 @@ fn measured(
             let by = record.by.as_deref().or_else(|| dated.then_some("date"));
             let dates = survey.records.iter();
             let date = dates.filter_map(|spectrum| spectrum.label("date")).max();
-            let means = Means::new(&survey, limits, by)?;
+            let means = SpectraAnswer::new(&survey, limits, by)?;
             Measured {
                 sections: vec![
                     Section::LeftOut("Profile", TABLE),
@@ -260,7 +262,7 @@ fn measured(
                 brief: means.verdicts.iter().map(roughness::sentence).collect(),
                 understood: format!(
                     "{} one-third-octave spectra{}",
-                    means.counts.iter().sum::<usize>(),
+                    means.count(),
                     match &record.choose[..] {
                         [] => String::new(),
                         choose => format!(", those with {}", choose.join(", ")),

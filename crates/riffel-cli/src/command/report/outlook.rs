@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use riffel::forecast::Reach;
-use riffel_case::what_if::{Effect, Outcome};
+use riffel_answers::compare::{CompareAnswer, Effect, Outcome};
+use riffel_answers::forecast::number;
 use riffel_plot::LineFigure;
 use riffel_rail::Survey;
 
@@ -11,8 +12,8 @@ use super::page::{Section, escape, figure, list, table};
 use crate::arguments::{
     CaseArguments, Compare, Forecast, Ground, HoldArgument, Horizon, Layout, Spectra,
 };
-use crate::command::forecast::number;
-use crate::command::{compare, forecast};
+use crate::command::compare::compare;
+use crate::command::forecast::forecast as answer_forecast;
 use crate::error::CliError;
 
 /// What the record says of now.
@@ -90,7 +91,8 @@ pub(super) fn forecast(
         output: None,
         json: false,
     };
-    let report = forecast::Report::new(&forecast, Some(now.survey.clone()))?;
+    let case = forecast.case.read()?;
+    let report = answer_forecast(&case, &forecast, Some(now.survey.clone()))?;
     let rows = report
         .rows()
         .into_iter()
@@ -125,9 +127,9 @@ pub(super) fn forecast(
         escape(&report.amount(report.passages))
     );
     html += &list(findings.clone());
-    html += &drawing(report.figure())?;
+    html += &drawing(report.figure(&case))?;
     html += &table("", &header, &rows);
-    let mut warnings = report.warnings().to_vec();
+    let mut warnings = report.warnings.clone();
     warnings.extend(report.on.remarks.iter().cloned());
     warnings.push(
         "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two \
@@ -155,7 +157,7 @@ pub(super) fn what_if(
     now: Option<&Now<'_>>,
 ) -> miette::Result<Outlook> {
     let traffic = now.and_then(|now| now.traffic.map(Path::to_owned));
-    let compare = Compare {
+    let asked = Compare {
         case,
         variants,
         speed: now
@@ -172,7 +174,8 @@ pub(super) fn what_if(
         output: None,
         json: false,
     };
-    let report = compare::Report::new(&compare, now.map(|now| now.survey.clone()))?;
+    let case = asked.case.read()?;
+    let report = compare(&case, &asked, now.map(|now| now.survey.clone()))?;
     let rows = report.comparison.outcomes.iter().map(|outcome| {
         let mut row = vec![escape(&outcome.title)];
         row.extend(report.row(outcome).iter().map(|cell| escape(cell)));
@@ -199,17 +202,17 @@ pub(super) fn what_if(
                  tractive ratio Q₀/μP₀ or the creepage.</p>\n";
     }
     html += &list(report.effects());
-    html += &drawing(report.figure())?;
+    html += &drawing(report.figure(&case))?;
     let brief = best(&report).into_iter().chain(months(&report));
     Ok(Outlook {
         section: Section::There("What-if", html),
         brief: brief.collect(),
-        warnings: [report.warnings(), &report.comparison.base().remarks].concat(),
+        warnings: [&report.warnings[..], &report.comparison.base().remarks].concat(),
     })
 }
 
 /// Which variant lowers growth most, of those that act.
-fn best(report: &compare::Report) -> Option<String> {
+fn best(report: &CompareAnswer) -> Option<String> {
     let base = report.comparison.base();
     let variants = &report.comparison.outcomes[1..];
     if base.fastest.rate <= 0.0 {
@@ -246,7 +249,7 @@ fn best(report: &compare::Report) -> Option<String> {
 }
 
 /// How long the case and each variant take to the limit.
-fn months(report: &compare::Report) -> Option<String> {
+fn months(report: &CompareAnswer) -> Option<String> {
     let edition = escape(&report.table.edition);
     let from = match &report.ground {
         Some(ground) => format!("From {} the", escape(&ground.words)),
@@ -300,5 +303,5 @@ fn drawing(drawing: LineFigure) -> Result<String, CliError> {
 }
 
 fn capital(words: &str) -> String {
-    crate::command::diagnose::capital(words) + "."
+    riffel_answers::capital(words) + "."
 }

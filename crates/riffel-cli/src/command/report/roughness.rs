@@ -3,14 +3,13 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
+use riffel_answers::roughness::{
+    ProfileAnswer, SpectraAnswer, Verdict, band_row, counted, grind_row,
+};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, Series};
 use riffel_rail::{Limit, LimitTable, Record};
 
 use super::page::{Section, escape, figure, list, table};
-use crate::command::roughness::figure as figures;
-use crate::command::roughness::profile::{Report, band_row, counted, grind_row};
-use crate::command::roughness::spectra::Means;
-use crate::command::roughness::verdict::Verdict;
 use crate::error::CliError;
 
 /// Columns of a profile strip: more than a printer resolves on A4.
@@ -76,12 +75,12 @@ fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// The moving RMS along each rail, with its limits.
-pub(super) fn moving_rms(report: &Report) -> Result<Section, CliError> {
+pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, CliError> {
     let drawing = LineFigure {
         panels: report
             .rails
             .iter()
-            .map(|rail| figures::moving_rms(report, rail))
+            .map(|rail| report.moving_rms(rail))
             .collect(),
         arrangement: Arrangement::Strips,
         ..LineFigure::default()
@@ -108,10 +107,10 @@ pub(super) fn block_of_strip(record: &Record) -> f64 {
 /// Levels of a profile with their limit.
 pub(super) fn spectrum_of_profile(
     path: &Path,
-    report: &Report,
+    report: &ProfileAnswer,
     limits: &[LimitTable],
 ) -> Result<Section, CliError> {
-    let mut drawing = figures::of_profile(path, report, limits);
+    let mut drawing = report.figure(path, limits);
     drawing.panels.truncate(1);
     let removed = report.removed();
     let caption = format!(
@@ -126,17 +125,16 @@ pub(super) fn spectrum_of_profile(
 /// Means of spectra with their limit.
 pub(super) fn spectrum_of_means(
     path: &Path,
-    means: &Means,
+    means: &SpectraAnswer,
     limits: &[LimitTable],
 ) -> Result<Section, CliError> {
-    let mut drawing = figures::of_spectra(path, &means.groups, limits);
+    let mut drawing = means.figure(path, limits);
     drawing.panels.truncate(1);
     drawing.panels[0].subtitle.clear();
     let counts: Vec<String> = means
         .groups
         .iter()
-        .zip(&means.counts)
-        .map(|(group, count)| format!("{} ({count})", group.0))
+        .map(|group| format!("{} ({})", group.name, group.count))
         .collect();
     let caption = format!(
         "Means of energies over the spectra of each group: {}. {}",
@@ -198,7 +196,7 @@ fn editions(limits: &[LimitTable]) -> String {
 }
 
 /// Statistics of the bands.
-pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
+pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable]) -> Section {
     let rails = report.rails.iter();
     let rows: Vec<Vec<String>> = rails
         .flat_map(|rail| {
@@ -229,7 +227,7 @@ pub(super) fn bands(report: &Report, limits: &[LimitTable]) -> Section {
 }
 
 /// What to grind.
-pub(super) fn grind(report: &Report) -> Section {
+pub(super) fn grind(report: &ProfileAnswer) -> Section {
     const HEADING: &str = "What to grind";
     if !report.knows_what_to_grind() {
         return Section::LeftOut(HEADING, "it needs a table of RMS limits (--limit).");
@@ -270,7 +268,7 @@ pub(super) fn grind(report: &Report) -> Section {
 }
 
 /// The total to grind in a sentence.
-pub(super) fn total(report: &Report) -> String {
+pub(super) fn total(report: &ProfileAnswer) -> String {
     let sections = report.sections().len();
     if sections == 0 {
         return "No length is over the RMS limits: nothing to grind.".to_owned();

@@ -1,11 +1,8 @@
 //! `riffel roughness`
 
-pub(crate) mod document;
-pub(crate) mod figure;
 pub(crate) mod profile;
-pub(crate) mod spectra;
+mod spectra;
 mod synthesise;
-pub(crate) mod verdict;
 
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;

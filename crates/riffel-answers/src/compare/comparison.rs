@@ -1,0 +1,241 @@
+//! What would help: one traffic on a case and on variants of it, side by side.
+
+use riffel::Ridge;
+use riffel::forecast::{Reach, TrafficGrowth};
+use riffel::growth::RidgePoint;
+use riffel::roughness::{LevelLimit, ThirdOctave};
+use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
+use riffel_case::{Case, Hold, SpeedChange, Variant};
+use riffel_keys::CaseError;
+use riffel_rail::RailSpectrum;
+
+use crate::forecast::RailForecast;
+
+/// Growth under one traffic, as it is and as each variant makes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    /// The bands.
+    pub bands: Vec<ThirdOctave>,
+    /// The case as it is, then the variants in their order.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// What a variant does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// Its title.
+    pub title: String,
+    /// Growth by vehicle and line.
+    pub growth: TrafficGrowth,
+    /// Axle passages a day, if known.
+    pub passages_per_day: Option<f64>,
+    /// The line of highest growth.
+    pub fastest: FastestLine,
+    /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
+    /// its map; none where nothing grows.
+    pub ridge_frequency: Option<f64>,
+    /// Where that ridge is highest.
+    pub ridge_highest: Option<RidgePoint>,
+    /// The rails under this traffic, the one that leads first; none where no spectrum was given.
+    pub rails: Vec<RailForecast>,
+    /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
+    pub held: Vec<Hold>,
+    /// What it does to growth.
+    pub effect: Effect,
+    /// What the reader should know about the validity of the models.
+    pub remarks: Vec<String>,
+}
+
+/// What a variant does to growth.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Effect {
+    /// It is the case as it is.
+    None,
+    /// It changes growth; the sentence is on keys that have no part in that, where there are any.
+    Acts(Option<String>),
+    /// No key of it can change growth in this case, and none does: the sentence says why.
+    CannotAct(String),
+    /// Growth is the same to the last digit, as where a file gives the values of the case.
+    ChangesNothing(String),
+}
+
+impl Effect {
+    /// Of a variant on the case that it makes, by growth before and after.
+    fn of(
+        variant: &Variant,
+        changed: &Case,
+        before: &TrafficGrowth,
+        after: &TrafficGrowth,
+    ) -> Self {
+        let idle: Vec<(&str, String)> = variant
+            .keys()
+            .filter_map(|key| Some((key, changed.idle_because(key)?)))
+            .collect();
+        let all = idle.len() == variant.overrides.len() && variant.speed == SpeedChange::default();
+        let mut reasons: Vec<(Vec<String>, &str)> = Vec::new();
+        for (key, reason) in &idle {
+            let key = format!("`{key}`");
+            match reasons.iter_mut().find(|known| known.1 == reason) {
+                Some(known) => known.0.push(key),
+                None => reasons.push((vec![key], reason)),
+            }
+        }
+        let title = &variant.title;
+        let reasons = reasons.iter();
+        let reasons: Vec<String> = reasons
+            .map(|(keys, reason)| format!("{} has no effect, for {reason}", keys.join(", ")))
+            .collect();
+        let reasons = reasons.join("; ");
+        let same = before.vehicles().len() == after.vehicles().len()
+            && before
+                .vehicles()
+                .iter()
+                .zip(after.vehicles())
+                .all(|(before, after)| before.growth == after.growth);
+        match (same, all) {
+            (true, true) => {
+                Self::CannotAct(format!("\"{title}\" cannot act on this case: {reasons}"))
+            }
+            (true, false) => Self::ChangesNothing(format!(
+                "\"{title}\" changes nothing: growth is that of the case to the last digit"
+            )),
+            (false, _) => Self::Acts(
+                (!reasons.is_empty())
+                    .then(|| format!("of \"{title}\" only a part acts: {reasons}")),
+            ),
+        }
+    }
+
+    /// Whether growth can be compared with that of the case.
+    pub fn acts(&self) -> bool {
+        matches!(self, Self::Acts(_))
+    }
+
+    /// What the reader should know of it.
+    pub fn sentence(&self) -> Option<&str> {
+        match self {
+            Self::None => None,
+            Self::Acts(sentence) => sentence.as_deref(),
+            Self::CannotAct(sentence) | Self::ChangesNothing(sentence) => Some(sentence),
+        }
+    }
+}
+
+/// The wavelength that grows fastest under the traffic.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FastestLine {
+    /// Its wavelength \[m\], one of the lines: to 1.5 %.
+    pub wavelength: f64,
+    /// Its growth rate per axle passage \[-\]; below zero where nothing grows.
+    pub rate: f64,
+    /// It is the first or the last line: a shorter or longer wavelength may grow faster.
+    pub at_edge: bool,
+}
+
+impl Comparison {
+    /// Compute the case and its variants under the traffic, with the levels of rails and a limit if there are
+    /// any. `progress` is told of each vehicle of each outcome.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key of the file that is at fault.
+    pub fn compute(
+        case: &Case,
+        variants: &[Variant],
+        traffic: &Traffic,
+        rails: &[RailSpectrum],
+        limit: Option<&LevelLimit>,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, CaseError> {
+        let bands = bands_of(case);
+        let as_it_is = Variant::none("as it is");
+        let mut outcomes: Vec<Outcome> = Vec::new();
+        for variant in std::iter::once(&as_it_is).chain(variants) {
+            let on = traffic.on(case, &bands, variant, progress)?;
+            let changed = variant.applied_to(case)?;
+            let ridge = Ridge::search(&changed.feedback, changed.wavelength, changed.speed);
+            let rails = RailForecast::of_rails(rails, &on.growth, limit)
+                .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
+            let effect = match outcomes.first() {
+                None => Effect::None,
+                Some(base) => Effect::of(variant, &changed, &base.growth, &on.growth),
+            };
+            outcomes.push(Outcome {
+                title: variant.title.clone(),
+                fastest: FastestLine::of(&on.growth),
+                ridge_frequency: ridge.best_fit_frequency(),
+                ridge_highest: ridge.highest().copied(),
+                passages_per_day: on.passages_per_day,
+                growth: on.growth,
+                rails,
+                held: on.held,
+                effect,
+                remarks: on.remarks,
+            });
+        }
+        Ok(Self { bands, outcomes })
+    }
+
+    /// The case as it is.
+    pub fn base(&self) -> &Outcome {
+        &self.outcomes[0]
+    }
+}
+
+impl Outcome {
+    /// The rail that leads, see [`RailForecast::of_rails`]; none where no spectrum was given.
+    pub fn leading(&self) -> Option<&RailForecast> {
+        self.rails.first()
+    }
+
+    /// When the rail that leads reaches the limit; none where no spectrum or no limit was given.
+    pub fn reach(&self) -> Option<Reach> {
+        self.leading()?.reach
+    }
+
+    /// Axle passages until the rail that leads reaches the limit, if they are known.
+    pub fn passages_to_limit(&self) -> Option<f64> {
+        self.reach()?.passages()
+    }
+
+    /// Months until the rail that leads reaches the limit, if they are known.
+    pub fn months_to_limit(&self) -> Option<f64> {
+        self.months(self.passages_to_limit()?)
+    }
+
+    /// Months that some axle passages take, if the axles a day are known.
+    pub fn months(&self, passages: f64) -> Option<f64> {
+        Some(passages / self.passages_per_day? / DAYS_PER_MONTH)
+    }
+
+    /// The name of what is held where friction or load change: force, ratio, creepage, or mixed where that differs
+    /// from vehicle to vehicle.
+    pub fn held_name(&self) -> Option<&'static str> {
+        match &self.held[..] {
+            [] => None,
+            [hold] => Some(hold.name()),
+            _ => Some("mixed"),
+        }
+    }
+
+    /// Change of the fastest growth from that of the case as it is, as a part of it; none where that does not grow
+    /// or this does not act.
+    pub fn change_from(&self, base: &Self) -> Option<f64> {
+        (base.fastest.rate > 0.0 && self.effect.acts())
+            .then(|| self.fastest.rate / base.fastest.rate - 1.0)
+    }
+}
+
+impl FastestLine {
+    fn of(growth: &TrafficGrowth) -> Self {
+        let (wavelengths, rates) = (growth.wavelengths(), growth.rates());
+        // Every traffic has a line.
+        let place = (0..rates.len())
+            .max_by(|&a, &b| rates[a].total_cmp(&rates[b]))
+            .unwrap_or(0);
+        Self {
+            wavelength: wavelengths[place],
+            rate: rates[place],
+            at_edge: place == 0 || place + 1 == rates.len(),
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! The figure of a comparison.
+
+use riffel_case::Case;
+use riffel_case::traffic::DAYS_PER_YEAR;
+use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
+
+use super::CompareAnswer;
+use crate::forecast::{number, per_million, rate_panel, when, zero};
+use crate::roughness::figure::{level_panel, levels as curve};
+
+pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
+    let base = answer.comparison.base();
+    let wavelengths: Vec<f64> = base.growth.wavelengths().iter().map(|w| 1e3 * w).collect();
+    let outcomes = || answer.comparison.outcomes.iter().enumerate();
+    let mut rates: Vec<Series> = outcomes()
+        .map(|(index, outcome)| Series {
+            label: outcome.title.clone(),
+            x: wavelengths.clone(),
+            y: outcome
+                .growth
+                .rates()
+                .iter()
+                .map(|rate| per_million(*rate))
+                .collect(),
+            style: LineStyle::Solid,
+            color: Some(color(index)),
+        })
+        .collect();
+    rates.push(zero(&wavelengths));
+    let mut panels = vec![rate_panel(rates)];
+    let mut caption = format!(
+        "{}. Growth of the level by wavelength, positive where corrugation grows.",
+        answer.speeds
+    );
+    if let Some(leading) = answer.leading() {
+        // All at one date: when the case as it is reaches its limit, else when the first variant does, else
+        // after a year.
+        let reached = answer.comparison.outcomes.iter();
+        let passages = reached
+            .filter_map(|outcome| outcome.passages_to_limit())
+            .find(|passages| *passages > 0.0)
+            .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
+            .unwrap_or(1e6);
+        let now = match &answer.ground {
+            Some(_) => "after grinding",
+            None => "now",
+        };
+        let mut ended = Vec::new();
+        let now = format!("{}{now}", answer.prefix(leading));
+        let spectrum = &leading.measured.spectrum;
+        let mut levels = vec![curve(&now, spectrum, LineStyle::Dotted, Rgb::BLACK)];
+        levels.extend(outcomes().filter_map(|(index, outcome)| {
+            // All of one rail, the one that leads in the case as it is.
+            let mut rails = outcome.rails.iter();
+            let rail = rails.find(|rail| rail.name() == leading.name())?;
+            let forecast = &rail.forecast;
+            let until = passages.min(forecast.valid_to());
+            if until < passages {
+                ended.push(format!("\u{201c}{}\u{201d}", outcome.title));
+            }
+            let bands = forecast.bands().iter();
+            // Where the wheel leaves the rail now, there is nothing but the spectrum now.
+            (until > 0.0).then(|| Series {
+                label: outcome.title.clone(),
+                x: bands
+                    .clone()
+                    .map(|band| 1e3 * band.now.band.wavelength())
+                    .collect(),
+                y: bands.map(|band| band.level(until)).collect(),
+                style: LineStyle::Solid,
+                color: Some(color(index)),
+            })
+        }));
+        levels.push(curve(
+            &answer.table.edition,
+            answer.limit.spectrum(),
+            LineStyle::Dashed,
+            Rgb::BLACK,
+        ));
+        panels.push(level_panel(levels));
+        caption += &format!(
+            " Levels after {} axle passages, {} MGT as it is.",
+            when(Some(passages)),
+            number(base.growth.mgt(passages))
+        );
+        if answer.names_rails() {
+            caption += &format!(
+                " The levels are those of {}, which leads as it is.",
+                answer.prefix(leading).trim_end()
+            );
+        }
+        if !ended.is_empty() {
+            caption += &format!(
+                " Before, where the wheel leaves the rail and the forecast ends: {}.",
+                ended.join(", ")
+            );
+        }
+    }
+    LineFigure {
+        title: case
+            .file
+            .title
+            .clone()
+            .unwrap_or_else(|| "Comparison".to_owned()),
+        caption,
+        panels,
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// Black for the case as it is.
+fn color(index: usize) -> Rgb {
+    match index {
+        0 => Rgb::BLACK,
+        _ => OKABE_ITO[1 + (index - 1) % (OKABE_ITO.len() - 1)],
+    }
+}

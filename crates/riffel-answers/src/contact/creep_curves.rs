@@ -1,0 +1,131 @@
+//! Creep curves of all laws.
+
+use std::io::{self, Write};
+
+use riffel::contact::{CreepLaw, Creepages};
+use riffel_keys::CaseError;
+use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Series};
+
+use super::line;
+use super::theories::{RollingTheories, refused};
+
+/// Tractive ratio against creepage by one law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreepCurve {
+    /// Name in the case file, and key in documents and tables.
+    pub key: &'static str,
+    /// Name in figures.
+    pub label: &'static str,
+    /// Q/μP at each creepage \[-\].
+    pub tractive_ratios: Vec<f64>,
+}
+
+/// The curves of all laws over the same creepages.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CreepCurves {
+    /// Creepages \[-\].
+    pub creepages: Vec<f64>,
+    /// Law by law, the exact one last.
+    pub laws: Vec<CreepCurve>,
+}
+
+impl CreepCurves {
+    /// The curves at some creepages \[-\]; `progress` is told of each of them.
+    ///
+    /// # Errors
+    /// [`CaseError::Physics`] where the exact theory does not converge.
+    pub fn new(
+        theories: &RollingTheories,
+        creepages: Vec<f64>,
+        progress: impl Fn(),
+    ) -> Result<Self, CaseError> {
+        let load = theories.hertz.normal_force();
+        let mut exact = Vec::with_capacity(creepages.len());
+        for &creepage in &creepages {
+            let state = theories.half_space.roll(creepage);
+            let state = state.map_err(refused(format!("half-space, creepage {creepage}")))?;
+            exact.push(theories.tractive_ratio(state.tangential_force()));
+            progress();
+        }
+        let over = |force: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            let ratio = |&creepage| theories.tractive_ratio(force(creepage));
+            creepages.iter().map(ratio).collect()
+        };
+        let by = |law: &dyn CreepLaw| {
+            over(&|creepage| {
+                law.forces(load, Creepages::longitudinal(creepage))
+                    .longitudinal
+            })
+        };
+        let curve = |key, label, tractive_ratios| CreepCurve {
+            key,
+            label,
+            tractive_ratios,
+        };
+        let laws = theories.laws.laws.iter();
+        let mut laws: Vec<CreepCurve> = laws
+            .map(|(entry, law)| curve(entry.name, entry.label, by(&**law)))
+            .collect();
+        laws.push(curve("half-space", "half-space (exact)", exact));
+        Ok(Self { creepages, laws })
+    }
+}
+
+/// Style and colour of each law.
+const LOOKS: [(LineStyle, usize); 7] = [
+    (LineStyle::Dashed, 1),
+    (LineStyle::Dotted, 6),
+    (LineStyle::Dotted, 2),
+    (LineStyle::Dashed, 3),
+    (LineStyle::Solid, 4),
+    (LineStyle::Solid, 5),
+    (LineStyle::Solid, 0),
+];
+
+/// One row for each sample.
+pub(super) fn table(curves: &CreepCurves, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header = vec!["creepage".to_owned()];
+    header.extend(curves.laws.iter().map(|law| law.key.replace('-', "_")));
+    writer.write_record(&header)?;
+    for (index, &creepage) in curves.creepages.iter().enumerate() {
+        let mut row = vec![creepage];
+        row.extend(curves.laws.iter().map(|law| law.tractive_ratios[index]));
+        writer.serialize(row)?;
+    }
+    writer.flush()
+}
+
+pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel {
+    const TO_PERCENT: f64 = 100.0;
+    // Every law begins at the origin.
+    let from_origin = |values: &[f64], factor: f64| -> Vec<f64> {
+        let values = values.iter().map(|value| factor * value);
+        std::iter::once(0.0).chain(values).collect()
+    };
+    let percent = from_origin(&curves.creepages, TO_PERCENT);
+    let laws = curves
+        .laws
+        .iter()
+        .zip(LOOKS)
+        .map(|(law, (style, color))| Series {
+            style,
+            color: Some(OKABE_ITO[color]),
+            ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0))
+        });
+    let mean_state = Series {
+        label: "mean state".to_owned(),
+        x: vec![TO_PERCENT * patch.state.creepage()],
+        y: vec![patch.tractive_ratio(patch.state.tangential_force())],
+        style: LineStyle::Markers,
+        color: Some(OKABE_ITO[0]),
+    };
+    LinePanel {
+        subtitle: "steady rolling".to_owned(),
+        x_label: "creepage ξ [%]".to_owned(),
+        y_label: "tractive ratio Q/μP [-]".to_owned(),
+        y_range: Some((0.0, 1.08)),
+        series: laws.chain([mean_state]).collect(),
+        ..LinePanel::default()
+    }
+}

@@ -1,0 +1,155 @@
+//! Rolling contact by all theories.
+
+mod creep_curves;
+mod document;
+mod frequency_response;
+mod patch;
+mod theories;
+
+use std::io::{self, Write};
+
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_plot::{Arrangement, LineFigure, Series};
+
+pub use creep_curves::{CreepCurve, CreepCurves};
+pub use document::ContactDocument;
+pub use frequency_response::{FrequencyResponse, ResponseOutputs};
+pub use theories::RollingTheories;
+
+use crate::parameters::polach;
+
+/// What is asked of the contact of a case.
+#[derive(Debug, Clone)]
+pub struct ContactRequest {
+    /// Creepages of the creep curves \[-\]; by default equally spaced to beyond full slip.
+    pub creepages: Option<Vec<f64>>,
+    /// Wavelengths of the responses in semi-axes \[-\]; by default equally spaced in their logarithm.
+    pub ratios: Option<Vec<f64>>,
+}
+
+/// The contact of a case by all theories: creep curves and responses to small oscillations.
+pub struct ContactAnswer {
+    /// The theories, and the mean state by the exact one.
+    pub theories: RollingTheories,
+    /// Creep curves of all laws.
+    pub curves: CreepCurves,
+    /// Responses about the mean state.
+    pub response: FrequencyResponse,
+}
+
+impl ContactAnswer {
+    /// The contact by the theories; `progress` is told of every sample and of one more.
+    ///
+    /// # Errors
+    /// [`CaseError::Physics`] where a wavelength is not resolved or the exact theory does not converge.
+    pub fn new(
+        theories: RollingTheories,
+        request: ContactRequest,
+        progress: impl Fn(),
+    ) -> Result<Self, CaseError> {
+        let ratios = request.ratios;
+        let ratios = ratios.unwrap_or_else(FrequencyResponse::default_ratios);
+        let creepages = request.creepages;
+        let creepages = creepages.unwrap_or_else(|| theories.default_creepages());
+        // First what is refused soonest.
+        let response = FrequencyResponse::new(&theories, ratios, &progress)?;
+        let curves = CreepCurves::new(&theories, creepages, &progress)?;
+        Ok(Self {
+            theories,
+            curves,
+            response,
+        })
+    }
+
+    /// The contact as data: what `riffel contact --json` prints.
+    pub fn document(&self) -> ContactDocument {
+        document::document(&self.theories, &self.curves, &self.response)
+    }
+
+    /// Creep curves, and modulus and phase of the responses.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        let Self {
+            theories,
+            curves,
+            response,
+        } = self;
+        let [modulus, phase] = frequency_response::panels(response);
+        LineFigure {
+            title: "Rolling contact: creep curves and frequency response".to_owned(),
+            caption: format!(
+                "Responses of the half-space about its mean state, exp(+iωt); the energy left on the rail is that of \
+                 the whole passage, relative to the instant at which the wheel centre passes. {}",
+                parameters(case, theories)
+            ),
+            panels: vec![creep_curves::panel(curves, theories), modulus, phase],
+            arrangement: Arrangement::Stacked,
+        }
+    }
+
+    /// Stick, slip and tractions of the mean state.
+    pub fn patch_figure(&self, case: &Case) -> LineFigure {
+        patch::figure(case, &self.theories)
+    }
+
+    /// The elements of the patch, one row for each.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn patch_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        patch::table(&self.theories, file)
+    }
+
+    /// One row for each creepage, a column for each law.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn creep_curve_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        creep_curves::table(&self.curves, file)
+    }
+
+    /// One row for each wavelength.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn frequency_response_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        frequency_response::table(&self.response, file)
+    }
+}
+
+/// The parameters of the contact in one sentence.
+fn parameters(case: &Case, patch: &RollingTheories) -> String {
+    let material = patch.hertz.material();
+    format!(
+        "E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, P = {:.0} kN, μ = {}; ellipse {:.2} × {:.2} mm; \
+         mean state τ = {:.3}, ξ₀ = {:.4} %; {} elements over a diameter{}.",
+        1e-9 * case.file.steel.youngs_modulus.si(),
+        material.poisson_ratio(),
+        patch.hertz.rolling_radius(),
+        case.file.contact.transverse_radius.si(),
+        1e-3 * patch.hertz.normal_force(),
+        patch.friction,
+        2e3 * patch.hertz.semi_axis_longitudinal(),
+        2e3 * patch.hertz.semi_axis_lateral(),
+        patch.tractive_ratio(patch.state.tangential_force()),
+        100.0 * patch.state.creepage(),
+        case.file.contact.grid,
+        match polach(case).as_str() {
+            "" => String::new(),
+            words => format!("; Polach{words}"),
+        },
+    )
+}
+
+/// A curve from left to right, in whichever order its samples were asked for.
+fn line(label: &str, x: &[f64], y: &[f64]) -> Series {
+    let mut samples: Vec<(f64, f64)> = x.iter().copied().zip(y.iter().copied()).collect();
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let (x, y) = samples.into_iter().unzip();
+    Series {
+        label: label.to_owned(),
+        x,
+        y,
+        ..Series::default()
+    }
+}

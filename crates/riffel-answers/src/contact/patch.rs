@@ -1,0 +1,163 @@
+//! Stick, slip and tractions of the mean state as a picture.
+
+use std::io::{self, Write};
+
+use riffel::contact::ContactElement;
+use riffel_case::Case;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
+
+use super::{RollingTheories, line, parameters};
+
+pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
+    const TO_MILLIMETRES: f64 = 1e3;
+    const TO_MEGAPASCALS: f64 = 1e-6;
+    /// Height of a panel over its width, so that the ellipse keeps its shape.
+    const HEIGHT_OVER_WIDTH: f64 = 200.0 / 450.0;
+    const AIR: f64 = 1.12;
+    /// Elements over a diameter that can be told apart.
+    const MOST_MARKS: u64 = 40;
+    /// Number of marks from which a zone is wide.
+    const WIDE_ZONE: usize = 150;
+    let a = TO_MILLIMETRES * patch.hertz.semi_axis_longitudinal();
+    let b = TO_MILLIMETRES * patch.hertz.semi_axis_lateral();
+    let half_width = AIR * a.max(b / HEIGHT_OVER_WIDTH);
+    let x_range = Some((-half_width, half_width));
+    let half_height = half_width * HEIGHT_OVER_WIDTH;
+    let x_label = "x along the rail, in the direction of rolling [mm]".to_owned();
+
+    // The number of rows is even: the one just beside the centre line.
+    let beside = patch
+        .elements()
+        .map(|element| element.centre.1)
+        .filter(|&y| y > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let row: Vec<ContactElement> = patch
+        .elements()
+        .filter(|element| element.centre.1 == beside)
+        .collect();
+    // On the edge of the patch the pressure vanishes.
+    let x: Vec<f64> = row
+        .iter()
+        .map(|element| TO_MILLIMETRES * element.centre.0)
+        .chain([-a, a])
+        .collect();
+    let stress = |label, style, value: fn(&ContactElement) -> f64| {
+        let y: Vec<f64> = row
+            .iter()
+            .map(|element| TO_MEGAPASCALS * value(element))
+            .chain([0.0, 0.0])
+            .collect();
+        Series {
+            style,
+            ..line(label, &x, &y)
+        }
+    };
+
+    let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
+
+    let outline: (Vec<f64>, Vec<f64>) = (0..=180)
+        .map(|step| std::f64::consts::TAU * f64::from(step) / 180.0)
+        .map(|angle| (a * angle.cos(), b * angle.sin()))
+        .unzip();
+    let rows = distinct(patch.elements().map(|element| element.centre.1));
+    let columns = distinct(patch.elements().map(|element| element.centre.0));
+    let every = case.file.contact.grid.div_ceil(MOST_MARKS) as usize;
+    let marks = |label: &str, slips: bool, color: usize| {
+        // A wide zone is legible with fewer marks.
+        let zone = patch.elements().filter(|element| element.slips == slips);
+        let every = if zone.count() > WIDE_ZONE * every * every {
+            2 * every
+        } else {
+            every
+        };
+        let shown = |places: &[f64], place: f64| {
+            places
+                .binary_search_by(|other| other.total_cmp(&place))
+                .is_ok_and(|index| index % every == every / 2)
+        };
+        let (x, y) = patch
+            .elements()
+            .filter(|element| element.slips == slips)
+            .map(|element| element.centre)
+            .filter(|&(x, y)| shown(&columns, x) && shown(&rows, y))
+            .map(|(x, y)| (TO_MILLIMETRES * x, TO_MILLIMETRES * y))
+            .unzip();
+        Series {
+            label: label.to_owned(),
+            x,
+            y,
+            style: LineStyle::Markers,
+            color: Some(OKABE_ITO[color]),
+        }
+    };
+    LineFigure {
+        title: "Contact patch in steady rolling".to_owned(),
+        caption: format!(
+            "Half-space theory; material enters on the right, at x = +a. {}",
+            parameters(case, patch)
+        ),
+        panels: vec![
+            LinePanel {
+                subtitle: "tractions on the centre line".to_owned(),
+                x_label: x_label.clone(),
+                y_label: "traction [MPa]".to_owned(),
+                x_range,
+                y_range: Some((0.0, 1.25 * highest)),
+                series: vec![
+                    stress("bound μp", LineStyle::Dashed, |element| element.bound),
+                    stress("traction", LineStyle::Solid, |element| element.traction.0),
+                ],
+                ..LinePanel::default()
+            },
+            LinePanel {
+                subtitle: "where the surfaces stick and slip".to_owned(),
+                x_label,
+                y_label: "y across the rail [mm]".to_owned(),
+                x_range,
+                y_range: Some((-half_height, half_height)),
+                series: vec![
+                    marks("stick", false, 1),
+                    marks("slip", true, 2),
+                    Series {
+                        x: outline.0,
+                        y: outline.1,
+                        color: Some(OKABE_ITO[0]),
+                        ..Series::default()
+                    },
+                ],
+                ..LinePanel::default()
+            },
+        ],
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// Values in ascending order, each once.
+pub(super) fn distinct(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+/// The elements of the patch, one row for each.
+pub(super) fn table(patch: &RollingTheories, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record([
+        "x_m",
+        "y_m",
+        "traction_longitudinal_pa",
+        "traction_lateral_pa",
+        "bound_pa",
+        "slips",
+    ])?;
+    for element in patch.elements() {
+        writer.serialize((
+            element.centre,
+            element.traction,
+            element.bound,
+            element.slips,
+        ))?;
+    }
+    writer.flush()
+}

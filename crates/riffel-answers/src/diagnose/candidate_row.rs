@@ -1,0 +1,27 @@
+//! A candidate in the table of a reader.
+
+use riffel::diagnosis::Candidate;
+
+/// Name, share, frequency and wavelengths of a candidate.
+pub fn candidate_row(candidate: &Candidate) -> [String; 4] {
+    let millimetres = |range: (f64, f64)| {
+        let words = |value: f64| match 1e3 * value {
+            value if value < 100.0 => format!("{value:.1}"),
+            value => format!("{value:.0}"),
+        };
+        let (from, to) = (words(range.0), words(range.1));
+        if from == to {
+            from
+        } else {
+            format!("{from}–{to}")
+        }
+    };
+    [
+        candidate.kind.name().to_owned(),
+        format!("{:.3}", candidate.share),
+        candidate
+            .frequency
+            .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
+        candidate.wavelengths.map_or_else(String::new, millimetres),
+    ]
+}

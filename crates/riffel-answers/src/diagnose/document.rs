@@ -1,0 +1,181 @@
+//! A diagnosis as data: what `riffel diagnose --json` prints.
+
+use riffel::diagnosis::Candidate;
+use serde::Serialize;
+
+use super::{Diagnosis, Finding};
+
+/// A diagnosis with keys and units, to be serialised.
+#[derive(Serialize)]
+pub struct DiagnosisDocument {
+    file: String,
+    record: String,
+    speed_min_m_per_s: f64,
+    speed_max_m_per_s: f64,
+    /// What the shares mean.
+    share: &'static str,
+    dominant_wavelengths: Vec<Dominant>,
+    warnings: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Dominant {
+    /// None for a table of levels that does not name its rails.
+    rail: Option<String>,
+    wavelength_m: f64,
+    from_m: f64,
+    to_m: f64,
+    frequency_min_hz: f64,
+    frequency_max_hz: f64,
+    /// Where it stands along the rail, the highest level first.
+    places: Vec<PlaceDocument>,
+    all_along: bool,
+    /// At the first place.
+    level_db: f64,
+    prominence_db: f64,
+    scatter_db: Option<f64>,
+    /// Peaks as high in a spectrum of pure noise, in the mean.
+    false_peaks: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    harmonic_of_m: Option<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    rails: Vec<Rail>,
+    course: Option<CourseDocument>,
+    summary: String,
+    candidates: Vec<CandidateDocument>,
+    measurements: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct PlaceDocument {
+    from_m: f64,
+    to_m: f64,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+struct Rail {
+    name: String,
+    level_db: f64,
+}
+
+#[derive(Serialize)]
+struct CourseDocument {
+    records: Vec<String>,
+    levels_db: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    energy_mean_levels_db: Option<Vec<f64>>,
+    slope_db: f64,
+    slope_scatter_db: f64,
+    per: &'static str,
+    probability_of_rise: f64,
+}
+
+#[derive(Serialize)]
+struct CandidateDocument {
+    mechanism: &'static str,
+    share: f64,
+    frequency_hz: Option<f64>,
+    wavelength_min_m: Option<f64>,
+    wavelength_max_m: Option<f64>,
+    reasons_for: Vec<String>,
+    reasons_against: Vec<String>,
+    source: &'static str,
+    validity: &'static str,
+}
+
+/// What the shares mean, for every reader of them.
+pub const SHARE: &str = "share of the belief when every mechanism of the list, and one not in it, is equally \
+    likely beforehand; it compares candidates on the evidence named and is no probability that a finding is right";
+
+impl DiagnosisDocument {
+    /// The diagnosis of a file, or of a record that is called so.
+    pub(super) fn new(file: &str, diagnosis: &Diagnosis) -> Self {
+        let speeds = &diagnosis.speeds;
+        Self {
+            file: file.to_owned(),
+            record: diagnosis.words.clone(),
+            speed_min_m_per_s: speeds.slowest(),
+            speed_max_m_per_s: speeds.fastest(),
+            share: SHARE,
+            dominant_wavelengths: diagnosis
+                .findings
+                .iter()
+                .map(|finding| Dominant::new(finding, speeds.slowest(), speeds.fastest()))
+                .collect(),
+            warnings: diagnosis.warnings.clone(),
+        }
+    }
+}
+
+impl Dominant {
+    fn new(finding: &Finding, slowest: f64, fastest: f64) -> Self {
+        let peak = &finding.measured.peak;
+        let rails = finding.measured.rails.iter();
+        let course = finding.measured.course.as_ref();
+        let places = finding.measured.places.iter();
+        Self {
+            rail: finding.measured.rail.clone(),
+            places: places
+                .map(|place| PlaceDocument {
+                    from_m: place.from,
+                    to_m: place.to,
+                    level_db: place.level,
+                })
+                .collect(),
+            all_along: finding.measured.all_along,
+            wavelength_m: peak.wavelength,
+            from_m: peak.from,
+            to_m: peak.to,
+            frequency_min_hz: slowest / peak.wavelength,
+            frequency_max_hz: fastest / peak.wavelength,
+            level_db: peak.level,
+            prominence_db: peak.prominence,
+            scatter_db: peak.scatter,
+            false_peaks: peak.false_peaks,
+            harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
+            rails: rails
+                .map(|(name, level)| Rail {
+                    name: name.clone(),
+                    level_db: *level,
+                })
+                .collect(),
+            course: course.map(|course| CourseDocument {
+                records: course
+                    .points
+                    .iter()
+                    .map(|point| point.label.clone())
+                    .collect(),
+                levels_db: course.points.iter().map(|point| point.level).collect(),
+                energy_mean_levels_db: finding.measured.energy_levels.clone(),
+                slope_db: course.slope,
+                slope_scatter_db: course.slope_scatter,
+                per: course.unit.name(),
+                probability_of_rise: course.probability_of_rise(),
+            }),
+            summary: finding.summary(),
+            candidates: finding
+                .candidates
+                .iter()
+                .map(CandidateDocument::new)
+                .collect(),
+            measurements: finding.measurements.clone(),
+        }
+    }
+}
+
+impl CandidateDocument {
+    fn new(candidate: &Candidate) -> Self {
+        Self {
+            mechanism: candidate.kind.name(),
+            share: candidate.share,
+            frequency_hz: candidate.frequency,
+            wavelength_min_m: candidate.wavelengths.map(|range| range.0),
+            wavelength_max_m: candidate.wavelengths.map(|range| range.1),
+            reasons_for: candidate.reasons_for.clone(),
+            reasons_against: candidate.reasons_against.clone(),
+            source: candidate.kind.source(),
+            validity: candidate.kind.validity(),
+        }
+    }
+}

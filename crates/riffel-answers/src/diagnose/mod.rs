@@ -1,0 +1,184 @@
+//! Diagnosis: the dominant wavelengths of a rail, held against a case.
+
+mod candidate_row;
+mod document;
+mod figure;
+mod finding;
+mod tables;
+
+use std::io::{self, Write};
+
+use riffel::contact::ContactFilter;
+use riffel::diagnosis::{
+    Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart,
+};
+
+pub use candidate_row::candidate_row;
+pub use document::{DiagnosisDocument, SHARE};
+pub use finding::Finding;
+
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_plot::LineFigure;
+use riffel_rail::RailRecord;
+use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
+
+/// What a diagnosis goes by besides case and records.
+#[derive(Debug, Clone)]
+pub struct DiagnosisSettings<'a> {
+    /// Speeds of the traffic.
+    pub speeds: TrafficSpeeds,
+    /// Which spectra of a table are meant.
+    pub spectra: SpectraChoice<'a>,
+    /// Frequencies of torsional modes of the wheelset \[Hz\].
+    pub torsion: Vec<f64>,
+    /// Frequencies of bending modes of the wheelset \[Hz\].
+    pub bending: Vec<f64>,
+    /// What the records were taken with.
+    pub instrument: Instrument,
+}
+
+/// All findings of a record.
+pub struct Diagnosis {
+    /// The dominant wavelengths with their candidates: rail by rail, the one with the highest level first, and of a
+    /// rail the most prominent first.
+    pub findings: Vec<Finding>,
+    /// Speeds of the traffic.
+    pub speeds: TrafficSpeeds,
+    /// What a figure shows of the records.
+    pub curves: Curves,
+    /// What the records are, in words.
+    pub words: String,
+    /// What was put right in the records, and what the case knows nothing of.
+    pub warnings: Vec<String>,
+}
+
+impl Diagnosis {
+    /// A rail held against a case. Earlier records are the oldest first.
+    ///
+    /// Cost: a transform of each record, and for each dominant wavelength the growth of the case at every speed and 200
+    /// wavelengths a decade.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] where a record has no spectrum, is of another kind than the present one, or a choice does
+    /// not fit.
+    pub fn new(
+        case: &Case,
+        present: &RailRecord<'_>,
+        earlier: &[RailRecord<'_>],
+        settings: &DiagnosisSettings<'_>,
+    ) -> Result<Self, CaseError> {
+        let speeds = &settings.speeds;
+        let (mut mechanisms, unknown) = case.mechanisms();
+        for (kind, frequencies) in [
+            (MechanismKind::WheelsetTorsion, &settings.torsion),
+            (MechanismKind::WheelsetBending, &settings.bending),
+        ] {
+            let modes = frequencies.iter();
+            mechanisms.extend(modes.map(|&frequency| Mechanism::of_frequency(kind, frequency)));
+        }
+        let records = RailHistory::new(present, earlier, settings.spectra)?;
+        let mut warnings = records.warnings;
+        if !records.measured.is_empty() {
+            warnings.extend(unknown);
+        }
+        let filter = ContactFilter::of(&case.hertz);
+        let mut findings = Vec::new();
+        for measured in records.measured {
+            let mut mechanisms = mechanisms.clone();
+            match growth(case, measured.peak.wavelength, speeds) {
+                Ok(density) => mechanisms.insert(0, Mechanism::growth_ridge(density)),
+                Err(message) => warnings.push(format!(
+                    "the growth ridge is not among the candidates: {message}"
+                )),
+            }
+            let evidence = Evidence {
+                peak: &measured.peak,
+                course: measured.course.as_ref(),
+                speeds,
+                filter: &filter,
+                instrument: settings.instrument,
+            };
+            let candidates = rank(&evidence, &mechanisms);
+            let course = measured.course.as_ref();
+            let measurements = tell_apart(&measured.peak, &candidates, course, speeds);
+            findings.push(Finding {
+                measured,
+                candidates,
+                measurements,
+            });
+        }
+        Ok(Self {
+            findings,
+            curves: records.curves,
+            words: records.words,
+            speeds: speeds.clone(),
+            warnings,
+        })
+    }
+
+    /// The diagnosis as data: what `riffel diagnose --json` prints; `file` is the name of the record.
+    pub fn document(&self, file: &str) -> DiagnosisDocument {
+        DiagnosisDocument::new(file, self)
+    }
+
+    /// Spectra with the dominant wavelengths marked.
+    pub fn figure(&self, file: &str) -> LineFigure {
+        figure::of(file, self)
+    }
+
+    /// One row for each candidate of each finding.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn candidates_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        tables::candidates(self, file)
+    }
+
+    /// Where the dominant wavelengths stand, one row for each place.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn places_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        tables::places(self, file)
+    }
+
+    /// The speeds of the map of a case, where none are known, and a sentence on them.
+    ///
+    /// # Errors
+    /// [`riffel::Error::OutOfRange`] for speeds not above zero.
+    pub fn speeds_of_map(case: &Case) -> Result<(TrafficSpeeds, String), riffel::Error> {
+        let (slowest, fastest) = (case.speed.min(), case.speed.max());
+        let sentence = format!(
+            "all speeds of the case's map, {:.0}–{:.0} km/h, are taken to be equally common, which tells constant \
+             frequencies apart badly",
+            3.6 * slowest,
+            3.6 * fastest
+        );
+        Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
+    }
+}
+
+/// Growth of the case over the wavelengths of its map and the one measured, but for those that the patch does not
+/// let through.
+fn growth(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, String> {
+    /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
+    /// 2009).
+    const SHORTEST: f64 = 3.0;
+    let shortest = SHORTEST * case.hertz.semi_axis_longitudinal();
+    let from = measured.min(case.wavelength.min()).max(shortest);
+    let to = measured.max(case.wavelength.max());
+    if from >= to {
+        return Err(format!(
+            "the map of the case ends at {:.0} mm, and waves shorter than 1.5 contact lengths, {:.0} mm, pass unseen",
+            1e3 * to,
+            1e3 * shortest
+        ));
+    }
+    case.check_frequencies(speeds.slowest() / to, speeds.fastest() / from)
+        .map_err(|error| error.to_string())?;
+    let covered = case
+        .covering(from, to)
+        .map_err(|error| error.without_key())?;
+    Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
+}

@@ -1,0 +1,67 @@
+//! Why there is no answer.
+
+use miette::Diagnostic;
+use riffel_keys::CaseError;
+use riffel_plot::PlotError;
+use thiserror::Error;
+
+/// Why there is no answer, or no figure or table of it.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum AnswerError {
+    /// A file is at fault.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Case(#[from] CaseError),
+
+    /// A value is outside the range of the physics.
+    #[error("{0}")]
+    Physics(#[from] riffel::Error),
+
+    /// What was asked is out of the question; the name is that of the argument of the program.
+    #[error("{argument} is {value}, but must be {rule}")]
+    Argument {
+        /// The argument.
+        argument: &'static str,
+        /// Its value.
+        value: String,
+        /// What it must be.
+        rule: String,
+    },
+
+    /// A forecast was asked for without a spectrum to begin with.
+    #[error(
+        "a forecast needs a spectrum: one that was measured, or that of a rail that will be ground"
+    )]
+    NoSpectrum,
+
+    /// No rail has a band in the window of wavelengths of the case.
+    #[error("the spectrum has no band in map.wavelength of the case: {0}")]
+    OutsideWindow(riffel::Error),
+
+    /// Months were asked of traffic that does not say how much of it there is.
+    #[error("months need traffic with passages_per_day or mgt_per_year under [line]")]
+    NoPassagesPerDay,
+
+    /// Growth over the bay was asked of a track without one.
+    #[error(
+        "--bay needs discrete supports, but track.model = \"{model}\" is the same everywhere along the rail"
+    )]
+    #[diagnostic(help("choose track.model = \"one-layer-periodic\" or \"two-layer-periodic\""))]
+    NoBay {
+        /// The model of the track.
+        model: &'static str,
+    },
+
+    /// The figure cannot be drawn.
+    #[error("cannot draw the figure: {0}")]
+    Plot(#[from] PlotError),
+
+    /// The table cannot be written.
+    #[error("cannot write the table of the figure: {0}")]
+    Table(String),
+
+    /// The gridded file cannot be written.
+    #[error("cannot write the gridded file: {0}")]
+    Grid(String),
+}

@@ -1,0 +1,350 @@
+//! A forecast as data and as tables.
+
+use std::io::{self, Write};
+
+use riffel::forecast::{Reach, VehicleGrowth};
+use riffel_case::Case;
+use riffel_case::file::CaseFile;
+use riffel_case::traffic::TrafficFile;
+use serde::Serialize;
+
+use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport};
+use crate::column;
+use crate::roughness::Level;
+
+/// What `riffel forecast --json` prints.
+#[derive(Serialize)]
+pub struct ForecastDocument<'a> {
+    riffel_version: &'static str,
+    inputs: Inputs<'a>,
+    horizon: Amount,
+    /// The rail that reaches the limit first, of which all speaks down to `bands_left_out`; null where rails are not
+    /// named.
+    rail: Option<&'a str>,
+    /// Every rail, the one that leads first.
+    rails: Vec<RailDocument<'a>>,
+    spectrum_now: Vec<Level>,
+    /// Levels are null where the forecast ends before.
+    spectrum_then: Vec<Then>,
+    /// Where the forecast ends, for the wheel leaves the rail; null where it never does.
+    valid_to_passages: Option<f64>,
+    valid_to_mgt: Option<f64>,
+    valid_to_months: Option<f64>,
+    valid_to_date: Option<String>,
+    growth_rate_per_passage: Vec<Rate>,
+    /// Change of the rates on halving the step in speed.
+    growth_rate_error: f64,
+    limit: LimitDocument<'a>,
+    /// Of the first band that reaches the limit: the grinding interval.
+    #[serde(flatten)]
+    reach: ReachDocument,
+    date_of_limit: Option<String>,
+    wavelength_of_limit_m: Option<f64>,
+    linear_range: LinearDocument<'a>,
+    bands: Vec<Band<'a>>,
+    /// Bands that were measured, outside the wavelengths of the case.
+    bands_left_out: Vec<Level>,
+    traffic: TrafficDocument<'a>,
+    wear_fit: Option<WearDocument>,
+    findings: Vec<String>,
+    remarks: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct Inputs<'a> {
+    case: &'a CaseFile,
+    traffic: &'a TrafficFile,
+    /// The file, if the rail was measured.
+    spectrum: Option<String>,
+    records: Option<usize>,
+    /// What the rail will be ground to, if that is where the forecast begins.
+    ground: Option<&'a str>,
+    date: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Amount {
+    passages: f64,
+    mgt: f64,
+    months: Option<f64>,
+    date: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Rate {
+    wavelength_m: f64,
+    growth_rate_per_passage: f64,
+}
+
+#[derive(Serialize)]
+struct Then {
+    wavelength_m: f64,
+    level_db: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct LimitDocument<'a> {
+    name: &'a str,
+    edition: &'a str,
+    source: &'a str,
+}
+
+#[derive(Serialize)]
+struct LinearDocument<'a> {
+    force_ratio_now: f64,
+    passages: Option<f64>,
+    mgt: Option<f64>,
+    vehicle: &'a str,
+}
+
+#[derive(Serialize)]
+struct RailDocument<'a> {
+    rail: Option<&'a str>,
+    #[serde(flatten)]
+    reach: ReachDocument,
+    date_of_limit: Option<String>,
+    wavelength_of_limit_m: Option<f64>,
+    valid_to_passages: Option<f64>,
+    bands: Vec<Band<'a>>,
+}
+
+#[derive(Serialize)]
+struct Band<'a> {
+    rail: Option<&'a str>,
+    wavelength_m: f64,
+    level_now_db: f64,
+    level_then_db: Option<f64>,
+    limit_db: Option<f64>,
+    growth_rate_per_passage: f64,
+    /// after | beyond-linear-range | never; null without a limit.
+    limit_reached: Option<&'static str>,
+    passages_to_limit: Option<f64>,
+    mgt_to_limit: Option<f64>,
+    force_ratio_now: f64,
+    passages_to_loss_of_contact: Option<f64>,
+    /// Whether wheel and rail part before the end of the forecast by this band alone.
+    beyond_linear_range: bool,
+}
+
+#[derive(Serialize)]
+struct TrafficDocument<'a> {
+    passages_per_day: Option<f64>,
+    axle_mass_kg: f64,
+    vehicles: Vec<VehicleDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct VehicleDocument<'a> {
+    name: &'a str,
+    share: f64,
+    wheel_load_n: f64,
+    mean_speed_m_per_s: f64,
+    speed_deviation_m_per_s: f64,
+    growth_rate_per_passage: Vec<Rate>,
+}
+
+pub(super) fn document<'a>(
+    answer: &'a ForecastAnswer,
+    case: &'a Case,
+    spectrum: Option<String>,
+) -> ForecastDocument<'a> {
+    let rail = answer.leading();
+    let forecast = &rail.forecast;
+    let traffic = answer.growth();
+    let crossings = answer.crossings(rail);
+    let first = crossings.first();
+    let linear = forecast.linear_range(forecast.bands());
+    let rates = |rate: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| {
+        let bands = forecast.bands().iter();
+        bands
+            .map(|band| Rate {
+                wavelength_m: band.now.band.wavelength(),
+                growth_rate_per_passage: rate(band),
+            })
+            .collect()
+    };
+    let vehicle = |(index, vehicle): (usize, &'a VehicleGrowth)| VehicleDocument {
+        name: &vehicle.name,
+        share: vehicle.share,
+        wheel_load_n: vehicle.wheel_load,
+        mean_speed_m_per_s: vehicle.speeds.mean(),
+        speed_deviation_m_per_s: vehicle.speeds.deviation(),
+        growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
+    };
+    let valid_to = linear.passages;
+    let mut remarks = answer.warnings.clone();
+    remarks.extend(answer.on.remarks.iter().cloned());
+    ForecastDocument {
+        riffel_version: env!("CARGO_PKG_VERSION"),
+        inputs: Inputs {
+            case: &case.file,
+            traffic: &answer.traffic.file,
+            spectrum: spectrum.filter(|_| answer.ground.is_none()),
+            records: answer.survey.as_ref().map(|survey| survey.records.len()),
+            ground: answer.ground.as_ref().map(|ground| ground.words.as_str()),
+            date: answer.date.map(|date| date.to_string()),
+        },
+        horizon: Amount {
+            passages: answer.passages,
+            mgt: traffic.mgt(answer.passages),
+            months: answer.months(answer.passages),
+            date: answer
+                .date_after(answer.passages)
+                .map(|date| date.to_string()),
+        },
+        rail: rail.name(),
+        rails: answer.rails.iter().map(|rail| of(answer, rail)).collect(),
+        spectrum_now: forecast
+            .bands()
+            .iter()
+            .map(|band| Level {
+                wavelength_m: band.now.band.wavelength(),
+                level_db: band.now.level,
+            })
+            .collect(),
+        spectrum_then: forecast
+            .bands()
+            .iter()
+            .map(|band| Then {
+                wavelength_m: band.now.band.wavelength(),
+                level_db: forecast.level(band, answer.passages),
+            })
+            .collect(),
+        valid_to_passages: valid_to,
+        valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
+        valid_to_months: valid_to.and_then(|passages| answer.months(passages)),
+        valid_to_date: valid_to
+            .and_then(|passages| answer.date_after(passages))
+            .map(|date| date.to_string()),
+        growth_rate_per_passage: rates(&|band| forecast.growth_rate(band)),
+        growth_rate_error: traffic.rate_error(),
+        limit: LimitDocument {
+            name: &answer.table.name,
+            edition: &answer.table.edition,
+            source: &answer.table.source,
+        },
+        reach: ReachDocument::new(
+            Some(forecast.grinding_interval(&answer.limit).name()),
+            first.map(|first| first.passages),
+            traffic,
+            |passages| answer.months(passages),
+        ),
+        date_of_limit: first
+            .and_then(|first| answer.date_after(first.passages))
+            .map(|date| date.to_string()),
+        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+        linear_range: LinearDocument {
+            force_ratio_now: linear.force_ratio,
+            passages: linear.passages,
+            mgt: linear.passages.map(|passages| traffic.mgt(passages)),
+            vehicle: &traffic.vehicles()[linear.vehicle].name,
+        },
+        bands: bands(answer, rail),
+        bands_left_out: rail
+            .measured
+            .spectrum
+            .levels()
+            .iter()
+            .filter(|level| {
+                !forecast
+                    .bands()
+                    .iter()
+                    .any(|band| band.now.band == level.band)
+            })
+            .map(|level| Level {
+                wavelength_m: level.band.wavelength(),
+                level_db: level.level,
+            })
+            .collect(),
+        traffic: TrafficDocument {
+            passages_per_day: answer.on.passages_per_day,
+            axle_mass_kg: traffic.axle_mass(),
+            vehicles: traffic.vehicles().iter().enumerate().map(vehicle).collect(),
+        },
+        wear_fit: answer.wear.as_ref().map(WearReport::document),
+        findings: answer.findings(),
+        remarks,
+    }
+}
+
+fn of<'a>(answer: &'a ForecastAnswer, rail: &'a RailForecast) -> RailDocument<'a> {
+    let crossings = answer.crossings(rail);
+    let first = crossings.first();
+    let passages_to_limit = first.map(|first| first.passages);
+    RailDocument {
+        rail: rail.name(),
+        reach: ReachDocument::new(
+            rail.reach.map(Reach::name),
+            passages_to_limit,
+            answer.growth(),
+            |passages| answer.months(passages),
+        ),
+        date_of_limit: passages_to_limit
+            .and_then(|passages| answer.date_after(passages))
+            .map(|date| date.to_string()),
+        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+        valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
+        bands: bands(answer, rail),
+    }
+}
+
+fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
+    let forecast = &rail.forecast;
+    let limits = forecast.reaches(&answer.limit);
+    let bands = forecast.bands().iter();
+    bands
+        .map(|band| {
+            let limit = limits.iter().find(|limit| limit.0 == band);
+            let passages_to_limit = limit.and_then(|limit| limit.2.passages());
+            let linear = forecast.linear_range([band]);
+            Band {
+                rail: rail.name(),
+                wavelength_m: band.now.band.wavelength(),
+                level_now_db: band.now.level,
+                level_then_db: forecast.level(band, answer.passages),
+                limit_db: limit.map(|limit| limit.1),
+                growth_rate_per_passage: forecast.growth_rate(band),
+                limit_reached: limit.map(|limit| limit.2.name()),
+                passages_to_limit,
+                mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),
+                force_ratio_now: linear.force_ratio,
+                passages_to_loss_of_contact: linear.passages,
+                beyond_linear_range: linear
+                    .passages
+                    .is_some_and(|passages| passages <= answer.passages),
+            }
+        })
+        .collect()
+}
+
+/// One row for each band of every rail, the rail that leads first.
+pub(super) fn band_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    for rail in &answer.rails {
+        for band in bands(answer, rail) {
+            writer.serialize(band)?;
+        }
+    }
+    writer.flush()
+}
+
+/// Growth rate of every line under the mix and under each vehicle.
+pub(super) fn line_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
+    let traffic = answer.growth();
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header = vec![
+        "wavelength_m".to_owned(),
+        "growth_rate_per_passage".to_owned(),
+    ];
+    let names = traffic.vehicles().iter();
+    let names = names.map(|vehicle| &*vehicle.name);
+    header.extend(column::names(names, "growth_rate_per_passage"));
+    writer.write_record(&header)?;
+    for (line, wavelength) in traffic.wavelengths().iter().enumerate() {
+        let mut row = vec![*wavelength, traffic.rates()[line]];
+        let vehicles = traffic.vehicles().iter();
+        row.extend(vehicles.map(|vehicle| vehicle.growth.rates[line]));
+        writer.serialize(row)?;
+    }
+    writer.flush()
+}

@@ -1,0 +1,415 @@
+//! The future of a rail under traffic.
+
+mod document;
+mod figure;
+mod rail_forecast;
+mod reach;
+mod wear_report;
+mod words;
+
+use std::io::{self, Write};
+
+use jiff::ToSpan;
+use jiff::civil::Date;
+use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
+use riffel::roughness::LevelLimit;
+use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, bands_of};
+use riffel_case::{Case, Variant};
+use riffel_plot::LineFigure;
+use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
+
+pub use document::ForecastDocument;
+pub(crate) use figure::{rate_panel, zero};
+pub use rail_forecast::RailForecast;
+pub(crate) use reach::ReachDocument;
+pub use wear_report::{WearDocument, WearReport};
+pub use words::{BEYOND, number, per_million, reached, when};
+
+use crate::AnswerError;
+use crate::roughness::rail_in_words;
+
+/// What is asked of the future of a rail.
+pub struct ForecastRequest {
+    /// The traffic.
+    pub traffic: Traffic,
+    /// The records of what was measured; none for a rail that will be ground.
+    pub survey: Option<Survey>,
+    /// What the rail will be ground to, in place of what was measured.
+    pub ground: Option<GroundRail>,
+    /// How far to look ahead.
+    pub horizon: ForecastHorizon,
+    /// The limit of levels, with the table it is from.
+    pub limit: (LimitTable, LevelLimit),
+    /// Date of the spectrum.
+    pub date: Option<Date>,
+}
+
+/// How far to look ahead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ForecastHorizon {
+    /// So many axle passages.
+    Passages(f64),
+    /// So many million gross tonnes.
+    MillionGrossTonnes(f64),
+    /// So many months, where the traffic says how much of it there is.
+    Months(f64),
+}
+
+/// The future of the rails of a track under one traffic.
+pub struct ForecastAnswer {
+    /// The traffic.
+    pub traffic: Traffic,
+    /// The traffic on the case.
+    pub on: TrafficOnCase,
+    /// The records of what was measured; none for a rail that will be ground.
+    pub survey: Option<Survey>,
+    /// What the rail will be ground to.
+    pub ground: Option<GroundRail>,
+    /// The rails, the one that leads first; there is one in every report.
+    pub rails: Vec<RailForecast>,
+    /// Axle passages of the forecast.
+    pub passages: f64,
+    /// The table of the limit.
+    pub table: LimitTable,
+    /// The limit.
+    pub limit: LevelLimit,
+    /// Date of the spectrum.
+    pub date: Option<Date>,
+    /// The wear coefficient of two measurements, where there is an earlier one.
+    pub wear: Option<WearReport>,
+    /// What is to be said of the records.
+    pub warnings: Vec<String>,
+}
+
+/// A band that reaches its limit.
+pub struct Crossing<'a> {
+    /// The band.
+    pub band: &'a ForecastBand,
+    /// Its limit \[dB re 1 µm\].
+    pub limit: f64,
+    /// Axle passages until then.
+    pub passages: f64,
+}
+
+impl ForecastAnswer {
+    /// The forecast of the rail that will be ground, or else of what was measured; `progress` is told of each vehicle.
+    ///
+    /// # Errors
+    /// [`AnswerError::Case`] with the key of the traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
+    /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
+    /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
+    pub fn new(
+        case: &Case,
+        request: ForecastRequest,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, AnswerError> {
+        let ForecastRequest {
+            traffic,
+            survey,
+            ground,
+            horizon,
+            limit: (table, limit),
+            date,
+        } = request;
+        let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
+        let measured: Vec<RailSpectrum> = match (&ground, &survey) {
+            (Some(ground), _) => vec![ground.spectrum.clone().into()],
+            (None, Some(survey)) => survey.rail_means(),
+            (None, None) => return Err(AnswerError::NoSpectrum),
+        };
+        let rails = RailForecast::of_rails(&measured, &on.growth, Some(&limit))
+            .map_err(AnswerError::OutsideWindow)?;
+        let mut warnings = survey
+            .as_ref()
+            .map_or_else(Vec::new, |survey| survey.warnings.clone());
+        warnings.extend(not_forecast(&measured, &rails, case));
+        Ok(Self {
+            passages: horizon.passages(&on)?,
+            traffic,
+            on,
+            survey,
+            ground,
+            rails,
+            table,
+            limit,
+            date,
+            wear: None,
+            warnings,
+        })
+    }
+
+    /// The figure of the forecast.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        figure::figure(self, case)
+    }
+
+    /// The forecast as data: what `riffel forecast --json` prints; `spectrum` is the name of the record.
+    pub fn document<'a>(
+        &'a self,
+        case: &'a Case,
+        spectrum: Option<String>,
+    ) -> ForecastDocument<'a> {
+        document::document(self, case, spectrum)
+    }
+
+    /// One row for each band of every rail, the rail that leads first.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        document::band_table(self, file)
+    }
+
+    /// Growth rate of every line under the mix and under each vehicle.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        document::line_table(self, file)
+    }
+
+    /// Months that some passages take, if the traffic says how much of it there is.
+    pub fn months(&self, passages: f64) -> Option<f64> {
+        Some(passages / self.on.passages_per_day? / DAYS_PER_MONTH)
+    }
+
+    /// The date after some passages, if it is before the year 10000.
+    pub fn date_after(&self, passages: f64) -> Option<Date> {
+        let days = (passages / self.on.passages_per_day?).round();
+        // Any date of the calendar is within four million days of any other.
+        (days < 4e6)
+            .then(|| self.date?.checked_add((days as i64).days()).ok())
+            .flatten()
+    }
+
+    /// The rail that leads: its limit is reached first.
+    pub fn leading(&self) -> &RailForecast {
+        &self.rails[0]
+    }
+
+    /// A rail in front of words on it, where there are several.
+    pub fn prefix(&self, rail: &RailForecast) -> String {
+        match rail.name() {
+            Some(name) if self.rails.len() > 1 => format!("{} ", rail_in_words(name)),
+            _ => String::new(),
+        }
+    }
+
+    /// Growth under the traffic, the same for every rail.
+    pub fn growth(&self) -> &TrafficGrowth {
+        &self.on.growth
+    }
+
+    /// Crossings of the limit by a rail, the earliest first.
+    pub fn crossings<'a>(&self, rail: &'a RailForecast) -> Vec<Crossing<'a>> {
+        let mut crossings: Vec<Crossing<'a>> = rail
+            .forecast
+            .reaches(&self.limit)
+            .into_iter()
+            .filter_map(|(band, limit, reach)| {
+                Some(Crossing {
+                    band,
+                    limit,
+                    passages: reach.passages()?,
+                })
+            })
+            .collect();
+        crossings.sort_by(|a, b| {
+            let excess = |crossing: &Crossing<'_>| crossing.band.now.level - crossing.limit;
+            a.passages
+                .total_cmp(&b.passages)
+                .then(excess(b).total_cmp(&excess(a)))
+        });
+        crossings
+    }
+
+    /// Passages in every unit that is known.
+    pub fn amount(&self, passages: f64) -> String {
+        let mgt = self.growth().mgt(passages);
+        let mut text = format!("{passages:.3e} axle passages = {} MGT", number(mgt));
+        if let Some(months) = self.months(passages) {
+            text += &format!(" = {} months", number(months));
+        }
+        if let Some(date) = self.date_after(passages) {
+            text += &format!(" ({date})");
+        }
+        text
+    }
+
+    /// Whether the table by band has a column of rails.
+    pub fn names_rails(&self) -> bool {
+        self.rails.len() > 1
+    }
+
+    /// The cells of the table by band, the rail that leads first and of each the longest wavelength; the name of the
+    /// rail first, where there are several.
+    pub fn rows(&self) -> Vec<Vec<String>> {
+        self.rails
+            .iter()
+            .flat_map(|rail| self.rows_of(rail))
+            .collect()
+    }
+
+    fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<String>> {
+        let forecast = &rail.forecast;
+        let limits = forecast.reaches(&self.limit);
+        let name = rail.name().filter(|_| self.names_rails());
+        let row = |band: &ForecastBand| {
+            let limit = limits.iter().find(|limit| limit.0 == band);
+            let then = forecast.level(band, self.passages);
+            let cells = [
+                format!("{}", band.now.band.nominal_millimetres()),
+                format!("{:.1}", band.now.level),
+                then.map_or_else(|| BEYOND.to_owned(), |level| format!("{level:.1}")),
+                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
+                format!("{:+.3}", per_million(forecast.growth_rate(band))),
+                limit.map_or_else(String::new, |limit| reached(limit.2)),
+                when(forecast.linear_range([band]).passages),
+            ];
+            name.map(str::to_owned).into_iter().chain(cells).collect()
+        };
+        forecast.bands().iter().rev().map(row).collect()
+    }
+
+    /// What follows, in sentences; those on the rail that leads first.
+    pub fn findings(&self) -> Vec<String> {
+        let mut findings: Vec<String> = self
+            .rails
+            .iter()
+            .enumerate()
+            .map(|(place, rail)| {
+                let sentence = self.interval(rail);
+                match (self.prefix(rail).trim_end(), place) {
+                    ("", _) => sentence,
+                    (name, 0) => format!("{name} leads: {sentence}"),
+                    (name, _) => format!("{name}: {sentence}"),
+                }
+            })
+            .collect();
+        findings.extend(self.rails.iter().map(|rail| {
+            let sentence = self.linear_range(rail);
+            match self.prefix(rail).trim_end() {
+                "" => sentence,
+                name => format!("{name}: {sentence}"),
+            }
+        }));
+        let decays = |rail: &RailForecast| {
+            let mut bands = rail.forecast.bands().iter();
+            bands.any(|band| rail.forecast.growth_rate(band) < 0.0)
+        };
+        if self.rails.iter().any(decays) {
+            findings.push(
+                "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
+                 floor and not for ever"
+                    .to_owned(),
+            );
+        }
+        let left_out = self.left_out();
+        if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
+            findings.push(format!(
+                "not forecast: {} bands from {first} to {last} mm that lie outside map.wavelength of the case",
+                left_out.len()
+            ));
+        }
+        findings
+    }
+
+    /// When a rail reaches the limit.
+    fn interval(&self, rail: &RailForecast) -> String {
+        let edition = &self.table.edition;
+        let from = match &self.ground {
+            Some(ground) => format!(" from {}", ground.words),
+            None => String::new(),
+        };
+        match (self.crossings(rail).first(), rail.reach) {
+            (Some(first), _) if first.passages == 0.0 => format!(
+                "over the limit now: {edition} at {} mm by {:.1} dB",
+                first.band.now.band.nominal_millimetres(),
+                first.band.now.level - first.limit
+            ),
+            (Some(first), _) => format!(
+                "grinding interval{from}: {edition} is reached at {} mm after {}",
+                first.band.now.band.nominal_millimetres(),
+                self.amount(first.passages)
+            ),
+            (None, Some(Reach::Never)) => format!("no band forecast ever reaches {edition}"),
+            (None, _) => format!(
+                "grinding interval{from}: {edition} is not reached before the wheel leaves the rail, where the forecast \
+                 ends"
+            ),
+        }
+    }
+
+    /// How far the linear loop holds on a rail.
+    fn linear_range(&self, rail: &RailForecast) -> String {
+        let linear = rail.forecast.linear_range(rail.forecast.bands());
+        let vehicle = &self.growth().vehicles()[linear.vehicle].name;
+        match linear.passages {
+            Some(0.0) => format!(
+                "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
+                 corrugation then grows otherwise than the linear loop says, and nothing is forecast",
+                linear.force_ratio
+            ),
+            Some(passages) => format!(
+                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; there the wheel \
+                 leaves the rail, and the forecast ends",
+                linear.force_ratio,
+                self.amount(passages)
+            ),
+            None => format!(
+                "linear range: |P₁| is {:.2} P₀ now under \"{vehicle}\" and never reaches P₀",
+                linear.force_ratio
+            ),
+        }
+    }
+
+    /// Nominal wavelengths of bands of the leading rail that were measured and are not forecast \[mm\], the shortest first.
+    pub fn left_out(&self) -> Vec<f64> {
+        let rail = self.leading();
+        let levels = rail.measured.spectrum.levels().iter();
+        levels
+            .map(|level| level.band)
+            .filter(|band| {
+                !rail
+                    .forecast
+                    .bands()
+                    .iter()
+                    .any(|own| own.now.band == *band)
+            })
+            .map(|band| band.nominal_millimetres())
+            .collect()
+    }
+}
+
+impl ForecastHorizon {
+    /// In axle passages.
+    fn passages(self, on: &TrafficOnCase) -> Result<f64, AnswerError> {
+        match self {
+            Self::Passages(passages) => Ok(passages),
+            Self::MillionGrossTonnes(mgt) => Ok(on.growth.passages(mgt)),
+            Self::Months(months) => on
+                .passages_per_month()
+                .map(|per_month| per_month * months)
+                .ok_or(AnswerError::NoPassagesPerDay),
+        }
+    }
+}
+
+/// A sentence on each rail that has no band in the window of the case, beside others that have.
+pub(crate) fn not_forecast<'a>(
+    measured: &'a [RailSpectrum],
+    rails: &'a [RailForecast],
+    case: &'a Case,
+) -> impl Iterator<Item = String> + 'a {
+    let names = measured.iter().filter_map(|rail| rail.rail.as_deref());
+    names
+        .filter(|name| rails.iter().all(|rail| rail.name() != Some(name)))
+        .map(|name| {
+            format!(
+                "{} has no band between {:.0} and {:.0} mm, map.wavelength of the case, and is left out",
+                rail_in_words(name),
+                1e3 * case.wavelength.min(),
+                1e3 * case.wavelength.max()
+            )
+        })
+}

@@ -1,0 +1,174 @@
+//! The wear coefficient of two measurements of a rail, in words and as data.
+
+use riffel::forecast::{WearFit, WearVerdict};
+use riffel_case::Case;
+use riffel_case::traffic::TrafficOnCase;
+use riffel_keys::CaseError;
+use riffel_rail::Survey;
+use serde::Serialize;
+
+/// Change of level or residual \[dB\] that is worth a sentence on a single band. A choice: energy means of
+/// eight records of the Niederwangen spectra scatter by about 1 dB.
+const LARGE_CHANGE: f64 = 2.0;
+
+/// A fit with what it was made of.
+pub struct WearReport {
+    /// The fit.
+    pub fit: WearFit,
+    /// Axle passages between the measurements.
+    pub passages: f64,
+    /// Wear coefficient of the case \[kg/J\].
+    coefficient: f64,
+    /// Records of the earlier measurement and of the later.
+    pub records: [usize; 2],
+}
+
+/// A fit with keys and units, to be serialised: what `riffel forecast --json` prints of it.
+#[derive(Serialize)]
+pub struct WearDocument {
+    passages_between: f64,
+    records_earlier: usize,
+    records_later: usize,
+    paired: bool,
+    /// fitted | without-interval | indistinct | against | nothing-grows
+    verdict: &'static str,
+    /// Null where no fit is claimed.
+    coefficient_kg_per_j: Option<f64>,
+    coefficient_interval_kg_per_j: Option<[f64; 2]>,
+    best_factor: f64,
+    best_factor_interval: Option<[f64; 2]>,
+    residual_rms_db: Option<f64>,
+    bands: Vec<WearBand>,
+    sentences: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct WearBand {
+    wavelength_m: f64,
+    measured_change_db: f64,
+    predicted_change_db: f64,
+    fitted_change_db: Option<f64>,
+    residual_db: Option<f64>,
+    grows_in_the_model: bool,
+}
+
+impl WearReport {
+    /// The fit of the change from one measurement to a later one by the growth of a case under traffic.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for passages not above zero, or measurements without a band that the case speaks of.
+    pub fn new(
+        case: &Case,
+        on: &TrafficOnCase,
+        earlier: &Survey,
+        later: &Survey,
+        passages: f64,
+    ) -> Result<Self, CaseError> {
+        let wrong = |error: riffel::Error| CaseError::data(later.path(), error.to_string());
+        let change = later.change_since(earlier, passages).map_err(wrong)?;
+        Ok(Self {
+            fit: WearFit::new(&change, &on.growth).map_err(wrong)?,
+            passages,
+            coefficient: case.file.wear.coefficient.si(),
+            records: [earlier.records.len(), later.records.len()],
+        })
+    }
+
+    /// What the fit says, and what it says of single bands.
+    pub fn sentences(&self) -> Vec<String> {
+        let fit = &self.fit;
+        let interval = |(low, high): (f64, f64)| {
+            let (low, high) = (low * self.coefficient, high * self.coefficient);
+            format!("95 % interval {low:.2e} to {high:.2e} kg/J")
+        };
+        let coefficient = fit.factor * self.coefficient;
+        let mut sentences = vec![match (fit.verdict, fit.interval) {
+            (WearVerdict::Fitted, Some(bounds)) => format!(
+                "wear coefficient {coefficient:.2e} kg/J, {}: forecast with it by --set \
+                 wear.coefficient={coefficient:.3e}",
+                interval(bounds)
+            ),
+            (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
+                                               grows"
+                .to_owned(),
+            (WearVerdict::Against, _) => "no wear coefficient: the bands that should grow by the model have \
+                                          fallen, so what is on this rail is not the corrugation of this model"
+                .to_owned(),
+            (WearVerdict::Indistinct, Some(bounds)) => format!(
+                "no wear coefficient: growth cannot be told from none, {}",
+                interval(bounds)
+            ),
+            _ => format!(
+                "wear coefficient {coefficient:.2e} kg/J, without an interval: that takes three records of each \
+                 date"
+            ),
+        }];
+        for band in &fit.bands {
+            let wavelength = band.band.nominal_millimetres();
+            let (measured, predicted) = (band.measured, band.predicted);
+            if band.grows && measured < 0.0 {
+                sentences.push(format!(
+                    "{wavelength} mm does not grow as the model says: {measured:+.1} dB measured, \
+                     {predicted:+.1} dB predicted; it fades, as a grinding mark does"
+                ));
+            } else if !band.grows && measured > LARGE_CHANGE {
+                sentences.push(format!(
+                    "{wavelength} mm grows where the model says that it decays: {measured:+.1} dB measured, \
+                     {predicted:+.1} dB predicted"
+                ));
+            } else if !band.grows && measured < -LARGE_CHANGE {
+                sentences.push(format!(
+                    "{wavelength} mm fades, {measured:+.1} dB measured, and decays in the model, too, \
+                     {predicted:+.1} dB: what fades, as a grinding mark does, is not growing corrugation"
+                ));
+            } else if fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
+                sentences.push(format!(
+                    "{wavelength} mm does not grow as the fit says: {measured:+.1} dB measured, {:+.1} dB fitted",
+                    band.fitted
+                ));
+            }
+        }
+        sentences
+    }
+
+    /// The fit as data.
+    pub fn document(&self) -> WearDocument {
+        let fit = &self.fit;
+        let claimed = fit.verdict.is_fit();
+        let scaled = |(low, high): (f64, f64), by: f64| [low * by, high * by];
+        WearDocument {
+            passages_between: self.passages,
+            records_earlier: self.records[0],
+            records_later: self.records[1],
+            paired: fit.paired,
+            verdict: match fit.verdict {
+                WearVerdict::NothingGrows => "nothing-grows",
+                WearVerdict::Against => "against",
+                WearVerdict::Indistinct => "indistinct",
+                WearVerdict::WithoutInterval => "without-interval",
+                WearVerdict::Fitted => "fitted",
+            },
+            coefficient_kg_per_j: claimed.then_some(fit.factor * self.coefficient),
+            coefficient_interval_kg_per_j: fit
+                .interval
+                .filter(|_| claimed)
+                .map(|interval| scaled(interval, self.coefficient)),
+            best_factor: fit.factor,
+            best_factor_interval: fit.interval.map(|interval| scaled(interval, 1.0)),
+            residual_rms_db: fit.residual_rms().filter(|_| claimed),
+            bands: fit
+                .bands
+                .iter()
+                .map(|band| WearBand {
+                    wavelength_m: band.band.wavelength(),
+                    measured_change_db: band.measured,
+                    predicted_change_db: band.predicted,
+                    fitted_change_db: claimed.then_some(band.fitted),
+                    residual_db: claimed.then(|| band.residual()),
+                    grows_in_the_model: band.grows,
+                })
+                .collect(),
+            sentences: self.sentences(),
+        }
+    }
+}

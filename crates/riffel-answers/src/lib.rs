@@ -1,0 +1,40 @@
+//! # Answers
+//!
+//! Every question that Riffel answers, once: what is asked, what is computed, and what it is as data, as tables and
+//! as a figure. The program prints answers, the page sends them, the Python package converts them.
+//!
+//! `riffel_case` knows the case and no question; `riffel_plot` draws and knows no physics.
+//!
+//! ```
+//! use riffel_answers::map::MapAnswer;
+//! use riffel_case::{Case, NOMINAL_CASE};
+//!
+//! let window = ["map.wavelength.points=11", "map.speed.points=5"].map(str::to_owned);
+//! let case = Case::parse("nominal", NOMINAL_CASE, &window)?;
+//! let answer = MapAnswer::new(&case, |_| ());
+//! let document = serde_json::to_value(answer.document(&case))?;
+//! assert_eq!(document["ridge"]["speeds"], 5);
+//! assert!(answer.figure(&case, Vec::new()).svg()?.starts_with("<svg"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod capital;
+mod column;
+pub mod compare;
+pub mod contact;
+pub mod diagnose;
+mod error;
+pub mod forecast;
+pub mod map;
+pub mod paper;
+mod parameters;
+pub mod receptance;
+pub mod report;
+pub mod ridge;
+pub mod roughness;
+mod track_in_words;
+
+pub use capital::capital;
+pub use error::AnswerError;
+pub use parameters::parameters;
+pub use track_in_words::place;

@@ -1,0 +1,130 @@
+//! Growth over wavelength and speed.
+
+mod bay;
+mod panel;
+mod table;
+
+use riffel::growth::RidgePoint;
+use riffel::{GrowthMap, Ridge};
+use riffel_case::Case;
+use riffel_case::file::CaseFile;
+use riffel_keys::Remark;
+use riffel_plot::{MapFigure, Observation};
+use serde::Serialize;
+
+use crate::ridge::{BranchDocument, RidgePointDocument};
+
+pub use bay::{BayDocument, BayGrowth};
+pub(crate) use panel::SIGN_IN_GERMAN;
+pub use panel::{SIGN, Shown, map_figure, panel};
+pub use table::{map_csv, map_netcdf};
+
+/// The growth map of a case with its ridge.
+pub struct MapAnswer {
+    /// Ŵ₁ over the window of the case.
+    pub map: GrowthMap,
+    /// Its ridge.
+    pub ridge: Ridge,
+    /// The branches of the ridge, the strongest first.
+    pub branches: Vec<BranchDocument>,
+    /// Growth over the sleeper bay, where it was asked for.
+    pub bay: Option<BayGrowth>,
+}
+
+/// What `riffel map --json` prints.
+#[derive(Serialize)]
+pub struct MapDocument<'a> {
+    riffel_version: &'static str,
+    /// The case after presets, defaults and overrides; reads back as a case.
+    inputs: &'a CaseFile,
+    derived: DerivedDocument,
+    ridge: RidgeSummary<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bay: Option<BayDocument>,
+    remarks: &'a [Remark],
+}
+
+/// What follows from a case, whatever the window of its map.
+#[derive(Serialize)]
+pub struct DerivedDocument {
+    semi_axis_longitudinal_m: f64,
+    semi_axis_lateral_m: f64,
+    /// Of the paper's creep law only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    creep_coefficient: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    saturation_creepage: Option<f64>,
+    creepage: f64,
+    tractive_ratio: f64,
+    contact_stiffness_n_per_m: f64,
+    mean_dissipation_j_per_m: f64,
+}
+
+#[derive(Serialize)]
+struct RidgeSummary<'a> {
+    /// That of the strongest branch.
+    best_fit_frequency_hz: Option<f64>,
+    /// The strongest first.
+    branches: &'a [BranchDocument],
+    highest: Option<RidgePointDocument>,
+    speeds_that_grow: usize,
+    speeds_at_edge: usize,
+    speeds: usize,
+}
+
+impl DerivedDocument {
+    /// Of a case.
+    pub fn of(case: &Case) -> Self {
+        let steady = case.steady;
+        Self {
+            semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
+            semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
+            creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
+            saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
+            creepage: steady.creepages.longitudinal,
+            tractive_ratio: steady.tractive_ratio(),
+            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
+            mean_dissipation_j_per_m: steady.energy_per_metre(),
+        }
+    }
+}
+
+impl MapAnswer {
+    /// The map over the window of the case; `progress` is told of rows done, one for each speed.
+    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Self {
+        let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, progress);
+        let ridge = Ridge::of_map(&case.feedback, &map);
+        Self {
+            branches: BranchDocument::all(case, &ridge),
+            map,
+            ridge,
+            bay: None,
+        }
+    }
+
+    /// The map as a figure, with what was observed.
+    pub fn figure(&self, case: &Case, observations: Vec<Observation>) -> MapFigure {
+        map_figure(case, &self.map, &self.ridge, observations)
+    }
+
+    /// The map as data: what `riffel map --json` prints.
+    pub fn document<'a>(&'a self, case: &'a Case) -> MapDocument<'a> {
+        let ridge = &self.ridge;
+        let grows = |point: &&RidgePoint| point.growth_rate > 0.0;
+        MapDocument {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            inputs: &case.file,
+            derived: DerivedDocument::of(case),
+            ridge: RidgeSummary {
+                best_fit_frequency_hz: ridge.best_fit_frequency(),
+                branches: &self.branches,
+                highest: ridge.highest().filter(grows).map(RidgePointDocument::from),
+                speeds_that_grow: ridge.points.iter().filter(grows).count(),
+                speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
+                speeds: ridge.points.len(),
+            },
+            bay: self.bay.as_ref().map(BayGrowth::summary),
+            remarks: &case.remarks,
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Figures 2–8 of Afferrante & Ciavarella (2009), from the case files of the repository; with the
+//! contact of the paper or another.
+
+mod maps;
+mod ridges;
+mod vertical;
+
+use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
+use riffel_keys::Language;
+use riffel_plot::{LineFigure, MapFigure, PlotError};
+
+use crate::AnswerError;
+
+/// A figure and its numbers.
+pub struct PaperFigure {
+    /// What is drawn.
+    pub drawing: Drawing,
+    /// Its numbers as a table.
+    pub csv: Vec<u8>,
+}
+
+/// What a figure is.
+pub enum Drawing {
+    /// Maps.
+    Maps(MapFigure),
+    /// Curves.
+    Lines(LineFigure),
+}
+
+impl PaperFigure {
+    /// The figure as an SVG document.
+    ///
+    /// # Errors
+    /// [`PlotError`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        match &self.drawing {
+            Drawing::Maps(figure) => figure.svg(),
+            Drawing::Lines(figure) => figure.svg(),
+        }
+    }
+}
+
+/// Number in the paper and how it is made, with its words in a language.
+pub type Entry = (u8, fn(Model, Language) -> Result<PaperFigure, AnswerError>);
+
+/// All figures, in order.
+pub const FIGURES: [Entry; 7] = [
+    (2, vertical::figure_2),
+    (3, vertical::figure_3),
+    (4, maps::figure_4),
+    (5, maps::figure_5),
+    (6, ridges::figure_6),
+    (7, ridges::figure_7),
+    (8, ridges::figure_8),
+];
+
+/// The contact of the figures: how it answers to oscillations.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Model {
+    /// At once, by the paper's creep law: the figures as printed.
+    QuasiStatic,
+    /// By a spring and a dashpot in series, with the paper's creep law.
+    SpringDashpot,
+    /// By the exact theory of non-steady rolling.
+    NonSteady,
+}
+
+impl Model {
+    fn nominal(self, overrides: &[String]) -> Result<Case, AnswerError> {
+        self.case("cases/nominal.toml", NOMINAL_CASE, overrides)
+    }
+
+    fn bhaskar_track(self, overrides: &[String]) -> Result<Case, AnswerError> {
+        self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, overrides)
+    }
+
+    fn case(self, name: &str, text: &str, overrides: &[String]) -> Result<Case, AnswerError> {
+        let response = match self {
+            Self::QuasiStatic => None,
+            Self::SpringDashpot => Some("contact.response=spring-dashpot".to_owned()),
+            Self::NonSteady => Some("contact.response=non-steady".to_owned()),
+        };
+        let overrides: Vec<String> = overrides.iter().cloned().chain(response).collect();
+        Ok(Case::parse(name, text, &overrides)?)
+    }
+
+    /// The title of a figure, with the contact where it is not the paper's.
+    fn title(self, title: &str, language: Language) -> String {
+        let contact = match self {
+            Self::QuasiStatic => "",
+            Self::SpringDashpot => language.pick(", spring and dashpot", ", Feder und Dämpfer"),
+            Self::NonSteady => language.pick(", non-steady contact", ", instationärer Kontakt"),
+        };
+        format!("{title}{contact}")
+    }
+
+    /// Whether the contact is that of the paper.
+    fn is_the_papers(self) -> bool {
+        self == Self::QuasiStatic
+    }
+
+    /// Whether a table of the contact's response must be made for each mean state.
+    fn is_tabulated(self) -> bool {
+        self == Self::NonSteady
+    }
+}
+
+/// Curves with every sample in one tidy table.
+fn lines(language: Language, mut figure: LineFigure) -> Result<PaperFigure, AnswerError> {
+    figure.title = language.numbers(&figure.title);
+    figure.caption = language.numbers(&figure.caption);
+    for panel in &mut figure.panels {
+        panel.subtitle = language.numbers(&panel.subtitle);
+        for series in &mut panel.series {
+            series.label = language.numbers(&series.label);
+        }
+    }
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut write = || -> csv::Result<()> {
+        writer.write_record(["panel", "series", "x_quantity", "x", "y_quantity", "y"])?;
+        for panel in &figure.panels {
+            for series in &panel.series {
+                for (x, y) in series.x.iter().zip(&series.y) {
+                    writer.serialize((
+                        &panel.subtitle,
+                        &series.label,
+                        &panel.x_label,
+                        x,
+                        &panel.y_label,
+                        y,
+                    ))?;
+                }
+            }
+        }
+        Ok(())
+    };
+    write().map_err(|error| AnswerError::Table(error.to_string()))?;
+    let csv = writer
+        .into_inner()
+        .map_err(|error| AnswerError::Table(error.to_string()))?;
+    Ok(PaperFigure {
+        drawing: Drawing::Lines(figure),
+        csv,
+    })
+}

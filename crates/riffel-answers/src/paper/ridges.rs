@@ -1,0 +1,257 @@
+//! Figures 6–8: the highest growth over speed, tractive ratio and inertia.
+
+use riffel::growth::RidgePoint;
+use riffel::wheelset::{Motion, RigidInertia};
+use riffel::{Axis, Ridge};
+use riffel_case::Case;
+use riffel_keys::Language;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+
+use super::{Model, PaperFigure, lines};
+use crate::AnswerError;
+use crate::parameters::parameters_in;
+
+/// Speed of Fig. 8 \[m/s\].
+const SPEED: f64 = 30.0;
+
+const MINIMUM_LABEL: &str = "min Re Ŵ₁ [-]";
+
+/// How a wheel turns.
+#[derive(Clone, Copy)]
+enum Turning {
+    /// With an inertia \[kg m²\].
+    Inertia(f64),
+    /// The limit of none.
+    Freely,
+    /// The limit of an infinite one.
+    Evenly,
+}
+
+/// The two limits of the inertia and, between them, half, once and twice the nominal.
+const INERTIAS: [(&str, Turning, LineStyle); 5] = [
+    ("I_w → 0", Turning::Freely, LineStyle::Dashed),
+    ("13.89 kg m²", Turning::Inertia(13.885), LineStyle::Solid),
+    ("27.77 kg m²", Turning::Inertia(27.77), LineStyle::Solid),
+    ("55.54 kg m²", Turning::Inertia(55.54), LineStyle::Solid),
+    ("I_w → ∞", Turning::Evenly, LineStyle::Dotted),
+];
+
+/// The nominal case at a tractive ratio.
+fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, AnswerError> {
+    model.nominal(&[format!("contact.tractive_ratio={ratio}")])
+}
+
+/// The case with another rotation of the wheel; its contact stays as it is.
+fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
+    let rotation = match turning {
+        Turning::Inertia(inertia) => {
+            let rigid = RigidInertia::new(inertia, case.hertz.rolling_radius());
+            Motion::compliant(rigid?)
+        }
+        Turning::Freely => Motion::Free,
+        Turning::Evenly => Motion::Held,
+    };
+    let mut case = case.clone();
+    case.feedback.rotation = rotation;
+    Ok(case)
+}
+
+/// The ridge of the nominal window over speeds of 5–40 m/s.
+fn ridge(case: &Case) -> Result<Vec<RidgePoint>, AnswerError> {
+    Ok(search(case, 5.0, 40.0, 141)?.points)
+}
+
+fn search(case: &Case, from: f64, to: f64, points: usize) -> Result<Ridge, AnswerError> {
+    let speed = Axis::new(from, to, points)?;
+    Ok(Ridge::search(&case.feedback, case.wavelength, speed))
+}
+
+/// The smallest Re Ŵ₁ at the speed of Fig. 8.
+fn minimum(case: &Case) -> Result<f64, AnswerError> {
+    Ok(search(case, SPEED, SPEED + 1.0, 2)?.points[0].normalized_dissipation)
+}
+
+fn curve(
+    label: &str,
+    style: LineStyle,
+    points: &[RidgePoint],
+    value: impl Fn(&RidgePoint) -> f64,
+) -> Series {
+    Series {
+        label: label.to_owned(),
+        x: points.iter().map(|point| point.speed).collect(),
+        y: points.iter().map(value).collect(),
+        style,
+        color: None,
+    }
+}
+
+fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
+    LinePanel {
+        subtitle: subtitle.to_owned(),
+        x_label: language
+            .pick("speed V [m/s]", "Geschwindigkeit V [m/s]")
+            .to_owned(),
+        y_label: y_label.to_owned(),
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// A value for each inertia over speed.
+fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Series>, AnswerError> {
+    INERTIAS
+        .iter()
+        .map(|&(label, inertia, style)| {
+            let points = ridge(&turning(nominal, inertia)?)?;
+            Ok(curve(label, style, &points, value))
+        })
+        .collect()
+}
+
+/// Over what the minima are taken.
+fn minima(language: Language) -> &'static str {
+    language.pick(
+        "Minima over wavelengths of 20–80 mm.",
+        "Minima über Wellenlängen von 20–80 mm.",
+    )
+}
+
+pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+    let nominal = model.nominal(&[])?;
+    let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
+        .iter()
+        .map(|ratio| {
+            let points = ridge(&at_tractive_ratio(model, *ratio)?)?;
+            let label = format!("τ = {ratio}");
+            Ok(curve(&label, LineStyle::Solid, &points, |point| {
+                point.normalized_dissipation
+            }))
+        })
+        .collect::<Result<Vec<Series>, AnswerError>>()?;
+    // A minimum at the edge of the window is no line of growth.
+    let wavelengths = over_inertia(&nominal, |point| match point.at_edge {
+        true => f64::NAN,
+        false => 1e3 * point.wavelength,
+    })?;
+    let title = language.pick(
+        "Figure 6. Highest growth over speed",
+        "Bild 6. Höchstes Wachstum über der Geschwindigkeit",
+    );
+    let minima = language.pick(
+        "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window.",
+        "Minima über Wellenlängen von 20–80 mm; (b) lässt Minima am Rand des Fensters weg.",
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: format!("{minima} {}", parameters_in(&nominal, language)),
+            panels: vec![
+                over_speed(
+                    language,
+                    language.pick("(a) tractive ratio", "(a) Kraftschlussausnutzung"),
+                    MINIMUM_LABEL,
+                    by_ratio,
+                ),
+                over_speed(
+                    language,
+                    language.pick("(b) inertia, τ = 0.1", "(b) Trägheit, τ = 0.1"),
+                    language.pick("wavelength λ [mm]", "Wellenlänge λ [mm]"),
+                    wavelengths,
+                ),
+            ],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
+}
+
+pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+    let nominal = model.nominal(&[])?;
+    let title = language.pick(
+        "Figure 7. Highest growth over speed for different inertia",
+        "Bild 7. Höchstes Wachstum über der Geschwindigkeit bei verschiedener Trägheit",
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: format!("{} {}", minima(language), parameters_in(&nominal, language)),
+            panels: vec![over_speed(
+                language,
+                "τ = 0.1",
+                MINIMUM_LABEL,
+                over_inertia(&nominal, |point| point.normalized_dissipation)?,
+            )],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
+}
+
+pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
+    let nominal = model.nominal(&[])?;
+    // A mean state that takes a table of its own is worth a coarser sweep.
+    let steps = if model.is_tabulated() { 20 } else { 100 };
+    let ratios: Vec<f64> = (1..steps)
+        .map(|step| f64::from(step) / f64::from(steps))
+        .collect();
+    let inertias: Vec<f64> = (0..=80)
+        .map(|step| 10f64.powf(f64::from(step) / 20.0 - 1.0))
+        .collect();
+    let sweep = |x: Vec<f64>, case: &dyn Fn(f64) -> Result<Case, AnswerError>| {
+        let y = x.iter().map(|&value| minimum(&case(value)?));
+        Ok::<_, AnswerError>(Series {
+            y: y.collect::<Result<_, AnswerError>>()?,
+            x,
+            ..Series::default()
+        })
+    };
+    let panel = |subtitle: &str, x_label: &str, x_scale, series| LinePanel {
+        subtitle: subtitle.to_owned(),
+        x_label: x_label.to_owned(),
+        y_label: MINIMUM_LABEL.to_owned(),
+        x_scale,
+        series: vec![series],
+        ..LinePanel::default()
+    };
+    let title = language.pick(
+        format!("Figure 8. Highest growth at {SPEED} m/s"),
+        format!("Bild 8. Höchstes Wachstum bei {SPEED} m/s"),
+    );
+    let falls = match model.is_the_papers() {
+        true => language.pick(
+            "(a) falls up to τ ≈ 0.9 only. ",
+            "(a) fällt nur bis τ ≈ 0.9. ",
+        ),
+        false => "",
+    };
+    let caption = format!(
+        "{} {falls}{}",
+        minima(language),
+        parameters_in(&nominal, language)
+    );
+    lines(
+        language,
+        LineFigure {
+            title: model.title(&title, language),
+            caption,
+            panels: vec![
+                panel(
+                    "(a)",
+                    language.pick("tractive ratio τ [-]", "Kraftschlussausnutzung τ [-]"),
+                    Scale::Linear,
+                    sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
+                ),
+                panel(
+                    "(b) τ = 0.1",
+                    language.pick("inertia I_w [kg m²]", "Trägheit I_w [kg m²]"),
+                    Scale::Log,
+                    sweep(inertias, &|inertia| {
+                        turning(&nominal, Turning::Inertia(inertia))
+                    })?,
+                ),
+            ],
+            arrangement: Arrangement::SideBySide,
+        },
+    )
+}

@@ -1,0 +1,104 @@
+//! The parameters of a case in a sentence, for captions.
+
+use riffel_case::Case;
+use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
+use riffel_keys::Language;
+
+use crate::track_in_words::{rail, track};
+
+/// A value that a complete case always has.
+fn si(value: Option<f64>) -> f64 {
+    value.unwrap_or(f64::NAN)
+}
+
+/// The parameters of Polach's law in words, where the case has any.
+pub(crate) fn polach(case: &Case) -> String {
+    let Some(polach) = &case.file.contact.polach else {
+        return String::new();
+    };
+    let reduction = format!(
+        "k_A = {}, k_S = {}",
+        polach.adhesion_reduction, polach.slip_reduction
+    );
+    match (
+        polach.limit_friction_ratio,
+        polach.friction_decay,
+        polach.speed,
+    ) {
+        (Some(ratio), Some(decay), Some(speed)) => {
+            format!(" (A = {ratio}, B = {decay}, V = {speed}, {reduction})")
+        }
+        _ => format!(" ({reduction})"),
+    }
+}
+
+/// The parameters of a case in one sentence, in English.
+pub fn parameters(case: &Case) -> String {
+    parameters_in(case, Language::English)
+}
+
+/// The parameters of a case in one sentence.
+pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
+    let file = &case.file;
+    let steady = case.steady;
+    let rotation = match file.wheel.rotation {
+        Rotation::Inertia => format!(
+            "I_w = {:.2} kg m²",
+            si(file.wheel.inertia.map(|inertia| inertia.si()))
+        ),
+        Rotation::ConstantTangentialForce => language
+            .pick(
+                "constant tangential force (I_w → 0)",
+                "konstante Tangentialkraft (I_w → 0)",
+            )
+            .to_owned(),
+        Rotation::ConstantCreepage => language
+            .pick(
+                "constant creepage (I_w → ∞)",
+                "konstanter Schlupf (I_w → ∞)",
+            )
+            .to_owned(),
+    };
+    let phase = match file.contact.dissipation_phase {
+        _ if file.contact.response == ContactDynamics::NonSteady => {
+            language.pick("non-steady contact", "instationärer Kontakt")
+        }
+        DissipationPhase::Lag => {
+            language.pick("dissipation phase: lag", "Phase der Dissipation: lag")
+        }
+        DissipationPhase::Lead => {
+            language.pick("dissipation phase: lead", "Phase der Dissipation: lead")
+        }
+        DissipationPhase::None => {
+            language.pick("dissipation phase: none", "Phase der Dissipation: none")
+        }
+    };
+    let law = language.pick("creep law", "Kraftschlussgesetz");
+    let law = match case.creep_law() {
+        CreepLawName::CARTER_3D => String::new(),
+        CreepLawName::POLACH => format!("{law} polach{}; ", polach(case)),
+        name => format!("{law} {}; ", name.name()),
+    };
+    let dynamics = match file.contact.response {
+        ContactDynamics::SpringDashpot => {
+            language.pick("spring and dashpot; ", "Feder und Dämpfer; ")
+        }
+        _ => "",
+    };
+    format!(
+        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
+        language.pick("Track", "Gleis"),
+        track(case, language),
+        1e-9 * file.steel.youngs_modulus.si(),
+        file.steel.poisson_ratio,
+        file.wheel.rolling_radius.si(),
+        file.contact.transverse_radius.si(),
+        file.wheel.mass.si(),
+        rail(case, language),
+        1e-3 * steady.normal_force,
+        steady.friction,
+        steady.tractive_ratio(),
+        100.0 * steady.creepages.longitudinal,
+        1e6 * case.feedback.amplitude,
+    )
+}

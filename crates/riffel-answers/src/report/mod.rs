@@ -1,0 +1,5 @@
+//! The report of a rail.
+
+mod site;
+
+pub use site::Site;

@@ -1,0 +1,185 @@
+//! The branches of the ridge of a case: as a document, and in words.
+
+use riffel::Ridge;
+use riffel::diagnosis::MechanismKind;
+use riffel::growth::RidgeBranch;
+use riffel_case::Case;
+use riffel_keys::{Language, Remark};
+use serde::Serialize;
+
+/// A branch is named by a resonance of the case within this share of its frequency.
+///
+/// Growth is highest where phases have turned, some per cent beside the resonance that turns them; the resonances of one
+/// track lie farther apart than this. The share is a choice: a branch beyond it has no name rather than a wrong one.
+const NEAR: f64 = 0.10;
+/// Branches named in a sentence after the strongest.
+const NAMED: usize = 3;
+
+/// A branch of the ridge, as documents hold it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BranchDocument {
+    /// Frequency of the ray that fits it best.
+    pub frequency_hz: f64,
+    /// Lowest and highest speed at which its crest lies in the window.
+    pub speed_m_per_s: [f64; 2],
+    /// Shortest and longest wavelength there.
+    pub wavelength_m: [f64; 2],
+    /// Its highest growth rate.
+    pub highest_growth_rate_per_passage: f64,
+    /// Only its flank lies in the window: its frequency is that of the edge.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub only_at_edge: bool,
+    /// The resonance of the case that it follows, where one lies within 10 % of its frequency.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mechanism: Option<&'static str>,
+    #[serde(skip)]
+    kind: Option<MechanismKind>,
+}
+
+impl BranchDocument {
+    /// The branches of a ridge of the case, in their order: the strongest first.
+    pub fn all(case: &Case, ridge: &Ridge) -> Vec<Self> {
+        let resonances = if ridge.branches.is_empty() {
+            Vec::new()
+        } else {
+            resonances(case)
+        };
+        let document = |branch: &RidgeBranch| Self::new(branch, &resonances);
+        ridge.branches.iter().map(document).collect()
+    }
+
+    fn new(branch: &RidgeBranch, resonances: &[(MechanismKind, f64)]) -> Self {
+        let frequency_hz = branch.frequency();
+        let only_at_edge = branch.only_at_edge();
+        let distance =
+            |(_, frequency): &(MechanismKind, f64)| (frequency / frequency_hz - 1.0).abs();
+        let kind = resonances
+            .iter()
+            .filter(|resonance| !only_at_edge && distance(resonance) <= NEAR)
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .map(|(kind, _)| *kind);
+        Self {
+            frequency_hz,
+            speed_m_per_s: branch.speeds().into(),
+            wavelength_m: branch.wavelengths().into(),
+            highest_growth_rate_per_passage: branch.highest().growth_rate,
+            only_at_edge,
+            mechanism: kind.map(MechanismKind::name),
+            kind,
+        }
+    }
+
+    /// Frequency, mechanism if known, speeds and wavelengths, as in "225 Hz (20–87 km/h, 25–109 mm)".
+    fn words(&self, language: Language) -> String {
+        let range = |[least, most]: [f64; 2], unit: f64| {
+            let [least, most] = [least, most].map(|value| format!("{:.0}", unit * value));
+            match least == most {
+                true => least,
+                false => format!("{least}–{most}"),
+            }
+        };
+        let mechanism = self.kind.map_or_else(String::new, |kind| {
+            format!("{}, ", language.pick(kind.name(), in_german(kind)))
+        });
+        let edge = match self.only_at_edge {
+            true => language.pick(", at the edge of the window", ", am Rand des Fensters"),
+            false => "",
+        };
+        format!(
+            "{:.0} Hz ({mechanism}{} km/h, {} mm{edge})",
+            self.frequency_hz,
+            range(self.speed_m_per_s, 3.6),
+            range(self.wavelength_m, 1e3),
+        )
+    }
+
+    /// The branches of a ridge in one sentence, the strongest first.
+    pub fn sentence(branches: &[Self]) -> Remark {
+        let in_language = |language: Language| {
+            let Some((strongest, weaker)) = branches.split_first() else {
+                return language
+                    .pick(
+                        "nothing grows in this window",
+                        "in diesem Fenster wächst nichts",
+                    )
+                    .to_owned();
+            };
+            let words = strongest.words(language);
+            if weaker.is_empty() {
+                return language.pick(
+                    format!("the ridge is one branch, which grows at {words}"),
+                    format!("der Grat ist ein einziger Ast, der bei {words} wächst"),
+                );
+            }
+            let highest = strongest.highest_growth_rate_per_passage;
+            let named = weaker.iter().take(NAMED).map(|branch| {
+                let words = branch.words(language);
+                let share = share(branch.highest_growth_rate_per_passage / highest);
+                language.pick(
+                    format!("{words} with {share} of its growth"),
+                    format!("{words} mit {share} seines Wachstums"),
+                )
+            });
+            let mut named: Vec<String> = named.collect();
+            if let Some(more) = weaker.len().checked_sub(NAMED + 1) {
+                named.push(language.pick(
+                    format!("{} more", more + 1),
+                    format!("{} weitere", more + 1),
+                ));
+            }
+            let named = named.join("; ");
+            let count = weaker.len();
+            let noun = match count {
+                1 => language.pick("1 weaker branch".to_owned(), "1 schwächerer Ast".to_owned()),
+                _ => language.pick(
+                    format!("{count} weaker branches"),
+                    format!("{count} schwächere Äste"),
+                ),
+            };
+            language.pick(
+                format!("the strongest branch grows at {words}; {noun}: {named}"),
+                format!("der stärkste Ast wächst bei {words}; {noun}: {named}"),
+            )
+        };
+        Remark::new(
+            in_language(Language::English),
+            in_language(Language::German),
+        )
+    }
+}
+
+/// A ratio in per cent, with one significant digit below one.
+fn share(ratio: f64) -> String {
+    let percent = 100.0 * ratio;
+    match percent {
+        percent if percent >= 0.95 => format!("{percent:.0} %"),
+        _ => format!("{percent:.1} %"),
+    }
+}
+
+/// The frequencies of the case that the vertical loop can follow \[Hz\].
+fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
+    let vertical = |kind: MechanismKind| kind != MechanismKind::LateralPinnedPinned;
+    let (mechanisms, _) = case.mechanisms();
+    mechanisms
+        .iter()
+        .filter(|mechanism| vertical(mechanism.kind))
+        .filter_map(|mechanism| Some((mechanism.kind, mechanism.frequency()?)))
+        .collect()
+}
+
+/// The name in German, of the mechanisms that fix a vertical frequency.
+fn in_german(kind: MechanismKind) -> &'static str {
+    match kind {
+        MechanismKind::P2 => "P2-Resonanz",
+        MechanismKind::FullTrack => "Resonanz des ganzen Gleises",
+        MechanismKind::SleeperAntiresonance => "Antiresonanz der Schwelle",
+        MechanismKind::RailOnPad => "Schiene auf Zwischenlage",
+        MechanismKind::PinnedPinned => "Pinned-Pinned, vertikal",
+        MechanismKind::MeasuredPeak => "Spitze der gemessenen Rezeptanz",
+        MechanismKind::MeasuredDip => "Senke der gemessenen Rezeptanz",
+        MechanismKind::GivenPeak => "Spitze der gegebenen Rezeptanz",
+        MechanismKind::GivenDip => "Senke der gegebenen Rezeptanz",
+        kind => kind.name(),
+    }
+}

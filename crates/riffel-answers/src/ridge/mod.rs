@@ -1,0 +1,9 @@
+//! The ridge of growth: its points, its branches, in words and as tables.
+
+mod branches;
+mod point;
+mod table;
+
+pub use branches::BranchDocument;
+pub use point::RidgePointDocument;
+pub use table::{branches_csv, ridge_csv};

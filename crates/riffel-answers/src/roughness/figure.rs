@@ -1,0 +1,173 @@
+//! Figures of roughness.
+
+use std::path::Path;
+
+use riffel::roughness::{Spectrum, WavelengthBand};
+use riffel_plot::{
+    Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series,
+};
+use riffel_rail::{Limit, LimitTable};
+
+use super::words::name;
+use super::{MeanSpectra, ProfileAnswer, RailAnswer};
+
+/// Levels with their limit, and the moving RMS along each rail.
+pub(crate) fn of_profile(
+    path: &Path,
+    profile: &ProfileAnswer,
+    limits: &[LimitTable],
+) -> LineFigure {
+    let mut curves: Vec<Series> = profile
+        .rails
+        .iter()
+        .enumerate()
+        .map(|(index, rail)| {
+            // Black is the mean's and the limit's.
+            let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
+            levels(&rail.name, &rail.analysis.spectrum, LineStyle::Solid, color)
+        })
+        .collect();
+    if profile.rails.len() > 1 {
+        curves.push(levels(
+            "energy mean",
+            &profile.spectrum,
+            LineStyle::Dotted,
+            Rgb::BLACK,
+        ));
+    }
+    curves.extend(limit_curves(limits));
+    let mut panels = vec![level_panel(curves)];
+    panels.extend(profile.rails.iter().map(|rail| moving_rms(profile, rail)));
+    let blocks = profile.rails.iter().flat_map(|rail| &rail.analysis.blocks);
+    let block = blocks
+        .map(|block| block.to - block.from)
+        .fold(0.0, f64::max);
+    LineFigure {
+        title: "Rail roughness".to_owned(),
+        caption: format!(
+            "{}: one-third-octave levels after EN 15610:2009 (method A); highest moving RMS in blocks of {block:.1} m, \
+             its limit dashed.",
+            path.file_name().unwrap_or_default().to_string_lossy()
+        ),
+        panels,
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// The moving RMS of each band along a rail, each with its limit.
+pub(crate) fn moving_rms(profile: &ProfileAnswer, rail: &RailAnswer) -> LinePanel {
+    let unit = ChainageUnit::suiting([profile.record.from, profile.record.to]);
+    let mut series = Vec::new();
+    for (place, band) in WavelengthBand::GRINDING.iter().enumerate() {
+        let color = Some(OKABE_ITO[place % OKABE_ITO.len()]);
+        let found = rail.analysis.bands.iter().find(|found| found.band == *band);
+        let Some(found) = found else { continue };
+        // A line for each stretch: gaps are gaps.
+        for (from, to) in &rail.analysis.stretches {
+            let blocks = rail.analysis.blocks.iter();
+            let own = blocks.filter(|block| (*from..*to).contains(&block.from));
+            let points = own.filter_map(|block| {
+                let rms = 1e6 * block.moving_rms_max[place]?;
+                Some((unit.of(0.5 * (block.from + block.to)), rms))
+            });
+            let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
+            // One entry of the legend for all stretches.
+            let first = rail
+                .analysis
+                .stretches
+                .first()
+                .is_some_and(|one| one.0 == *from);
+            series.push(Series {
+                label: if first {
+                    format!("{} mm", name(band))
+                } else {
+                    String::new()
+                },
+                x,
+                y,
+                style: LineStyle::Solid,
+                color,
+            });
+        }
+        series.extend(found.limit.map(|limit| Series {
+            label: String::new(),
+            x: vec![unit.of(profile.record.from), unit.of(profile.record.to)],
+            y: vec![1e6 * limit; 2],
+            style: LineStyle::Dashed,
+            color,
+        }));
+    }
+    LinePanel {
+        subtitle: rail.name.clone(),
+        x_label: unit.axis_label().to_owned(),
+        y_label: "moving RMS [µm]".to_owned(),
+        x_range: Some((unit.of(profile.record.from), unit.of(profile.record.to))),
+        y_scale: Scale::Log,
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// Energy means of groups of spectra with their limits.
+pub(crate) fn of_spectra(path: &Path, groups: &[MeanSpectra], limits: &[LimitTable]) -> LineFigure {
+    let curves = |mean: fn(&MeanSpectra) -> &Spectrum| {
+        let curves = groups.iter().enumerate().map(move |(index, group)| {
+            let color = OKABE_ITO[index % OKABE_ITO.len()];
+            levels(&group.name, mean(group), LineStyle::Solid, color)
+        });
+        curves.chain(limit_curves(limits)).collect()
+    };
+    let panel = |subtitle: &str, series| LinePanel {
+        subtitle: subtitle.to_owned(),
+        ..level_panel(series)
+    };
+    LineFigure {
+        title: "Rail roughness".to_owned(),
+        caption: format!(
+            "{}: means over the spectra of each group.",
+            path.file_name().unwrap_or_default().to_string_lossy()
+        ),
+        panels: vec![
+            panel("mean of energies", curves(|group| &group.energy)),
+            panel("mean of levels", curves(|group| &group.arithmetic)),
+        ],
+        arrangement: Arrangement::Stacked,
+    }
+}
+
+/// Levels over wavelength.
+pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
+    LinePanel {
+        x_label: "wavelength λ [mm]".to_owned(),
+        y_label: "level [dB re 1 µm]".to_owned(),
+        x_scale: Scale::Log,
+        series,
+        ..LinePanel::default()
+    }
+}
+
+fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
+    limits.iter().filter_map(|table| match &table.limit {
+        Limit::Levels(limit) => Some(levels(
+            &table.edition,
+            limit.spectrum(),
+            LineStyle::Dashed,
+            Rgb::BLACK,
+        )),
+        Limit::Rms(_) => None,
+    })
+}
+
+/// A spectrum as a curve.
+pub(crate) fn levels(label: &str, spectrum: &Spectrum, style: LineStyle, color: Rgb) -> Series {
+    let levels = || spectrum.levels().iter();
+    Series {
+        label: label.to_owned(),
+        x: levels()
+            .map(|level| 1e3 * level.band.wavelength())
+            .collect(),
+        y: levels().map(|level| level.level).collect(),
+        style,
+        color: Some(color),
+    }
+}

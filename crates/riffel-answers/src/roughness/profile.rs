@@ -1,0 +1,311 @@
+//! A measured profile: levels, bands, limits, what to grind.
+
+use std::path::Path;
+
+use riffel::roughness::{
+    AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit,
+    Spectrum, WavelengthBand, line_length,
+};
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_plot::{LineFigure, LinePanel};
+use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Record, Survey};
+
+use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
+use super::figure;
+use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
+use super::words::name;
+use crate::AnswerError;
+
+/// RMS \[m\] of a rail between 30 and 100 mm outside which the unit of the heights is doubtful.
+const LIKELY_RMS: (f64, f64) = (2e-8, 1e-3);
+
+/// What is asked of a profile besides its limits.
+#[derive(Debug, Clone, Copy)]
+pub struct ProfileRequest {
+    /// Longest wavelength of the spectrum; by default that of the standard.
+    pub longest: Option<Quantity<Length>>,
+    /// Window of the moving RMS \[m\]; by default that of each band.
+    pub window: Option<f64>,
+    /// Length of a block \[m\].
+    pub block: f64,
+    /// What is ground as one.
+    pub grinding: GrindSettings,
+}
+
+/// A record with all that was computed of it.
+pub struct ProfileAnswer {
+    /// The record; its heights are used up.
+    pub record: Record,
+    /// Each rail on its own, the worst first.
+    pub rails: Vec<RailAnswer>,
+    /// Energy mean over the rails, which is not judged.
+    pub spectrum: Spectrum,
+    /// What is ground as one.
+    pub grinding: GrindSettings,
+    /// What was put right, and what the reader should know.
+    pub warnings: Vec<String>,
+    /// Mean length of the rails \[m\].
+    pub length: f64,
+}
+
+/// A rail with what is said of it.
+pub struct RailAnswer {
+    /// Its name.
+    pub name: String,
+    /// What was computed of it.
+    pub analysis: RailAnalysis,
+    /// What to grind of it.
+    pub sections: Vec<GrindSection>,
+    /// By limit table; sentences name the rail where there are several.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl Judged for RailAnswer {
+    fn verdicts(&self) -> &[Verdict] {
+        &self.verdicts
+    }
+}
+
+/// The limit of the moving RMS: there is one at most.
+fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, AnswerError> {
+    let mut found = limits.iter().filter_map(|table| match &table.limit {
+        Limit::Rms(limit) => Some((table, limit)),
+        Limit::Levels(_) => None,
+    });
+    let first = found.next();
+    match found.next() {
+        Some((second, _)) => Err(AnswerError::Argument {
+            argument: "--limit",
+            value: second.name.clone(),
+            rule: "the only table of RMS limits: what to grind follows from one".to_owned(),
+        }),
+        None => Ok(first.map(|(_, limit)| limit.clone())),
+    }
+}
+
+impl ProfileAnswer {
+    /// A profile held to limits; `path` is the one in errors, `progress` is told of [`steps`](Self::steps) done.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for a longest wavelength that is too long for the record, or two tables of RMS
+    /// limits; [`CaseError::Data`] for a record that cannot be judged.
+    pub fn new(
+        path: &Path,
+        mut record: Record,
+        limits: &[LimitTable],
+        request: &ProfileRequest,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, AnswerError> {
+        let longest_stretch = record
+            .rails
+            .iter()
+            .map(|rail| {
+                rail.stretches
+                    .iter()
+                    .map(Profile::length)
+                    .fold(0.0, f64::max)
+            })
+            .fold(f64::INFINITY, f64::min);
+        if let Some(asked) = request.longest
+            && asked.si() > 0.25 * (longest_stretch + record.spacing)
+        {
+            return Err(AnswerError::Argument {
+                argument: "--longest",
+                value: asked.to_string(),
+                rule: format!(
+                    "at most {:.3} m, a quarter of the longest stretch without gaps",
+                    0.25 * (longest_stretch + record.spacing)
+                ),
+            });
+        }
+        let mut settings = AnalysisSettings {
+            window: request.window,
+            block: request.block,
+            limit: rms_limit(limits)?,
+            ..AnalysisSettings::default()
+        };
+        if let Some(longest) = request.longest {
+            settings.longest_wavelength = longest.si();
+        }
+        // The heights are not needed twice.
+        let stretches: Vec<Vec<Profile>> = record
+            .rails
+            .iter_mut()
+            .map(|rail| std::mem::take(&mut rail.stretches))
+            .collect();
+        let analyses: Vec<RailAnalysis> = stretches
+            .into_iter()
+            .map(|rail| RailAnalysis::new(rail, &settings, &|| progress(1)))
+            .collect::<Result<_, _>>()
+            .map_err(|error| CaseError::data(path, error.to_string()))?;
+        let spectra: Vec<Spectrum> = analyses.iter().map(|rail| rail.spectrum.clone()).collect();
+        let spectrum = Spectrum::energy_mean(&spectra)
+            .ok_or_else(|| CaseError::data(path, "there is no rail in the file"))?;
+        let length =
+            analyses.iter().map(RailAnalysis::length).sum::<f64>() / analyses.len().max(1) as f64;
+        let grinding = request.grinding;
+        let several = analyses.len() > 1;
+        let names = record.rails.iter().map(|rail| rail.name.clone());
+        let mut rails: Vec<RailAnswer> = names
+            .zip(analyses)
+            .map(|(name, analysis)| {
+                let words = if several {
+                    rail_in_words(&name)
+                } else {
+                    String::new()
+                };
+                let verdicts = Verdict::all(limits, &analysis.spectrum, &analysis.bands);
+                RailAnswer {
+                    sections: analysis.grind(&grinding),
+                    verdicts: verdicts
+                        .into_iter()
+                        .map(|verdict| verdict.on_rail(&name).of(&words))
+                        .collect(),
+                    name,
+                    analysis,
+                }
+            })
+            .collect();
+        worst_first(&mut rails);
+        let bands: Vec<BandSummary> = rails
+            .iter()
+            .flat_map(|rail| rail.analysis.bands.iter().copied())
+            .collect();
+        let mut warnings = std::mem::take(&mut record.warnings);
+        warnings.extend(remarks(&bands, &settings, record.spacing));
+        Ok(Self {
+            rails,
+            record,
+            spectrum,
+            grinding,
+            warnings,
+            length,
+        })
+    }
+
+    /// Steps of the work on a record.
+    pub fn steps(record: &Record) -> usize {
+        let rails = record.rails.iter();
+        rails.map(|rail| RailAnalysis::steps(&rail.stretches)).sum()
+    }
+
+    /// The verdicts on all rails, the worst rail first.
+    pub fn verdicts(&self) -> impl Iterator<Item = &Verdict> {
+        self.rails.iter().flat_map(|rail| &rail.verdicts)
+    }
+
+    /// Which rail is worst, where there are several.
+    pub fn worst(&self) -> Option<String> {
+        let [worst, _, ..] = &self.rails[..] else {
+            return None;
+        };
+        let name = rail_in_words(&worst.name);
+        let over = worst.verdicts.iter().filter(|one| !one.within).count();
+        Some(match (over, worst.verdicts.len()) {
+            (0, _) => format!("worst is {name}; every rail is within the limits"),
+            (over, all) => format!("worst is {name}, over {over} of {all} limits"),
+        })
+    }
+
+    /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
+    pub fn line_to_grind(&self) -> (f64, f64) {
+        let sections = self.rails.iter().flat_map(|rail| &rail.sections);
+        let total = line_length(sections.map(|section| (section.from, section.to)));
+        let rails = || self.rails.iter();
+        let ground = rails().flat_map(|rail| rail.analysis.measured_within(&rail.sections));
+        let measured = rails().flat_map(|rail| rail.analysis.stretches.iter().copied());
+        (total, line_length(ground) / line_length(measured))
+    }
+
+    /// Whether there is a limit from which follows what to grind.
+    pub fn knows_what_to_grind(&self) -> bool {
+        let mut bands = self.rails.iter().flat_map(|rail| &rail.analysis.bands);
+        bands.any(|band| band.limit.is_some())
+    }
+
+    /// The levels of the rails, to be forecast.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] where there is no rail.
+    pub fn survey(&self, path: &Path) -> Result<Survey, CaseError> {
+        let rails = self.rails.iter();
+        let records =
+            rails.map(|rail| LabelledSpectrum::of_rail(&rail.name, rail.analysis.spectrum.clone()));
+        Survey::new(path, records.collect(), self.warnings.clone())
+    }
+
+    /// What was taken out of all rails.
+    pub fn removed(&self) -> Removed {
+        let rails = || self.rails.iter();
+        Removed {
+            spikes: rails().map(|rail| rail.analysis.spikes).sum(),
+            pits: rails().map(|rail| rail.analysis.pits).sum(),
+        }
+    }
+
+    /// Levels with their limit, and the moving RMS along each rail.
+    pub fn figure(&self, path: &Path, limits: &[LimitTable]) -> LineFigure {
+        figure::of_profile(path, self, limits)
+    }
+
+    /// The moving RMS of each band along a rail, each with its limit.
+    pub fn moving_rms(&self, rail: &RailAnswer) -> LinePanel {
+        figure::moving_rms(self, rail)
+    }
+
+    /// What was computed as data: what `riffel roughness --json` prints.
+    pub fn document(&self, path: &Path) -> RoughnessDocument {
+        let several = self.rails.len() > 1;
+        RoughnessDocument {
+            file: path.display().to_string(),
+            sample_spacing_m: Some(self.record.spacing),
+            length_m: Some(self.length),
+            worst_rail: several.then(|| self.rails[0].name.clone()),
+            spectrum: levels(&self.spectrum),
+            bands: self
+                .rails
+                .iter()
+                .flat_map(|rail| bands(&rail.name, &rail.analysis.bands))
+                .collect(),
+            removed: self.removed(),
+            verdicts: self.verdicts().cloned().collect(),
+            grind: Some(Grind::new(self)),
+            rails: self.rails.iter().map(RailDocument::new).collect(),
+            arithmetic_mean: None,
+            groups: Vec::new(),
+            findings: Vec::new(),
+            read_as: Some(self.record.format.clone()),
+            warnings: self.warnings.clone(),
+        }
+    }
+}
+
+/// What the reader should know of the bands.
+fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> Vec<String> {
+    let mut remarks = Vec::new();
+    for band in &settings.bands {
+        if bands.iter().all(|found| found.band != *band) {
+            let why = if riffel::roughness::BandPass::resolves(*band, spacing) {
+                format!(
+                    "no stretch is four of its longest waves long, {} m",
+                    4.0 * band.to()
+                )
+            } else {
+                format!("samples are {:.3} mm apart", 1e3 * spacing)
+            };
+            remarks.push(format!("no statistics of {} mm: {why}", name(band)));
+        }
+    }
+    let unlike = |band: &&BandSummary| {
+        band.band == WavelengthBand::GRINDING[1]
+            && !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&band.rms)
+    };
+    if let Some(band) = bands.iter().find(unlike) {
+        remarks.push(format!(
+            "an rms of {:.3e} µm between 30 and 100 mm is unlike any rail: check the unit of the heights",
+            1e6 * band.rms
+        ));
+    }
+    remarks
+}

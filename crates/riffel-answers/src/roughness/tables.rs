@@ -1,0 +1,73 @@
+//! What was computed of a profile, as files of comma-separated values.
+
+use std::io::{self, Write};
+
+use riffel::roughness::WavelengthBand;
+
+use super::ProfileAnswer;
+use super::words::name;
+
+impl ProfileAnswer {
+    /// Levels of each rail, the worst first, and behind several rails their energy mean.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn spectrum_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(["rail", "wavelength_m", "level_db"])?;
+        let rails = self.rails.iter();
+        let own = rails.map(|rail| (rail.name.as_str(), &rail.analysis.spectrum));
+        let mean = (self.rails.len() > 1).then_some(("energy mean", &self.spectrum));
+        for (name, spectrum) in own.chain(mean) {
+            for level in spectrum.levels() {
+                writer.serialize((name, level.band.wavelength(), level.level))?;
+            }
+        }
+        writer.flush()
+    }
+
+    /// RMS of each block, and the highest moving RMS in it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn block_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        let mut header = ["rail", "from_m", "to_m"].map(str::to_owned).to_vec();
+        for what in ["rms", "moving_rms_max"] {
+            header.extend(WavelengthBand::GRINDING.map(|band| {
+                let (from, to) = (1e3 * band.from(), 1e3 * band.to());
+                format!("{what}_{from:.0}_to_{to:.0}_mm_m")
+            }));
+        }
+        writer.write_record(&header)?;
+        for rail in &self.rails {
+            for block in &rail.analysis.blocks {
+                let row = (
+                    &rail.name,
+                    block.from,
+                    block.to,
+                    &block.rms,
+                    &block.moving_rms_max,
+                );
+                writer.serialize(row)?;
+            }
+        }
+        writer.flush()
+    }
+
+    /// What to grind of each rail, the worst first.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn grind_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(["rail", "from_m", "to_m", "worst_band_mm", "rms_over_limit"])?;
+        for rail in &self.rails {
+            for section in &rail.sections {
+                let band = name(&section.band);
+                writer.serialize((&rail.name, section.from, section.to, band, section.ratio))?;
+            }
+        }
+        writer.flush()
+    }
+}

@@ -1,0 +1,162 @@
+//! Roughness held against limit tables.
+
+use riffel::roughness::{BandSummary, Spectrum};
+use riffel_rail::{Limit, LimitTable};
+use serde::Serialize;
+
+/// What a limit table says of a record.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Verdict {
+    /// Name of the rail, where rails are named.
+    rail: Option<String>,
+    /// Name of the table.
+    limit: String,
+    /// Edition of the standard.
+    pub edition: String,
+    /// Where its numbers come from.
+    pub source: String,
+    /// Whether it is within the limit.
+    pub within: bool,
+    /// Of a table of levels, how far the worst band is above its limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    excess_db: Option<f64>,
+    /// Of a table of RMS, the share of the length over the limit in the worst band.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    share_over_limit: Option<f64>,
+    /// Of a table of RMS, the highest moving RMS over its limit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rms_over_limit: Option<f64>,
+    /// The verdict in a sentence.
+    pub sentence: String,
+}
+
+/// What is judged on its own, with its verdicts.
+pub(crate) trait Judged {
+    /// The verdicts of all tables.
+    fn verdicts(&self) -> &[Verdict];
+}
+
+/// Sort by verdicts, the worst first: over the most limits, then the furthest above a limit of levels, then over
+/// a limit of RMS on the longest share, then nearest to it.
+pub(crate) fn worst_first<T: Judged>(all: &mut [T]) {
+    all.sort_by(|a, b| {
+        let over = |one: &T| one.verdicts().iter().filter(|one| !one.within).count();
+        let most = |one: &T, value: fn(&Verdict) -> Option<f64>| {
+            let values = one.verdicts().iter().filter_map(value);
+            values.fold(f64::NEG_INFINITY, f64::max)
+        };
+        let by = |value| most(b, value).total_cmp(&most(a, value));
+        over(b)
+            .cmp(&over(a))
+            .then_with(|| by(|one| one.excess_db))
+            .then_with(|| by(|one| one.share_over_limit))
+            .then_with(|| by(|one| one.rms_over_limit))
+    });
+}
+
+/// A rail in a sentence.
+pub fn rail_in_words(name: &str) -> String {
+    if name.starts_with("rail") || name.starts_with("column") {
+        name.to_owned()
+    } else {
+        format!("rail {name}")
+    }
+}
+
+impl Verdict {
+    fn new(table: &LimitTable, within: bool, rest: &str) -> Self {
+        let verdict = if within { "within" } else { "over" };
+        Self {
+            rail: None,
+            excess_db: None,
+            share_over_limit: None,
+            rms_over_limit: None,
+            limit: table.name.clone(),
+            edition: table.edition.clone(),
+            source: table.source.clone(),
+            within,
+            sentence: format!("{}: {verdict} the limit, {rest}", table.edition),
+        }
+    }
+
+    /// The verdict with the name of what it is on in front, unless that is empty.
+    pub(crate) fn of(mut self, name: &str) -> Self {
+        if !name.is_empty() {
+            self.sentence = format!("{name}: {}", self.sentence);
+        }
+        self
+    }
+
+    /// The verdict on a rail of this name.
+    pub(crate) fn on_rail(self, name: &str) -> Self {
+        Self {
+            rail: Some(name.to_owned()),
+            ..self
+        }
+    }
+
+    /// The verdicts of all tables that have something to say of the spectrum of a rail and its bands.
+    pub(crate) fn all(
+        tables: &[LimitTable],
+        spectrum: &Spectrum,
+        bands: &[BandSummary],
+    ) -> Vec<Self> {
+        let verdicts = tables.iter().map(|table| match &table.limit {
+            Limit::Levels(limit) => {
+                let compared = limit.compare(spectrum);
+                let all = limit.spectrum().levels().len();
+                let over = compared.iter().filter(|band| band.excess() > 0.0);
+                let worst = compared
+                    .iter()
+                    .max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
+                let (excess, wavelength) = (worst.excess(), worst.band.nominal_millimetres());
+                let count = over.count();
+                let measured = match compared.len() {
+                    measured if measured == all => format!("{all} bands"),
+                    measured => format!("{measured} bands that were measured, of {all}"),
+                };
+                let rest = if count == 0 {
+                    let room = -excess;
+                    format!("{measured}; {room:.1} dB are left at {wavelength} mm")
+                } else {
+                    format!("{count} of {measured}, at worst by {excess:.1} dB at {wavelength} mm")
+                };
+                Some(Self {
+                    excess_db: Some(excess),
+                    ..Self::new(table, count == 0, &rest)
+                })
+            }
+            Limit::Rms(limit) => {
+                let judged: Vec<(&BandSummary, f64)> = bands
+                    .iter()
+                    .filter(|band| limit.of(band.band).is_some())
+                    .filter_map(|band| Some((band, band.share_over_limit?)))
+                    .collect();
+                let worst = judged.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+                let within = worst.1 <= limit.share();
+                let shares: Vec<String> = judged
+                    .iter()
+                    .map(|(band, share)| format!("{} mm {:.1} %", millimetres(band), 100.0 * share))
+                    .collect();
+                let allowed = 100.0 * limit.share();
+                let rest = format!(
+                    "{allowed:.0} % of the length may be over; {}",
+                    shares.join(", ")
+                );
+                let ratios = judged
+                    .iter()
+                    .filter_map(|(band, _)| Some(band.moving_rms_max / limit.of(band.band)?));
+                Some(Self {
+                    share_over_limit: Some(worst.1),
+                    rms_over_limit: Some(ratios.fold(0.0, f64::max)),
+                    ..Self::new(table, within, &rest)
+                })
+            }
+        });
+        verdicts.flatten().collect()
+    }
+}
+
+fn millimetres(band: &BandSummary) -> String {
+    format!("{:.0}–{:.0}", 1e3 * band.band.from(), 1e3 * band.band.to())
+}

@@ -1,0 +1,4 @@
+//! What answers say.
+
+mod branches;
+mod comparison;

@@ -1,0 +1,186 @@
+//! `riffel compare`
+
+use riffel::forecast::SpeedDistribution;
+use riffel_answers::AnswerError;
+use riffel_answers::compare::{CompareAnswer, CompareRequest};
+use riffel_answers::forecast::per_million;
+use riffel_case::traffic::Traffic;
+use riffel_case::{Case, Hold, Variant};
+use riffel_keys::CaseError;
+use riffel_rail::Survey;
+
+use super::forecast::{ground_rail, level_limit, outside};
+use super::roughness::survey;
+use crate::arguments::Compare;
+use crate::error::CliError;
+use crate::messages::print_remarks;
+use crate::output::{Progress, json, print, table};
+use crate::staging::Staging;
+
+pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
+    let survey = match &arguments.spectrum {
+        Some(path) => Some(survey(path, &arguments.layout)?),
+        None => None,
+    };
+    let case = arguments.case.read()?;
+    let answer = compare(&case, arguments, survey)?;
+    let document = json(&answer.document(&case));
+    if arguments.json {
+        print(&document)?;
+    }
+    if !arguments.json || arguments.output.is_some() {
+        let folder = arguments
+            .case
+            .folder(arguments.output.as_deref(), "compare");
+        let mut staging = Staging::new("compare", &folder)?;
+        staging.write_figure("compare", &answer.figure(&case))?;
+        staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
+        staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+        staging.write("summary.json", document)?;
+        let files = staging.publish()?;
+        if !arguments.json {
+            let text = readable(&case, &answer);
+            print(&format!(
+                "{text}{}: {}\n",
+                folder.display(),
+                files.join(" ")
+            ))?;
+        }
+    }
+    print_remarks(&answer.warnings);
+    print_remarks(&answer.effects());
+    print_remarks(&answer.comparison.base().remarks);
+    Ok(())
+}
+
+/// The comparison; `survey` holds all spectra of `--spectrum`.
+pub(super) fn compare(
+    case: &Case,
+    arguments: &Compare,
+    survey: Option<Survey>,
+) -> miette::Result<CompareAnswer> {
+    let hold = arguments.hold.map(Hold::from);
+    let variants: Result<Vec<Variant>, CaseError> = arguments
+        .variants
+        .iter()
+        .map(|path| {
+            let mut variant = Variant::read(path)?;
+            variant.hold = hold;
+            Ok(variant)
+        })
+        .collect();
+    let variants = variants?;
+    let (traffic, speeds) = match &arguments.traffic {
+        Some(path) => {
+            let traffic = Traffic::read(path)?;
+            let title = traffic.file.title.clone();
+            (traffic, title.unwrap_or_else(|| "traffic".to_owned()))
+        }
+        None => {
+            let speeds = speeds(case, arguments)?;
+            let words = in_words(&speeds);
+            (Traffic::of_case(speeds), words)
+        }
+    };
+    let (table, limit) = level_limit(&arguments.limit)?;
+    let ground = ground_rail(&arguments.ground, &table, &limit)?;
+    let survey = match &ground {
+        Some(_) => None,
+        None => survey
+            .map(|survey| survey.choose(&arguments.choose))
+            .transpose()?,
+    };
+    let steps = (1 + variants.len()) * traffic.file.vehicle.len();
+    let progress = Progress::new("growth of the variants", steps);
+    let request = CompareRequest {
+        variants,
+        traffic,
+        speeds,
+        hold,
+        survey,
+        ground,
+        limit: (table, limit),
+    };
+    let answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(
+        |error| match error {
+            AnswerError::OutsideWindow(error) => {
+                let path = arguments.spectrum.as_deref();
+                outside(&arguments.ground, path, case, error).into()
+            }
+            error => miette::Report::from(error),
+        },
+    )?;
+    drop(progress);
+    Ok(answer)
+}
+
+/// A comparison for the terminal.
+fn readable(case: &Case, answer: &CompareAnswer) -> String {
+    let title = case.file.title.as_deref().unwrap_or("Comparison");
+    let mut text = format!("{title}, {}\n", answer.speeds);
+    if let Some(ground) = &answer.ground {
+        text += &format!("from {} to {}\n", ground.words, answer.table.edition);
+    }
+    let mut header = vec![""];
+    header.extend(answer.header());
+    let mut rows = table(&header);
+    for outcome in &answer.comparison.outcomes {
+        let mut row = vec![outcome.title.clone()];
+        row.extend(answer.row(outcome));
+        rows.add_row(row);
+    }
+    text += &format!("{rows}\n");
+    if answer.names_rails() {
+        text += "passages, MGT and months are those of the rail named, which leads; summary.json has every rail\n";
+    }
+    text += &bands(answer);
+    text
+}
+
+/// Growth by band.
+fn bands(answer: &CompareAnswer) -> String {
+    let mut header = vec!["wavelength mm"];
+    header.extend(
+        answer
+            .comparison
+            .outcomes
+            .iter()
+            .map(|outcome| outcome.title.as_str()),
+    );
+    let mut rows = table(&header);
+    for (place, band) in answer.comparison.bands.iter().enumerate().rev() {
+        let mut row = vec![format!("{}", band.nominal_millimetres())];
+        row.extend(
+            answer
+                .comparison
+                .outcomes
+                .iter()
+                .map(|outcome| format!("{:+.3}", per_million(outcome.growth.band_rate(place)))),
+        );
+        rows.add_row(row);
+    }
+    format!("growth of the bands, dB per 10⁶ passages\n{rows}\n")
+}
+
+/// Speeds of the wheel of the case: as asked for, or the middle of its map.
+fn speeds(case: &Case, arguments: &Compare) -> Result<SpeedDistribution, CliError> {
+    let mean = match &arguments.speed {
+        Some(speed) => speed.within("--speed")?,
+        None => 0.5 * (case.speed.min() + case.speed.max()),
+    };
+    let deviation = arguments
+        .speed_deviation
+        .map_or(0.0, |deviation| deviation.si());
+    SpeedDistribution::normal(mean, deviation).map_err(|error| CliError::Physics {
+        input: "--speed-deviation".to_owned(),
+        error,
+    })
+}
+
+fn in_words(speeds: &SpeedDistribution) -> String {
+    let kmh = 3.6 * speeds.mean();
+    match 3.6 * speeds.deviation() {
+        0.0 => format!("{kmh:.1} km/h"),
+        deviation => format!("{kmh:.1} km/h with a standard deviation of {deviation:.1} km/h"),
+    }
+}

@@ -1,0 +1,129 @@
+//! A measured profile on the command line.
+
+use std::path::Path;
+
+use riffel_answers::roughness::{ProfileAnswer, band_row, counted, grind_row};
+use riffel_rail::{LimitTable, Record};
+
+use super::{folder, with_progress};
+use crate::arguments::{Roughness, Statistics};
+use crate::messages::print_remarks;
+use crate::output::{json, print, table};
+use crate::staging::{Existing, Staging, write_file};
+
+pub(super) fn run(
+    path: &Path,
+    record: Record,
+    limits: &[LimitTable],
+    arguments: &Roughness,
+) -> miette::Result<()> {
+    let profile = judged(path, record, limits, &arguments.statistics)?;
+    if let Some(format) = &arguments.save_format {
+        let existing = Existing::Keep("remove the file first");
+        write_file(format, &profile.record.format.toml(), existing)?;
+    }
+    let document = json(&profile.document(path));
+    if arguments.json {
+        print(&document)?;
+        print_remarks(&profile.warnings);
+        if arguments.output.is_none() {
+            return Ok(());
+        }
+    }
+    let folder = folder(path, arguments.output.as_deref());
+    let mut staging = Staging::new("roughness", &folder)?;
+    staging.write_figure("roughness", &profile.figure(path, limits))?;
+    staging.write_with("spectrum.csv", |file| profile.spectrum_csv(file))?;
+    staging.write_with("blocks.csv", |file| profile.block_csv(file))?;
+    staging.write_with("grind.csv", |file| profile.grind_csv(file))?;
+    staging.write("summary.json", document)?;
+    let files = staging.publish()?;
+    if !arguments.json {
+        let place = format!("{}: {}\n", folder.display(), files.join(" "));
+        print(&(readable(&profile, path) + &place))?;
+        print_remarks(&profile.warnings);
+    }
+    Ok(())
+}
+
+/// A profile held to limits, with a bar of how far the work is.
+pub(crate) fn judged(
+    path: &Path,
+    record: Record,
+    limits: &[LimitTable],
+    statistics: &Statistics,
+) -> miette::Result<ProfileAnswer> {
+    let request = statistics.request();
+    let steps = ProfileAnswer::steps(&record);
+    let profile = with_progress("roughness", steps, |advance| {
+        ProfileAnswer::new(path, record, limits, &request, advance)
+    });
+    Ok(profile?)
+}
+
+/// What was computed of a profile, for the terminal.
+fn readable(profile: &ProfileAnswer, path: &Path) -> String {
+    let removed = profile.removed();
+    let mut text = format!("{}\n{}", path.display(), profile.understood());
+    text += &format!(
+        "{:.3} m to {:.3} m, {:.3} m of rail sampled every {:.4} mm; {} and {} removed\n",
+        profile.record.from,
+        profile.record.to,
+        profile.length,
+        1e3 * profile.record.spacing,
+        counted(removed.spikes, "spike"),
+        counted(removed.pits, "pit"),
+    );
+    let mut rows = table(&[
+        "rail",
+        "band mm",
+        "rms µm",
+        "highest moving rms µm",
+        "highest peak-to-peak µm",
+        "window m",
+        "limit µm",
+        "over limit",
+    ]);
+    for rail in &profile.rails {
+        for band in &rail.analysis.bands {
+            rows.add_row(band_row(&rail.name, band));
+        }
+    }
+    text += &format!("{rows}\n");
+    if let Some(worst) = profile.worst() {
+        text += &format!("{worst}\n");
+    }
+    for verdict in profile.verdicts() {
+        text += &format!("{}\n", verdict.sentence);
+    }
+    text + &grind_in_words(profile)
+}
+
+fn grind_in_words(profile: &ProfileAnswer) -> String {
+    /// Sections that a terminal shows; the file has all.
+    const SHOWN: usize = 20;
+    if !profile.knows_what_to_grind() {
+        return String::new();
+    }
+    let sections = profile.sections();
+    if sections.is_empty() {
+        return "nothing to grind: no band is over its limit anywhere\n".to_owned();
+    }
+    let mut rows = table(&[
+        "grind",
+        "rail",
+        "from m",
+        "to m",
+        "length m",
+        "worst band mm",
+        "rms/limit",
+    ]);
+    for (index, (rail, section)) in sections.iter().take(SHOWN).enumerate() {
+        rows.add_row(grind_row(index, &rail.name, section));
+    }
+    let more = match sections.len().saturating_sub(SHOWN) {
+        0 => String::new(),
+        more => format!("{more} more in grind.csv; "),
+    };
+    format!("{rows}\n{more}{}\n", profile.total())
+}
