@@ -32,6 +32,7 @@ pub mod receptance;
 pub mod report;
 pub mod ridge;
 pub mod roughness;
+pub mod study;
 mod track_in_words;
 
 pub use capital::capital;

@@ -1,7 +1,6 @@
 //! An axis: where a value lies on the sheet, and which values are marked on it.
 
-use crate::frame::TICK_FONT;
-use crate::text::{self, Weight};
+use crate::text::{self, TICK_FONT, Weight};
 
 /// Spacing of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

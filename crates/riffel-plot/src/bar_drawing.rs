@@ -24,7 +24,32 @@ const NOTE_GAP: f64 = 4.0;
 const SEEN: f64 = 0.5;
 const BAR_OPACITY: f64 = 0.85;
 
-pub(crate) fn svg(figure: &BarFigure) -> Result<String, PlotError> {
+impl BarFigure {
+    /// The figure as an SVG document. Identical data give identical text.
+    ///
+    /// # Errors
+    /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`] where rows and bars differ in number.
+    pub fn svg(&self) -> Result<String, PlotError> {
+        if self.panels.is_empty() {
+            return Err(PlotError::NoPanel);
+        }
+        for (index, panel) in self.panels.iter().enumerate() {
+            for series in &panel.series {
+                if series.bars.len() != panel.rows.len() {
+                    return Err(PlotError::SeriesLength {
+                        panel: index,
+                        label: series.label.clone(),
+                        x_count: panel.rows.len(),
+                        y_count: series.bars.len(),
+                    });
+                }
+            }
+        }
+        svg(self)
+    }
+}
+
+fn svg(figure: &BarFigure) -> Result<String, PlotError> {
     let height = |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
     let tallest = figure.panels.iter().map(height).fold(0.0, f64::max);
     let subtitles = figure.panels.iter().map(|panel| &*panel.subtitle);

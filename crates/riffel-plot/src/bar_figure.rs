@@ -1,8 +1,6 @@
 //! Horizontal bars, a row for each of several things: the data of the figure.
 
-use crate::bar_drawing;
 use crate::color::Rgb;
-use crate::error::PlotError;
 
 /// How the bars of a row stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -64,29 +62,4 @@ pub struct BarFigure {
     pub caption: String,
     /// The panels.
     pub panels: Vec<BarPanel>,
-}
-
-impl BarFigure {
-    /// The figure as an SVG document. Identical data give identical text.
-    ///
-    /// # Errors
-    /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`] where rows and bars differ in number.
-    pub fn svg(&self) -> Result<String, PlotError> {
-        if self.panels.is_empty() {
-            return Err(PlotError::NoPanel);
-        }
-        for (index, panel) in self.panels.iter().enumerate() {
-            for series in &panel.series {
-                if series.bars.len() != panel.rows.len() {
-                    return Err(PlotError::SeriesLength {
-                        panel: index,
-                        label: series.label.clone(),
-                        x_count: panel.rows.len(),
-                        y_count: series.bars.len(),
-                    });
-                }
-            }
-        }
-        bar_drawing::svg(self)
-    }
 }

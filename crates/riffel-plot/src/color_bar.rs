@@ -5,9 +5,9 @@ use plotters::style::text_anchor::{HPos, VPos};
 use crate::canvas::{Canvas, Lettering, Stroke};
 use crate::color::{Rgb, growth_color};
 use crate::error::PlotError;
-use crate::frame::{TICK_FONT, TITLE_FONT};
 use crate::sheet_box::SheetBox;
 use crate::text::{self, Weight};
+use crate::text::{TICK_FONT, TITLE_FONT};
 
 /// Height of bar, values and name, pixels.
 pub(crate) const HEIGHT: f64 = BAR + 4.0 + TICK_FONT + 5.0 + TITLE_FONT + 3.0;

@@ -7,12 +7,8 @@ use crate::canvas::{Canvas, Lettering, Stroke};
 use crate::color::Rgb;
 use crate::error::PlotError;
 use crate::sheet_box::SheetBox;
-use crate::text::{self, Weight};
+use crate::text::{self, TICK_FONT, TITLE_FONT, Weight};
 
-/// Font size of axis titles, pixels (96 per inch): 9.75 pt.
-pub(crate) const TITLE_FONT: f64 = 13.0;
-/// Font size of tick labels, pixels: 9 pt.
-pub(crate) const TICK_FONT: f64 = 12.0;
 /// Distance from a frame to its tick labels, pixels.
 const TICK_GAP: f64 = 5.0;
 /// Distance from tick labels to the axis title, pixels.

@@ -6,9 +6,9 @@
 use plotly::Plot;
 use serde_json::{Value, json};
 
-use crate::frame::{TICK_FONT, TITLE_FONT};
 use crate::subscript;
 use crate::text;
+use crate::text::{TICK_FONT, TITLE_FONT};
 
 /// A panel of a page: traces and layout of plotly.js.
 pub(crate) struct PagePanel {

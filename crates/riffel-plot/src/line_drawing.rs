@@ -23,7 +23,17 @@ const LEGEND_MARGIN: f64 = 8.0;
 /// Distance a legend inside a frame keeps from lines and marks, pixels.
 const LEGEND_CLEARANCE: f64 = 4.0;
 
-pub(crate) fn svg(figure: &LineFigure) -> Result<String, PlotError> {
+impl LineFigure {
+    /// The figure as an SVG document. Identical data give identical text.
+    ///
+    /// # Errors
+    /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`], [`PlotError::AxisRange`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        svg(self)
+    }
+}
+
+fn svg(figure: &LineFigure) -> Result<String, PlotError> {
     figure.check()?;
     let columns = match figure.arrangement {
         Arrangement::Stacked | Arrangement::Strips => 1,

@@ -3,7 +3,6 @@
 use crate::axis::Scale;
 use crate::color::Rgb;
 use crate::error::PlotError;
-use crate::{line_drawing, line_page};
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -110,23 +109,6 @@ pub struct LineFigure {
 }
 
 impl LineFigure {
-    /// The figure as an SVG document. Identical data give identical text.
-    ///
-    /// # Errors
-    /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`], [`PlotError::AxisRange`].
-    pub fn svg(&self) -> Result<String, PlotError> {
-        line_drawing::svg(self)
-    }
-
-    /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything
-    /// it needs and loads nothing. Identical data give identical text.
-    ///
-    /// # Errors
-    /// As [`svg`](LineFigure::svg).
-    pub fn html(&self) -> Result<String, PlotError> {
-        line_page::html(self)
-    }
-
     pub(crate) fn check(&self) -> Result<(), PlotError> {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);

@@ -9,7 +9,18 @@ use crate::line_drawing::series_color;
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
 
-pub(crate) fn html(figure: &LineFigure) -> Result<String, PlotError> {
+impl LineFigure {
+    /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything
+    /// it needs and loads nothing. Identical data give identical text.
+    ///
+    /// # Errors
+    /// As [`svg`](LineFigure::svg).
+    pub fn html(&self) -> Result<String, PlotError> {
+        html(self)
+    }
+}
+
+fn html(figure: &LineFigure) -> Result<String, PlotError> {
     figure.check()?;
     let panels: Vec<PagePanel> = figure.panels.iter().map(page_panel).collect();
     Ok(html::page(

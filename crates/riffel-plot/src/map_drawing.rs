@@ -10,7 +10,9 @@ use crate::frame::{self, Side};
 use crate::grid::Grid;
 use crate::legend::{Entry, Sample};
 use crate::map_figure::{MapFigure, MapPanel};
-use crate::map_marks::{BEST_FIT_RAY, BRANCH, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker};
+use crate::map_marks::{
+    BEST_FIT_RAY, BRANCH, Marks, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker,
+};
 use crate::marker::Marker;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
@@ -25,7 +27,18 @@ const CONTOUR_TOLERANCE: f64 = 0.05;
 pub(crate) const ZERO_CONTOUR: Stroke = Stroke::solid(Rgb(20, 30, 60), 1.1);
 const CONTOUR: Stroke = Stroke::solid(Rgb(40, 60, 110), 0.4).with_opacity(0.6);
 
-pub(crate) fn svg(figure: &MapFigure) -> Result<String, PlotError> {
+impl MapFigure {
+    /// The figure as an SVG document. Identical data give identical text.
+    ///
+    /// # Errors
+    /// [`PlotError::NoPanel`], [`PlotError::GridShape`], [`PlotError::TooFewGridPoints`],
+    /// [`PlotError::GridOrder`].
+    pub fn svg(&self) -> Result<String, PlotError> {
+        svg(self)
+    }
+}
+
+fn svg(figure: &MapFigure) -> Result<String, PlotError> {
     figure.check()?;
     let labels = figure.observation_labels();
     let columns = figure.panels.len().min(2);
@@ -69,9 +82,9 @@ pub(crate) fn svg(figure: &MapFigure) -> Result<String, PlotError> {
 }
 
 /// A panel prepared for drawing.
-pub(crate) struct Drawing<'a> {
-    pub(crate) panel: &'a MapPanel,
-    pub(crate) labels: &'a [&'a str],
+struct Drawing<'a> {
+    panel: &'a MapPanel,
+    labels: &'a [&'a str],
     grid: Grid,
     steps: Option<Steps>,
     /// Ticks of the speed in km/h and in m/s.
@@ -130,9 +143,13 @@ impl<'a> Drawing<'a> {
             (&km_per_h, &self.speed_ticks.0),
         )?;
         self.draw_contours(canvas, frame, &place)?;
-        self.draw_rays(canvas, &place)?;
-        self.draw_marks(canvas, frame, &place)?;
-        self.draw_ray_labels(canvas, frame, &place)?;
+        let marks = Marks {
+            panel: self.panel,
+            labels: self.labels,
+        };
+        marks.draw_rays(canvas, &place)?;
+        marks.draw_marks(canvas, frame, &place)?;
+        marks.draw_ray_labels(canvas, frame, &place)?;
         frame::draw_outline(canvas, frame)?;
         frame::draw_axis(
             canvas,

@@ -3,9 +3,10 @@
 use crate::color_bar::Steps;
 use crate::error::PlotError;
 use crate::grid::{Grid, check_axis};
-use crate::map_marks::NAMED_BRANCHES;
 use crate::rays::Window;
-use crate::{map_drawing, map_page};
+
+/// Branches that are named by their frequency, the strongest among them: more labels than these hide the map.
+const NAMED_BRANCHES: usize = 4;
 
 /// A point of the ridge: the wavelength of strongest growth at a speed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -111,24 +112,6 @@ pub struct MapFigure {
 }
 
 impl MapFigure {
-    /// The figure as an SVG document. Identical data give identical text.
-    ///
-    /// # Errors
-    /// [`PlotError::NoPanel`], [`PlotError::GridShape`], [`PlotError::TooFewGridPoints`],
-    /// [`PlotError::GridOrder`].
-    pub fn svg(&self) -> Result<String, PlotError> {
-        map_drawing::svg(self)
-    }
-
-    /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything
-    /// it needs and loads nothing. Identical data give identical text.
-    ///
-    /// # Errors
-    /// As [`svg`](MapFigure::svg).
-    pub fn html(&self) -> Result<String, PlotError> {
-        map_page::html(self)
-    }
-
     /// Give all panels one scale of colours, which ends at the smallest value of any.
     #[must_use]
     pub fn with_one_scale(mut self) -> Self {

@@ -7,7 +7,7 @@ use crate::color::{BEST_FIT, Rgb};
 use crate::contours::simplified;
 use crate::error::PlotError;
 use crate::grid::thinned_indices;
-use crate::map_drawing::Drawing;
+use crate::map_figure::MapPanel;
 use crate::marker::Marker;
 use crate::sheet_box::{self, Obstacles, SheetBox};
 use crate::text;
@@ -22,12 +22,17 @@ pub(crate) const BEST_FIT_RAY: Stroke = Stroke::dashed(BEST_FIT, 2.0, 7.0, 4.0);
 pub(crate) const BRANCH: Stroke = Stroke::solid(BEST_FIT, 1.4);
 /// Distance by which a drawn branch may leave its points, pixels.
 const BRANCH_TOLERANCE: f64 = 0.1;
-/// Branches that are named by their frequency, the strongest among them: more labels than these hide the map.
-pub(crate) const NAMED_BRANCHES: usize = 4;
 const RAY_FONT: f64 = 10.5;
 const BEST_FIT_FONT: f64 = 12.0;
 
-impl Drawing<'_> {
+/// What is drawn upon the map of a panel.
+pub(crate) struct Marks<'a> {
+    pub(crate) panel: &'a MapPanel,
+    /// Labels of all observations of the figure.
+    pub(crate) labels: &'a [&'a str],
+}
+
+impl Marks<'_> {
     pub(crate) fn draw_rays(
         &self,
         canvas: &mut Canvas<'_>,

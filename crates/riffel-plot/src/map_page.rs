@@ -15,7 +15,18 @@ use crate::marker::Marker;
 /// Grid points along an axis of a page: more only make it heavy.
 const MOST_GRID_POINTS: usize = 250;
 
-pub(crate) fn html(figure: &MapFigure) -> Result<String, PlotError> {
+impl MapFigure {
+    /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything
+    /// it needs and loads nothing. Identical data give identical text.
+    ///
+    /// # Errors
+    /// As [`svg`](MapFigure::svg).
+    pub fn html(&self) -> Result<String, PlotError> {
+        html(self)
+    }
+}
+
+fn html(figure: &MapFigure) -> Result<String, PlotError> {
     figure.check()?;
     let labels = figure.observation_labels();
     let panels: Vec<PagePanel> = figure

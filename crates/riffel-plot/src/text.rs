@@ -5,6 +5,11 @@ use std::sync::Once;
 use crate::subscript::{self, Run};
 use plotters::style::{FontDesc, FontFamily, FontStyle, register_font};
 
+/// Font size of axis titles, pixels (96 per inch): 9.75 pt.
+pub(crate) const TITLE_FONT: f64 = 13.0;
+/// Font size of tick labels, pixels: 9 pt.
+pub(crate) const TICK_FONT: f64 = 12.0;
+
 /// `font-family` of every text of a picture. DejaVu Sans comes with the crate `dejavu`; where a
 /// viewer lacks it, its own sans serif replaces it.
 pub(crate) const FONT_FAMILY: &str = "DejaVu Sans, sans-serif";

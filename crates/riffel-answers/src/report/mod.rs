@@ -1,5 +1,292 @@
-//! The report of a rail.
+//! The report of a rail: other answers on one printable page.
 
+mod inputs;
+mod mechanism;
+mod outlook;
+mod page;
+mod roughness;
 mod site;
 
+use std::path::Path;
+
+use riffel_case::Case;
+use riffel_plot::PlotError;
+use riffel_rail::{LimitTable, Record};
+
+pub use inputs::Inputs;
+pub use roughness::block_of_strip;
 pub use site::Site;
+
+use crate::AnswerError;
+use crate::capital;
+use crate::compare::CompareAnswer;
+use crate::diagnose::Diagnosis;
+use crate::forecast::ForecastAnswer;
+use crate::map::MapAnswer;
+use crate::roughness::{ProfileAnswer, SpectraAnswer};
+use outlook::Outlook;
+use page::{Head, Section, escape};
+
+/// Title where none is given.
+const TITLE: &str = "Rail roughness and corrugation";
+
+/// Why a section is left out.
+const NO_CASE: &str = "no case was given.";
+const NO_ROUGHNESS: &str = "no roughness was given.";
+
+/// What the report says of the roughness of a rail.
+pub struct MeasuredRail<'a> {
+    /// The file.
+    pub path: &'a Path,
+    /// What was computed of it.
+    pub roughness: MeasuredRoughness,
+    /// What was put right in the records.
+    pub warnings: &'a [String],
+    /// What may have made its wavelengths, where there is a case.
+    pub diagnosis: Option<&'a Diagnosis>,
+}
+
+/// Heights or levels, held to limits.
+pub enum MeasuredRoughness {
+    /// A profile.
+    Profile {
+        /// Its heights, drawn.
+        strips: ProfileStrips,
+        /// What was computed of it.
+        answer: Box<ProfileAnswer>,
+    },
+    /// A table of spectra.
+    Spectra(SpectraAnswer),
+}
+
+/// The heights of a profile, drawn before they are used up.
+pub struct ProfileStrips(Section);
+
+impl ProfileStrips {
+    /// The lowest and highest of each of many short lengths.
+    ///
+    /// # Errors
+    /// [`PlotError`].
+    pub fn new(record: &Record) -> Result<Self, PlotError> {
+        roughness::strips(record).map(Self)
+    }
+}
+
+/// What a report is made of.
+pub struct ReportRequest<'a> {
+    /// Its title, in place of that of the site.
+    pub title: Option<&'a str>,
+    /// The site.
+    pub site: &'a Site,
+    /// The limits to which the rail is held.
+    pub limits: &'a [LimitTable],
+    /// The rail, if it was measured.
+    pub rail: Option<MeasuredRail<'a>>,
+    /// The case and its growth map, if there is one.
+    pub case: Option<(&'a Case, &'a MapAnswer)>,
+    /// What becomes of the rail, or why that is left out.
+    pub forecast: Result<&'a ForecastAnswer, &'static str>,
+    /// What would help, or why that is left out.
+    pub compare: Result<&'a CompareAnswer, &'static str>,
+    /// The files that went into it.
+    pub inputs: &'a Inputs,
+}
+
+/// The report as a page of HTML that loads nothing and prints on A4.
+///
+/// # Errors
+/// [`AnswerError::Plot`].
+pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
+    let ReportRequest {
+        title,
+        site,
+        limits,
+        rail,
+        case,
+        forecast,
+        compare,
+        inputs,
+    } = request;
+    let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut diagnosis = None;
+    match rail {
+        Some(rail) => {
+            diagnosis = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
+            let (own, words) = measured(rail.path, rail.roughness, limits)?;
+            sections.extend(own);
+            brief.extend(words);
+            warnings.extend_from_slice(rail.warnings);
+        }
+        None => {
+            let all = [
+                "Profile",
+                "Moving RMS along the line",
+                "Spectrum and limits",
+                "Wavelength bands",
+                "What to grind",
+            ];
+            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_ROUGHNESS)));
+        }
+    }
+    let what_if = |case: &Case| match compare {
+        Ok(answer) => outlook::what_if(case, answer),
+        Err(why) => Ok(Outlook::left_out("What-if", why)),
+    };
+    match (case, diagnosis) {
+        (Some((case, map)), Some((path, diagnosis))) => {
+            let file = path.display().to_string();
+            sections.push(mechanism::growth_map(case, map, Some(diagnosis))?.section);
+            sections.push(mechanism::diagnosis(&file, diagnosis)?);
+            brief.extend(dominant(diagnosis));
+            warnings.extend(diagnosis.warnings.iter().cloned());
+            warnings.extend(case.remarks.iter().map(ToString::to_string));
+            let forecast = match forecast {
+                Ok(answer) => outlook::forecast(case, answer)?,
+                Err(why) => Outlook::left_out("Forecast", why),
+            };
+            for outlook in [forecast, what_if(case)?] {
+                outlook.put(&mut sections, &mut brief, &mut warnings);
+            }
+        }
+        (Some((case, map)), None) => {
+            let map = mechanism::growth_map(case, map, None)?;
+            map.put(&mut sections, &mut brief, &mut warnings);
+            sections.push(Section::LeftOut("Diagnosis", NO_ROUGHNESS));
+            sections.push(Section::LeftOut("Forecast", NO_ROUGHNESS));
+            warnings.extend(case.remarks.iter().map(ToString::to_string));
+            what_if(case)?.put(&mut sections, &mut brief, &mut warnings);
+        }
+        (None, _) => {
+            let all = ["Growth map", "Diagnosis", "Forecast", "What-if"];
+            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_CASE)));
+        }
+    }
+    sections.push(inputs_section(inputs, limits, case.map(|(case, _)| case)));
+    // Readings of the roughness warn of the same defects, and vehicles of the same limits at their own
+    // frequencies, which stand in brackets.
+    let mut known = std::collections::HashSet::new();
+    warnings.retain(|warning| {
+        let what = warning.split(" (").next().unwrap_or_default();
+        known.insert(what.to_owned())
+    });
+    sections.push(warnings_section(&warnings));
+    let head = Head {
+        title: title.or(site.title.as_deref()).unwrap_or(TITLE),
+        facts: site.facts(),
+        remarks: site.remarks.as_deref(),
+        brief,
+    };
+    Ok(page::page(&head, &sections))
+}
+
+/// The sections on the roughness, and sentences for those in a hurry.
+fn measured(
+    path: &Path,
+    roughness: MeasuredRoughness,
+    limits: &[LimitTable],
+) -> Result<([Section; 5], Vec<String>), PlotError> {
+    const TABLE: &str = "the record is a table of levels; it needs a profile.";
+    Ok(match roughness {
+        MeasuredRoughness::Profile { strips, answer } => {
+            let worst = answer.worst().map(|worst| escape(&(capital(&worst) + ".")));
+            let verdicts = answer.verdicts().map(roughness::sentence);
+            let mut brief: Vec<String> = worst.into_iter().chain(verdicts).collect();
+            brief.push(escape(&roughness::total(&answer)));
+            let sections = [
+                strips.0,
+                roughness::moving_rms(&answer)?,
+                roughness::spectrum_of_profile(path, &answer, limits)?,
+                roughness::bands(&answer, limits),
+                roughness::grind(&answer),
+            ];
+            (sections, brief)
+        }
+        MeasuredRoughness::Spectra(answer) => {
+            let sections = [
+                Section::LeftOut("Profile", TABLE),
+                Section::LeftOut("Moving RMS along the line", TABLE),
+                roughness::spectrum_of_means(path, &answer, limits)?,
+                Section::LeftOut("Wavelength bands", TABLE),
+                Section::LeftOut("What to grind", TABLE),
+            ];
+            let brief = answer.verdicts.iter().map(roughness::sentence);
+            (sections, brief.collect())
+        }
+    })
+}
+
+/// The dominant wavelengths, a sentence each.
+fn dominant(diagnosis: &Diagnosis) -> Vec<String> {
+    if diagnosis.findings.is_empty() {
+        return vec!["No dominant wavelength stands out of the roughness.".to_owned()];
+    }
+    let findings = diagnosis.findings.iter();
+    findings
+        .map(|finding| {
+            format!(
+                "<b>{:.1} mm</b> stands out{}, {:.1} dB. {}",
+                1e3 * finding.measured.peak.wavelength,
+                finding
+                    .place()
+                    .map_or_else(String::new, |place| escape(&format!(" on {place}"))),
+                finding.measured.peak.level,
+                escape(&capital(&finding.summary()))
+            )
+        })
+        .collect()
+}
+
+/// Files, limit tables and presets with their origin, and what made the report.
+fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -> Section {
+    let mut html = inputs.html();
+    let mut sources: Vec<Vec<String>> = limits
+        .iter()
+        .map(|table| {
+            vec![
+                escape(&format!("limit {}", table.name)),
+                escape(&table.edition),
+                escape(&table.source),
+            ]
+        })
+        .collect();
+    if let Some(case) = case {
+        let file = &case.file;
+        let names = [
+            file.vehicle.as_ref(),
+            file.rail.section.as_ref(),
+            file.track.preset.as_ref(),
+        ];
+        for preset in names
+            .into_iter()
+            .flatten()
+            .filter_map(|name| riffel_case::preset(name).ok())
+        {
+            let mut origin: Vec<&str> = preset
+                .values
+                .iter()
+                .map(|value| value.source.as_str())
+                .collect();
+            origin.dedup();
+            sources.push(vec![
+                escape(&format!("preset {}", preset.name)),
+                escape(&preset.title),
+                escape(origin.first().copied().unwrap_or_default()),
+            ]);
+        }
+    }
+    html += &page::table("words", &["built in", "what it is", "source"], &sources);
+    html += &format!(
+        "<p class=\"small\">Made by riffel {}. The same files and the same version give the same report.</p>\n",
+        env!("CARGO_PKG_VERSION")
+    );
+    Section::There("Inputs and versions", html)
+}
+
+fn warnings_section(warnings: &[String]) -> Section {
+    let html = if warnings.is_empty() {
+        "<p>None.</p>\n".to_owned()
+    } else {
+        page::list(warnings.iter().cloned())
+    };
+    Section::There("Warnings and limits of the models", html)
+}

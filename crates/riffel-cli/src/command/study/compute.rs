@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
+use riffel_answers::study::Statistics;
 use riffel_study::{ChunkState, ResultFolder, Shard, Study, StudyError, Summary};
 use serde::Serialize;
 
 use super::progress::SampleProgress;
-use super::statistics::{Statistics, table_of};
+use super::statistics::table_of;
 use crate::arguments::{Run, stem};
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};

@@ -3,32 +3,28 @@
 use std::fmt::Write as _;
 
 use riffel::diagnosis::MechanismKind;
-use riffel::{GrowthMap, Ridge};
-use riffel_answers::diagnose::{Diagnosis, SHARE, candidate_row};
-use riffel_answers::map::{SIGN, Shown, panel};
-use riffel_answers::ridge::BranchDocument;
-use riffel_answers::{capital, parameters};
 use riffel_case::Case;
-use riffel_plot::{LineFigure, MapFigure, Observation};
+use riffel_plot::{LineFigure, MapFigure, Observation, PlotError};
 
 use super::outlook::Outlook;
 use super::page::{Section, escape, figure, list, table};
-use crate::error::CliError;
-use crate::output::Progress;
+use crate::capital;
+use crate::diagnose::{Diagnosis, SHARE, candidate_row};
+use crate::map::{MapAnswer, SIGN, Shown, panel};
+use crate::parameters::parameters;
+use crate::ridge::BranchDocument;
 
 /// Share from which a candidate's reasons are printed, and how many are at least.
 const SHOWN: (f64, usize) = (0.02, 3);
 
 /// The growth map of the case, with the measured wavelengths on it if there are any.
-pub(super) fn growth_map(case: &Case, diagnosis: Option<&Diagnosis>) -> miette::Result<Outlook> {
-    case.check_window()?;
-    let progress = Progress::new("growth map", case.speed.points());
-    let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |rows| {
-        progress.advance(rows);
-    });
-    drop(progress);
-    let ridge = Ridge::of_map(&case.feedback, &map);
-    let mut panel = panel(case, &map, &ridge, Shown::Normalized);
+pub(super) fn growth_map(
+    case: &Case,
+    map: &MapAnswer,
+    diagnosis: Option<&Diagnosis>,
+) -> Result<Outlook, PlotError> {
+    let ridge = &map.ridge;
+    let mut panel = panel(case, &map.map, ridge, Shown::Normalized);
     let measured = match diagnosis {
         Some(diagnosis) => observations(case, diagnosis, &mut panel.observations),
         None => String::new(),
@@ -38,9 +34,9 @@ pub(super) fn growth_map(case: &Case, diagnosis: Option<&Diagnosis>) -> miette::
         ..MapFigure::default()
     };
     let caption = format!("{}{measured} {SIGN}", parameters(case));
-    let branches = BranchDocument::sentence(&BranchDocument::all(case, &ridge)).to_string();
+    let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
-    let svg = drawing.svg().map_err(CliError::from)?;
+    let svg = drawing.svg()?;
     let highest = ridge.highest().filter(|point| point.growth_rate > 0.0);
     let brief = highest.map(|point| {
         format!(
@@ -101,7 +97,7 @@ fn observations(case: &Case, diagnosis: &Diagnosis, marks: &mut Vec<Observation>
 }
 
 /// Dominant wavelengths with their candidates.
-pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, CliError> {
+pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, PlotError> {
     const HEADING: &str = "Diagnosis";
     let drawing = diagnosis.figure(file);
     let caption = drawing.caption.clone();

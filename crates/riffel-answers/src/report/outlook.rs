@@ -1,33 +1,12 @@
 //! Forecast and what-if in a report.
 
-use std::path::{Path, PathBuf};
-
 use riffel::forecast::Reach;
-use riffel_answers::compare::{CompareAnswer, Effect, Outcome};
-use riffel_answers::forecast::number;
-use riffel_plot::LineFigure;
-use riffel_rail::Survey;
+use riffel_case::Case;
+use riffel_plot::{LineFigure, PlotError};
 
 use super::page::{Section, escape, figure, list, table};
-use crate::arguments::{
-    CaseArguments, Compare, Forecast, Ground, HoldArgument, Horizon, Layout, Spectra,
-};
-use crate::command::compare::compare;
-use crate::command::forecast::forecast as answer_forecast;
-use crate::error::CliError;
-
-/// What the record says of now.
-pub(super) struct Now<'a> {
-    /// The file.
-    pub(super) path: &'a Path,
-    /// Traffic file, if one is given.
-    pub(super) traffic: Option<&'a Path>,
-    /// Its spectra.
-    pub(super) survey: Survey,
-    pub(super) date: Option<jiff::civil::Date>,
-    /// Mean speed of the traffic \[m/s\].
-    pub(super) speed: f64,
-}
+use crate::compare::{CompareAnswer, Effect, Outcome};
+use crate::forecast::{ForecastAnswer, number};
 
 /// A section with a sentence for those in a hurry and what to warn of.
 pub(super) struct Outlook {
@@ -60,39 +39,7 @@ impl Outlook {
 }
 
 /// What becomes of the spectrum under the traffic.
-pub(super) fn forecast(
-    case: CaseArguments,
-    traffic: PathBuf,
-    limit: String,
-    now: &Now<'_>,
-    ground: Ground,
-    months: Option<f64>,
-) -> miette::Result<Outlook> {
-    let forecast = Forecast {
-        case,
-        spectra: Spectra {
-            spectrum: Some(now.path.to_owned()),
-            layout: Layout::default(),
-            choose: Vec::new(),
-            date_column: None,
-            earlier: None,
-            earlier_choose: Vec::new(),
-            passages_between: None,
-        },
-        ground,
-        traffic,
-        limit,
-        horizon: Horizon {
-            passages: None,
-            mgt: None,
-            months,
-        },
-        date: now.date,
-        output: None,
-        json: false,
-    };
-    let case = forecast.case.read()?;
-    let report = answer_forecast(&case, &forecast, Some(now.survey.clone()))?;
+pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, PlotError> {
     let rows = report
         .rows()
         .into_iter()
@@ -127,7 +74,7 @@ pub(super) fn forecast(
         escape(&report.amount(report.passages))
     );
     html += &list(findings.clone());
-    html += &drawing(report.figure(&case))?;
+    html += &drawing(report.figure(case))?;
     html += &table("", &header, &rows);
     let mut warnings = report.warnings.clone();
     warnings.extend(report.on.remarks.iter().cloned());
@@ -148,34 +95,7 @@ pub(super) fn forecast(
 }
 
 /// What would help.
-pub(super) fn what_if(
-    case: CaseArguments,
-    variants: Vec<PathBuf>,
-    hold: Option<HoldArgument>,
-    limit: String,
-    ground: Ground,
-    now: Option<&Now<'_>>,
-) -> miette::Result<Outlook> {
-    let traffic = now.and_then(|now| now.traffic.map(Path::to_owned));
-    let asked = Compare {
-        case,
-        variants,
-        speed: now
-            .filter(|_| traffic.is_none())
-            .map(|now| riffel_keys::quantity::Quantity::new(now.speed).into()),
-        speed_deviation: None,
-        traffic,
-        hold,
-        spectrum: now.map(|now| now.path.to_owned()),
-        ground,
-        layout: Layout::default(),
-        choose: Vec::new(),
-        limit,
-        output: None,
-        json: false,
-    };
-    let case = asked.case.read()?;
-    let report = compare(&case, &asked, now.map(|now| now.survey.clone()))?;
+pub(super) fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, PlotError> {
     let rows = report.comparison.outcomes.iter().map(|outcome| {
         let mut row = vec![escape(&outcome.title)];
         row.extend(report.row(outcome).iter().map(|cell| escape(cell)));
@@ -202,8 +122,8 @@ pub(super) fn what_if(
                  tractive ratio Q₀/μP₀ or the creepage.</p>\n";
     }
     html += &list(report.effects());
-    html += &drawing(report.figure(&case))?;
-    let brief = best(&report).into_iter().chain(months(&report));
+    html += &drawing(report.figure(case))?;
+    let brief = best(report).into_iter().chain(months(report));
     Ok(Outlook {
         section: Section::There("What-if", html),
         brief: brief.collect(),
@@ -292,7 +212,7 @@ fn months(report: &CompareAnswer) -> Option<String> {
 }
 
 /// A figure of the program with its caption below.
-fn drawing(drawing: LineFigure) -> Result<String, CliError> {
+fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
     let caption = drawing.caption.clone();
     let drawing = LineFigure {
         title: String::new(),
@@ -303,5 +223,5 @@ fn drawing(drawing: LineFigure) -> Result<String, CliError> {
 }
 
 fn capital(words: &str) -> String {
-    riffel_answers::capital(words) + "."
+    crate::capital(words) + "."
 }

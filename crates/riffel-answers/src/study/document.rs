@@ -1,14 +1,15 @@
-//! `sensitivity.json`
+//! What matters in a study, as data.
 
 use riffel_study::sensitivity::{Bands, Estimate, Tornado};
 use riffel_study::{Parameter, ParameterValue, Study};
 use serde::Serialize;
 
 use super::Analysis;
-use crate::command::study::statistics::figures;
+use super::four_figures;
 
+/// What `riffel study sensitivity --json` prints.
 #[derive(Serialize)]
-pub(super) struct Document<'a> {
+pub struct SensitivityDocument<'a> {
     title: Option<&'a str>,
     fingerprint: &'a str,
     samples: u64,
@@ -67,7 +68,7 @@ impl From<Estimate> for Interval {
     }
 }
 
-impl<'a> Document<'a> {
+impl<'a> SensitivityDocument<'a> {
     pub(super) fn new(
         study: &'a Study,
         analyses: &'a [Analysis<'a>],
@@ -117,11 +118,13 @@ impl<'a> Document<'a> {
 }
 
 /// A value of a parameter in the unit in which engineers write it.
-pub(super) fn with_unit(parameter: &Parameter, value: &ParameterValue) -> String {
+pub fn with_unit(parameter: &Parameter, value: &ParameterValue) -> String {
     match (value, parameter.key.quantity) {
         (ParameterValue::Number(number), Some(kind)) => {
             let (number, unit) = kind.in_engineers_unit(*number);
-            format!("{} {unit}", figures(number)).trim_end().to_owned()
+            format!("{} {unit}", four_figures(number))
+                .trim_end()
+                .to_owned()
         }
         (value, _) => value.to_string(),
     }

@@ -3,14 +3,11 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
-use riffel_answers::roughness::{
-    ProfileAnswer, SpectraAnswer, Verdict, band_row, counted, grind_row,
-};
-use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, Series};
+use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record};
 
 use super::page::{Section, escape, figure, list, table};
-use crate::error::CliError;
+use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, band_row, counted, grind_row};
 
 /// Columns of a profile strip: more than a printer resolves on A4.
 const COLUMNS: usize = 900;
@@ -18,7 +15,7 @@ const COLUMNS: usize = 900;
 const GRIND_ROWS: usize = 40;
 
 /// Profile of each rail, drawn as the lowest and highest of each of many short lengths.
-pub(super) fn strips(record: &Record) -> Result<Section, CliError> {
+pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
     let unit = ChainageUnit::suiting([record.from, record.to]);
     let panels = record.rails.iter().map(|rail| {
         let series = rail.stretches.iter().map(|stretch| {
@@ -75,7 +72,7 @@ fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// The moving RMS along each rail, with its limits.
-pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, CliError> {
+pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, PlotError> {
     let drawing = LineFigure {
         panels: report
             .rails
@@ -100,7 +97,7 @@ pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, CliError> {
 }
 
 /// Length \[m\] of the blocks of which a strip shows one value each.
-pub(super) fn block_of_strip(record: &Record) -> f64 {
+pub fn block_of_strip(record: &Record) -> f64 {
     ((record.to - record.from) / COLUMNS as f64).max(1.0)
 }
 
@@ -109,7 +106,7 @@ pub(super) fn spectrum_of_profile(
     path: &Path,
     report: &ProfileAnswer,
     limits: &[LimitTable],
-) -> Result<Section, CliError> {
+) -> Result<Section, PlotError> {
     let mut drawing = report.figure(path, limits);
     drawing.panels.truncate(1);
     let removed = report.removed();
@@ -127,7 +124,7 @@ pub(super) fn spectrum_of_means(
     path: &Path,
     means: &SpectraAnswer,
     limits: &[LimitTable],
-) -> Result<Section, CliError> {
+) -> Result<Section, PlotError> {
     let mut drawing = means.figure(path, limits);
     drawing.panels.truncate(1);
     drawing.panels[0].subtitle.clear();
@@ -154,7 +151,7 @@ fn spectrum<'a>(
     drawing: LineFigure,
     caption: &str,
     verdicts: impl Iterator<Item = &'a Verdict>,
-) -> Result<Section, CliError> {
+) -> Result<Section, PlotError> {
     let drawing = LineFigure {
         title: String::new(),
         caption: String::new(),

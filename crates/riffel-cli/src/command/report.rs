@@ -1,0 +1,367 @@
+//! `riffel report`
+
+use std::path::Path;
+
+use jiff::civil::Date;
+use riffel_answers::compare::CompareAnswer;
+use riffel_answers::diagnose::Diagnosis;
+use riffel_answers::forecast::ForecastAnswer;
+use riffel_answers::map::MapAnswer;
+use riffel_answers::report::{
+    Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip,
+    report,
+};
+use riffel_answers::roughness::SpectraAnswer;
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_keys::quantity::Quantity;
+use riffel_keys::text_file::is_standard_input;
+use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
+
+use crate::arguments::{
+    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Report, Spectra,
+    Statistics,
+};
+use crate::command::compare::compare;
+use crate::command::diagnose::diagnosis;
+use crate::command::forecast::forecast;
+use crate::command::roughness::profile::judged;
+use crate::command::roughness::{choose_nothing, limits, read};
+use crate::error::CliError;
+use crate::fingerprint::fingerprint;
+use crate::output::{Progress, print};
+use crate::staging::{Existing, write_file};
+
+/// Why a part is left out.
+const NO_ROUGHNESS: &str = "no roughness was given.";
+const NO_LEVEL_LIMIT: &str = "it needs a limit of levels (--limit).";
+
+/// What was measured of the rail.
+struct Measured {
+    roughness: MeasuredRoughness,
+    /// What the file was understood as.
+    understood: String,
+    /// The latest date of a table of spectra.
+    date: Option<String>,
+    /// The spectra, with what is to be said of them.
+    survey: Survey,
+    diagnosis: Option<Diagnosis>,
+}
+
+/// What the record says of now.
+struct Now<'a> {
+    /// The file.
+    path: &'a Path,
+    /// Its spectra.
+    survey: Survey,
+    date: Option<Date>,
+    /// Mean speed of the traffic \[m/s\].
+    speed: f64,
+}
+
+pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
+    let site = arguments.site.as_deref().map(Site::read).transpose()?;
+    let site = site.unwrap_or_default();
+    let case = arguments
+        .case
+        .as_deref()
+        .map(|path| CaseArguments::of(path, &arguments.overrides).read())
+        .transpose()?;
+    let limits = limits(&arguments.limit)?;
+    let mut inputs = Inputs::default();
+    let record = &arguments.record;
+    let rail = match &arguments.roughness {
+        Some(path) => {
+            let rail = measured(path, case.as_ref(), record, &limits)?;
+            add(&mut inputs, "roughness", path, &rail.understood)?;
+            for earlier in &record.earlier {
+                add(&mut inputs, "earlier record", earlier, "of the same rail")?;
+            }
+            Some((path.as_path(), rail))
+        }
+        None => {
+            check_without_roughness(arguments)?;
+            None
+        }
+    };
+    let map = case.as_ref().map(growth_map).transpose()?;
+    let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
+    if let Some(case) = &case {
+        let now = match &rail {
+            Some((path, rail)) => now(path, rail, record)?,
+            None => None,
+        };
+        if let Some(now) = &now {
+            forecast = outlook(arguments, case, &limits, now)?;
+        }
+        compare = what_if(arguments, case, &limits, now.as_ref())?;
+    }
+    if let (Some(path), Some(case)) = (&arguments.case, &case) {
+        let title = case.file.title.as_deref().unwrap_or("a case");
+        let overrides = match &arguments.overrides[..] {
+            [] => String::new(),
+            overrides => format!(", with {}", overrides.join(", ")),
+        };
+        add(&mut inputs, "case", path, &format!("{title}{overrides}"))?;
+        if let Some(measurement) = &case.file.track.measurement {
+            let folder = path.parent().unwrap_or_else(|| Path::new(""));
+            let file = folder.join(&measurement.file);
+            add(&mut inputs, "track receptance", &file, "measured")?;
+        }
+    }
+    if let Some(traffic) = &record.traffic {
+        add(&mut inputs, "traffic", traffic, "vehicles, speeds, loads")?;
+    }
+    for variant in &arguments.variants {
+        add(&mut inputs, "variant", variant, "changes to the case")?;
+    }
+    if let Some(format) = &record.layout.format {
+        add(
+            &mut inputs,
+            "reader profile",
+            format,
+            "how profiles are laid out",
+        )?;
+    }
+    for name in arguments
+        .limit
+        .iter()
+        .filter(|name| name.ends_with(".toml"))
+    {
+        add(&mut inputs, "limit table", name.as_ref(), "of your own")?;
+    }
+    if let Some(site) = &arguments.site {
+        add(&mut inputs, "site", site, "the words at the top")?;
+    }
+    let rail_warnings = rail.as_ref().map(|(_, rail)| rail.survey.warnings.clone());
+    let rail_warnings = rail_warnings.unwrap_or_default();
+    let (rail, diagnosis) = match rail {
+        Some((path, rail)) => (Some((path, rail.roughness)), rail.diagnosis),
+        None => (None, None),
+    };
+    let page = report(ReportRequest {
+        title: arguments.title.as_deref(),
+        site: &site,
+        limits: &limits,
+        rail: rail.map(|(path, roughness)| MeasuredRail {
+            path,
+            roughness,
+            warnings: &rail_warnings,
+            diagnosis: diagnosis.as_ref(),
+        }),
+        case: case.as_ref().zip(map.as_ref()),
+        forecast: forecast.as_ref().map_err(|why| *why),
+        compare: compare.as_ref().map_err(|why| *why),
+        inputs: &inputs,
+    })?;
+    write_file(&arguments.output, &page, Existing::Replace)?;
+    print(&format!(
+        "wrote {}; open it in a browser, print it to A4 from there\n",
+        arguments.output.display()
+    ))?;
+    Ok(())
+}
+
+/// Put a file among the inputs, with its fingerprint.
+fn add(inputs: &mut Inputs, role: &str, path: &Path, origin: &str) -> Result<(), CaseError> {
+    let hash = if is_standard_input(path) {
+        "standard input".to_owned()
+    } else {
+        fingerprint(path)
+            .map_err(|reason| CaseError::data(path, format!("cannot read the file: {reason}")))?
+    };
+    inputs.add(role, path, origin, &hash);
+    Ok(())
+}
+
+/// The growth map of a case, with a bar of how far it is.
+fn growth_map(case: &Case) -> miette::Result<MapAnswer> {
+    case.check_window()?;
+    let progress = Progress::new("growth map", case.speed.points());
+    Ok(MapAnswer::new(case, |rows| progress.advance(rows)))
+}
+
+/// `Ok` if there is a case to report on, and nothing is said of a rail.
+fn check_without_roughness(arguments: &Report) -> Result<(), CliError> {
+    let wrong = |argument, value: &str, rule: &str| {
+        Err(CliError::Argument {
+            argument,
+            value: value.to_owned(),
+            rule: rule.to_owned(),
+        })
+    };
+    if let Some(argument) = arguments.record.given() {
+        return wrong(argument, "given", "left out where there is no --roughness");
+    }
+    if arguments.case.is_none() {
+        let rule = "given where there is no case to report on";
+        return wrong("--roughness", "left out", rule);
+    }
+    Ok(())
+}
+
+/// What was measured, held to limits and diagnosed.
+fn measured(
+    path: &Path,
+    case: Option<&Case>,
+    record: &DiagnosisArguments,
+    limits: &[LimitTable],
+) -> miette::Result<Measured> {
+    let file = read(path, &record.layout)?;
+    // The diagnosis looks at the heights, which the statistics use up.
+    let diagnosis = match case {
+        Some(case) => Some(diagnosis(case, path, &file, record)?),
+        None => None,
+    };
+    Ok(match file {
+        RoughnessFile::Profile(profile) => {
+            choose_nothing(path, &record.choose, record.by.as_deref())?;
+            let strips = ProfileStrips::new(&profile).map_err(CliError::from)?;
+            let statistics = Statistics {
+                block: Quantity::new(block_of_strip(&profile)),
+                ..Statistics::default()
+            };
+            let answer = judged(path, profile, limits, &statistics)?;
+            Measured {
+                understood: answer.understood().trim().to_owned(),
+                date: None,
+                survey: answer.survey(path)?,
+                roughness: MeasuredRoughness::Profile {
+                    strips,
+                    answer: Box::new(answer),
+                },
+                diagnosis,
+            }
+        }
+        RoughnessFile::Spectra(spectra) => {
+            let survey = Survey::new(path, spectra, Vec::new())?.choose(&record.choose)?;
+            let dated = survey.columns().any(|column| column == "date");
+            let by = record.by.as_deref().or_else(|| dated.then_some("date"));
+            let dates = survey.records.iter();
+            let date = dates.filter_map(|spectrum| spectrum.label("date")).max();
+            let answer = SpectraAnswer::new(&survey, limits, by)?;
+            Measured {
+                understood: format!(
+                    "{} one-third-octave spectra{}",
+                    answer.count(),
+                    match &record.choose[..] {
+                        [] => String::new(),
+                        choose => format!(", those with {}", choose.join(", ")),
+                    }
+                ),
+                date: date.map(str::to_owned),
+                survey,
+                roughness: MeasuredRoughness::Spectra(answer),
+                diagnosis,
+            }
+        }
+    })
+}
+
+/// What the record says of now; none without a diagnosis, for the speeds are its.
+fn now<'a>(
+    path: &'a Path,
+    rail: &Measured,
+    record: &DiagnosisArguments,
+) -> miette::Result<Option<Now<'a>>> {
+    let Some(diagnosis) = &rail.diagnosis else {
+        return Ok(None);
+    };
+    let date = rail.date.as_deref();
+    // A table of several dates is now at its latest.
+    let choose: Vec<String> = date.iter().map(|date| format!("date={date}")).collect();
+    Ok(Some(Now {
+        path,
+        survey: rail.survey.clone().choose(&choose)?,
+        date: match date {
+            Some(date) => date.parse().ok(),
+            None => record.dates.last().copied(),
+        },
+        speed: diagnosis.speeds.mean(),
+    }))
+}
+
+/// What becomes of the rail, or why that is left out.
+fn outlook(
+    arguments: &Report,
+    case: &Case,
+    limits: &[LimitTable],
+    now: &Now<'_>,
+) -> miette::Result<Result<ForecastAnswer, &'static str>> {
+    let Some(limit) = level_limit(arguments, limits) else {
+        return Ok(Err(NO_LEVEL_LIMIT));
+    };
+    let (Some(path), Some(traffic)) = (&arguments.case, &arguments.record.traffic) else {
+        return Ok(Err("no traffic was given (--traffic)."));
+    };
+    let asked = Forecast {
+        case: CaseArguments::of(path, &arguments.overrides),
+        spectra: Spectra {
+            spectrum: Some(now.path.to_owned()),
+            layout: Layout::default(),
+            choose: Vec::new(),
+            date_column: None,
+            earlier: None,
+            earlier_choose: Vec::new(),
+            passages_between: None,
+        },
+        ground: arguments.ground.clone(),
+        traffic: traffic.clone(),
+        limit,
+        horizon: Horizon {
+            passages: None,
+            mgt: None,
+            months: arguments.months,
+        },
+        date: now.date,
+        output: None,
+        json: false,
+    };
+    Ok(Ok(forecast(case, &asked, Some(now.survey.clone()))?))
+}
+
+/// What would help, with what is measured now if anything is, or why that is left out.
+fn what_if(
+    arguments: &Report,
+    case: &Case,
+    limits: &[LimitTable],
+    now: Option<&Now<'_>>,
+) -> miette::Result<Result<CompareAnswer, &'static str>> {
+    let (Some(path), Some(limit)) = (&arguments.case, level_limit(arguments, limits)) else {
+        return Ok(Err(NO_LEVEL_LIMIT));
+    };
+    if arguments.variants.is_empty() {
+        return Ok(Err("no variant was given (--with)."));
+    }
+    let traffic = now.and(arguments.record.traffic.clone());
+    let asked = Compare {
+        case: CaseArguments::of(path, &arguments.overrides),
+        variants: arguments.variants.clone(),
+        speed: now
+            .filter(|_| traffic.is_none())
+            .map(|now| Quantity::new(now.speed).into()),
+        speed_deviation: None,
+        traffic,
+        hold: arguments.hold,
+        spectrum: now.map(|now| now.path.to_owned()),
+        ground: arguments.ground.clone(),
+        layout: Layout::default(),
+        choose: Vec::new(),
+        limit,
+        output: None,
+        json: false,
+    };
+    let survey = now.map(|now| now.survey.clone());
+    Ok(Ok(compare(case, &asked, survey)?))
+}
+
+/// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.
+fn level_limit(arguments: &Report, limits: &[LimitTable]) -> Option<String> {
+    let is_of_levels = |table: &LimitTable| matches!(table.limit, Limit::Levels(_));
+    let first = limits.iter().find(|table| is_of_levels(table))?;
+    let given = arguments
+        .limit
+        .iter()
+        .find(|name| LimitTable::find(name).is_ok_and(|table| is_of_levels(&table)));
+    Some(given.unwrap_or(&first.name).clone())
+}
