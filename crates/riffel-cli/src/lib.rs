@@ -27,7 +27,8 @@ const BAD_INPUT: u8 = 2;
 /// stopped by Ctrl-C, which ends the process.
 ///
 /// `arguments` begin with the name of the program, as those of a process do. `program` is a command that runs it once
-/// more, for work that `riffel serve` does in processes of their own.
+/// more, for work that `riffel serve` does in processes of their own. Where `RIFFEL_ERRORS_AS_JSON` is set in the
+/// environment, what ends a run is printed on standard error as one line of JSON with `message` and `help`.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();

@@ -9,6 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{Language, Remark};
+use riffel_web::{ERRORS_AS_JSON, ErrorDocument};
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -61,8 +62,20 @@ pub(crate) fn complain(message: impl Display) {
     let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&message));
 }
 
-/// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out.
+/// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
+/// JSON where another program asks for it.
 pub(crate) fn complain_of(report: Report) {
+    if std::env::var_os(ERRORS_AS_JSON).is_some() {
+        let document = ErrorDocument {
+            message: in_a_message(&report.to_string()).into_owned(),
+            help: report
+                .help()
+                .map(|help| in_a_message(&help.to_string()).into_owned()),
+        };
+        let document = serde_json::to_string(&document).unwrap_or_default();
+        let _ = writeln!(io::stderr().lock(), "{document}");
+        return;
+    }
     let shown = Report::new(Shown(report));
     let _ = writeln!(io::stderr().lock(), "{shown:?}");
 }

@@ -15,11 +15,12 @@ use riffel_keys::CaseError;
 use riffel_rail::{GroundRail, Layout};
 
 use crate::array::owned;
+use crate::arrays_of_rails::spectrum;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, of_physics, wrong};
 use crate::records::{GivenRoughness, survey};
-use crate::roughness::{level_limit, spectrum};
+use crate::roughness::level_limit;
 use crate::tables;
 
 /// A traffic file, its keys, or the wheel of the case at speeds of a mean and a standard deviation.

@@ -6,6 +6,7 @@
 #![allow(clippy::type_complexity)]
 
 mod array;
+mod arrays_of_rails;
 mod case;
 mod diagnosis;
 mod document;

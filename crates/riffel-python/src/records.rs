@@ -11,9 +11,9 @@ use riffel_rail::{
 };
 
 use crate::array::owned;
+use crate::arrays_of_rails::{Stretch, profiles, spectrum};
 use crate::errors::{of_case, wrong};
 use crate::interrupt::interruptible;
-use crate::roughness::{Stretch, profiles, spectrum};
 
 /// Labels of a spectrum, its wavelengths \[m\] and levels.
 type LabelledLevels<'py> = (

@@ -9,26 +9,18 @@ use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
     AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
-    RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
+    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
+use crate::arrays_of_rails::{Stretch, profiles, spectrum};
 use crate::errors::{of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
 use crate::records::{GivenLayout, read};
 use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
-/// A stretch without gaps: where it begins \[m\], and its heights.
-pub(crate) type Stretch<'py> = (f64, PyReadonlyArray1<'py, f64>);
-
-pub(crate) fn profiles(stretches: &[Stretch<'_>], spacing: f64) -> PyResult<Vec<Profile>> {
-    let profile = |(start, heights): &Stretch<'_>| {
-        Profile::new(*start, spacing, owned(heights)).map_err(of_physics)
-    };
-    stretches.iter().map(profile).collect()
-}
 
 /// Wavelengths of the centres \[m\], nominal ones \[mm\] and levels.
 type Levels<'py> = (Real<'py>, Real<'py>, Real<'py>);
@@ -47,15 +39,6 @@ fn levels<'py>(py: Python<'py>, spectrum: &Spectrum) -> Levels<'py> {
         column(|level| level.band.nominal_millimetres()),
         column(|level| level.level),
     )
-}
-
-/// A spectrum of wavelengths \[m\] and levels.
-pub(crate) fn spectrum(wavelengths: &[f64], levels: &[f64]) -> PyResult<Spectrum> {
-    let bands = wavelengths.iter().zip(levels);
-    let bands: Result<Vec<_>, _> = bands
-        .map(|(&wavelength, &level)| Ok((ThirdOctave::centred(wavelength)?, level)))
-        .collect();
-    bands.and_then(Spectrum::new).map_err(of_physics)
 }
 
 /// Equally spaced values, both ends included.

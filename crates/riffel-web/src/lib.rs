@@ -28,6 +28,7 @@ use program::Program;
 use queue::Queue;
 use uploads::Uploads;
 
+pub use program::{ERRORS_AS_JSON, ErrorDocument};
 pub use server::{Options, ServeError, serve};
 
 /// What all requests share.

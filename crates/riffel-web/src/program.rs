@@ -1,7 +1,8 @@
 //! The program itself, run on a file that came from a page.
 //!
-//! A measured rail is read by a process of its own: whatever is in the file, the page goes on; a process
-//! can be ended at any moment, and its memory is given back. Its documents are those of `--json`.
+//! A measured rail is answered by a process of its own: whatever is in the file, the page goes on; a process
+//! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
+//! too.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -11,10 +12,23 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use axum::http::StatusCode;
+use serde::{Deserialize, Serialize};
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::Fault;
 use crate::queue::Wanted;
+
+/// Set in the environment of a run whose error is read by a program: it is printed as one JSON document, on one line.
+pub const ERRORS_AS_JSON: &str = "RIFFEL_ERRORS_AS_JSON";
+
+/// An error of the program, as its document.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ErrorDocument {
+    /// The sentence.
+    pub message: String,
+    /// What would be right.
+    pub help: Option<String>,
+}
 
 /// How often is looked whether the result is still wanted.
 const LOOK: Duration = Duration::from_millis(10);
@@ -110,8 +124,7 @@ impl Program {
             .args(first)
             .args(arguments)
             .current_dir(folder)
-            .env("NO_COLOR", "1")
-            .env("COLUMNS", "2000")
+            .env(ERRORS_AS_JSON, "1")
             .stdin(Stdio::null())
             .stdout(File::create(&out).map_err(failed)?)
             .stderr(File::create(&err).map_err(failed)?)
@@ -148,38 +161,18 @@ impl Program {
     }
 }
 
-/// The sentence and the help of an error as the program prints it, frames and breaks left aside.
+/// The error among what the program has said on standard error, notes left aside.
 fn fault_of(words: &str) -> Fault {
-    let mut sentence = String::new();
-    let mut help = String::new();
-    let mut now: Option<&mut String> = None;
-    for line in words.lines() {
-        let line = line.trim();
-        let text = if let Some(rest) = line.strip_prefix('×') {
-            now = Some(&mut sentence);
-            rest
-        } else if let Some(rest) = line.strip_prefix("help:") {
-            now = Some(&mut help);
-            rest
-        } else if line.starts_with(['╭', '╰', '·']) || line.starts_with("note:") {
-            now = None;
-            continue;
-        } else {
-            line.trim_start_matches('│')
-        };
-        if let Some(part) = now.as_deref_mut() {
-            part.push(' ');
-            part.push_str(text.trim());
-        }
+    let documents = words.lines().rev();
+    let mut documents = documents.filter_map(|line| serde_json::from_str(line).ok());
+    match documents.next() {
+        Some(ErrorDocument { message, help }) => Fault::refused(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            message,
+            help.as_deref().unwrap_or_default(),
+        ),
+        None => Fault::defect("the program broke off"),
     }
-    if sentence.is_empty() {
-        return Fault::defect("the program broke off");
-    }
-    Fault::refused(
-        StatusCode::UNPROCESSABLE_ENTITY,
-        sentence.trim().to_owned(),
-        help.trim(),
-    )
 }
 
 #[cfg(test)]
@@ -202,15 +195,16 @@ mod tests {
     }
 
     #[test]
-    fn sentence_and_help_are_taken_from_what_is_printed() {
-        let printed = "  × record.csv, line 1: no table of numbers begins here\n  │ or below\n  help: a profile is a position and\n        a height\n";
-        let fault = serde_json::to_value(fault_of(printed)).unwrap();
-        assert_eq!(
-            fault["message"],
-            "record.csv, line 1: no table of numbers begins here or below"
-        );
-        assert_eq!(fault["help"], "a profile is a position and a height");
-        let silent = serde_json::to_value(fault_of("")).unwrap();
+    fn the_error_is_found_among_the_notes() {
+        let error = ErrorDocument {
+            message: "record.csv, line 1: no table of numbers begins here or below".to_owned(),
+            help: Some("a profile is a position and a height".to_owned()),
+        };
+        let printed = format!("note: {{}}\n{}\n", serde_json::to_string(&error).unwrap());
+        let fault = serde_json::to_value(fault_of(&printed)).unwrap();
+        assert_eq!(fault["message"], error.message);
+        assert_eq!(fault["help"], error.help.unwrap());
+        let silent = serde_json::to_value(fault_of("note: nothing\n")).unwrap();
         assert_eq!(silent["message"], "the program broke off");
     }
 }

@@ -3,7 +3,8 @@
 use axum::extract::State;
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge};
-use riffel_answers::ridge::BranchDocument;
+use riffel_answers::map::DerivedDocument;
+use riffel_answers::ridge::{BranchDocument, RidgePointDocument};
 use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -33,7 +34,7 @@ pub(crate) struct Head {
     branches_in_words: Note,
     /// That of the strongest branch.
     best_fit_frequency_hz: Option<f64>,
-    highest: Option<Highest>,
+    highest: Option<RidgePointDocument>,
     rays_hz: Vec<f64>,
     derived: Derived,
     /// Every key, with presets and defaults.
@@ -98,36 +99,11 @@ impl From<&RidgeBranch> for BranchColumns {
     }
 }
 
-/// Where growth is highest.
-#[derive(Serialize)]
-pub(crate) struct Highest {
-    speed_m_per_s: f64,
-    wavelength_m: f64,
-    frequency_hz: f64,
-    growth_rate_per_passage: f64,
-    at_edge: bool,
-}
-
-impl From<&RidgePoint> for Highest {
-    fn from(point: &RidgePoint) -> Self {
-        Self {
-            speed_m_per_s: point.speed,
-            wavelength_m: point.wavelength,
-            frequency_hz: point.frequency,
-            growth_rate_per_passage: point.growth_rate,
-            at_edge: point.at_edge,
-        }
-    }
-}
-
-/// What follows from the case.
+/// What follows from the case, with what the form shows beside it.
 #[derive(Serialize)]
 pub(crate) struct Derived {
-    semi_axis_longitudinal_m: f64,
-    semi_axis_lateral_m: f64,
-    contact_stiffness_n_per_m: f64,
-    creepage: f64,
-    tractive_ratio: f64,
+    #[serde(flatten)]
+    document: DerivedDocument,
     inertia_kg_m2: Option<f64>,
     pinned_pinned_hz: Option<f64>,
 }
@@ -135,11 +111,7 @@ pub(crate) struct Derived {
 impl Derived {
     pub(crate) fn of(case: &Case) -> Self {
         Self {
-            semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
-            semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
-            contact_stiffness_n_per_m: case.feedback.contact_stiffness,
-            creepage: case.steady.creepages.longitudinal,
-            tractive_ratio: case.steady.tractive_ratio(),
+            document: DerivedDocument::of(case),
             inertia_kg_m2: case.file.wheel.inertia.map(|inertia| inertia.si()),
             pinned_pinned_hz: case.track.pinned_pinned.map(|w| w / std::f64::consts::TAU),
         }
@@ -198,7 +170,7 @@ impl Computed {
                 highest: ridge
                     .highest()
                     .filter(|point| point.growth_rate > 0.0)
-                    .map(Highest::from),
+                    .map(RidgePointDocument::from),
                 rays_hz: constant_frequency_rays(
                     (wavelength.min(), wavelength.max()),
                     (speed.min(), speed.max()),

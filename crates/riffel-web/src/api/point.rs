@@ -4,10 +4,10 @@ use axum::Json;
 use axum::extract::State;
 use riffel::{Axis, Complex64, Ridge};
 use riffel_answers::receptance::ReceptanceCurves;
+use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
-use super::map::Highest;
 use crate::Page;
 use crate::fault::Fault;
 use crate::queue::Wanted;
@@ -60,7 +60,7 @@ struct Growth {
     wavelength_m: Vec<f64>,
     growth_rate_per_passage: Vec<f64>,
     /// The wavelengths that grow fastest around them.
-    lines: Vec<Highest>,
+    lines: Vec<RidgePointDocument>,
 }
 
 fn pair(value: Complex64) -> [f64; 2] {
@@ -107,7 +107,7 @@ impl Growth {
             wavelength_m,
             lines: Ridge::lines_at(&case.feedback, window, speed)
                 .iter()
-                .map(Highest::from)
+                .map(RidgePointDocument::from)
                 .collect(),
         })
     }
