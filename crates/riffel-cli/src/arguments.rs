@@ -255,6 +255,10 @@ pub(crate) struct Point {
     #[arg(long, value_name = "LENGTH")]
     pub(crate) position: Option<Quantity<Length>>,
 
+    /// What the growth rate answers to: its derivative by every quantity of the case, by wavelength and speed.
+    #[arg(long)]
+    pub(crate) sensitivity: bool,
+
     /// Print one JSON document; complex numbers as [re, im].
     #[arg(long)]
     pub(crate) json: bool,

@@ -318,6 +318,29 @@ impl Case {
         self.case.speed.values().into_pyarray(py)
     }
 
+    /// What the growth rate at a point answers to: key, unit, value, derivative, elasticity and its error of each.
+    fn sensitivities(
+        &self,
+        py: Python<'_>,
+        wavelength: f64,
+        speed: f64,
+    ) -> PyResult<Vec<(String, &'static str, f64, f64, f64, f64)>> {
+        let case = self.case.clone();
+        let all = interruptible(py, move || case.sensitivities(wavelength, speed))?;
+        let all = self.unless_callable_failed(all)?.map_err(of_case)?;
+        let row = |one: riffel_case::Sensitivity| {
+            (
+                one.key,
+                one.unit,
+                one.value,
+                one.derivative,
+                one.elasticity,
+                one.error,
+            )
+        };
+        Ok(all.into_iter().map(row).collect())
+    }
+
     /// Quantities at pairs of wavelength and speed: key, unit, name and values of each.
     fn points<'py>(
         &self,

@@ -1,7 +1,9 @@
 //! `riffel point`
 
 use riffel::LoopState;
-use riffel_case::{Case, Point as Document};
+use riffel_case::{Case, CaseKey, Point as Quantities, Sensitivity};
+use riffel_keys::quantity::{Kind, Length, Speed};
+use serde::Serialize;
 
 use crate::arguments::{Point, covering};
 use crate::messages::print_remarks;
@@ -14,13 +16,65 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     case.check_points([wavelength; 2], [speed; 2])?;
     let case = covering(&case, wavelength, wavelength)?;
     let state = case.point(wavelength, speed)?;
+    let sensitivity = match arguments.sensitivity {
+        true => Some(case.sensitivities(wavelength, speed)?),
+        false => None,
+    };
     if arguments.json {
-        print_json(&Document::new(&case, &state))?;
+        print_json(&Document {
+            quantities: Quantities::new(&case, &state),
+            sensitivity,
+        })?;
     } else {
         print(&readable(&case, &state))?;
+        if let Some(sensitivity) = sensitivity {
+            print(&sensitivities(&sensitivity))?;
+        }
     }
     print_remarks(&case.remarks);
     Ok(())
+}
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Document {
+    #[serde(flatten)]
+    quantities: Quantities,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sensitivity: Option<Vec<Sensitivity>>,
+}
+
+/// What the growth rate answers to, the strongest first.
+fn sensitivities(all: &[Sensitivity]) -> String {
+    let mut table = table(&["parameter", "value", "unit", "growth for +1 %"]);
+    for sensitivity in all {
+        let kind = match sensitivity.key.as_str() {
+            "wavelength" => Some(Kind::of::<Length>()),
+            "speed" => Some(Kind::of::<Speed>()),
+            key => CaseKey::find(key).and_then(|key| key.quantity),
+        };
+        let (value, unit) = kind.map_or((sensitivity.value, sensitivity.unit), |kind| {
+            kind.in_engineers_unit(sensitivity.value)
+        });
+        table.add_row([
+            sensitivity.key.clone(),
+            short(value),
+            unit.to_owned(),
+            format!("{:+.3} %", sensitivity.elasticity),
+        ]);
+    }
+    format!("{table}\n")
+}
+
+/// A number to five digits, with an exponent where it is far from one.
+fn short(value: f64) -> String {
+    let scientific = format!("{value:.4e}");
+    let rounded: f64 = scientific.parse().unwrap_or(value);
+    if (1e-4..1e6).contains(&rounded.abs()) {
+        rounded.to_string()
+    } else {
+        format!("{rounded:e}")
+    }
 }
 
 /// Amplitudes and phases in engineers' units.

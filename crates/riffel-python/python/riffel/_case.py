@@ -230,6 +230,43 @@ class Case:
         }
         return xr.Dataset(columns, speeds.coords | wavelengths.coords, _datasets.attributes(self.title))
 
+    def sensitivity(self, *, wavelength: Quantity, speed: Quantity) -> xr.Dataset:
+        """What the growth rate at one wavelength and speed answers to.
+
+        Parameters
+        ----------
+        wavelength, speed : quantity
+            Numbers in SI or strings with their unit.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``key``, the quantities of the case that move the growth rate, and ``wavelength`` and ``speed``, the
+            strongest first: ``derivative`` of the growth rate per passage by the quantity in SI, ``elasticity``
+            (relative change over relative change), ``error`` of the elasticity, ``value`` and ``unit``. What the
+            case leaves to follow from a quantity follows, as the inertia of a wheel from its mass.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> strongest = case.sensitivity(wavelength="55 mm", speed="30 m/s")
+        >>> round(float(strongest["elasticity"].sel(key="wear.coefficient")), 9)
+        1.0
+        """
+        point = scalar(wavelength, "wavelength", "length"), scalar(speed, "speed", "speed")
+        keys, units, values, derivatives, elasticities, errors = zip(*self._case.sensitivities(*point), strict=True)
+        return xr.Dataset(
+            {
+                "value": ("key", list(values), {"long_name": "value in SI"}),
+                "unit": ("key", list(units), {"long_name": "SI unit of the value"}),
+                "derivative": ("key", list(derivatives), {"long_name": "derivative of the growth rate per passage"}),
+                "elasticity": ("key", list(elasticities), {"units": "1", "long_name": "elasticity of the growth rate"}),
+                "error": ("key", list(errors), {"units": "1", "long_name": "error of the elasticity"}),
+            },
+            {"key": list(keys)},
+            _datasets.attributes(self.title),
+        )
+
     def growth_map(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
         """Growth over wavelength and speed.
 
