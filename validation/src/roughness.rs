@@ -361,7 +361,7 @@ pub(crate) fn grinding_mark_fades() -> Row {
 
 /// The rail held against the case of discrete supports, as in the book.
 pub(crate) fn grinding_mark_is_diagnosed() -> Row {
-    let case = include_str!("../../cases/discrete-supports.toml");
+    let case = include_str!("../cases/discrete-supports.toml");
     let case = riffel_case::Case::parse("discrete-supports", case, &[]).expect("a case");
     let means = campaigns();
     let band = ThirdOctave::new(-17);

@@ -53,27 +53,27 @@ pub use variant::{SpeedChange, Variant, assignments};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.
-pub const NOMINAL_CASE: &str = include_str!("../../../cases/nominal.toml");
+pub const NOMINAL_CASE: &str = include_str!("../cases/nominal.toml");
 
 /// `cases/metro.toml`, commented: a metro on a slab, and the file that `riffel init --metro` writes.
-pub const METRO_CASE: &str = include_str!("../../../cases/metro.toml");
+pub const METRO_CASE: &str = include_str!("../cases/metro.toml");
 
 /// `cases/main-line.toml`, commented: a passenger train on ballast, and the file that `riffel init --main-line`
 /// writes.
-pub const MAIN_LINE_CASE: &str = include_str!("../../../cases/main-line.toml");
+pub const MAIN_LINE_CASE: &str = include_str!("../cases/main-line.toml");
 
 /// `cases/tram.toml`, commented: a tram on a slab, and the file that `riffel init --tram` writes.
-pub const TRAM_CASE: &str = include_str!("../../../cases/tram.toml");
+pub const TRAM_CASE: &str = include_str!("../cases/tram.toml");
 
 /// `cases/freight.toml`, commented: laden wagons on ballast, and the file that `riffel init --freight` writes.
-pub const FREIGHT_CASE: &str = include_str!("../../../cases/freight.toml");
+pub const FREIGHT_CASE: &str = include_str!("../cases/freight.toml");
 
 /// `cases/bhaskar-track.toml`: the nominal wheel on the track of Bhaskar et al., values inferred.
-pub const BHASKAR_TRACK_CASE: &str = include_str!("../../../cases/bhaskar-track.toml");
+pub const BHASKAR_TRACK_CASE: &str = include_str!("../cases/bhaskar-track.toml");
 
 /// `cases/traffic.toml`, commented: a mix of three kinds of vehicle, and the file that
 /// `riffel init --traffic` writes.
-pub const TRAFFIC: &str = include_str!("../../../cases/traffic.toml");
+pub const TRAFFIC: &str = include_str!("../cases/traffic.toml");
 
 /// JSON schema of the case file.
 pub fn json_schema() -> schemars::Schema {

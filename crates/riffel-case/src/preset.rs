@@ -12,7 +12,7 @@ use toml::{Table, Value};
 use crate::CaseKey;
 
 /// The data files, built into the program.
-static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../presets");
+static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/presets");
 
 /// How well a value is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]

@@ -10,7 +10,7 @@ use riffel_keys::{CaseError, KeyFile};
 use serde::Deserialize;
 
 /// The limit tables, built into the program.
-static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../limits");
+static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/limits");
 
 /// A limit with who set it.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use riffel_keys::{CaseError, KeyFile};
 use serde::Deserialize;
 
 /// `cases/roughness-recipe.toml`, commented: what `--synthesise` makes when it is given no recipe.
-pub const DEFAULT_RECIPE: &str = include_str!("../../../cases/roughness-recipe.toml");
+pub const DEFAULT_RECIPE: &str = include_str!("../cases/roughness-recipe.toml");
 
 /// One recipe for each rail.
 #[derive(Debug, Clone, PartialEq)]

@@ -44,7 +44,7 @@ pub use run::{Shard, Stop};
 pub use study::{Chunk, Sample, Study};
 
 /// `cases/study.toml`, commented: the plan that `riffel init --study` writes.
-pub const STUDY: &str = include_str!("../../../cases/study.toml");
+pub const STUDY: &str = include_str!("../cases/study.toml");
 
 /// JSON schema of the plan.
 pub fn plan_schema() -> schemars::Schema {

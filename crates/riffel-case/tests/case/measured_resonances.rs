@@ -37,7 +37,7 @@ fn measured(model: &Case, step: f64, scatter: f64) -> Case {
     }
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("rail.csv"), table).unwrap();
-    let text = include_str!("../../../../cases/discrete-supports.toml")
+    let text = include_str!("../../cases/discrete-supports.toml")
         .replace("\"two-layer-periodic\"", "\"measured\"")
         .replace("preset = ", "support_spacing = \"0.6 m\" #")
         .replace("position = ", "#")
