@@ -50,8 +50,7 @@ pub(crate) struct Program {
 
 /// The memory of a process, as it is looked at now and then.
 struct Memory {
-    /// None where the system does not tell.
-    system: Option<System>,
+    system: System,
     process: Pid,
     next: Instant,
 }
@@ -59,7 +58,7 @@ struct Memory {
 impl Memory {
     fn of(child: &Child) -> Self {
         Self {
-            system: System::new().ok(),
+            system: System::new(),
             process: Pid::from_u32(child.id()),
             next: Instant::now(),
         }
@@ -72,16 +71,13 @@ impl Memory {
             return false;
         }
         self.next = now + LOOK_AT_MEMORY;
-        let Some(system) = &mut self.system else {
-            return false;
-        };
         let own = [self.process];
-        system.refresh_processes_specifics(
+        self.system.refresh_processes_specifics(
             ProcessesToUpdate::Some(&own),
             false,
             ProcessRefreshKind::nothing().with_memory(),
         );
-        let process = system.process(self.process);
+        let process = self.system.process(self.process);
         process.is_some_and(|process| process.memory() > most)
     }
 }
