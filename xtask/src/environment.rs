@@ -69,6 +69,11 @@ fn python_of(environment: &Path) -> PathBuf {
 
 /// Run a program of the environment in the root of the workspace.
 pub(crate) fn run(program: &str, arguments: &[&str]) -> Outcome {
+    run_with(program, arguments, &[])
+}
+
+/// [`run`] with variables of the environment.
+pub(crate) fn run_with(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Outcome {
     let line = format!("{program} {}", arguments.join(" "));
     println!("# {line}");
     let status = Command::new(program)
@@ -77,6 +82,7 @@ pub(crate) fn run(program: &str, arguments: &[&str]) -> Outcome {
         // Packages of the user stay out of it.
         .env_remove("PYTHONPATH")
         .env("MPLBACKEND", "Agg")
+        .envs(variables.iter().copied())
         .status()
         .map_err(|error| format!("cannot run {line}: {error}"))?;
     match status.success() {

@@ -1,11 +1,13 @@
-//! Developer commands: `cargo xtask test`, `cargo xtask generate`, `cargo xtask bench`, `cargo xtask fuzz`.
+//! Developer commands: `cargo xtask help` names them.
 
 mod browser;
+mod dependencies;
 mod environment;
 mod fuzz;
 mod python;
+mod release;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
@@ -29,6 +31,10 @@ enum Task {
     Python,
     /// Write the generated files of the book. A test of the program says whether they are current.
     Generate,
+    /// Dependencies alone: licences, versions and sources against `deny.toml`.
+    Dependencies,
+    /// What a release consists of, for this system: archive of the program, wheel, source distribution.
+    Release,
     /// Benchmarks beside their peers; needs Python 3 with venv, and network for the first run.
     Bench,
     /// Mutated files for the readers of foreign bytes and for the built program, as `fuzz/README.md` tells.
@@ -44,6 +50,8 @@ fn main() -> ExitCode {
         Task::Browser => browser::test_alone(),
         Task::Python => python::test_alone(),
         Task::Generate => generate(),
+        Task::Dependencies => dependencies::check(),
+        Task::Release => release::build(),
         Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
     };
@@ -63,6 +71,7 @@ fn root() -> PathBuf {
 
 fn test() -> Outcome {
     cargo(&["fmt", "--all", "--check"])?;
+    dependencies::check()?;
     cargo(&[
         "clippy",
         "--workspace",
@@ -93,7 +102,7 @@ fn cargo(arguments: &[&str]) -> Outcome {
     cargo_with(arguments, &[])
 }
 
-fn cargo_with(arguments: &[&str], environment: &[(&str, &str)]) -> Outcome {
+pub(crate) fn cargo_with(arguments: &[&str], environment: &[(&str, &str)]) -> Outcome {
     let line = format!("cargo {}", arguments.join(" "));
     println!("# {line}");
     let status = Command::new(env!("CARGO"))
@@ -106,5 +115,22 @@ fn cargo_with(arguments: &[&str], environment: &[(&str, &str)]) -> Outcome {
         Ok(())
     } else {
         Err(format!("{line} failed"))
+    }
+}
+
+/// What a program prints.
+pub(crate) fn output(program: &Path, arguments: &[&str]) -> Result<Vec<u8>, String> {
+    let line = format!("{} {}", program.display(), arguments.join(" "));
+    let output = Command::new(program)
+        .args(arguments)
+        .current_dir(root())
+        .output();
+    let output = output.map_err(|error| format!("cannot run {line}: {error}"))?;
+    match output.status.success() {
+        true => Ok(output.stdout),
+        false => Err(format!(
+            "{line} failed: {}",
+            String::from_utf8_lossy(&output.stderr)
+        )),
     }
 }

@@ -7,7 +7,7 @@ use crate::environment::{self, run};
 use crate::{Outcome, root};
 
 /// What the tests need, with exact versions.
-const REQUIREMENTS: &str = "crates/riffel-python/requirements.txt";
+pub(crate) const REQUIREMENTS: &str = "crates/riffel-python/requirements.txt";
 
 /// [`test()`] with the program that it is held against.
 pub(crate) fn test_alone() -> Outcome {
