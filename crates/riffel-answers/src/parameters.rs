@@ -2,7 +2,7 @@
 
 use riffel_case::Case;
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 
 use crate::track_in_words::{rail, track};
 
@@ -46,48 +46,32 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
             "I_w = {:.2} kg m²",
             si(file.wheel.inertia.map(|inertia| inertia.si()))
         ),
-        Rotation::ConstantTangentialForce => language
-            .pick(
-                "constant tangential force (I_w → 0)",
-                "konstante Tangentialkraft (I_w → 0)",
-            )
-            .to_owned(),
-        Rotation::ConstantCreepage => language
-            .pick(
-                "constant creepage (I_w → ∞)",
-                "konstanter Schlupf (I_w → ∞)",
-            )
-            .to_owned(),
+        Rotation::ConstantTangentialForce => {
+            language.say(Sentence::ConstantTangentialForce).to_owned()
+        }
+        Rotation::ConstantCreepage => language.say(Sentence::ConstantCreepage).to_owned(),
     };
     let phase = match file.contact.dissipation_phase {
         _ if file.contact.response == ContactDynamics::NonSteady => {
-            language.pick("non-steady contact", "instationärer Kontakt")
+            language.say(Sentence::NonSteadyContact)
         }
-        DissipationPhase::Lag => {
-            language.pick("dissipation phase: lag", "Phase der Dissipation: lag")
-        }
-        DissipationPhase::Lead => {
-            language.pick("dissipation phase: lead", "Phase der Dissipation: lead")
-        }
-        DissipationPhase::None => {
-            language.pick("dissipation phase: none", "Phase der Dissipation: none")
-        }
+        DissipationPhase::Lag => language.say(Sentence::PhaseLag),
+        DissipationPhase::Lead => language.say(Sentence::PhaseLead),
+        DissipationPhase::None => language.say(Sentence::PhaseNone),
     };
-    let law = language.pick("creep law", "Kraftschlussgesetz");
+    let law = language.say(Sentence::CreepLaw);
     let law = match case.creep_law() {
         CreepLawName::CARTER_3D => String::new(),
         CreepLawName::POLACH => format!("{law} polach{}; ", polach(case)),
         name => format!("{law} {}; ", name.name()),
     };
     let dynamics = match file.contact.response {
-        ContactDynamics::SpringDashpot => {
-            language.pick("spring and dashpot; ", "Feder und Dämpfer; ")
-        }
+        ContactDynamics::SpringDashpot => language.say(Sentence::SpringAndDashpot),
         _ => "",
     };
     format!(
         "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
-        language.pick("Track", "Gleis"),
+        language.say(Sentence::Track),
         track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,

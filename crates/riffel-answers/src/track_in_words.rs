@@ -2,8 +2,8 @@
 
 use riffel_case::Case;
 use riffel_case::file::{BeamModel, Support, TrackModel};
-use riffel_keys::Language;
 use riffel_keys::quantity::{Dimension, Quantity};
+use riffel_keys::{Language, Sentence};
 
 /// A value in a unit of the given size, or "?" where the case has none.
 fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {
@@ -22,7 +22,7 @@ pub(crate) fn rail(case: &Case, language: Language) -> String {
     let moment = rail.second_moment.map_or(f64::NAN, |moment| moment.si());
     let mut words = format!(
         "{} {} kg/m, I = {:.0} cm⁴",
-        language.pick("rail", "Schiene"),
+        language.say(Sentence::RailWord),
         value(rail.mass_per_length, 1.0, 1),
         1e8 * moment // m⁴ in cm⁴, as the catalogues of rails have it
     );
@@ -55,27 +55,21 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
         BeamModel::Timoshenko => "Timoshenko",
     };
     let moving = if track.model == TrackModel::MovingBeam {
-        language.pick(" under a moving load", " unter wandernder Last")
+        language.say(Sentence::UnderMovingLoad)
     } else {
         ""
     };
     if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
         let file = &measurement.file;
-        return language.pick(
-            format!("receptance read from {file}"),
-            format!("Rezeptanz aus {file}"),
-        );
+        return language.fill(Sentence::ReceptanceFromFile, &[("file", &file)]);
     }
     if case.track.support.is_none() {
-        return language.pick(
-            format!("free {beam} beam{moving}"),
-            format!("freier {beam}-Balken{moving}"),
-        );
+        return language.fill(Sentence::FreeBeam, &[("beam", &beam), ("moving", &moving)]);
     }
     let pad = layer(track.pad.as_ref());
-    let mut words = language.pick(
-        format!("{beam} rail{moving} on pads ({pad})"),
-        format!("{beam}-Schiene{moving} auf Zwischenlagen ({pad})"),
+    let mut words = language.fill(
+        Sentence::RailOnPads,
+        &[("beam", &beam), ("moving", &moving), ("pad", &pad)],
     );
     if matches!(
         case.track.support,
@@ -83,23 +77,20 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
     ) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
-        words += &language.pick(
-            format!(", sleepers ({mass} kg) and ballast ({ballast})"),
-            format!(", Schwellen ({mass} kg) und Schotter ({ballast})"),
+        words += &language.fill(
+            Sentence::SleepersAndBallast,
+            &[("mass", &mass), ("ballast", &ballast)],
         );
     }
     let spacing = value(track.support_spacing, 1.0, 2);
-    words += &language.pick(
-        format!(" every {spacing} m, "),
-        format!(" alle {spacing} m, "),
-    );
+    words += &language.fill(Sentence::Spacing, &[("spacing", &spacing)]);
     words += if track.model.is_periodic() {
-        language.pick("discrete", "diskret")
+        language.say(Sentence::Discrete)
     } else {
-        language.pick("spread evenly", "gleichmäßig verteilt")
+        language.say(Sentence::SpreadEvenly)
     };
     if let Some(name) = &track.preset {
-        words += &language.pick(format!(", preset {name}"), format!(", Vorgabe {name}"));
+        words += &language.fill(Sentence::FromPreset, &[("name", &name)]);
     }
     words
 }

@@ -1,6 +1,6 @@
 //! Presets in the place of keys left out.
 
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Remark, Sentence};
 
 use crate::case_text::CaseText;
 use crate::preset::{Preset, PresetKind, preset, presets};
@@ -44,12 +44,10 @@ impl CaseText {
             .collect();
         if missing.is_empty() {
             let (key, name) = (preset.kind.key(), &preset.name);
-            self.remarks.push(Remark::new(
-                format!(
-                    "{key} = \"{name}\" changes nothing: the case gives all of its values itself"
-                ),
-                format!("{key} = \"{name}\" ändert nichts: der Fall gibt alle Werte selbst vor"),
-            ));
+            self.remarks
+                .push(Remark::of(Sentence::PresetChangesNothing, |_| {
+                    vec![("key", format!("{key}")), ("name", format!("{name}"))]
+                }));
         }
         for value in missing {
             self.keys.put(&value.key, value.value.as_str());

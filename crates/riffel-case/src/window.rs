@@ -1,6 +1,6 @@
 //! What wavelengths and speeds of a case are a window of.
 
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 
 /// What the window of wavelengths and speeds of a case is, which sentences name.
 #[derive(Clone, Copy)]
@@ -15,8 +15,8 @@ impl Window {
     /// Its name, for sentences.
     pub(crate) fn name(self, language: Language) -> &'static str {
         match self {
-            Self::Map => language.pick("map", "Karte"),
-            Self::Traffic => language.pick("traffic", "Verkehr"),
+            Self::Map => language.say(Sentence::MapWindow),
+            Self::Traffic => language.say(Sentence::TrafficWindow),
         }
     }
 }

@@ -16,7 +16,7 @@ pub enum Language {
 
 impl Language {
     /// The wording in this language of one that stands in both.
-    pub fn pick<T>(self, english: T, german: T) -> T {
+    pub(crate) fn pick<T>(self, english: T, german: T) -> T {
         match self {
             Self::English => english,
             Self::German => german,

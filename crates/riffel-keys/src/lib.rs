@@ -26,6 +26,7 @@ mod language;
 pub mod quantity;
 mod range;
 mod remark;
+mod sentence;
 pub mod text_file;
 mod unit;
 
@@ -35,4 +36,5 @@ pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
 pub use range::{PhysicalRange, RANGES, bound};
 pub use remark::Remark;
+pub use sentence::Sentence;
 pub use unit::{Exponents, Unit};

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::Language;
+use crate::{Language, Sentence};
 
 /// A sentence on the validity of a case, in English and in German.
 ///
@@ -24,6 +24,27 @@ impl Remark {
             english: english.into(),
             german: Language::German.numbers(german.as_ref()),
             short: None,
+        }
+    }
+
+    /// A sentence of the catalogue with its values, which may differ by language. The program prints its short wording
+    /// unless it is asked for the whole.
+    pub fn of(
+        sentence: Sentence,
+        values: impl Fn(Language) -> Vec<(&'static str, String)>,
+    ) -> Self {
+        let filled = |language: Language| {
+            let values = values(language);
+            let values: Vec<(&str, &dyn fmt::Display)> = values
+                .iter()
+                .map(|(name, value)| (*name, value as &dyn fmt::Display))
+                .collect();
+            (language.fill(sentence, &values), sentence.in_short(&values))
+        };
+        let (english, short) = filled(Language::English);
+        Self {
+            short,
+            ..Self::new(english, filled(Language::German).0)
         }
     }
 

@@ -5,10 +5,11 @@ use std::io::{self, Write};
 use riffel::growth::{Bay, BayMaps};
 use riffel::{Axis, GrowthMap, LoopState, Ridge};
 use riffel_case::Case;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
-use super::{SIGN, Shown, panel};
+use super::{Shown, panel};
 use crate::AnswerError;
 use crate::parameters::parameters;
 use crate::ridge::BranchDocument;
@@ -146,7 +147,11 @@ impl BayGrowth {
         let panels = maps.into_iter().zip(&self.ridges).zip(names);
         MapFigure {
             title: "Growth over a sleeper bay".to_owned(),
-            caption: format!("{} {SIGN}", parameters(case)),
+            caption: format!(
+                "{} {}",
+                parameters(case),
+                Language::English.say(Sentence::SignOfGrowth)
+            ),
             panels: panels
                 .map(|((map, ridge), name)| {
                     let mut panel = panel(case, map, ridge, Shown::Normalized);

@@ -15,8 +15,7 @@ use serde::Serialize;
 use crate::ridge::{BranchDocument, RidgePointDocument};
 
 pub use bay::{BayDocument, BayGrowth};
-pub(crate) use panel::SIGN_IN_GERMAN;
-pub use panel::{SIGN, Shown, map_figure, panel};
+pub use panel::{Shown, map_figure, panel};
 pub use table::{map_csv, map_netcdf};
 
 /// The growth map of a case with its ridge.

@@ -2,6 +2,7 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{
     BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays,
 };
@@ -108,7 +109,12 @@ pub fn map_figure(
     panel.observations = observations;
     MapFigure {
         title: map_title(case).to_owned(),
-        caption: format!("{}{} {SIGN}", parameters(case), place(case)),
+        caption: format!(
+            "{}{} {}",
+            parameters(case),
+            place(case),
+            Language::English.say(Sentence::SignOfGrowth)
+        ),
         panels: vec![panel],
     }
 }
@@ -117,11 +123,3 @@ pub fn map_figure(
 fn map_title(case: &Case) -> &str {
     case.file.title.as_deref().unwrap_or("Growth map")
 }
-
-/// The sign convention of every map.
-pub const SIGN: &str = "Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with \
-    the profile; time factor exp(+iωt), braking positive.";
-
-/// The same in German.
-pub(crate) const SIGN_IN_GERMAN: &str = "Riffeln wachsen, wo Re Ŵ₁ < 0 (farbig): die Dissipation ist in \
-    Gegenphase zum Profil; Zeitfaktor exp(+iωt), Bremsen positiv.";

@@ -2,12 +2,12 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{MapFigure, MapPanel};
 
 use super::{Drawing, Model, PaperFigure};
 use crate::AnswerError;
-use crate::map::{SIGN, SIGN_IN_GERMAN, Shown, panel};
+use crate::map::{Shown, panel};
 use crate::parameters::parameters_in;
 
 /// Tractive ratios of the left and the right panel.
@@ -21,20 +21,14 @@ const WINDOW: [&str; 3] = [
 ];
 
 pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let title = language.pick(
-        "Figure 4. Real part of the dissipation, free Euler beam",
-        "Bild 4. Realteil der Dissipation, freier Euler-Balken",
-    );
+    let title = language.say(Sentence::Figure4);
     maps(language, model.title(title, language), |overrides| {
         model.nominal(overrides)
     })
 }
 
 pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let title = language.pick(
-        "Figure 5. Real part of the dissipation, track of Bhaskar et al.",
-        "Bild 5. Realteil der Dissipation, Gleis von Bhaskar et al.",
-    );
+    let title = language.say(Sentence::Figure5);
     maps(language, model.title(title, language), |overrides| {
         model.bhaskar_track(overrides)
     })
@@ -60,9 +54,13 @@ fn maps(
         });
         if caption.is_empty() {
             let parameters = parameters_in(&case, language);
-            caption = language.numbers(&language.pick(
-                format!("Parameters of ({letter}): {parameters} {SIGN}"),
-                format!("Werte von ({letter}): {parameters} {SIGN_IN_GERMAN}"),
+            caption = language.numbers(&language.fill(
+                Sentence::ParametersOf,
+                &[
+                    ("letter", &letter),
+                    ("parameters", &parameters),
+                    ("sign", &language.say(Sentence::SignOfGrowth)),
+                ],
             ));
         }
         rows(&case, ratio, &map, &mut writer)

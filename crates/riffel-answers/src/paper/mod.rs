@@ -6,7 +6,7 @@ mod ridges;
 mod vertical;
 
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{LineFigure, MapFigure, PlotError};
 
 use crate::AnswerError;
@@ -88,8 +88,8 @@ impl Model {
     fn title(self, title: &str, language: Language) -> String {
         let contact = match self {
             Self::QuasiStatic => "",
-            Self::SpringDashpot => language.pick(", spring and dashpot", ", Feder und Dämpfer"),
-            Self::NonSteady => language.pick(", non-steady contact", ", instationärer Kontakt"),
+            Self::SpringDashpot => language.say(Sentence::PlusSpringAndDashpot),
+            Self::NonSteady => language.say(Sentence::PlusNonSteady),
         };
         format!("{title}{contact}")
     }

@@ -4,7 +4,7 @@ use riffel::growth::RidgePoint;
 use riffel::wheelset::{Motion, RigidInertia};
 use riffel::{Axis, Ridge};
 use riffel_case::Case;
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
@@ -89,9 +89,7 @@ fn curve(
 fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: language
-            .pick("speed V [m/s]", "Geschwindigkeit V [m/s]")
-            .to_owned(),
+        x_label: language.say(Sentence::SpeedAxis).to_owned(),
         y_label: y_label.to_owned(),
         series,
         ..LinePanel::default()
@@ -111,10 +109,7 @@ fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Ser
 
 /// Over what the minima are taken.
 fn minima(language: Language) -> &'static str {
-    language.pick(
-        "Minima over wavelengths of 20–80 mm.",
-        "Minima über Wellenlängen von 20–80 mm.",
-    )
+    language.say(Sentence::MinimaOverWavelengths)
 }
 
 pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
@@ -134,14 +129,8 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
         true => f64::NAN,
         false => 1e3 * point.wavelength,
     })?;
-    let title = language.pick(
-        "Figure 6. Highest growth over speed",
-        "Bild 6. Höchstes Wachstum über der Geschwindigkeit",
-    );
-    let minima = language.pick(
-        "Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window.",
-        "Minima über Wellenlängen von 20–80 mm; (b) lässt Minima am Rand des Fensters weg.",
-    );
+    let title = language.say(Sentence::Figure6);
+    let minima = language.say(Sentence::MinimaInsideWindow);
     lines(
         language,
         LineFigure {
@@ -150,14 +139,14 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
             panels: vec![
                 over_speed(
                     language,
-                    language.pick("(a) tractive ratio", "(a) Kraftschlussausnutzung"),
+                    language.say(Sentence::PanelOfTractiveRatio),
                     MINIMUM_LABEL,
                     by_ratio,
                 ),
                 over_speed(
                     language,
-                    language.pick("(b) inertia, τ = 0.1", "(b) Trägheit, τ = 0.1"),
-                    language.pick("wavelength λ [mm]", "Wellenlänge λ [mm]"),
+                    language.say(Sentence::PanelOfInertia),
+                    language.say(Sentence::WavelengthAxis),
                     wavelengths,
                 ),
             ],
@@ -168,10 +157,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
 
 pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let nominal = model.nominal(&[])?;
-    let title = language.pick(
-        "Figure 7. Highest growth over speed for different inertia",
-        "Bild 7. Höchstes Wachstum über der Geschwindigkeit bei verschiedener Trägheit",
-    );
+    let title = language.say(Sentence::Figure7);
     lines(
         language,
         LineFigure {
@@ -214,15 +200,9 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
         series: vec![series],
         ..LinePanel::default()
     };
-    let title = language.pick(
-        format!("Figure 8. Highest growth at {SPEED} m/s"),
-        format!("Bild 8. Höchstes Wachstum bei {SPEED} m/s"),
-    );
+    let title = language.fill(Sentence::Figure8, &[("speed", &SPEED)]);
     let falls = match model.is_the_papers() {
-        true => language.pick(
-            "(a) falls up to τ ≈ 0.9 only. ",
-            "(a) fällt nur bis τ ≈ 0.9. ",
-        ),
+        true => language.say(Sentence::FallsInPart),
         false => "",
     };
     let caption = format!(
@@ -238,13 +218,13 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
             panels: vec![
                 panel(
                     "(a)",
-                    language.pick("tractive ratio τ [-]", "Kraftschlussausnutzung τ [-]"),
+                    language.say(Sentence::TractiveRatioAxis),
                     Scale::Linear,
                     sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
                 ),
                 panel(
                     "(b) τ = 0.1",
-                    language.pick("inertia I_w [kg m²]", "Trägheit I_w [kg m²]"),
+                    language.say(Sentence::InertiaAxis),
                     Scale::Log,
                     sweep(inertias, &|inertia| {
                         turning(&nominal, Turning::Inertia(inertia))

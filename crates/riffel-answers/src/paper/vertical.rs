@@ -2,7 +2,7 @@
 
 use riffel::{Complex64, LoopState};
 use riffel_case::Case;
-use riffel_keys::Language;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
@@ -42,9 +42,7 @@ fn panel(
 ) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: language
-            .pick("frequency f [Hz]", "Frequenz f [Hz]")
-            .to_owned(),
+        x_label: language.say(Sentence::FrequencyAxis).to_owned(),
         y_label: y_label.to_owned(),
         x_scale: Scale::Log,
         y_scale,
@@ -60,44 +58,47 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
         vec![
             series(
                 &moving,
-                language.pick("beam under a moving load", "Balken unter wandernder Last"),
+                language.say(Sentence::BeamUnderMovingLoad),
                 LineStyle::Solid,
                 |state| value(state.track_receptance),
             ),
             series(
                 &bhaskar,
-                language.pick(
-                    "track of Bhaskar et al. (inferred)",
-                    "Gleis von Bhaskar et al. (erschlossen)",
-                ),
+                language.say(Sentence::TrackOfBhaskar),
                 LineStyle::Dashed,
                 |state| value(state.track_receptance),
             ),
         ]
     };
     let (solid, dashed) = (track(&moving, language), track(&bhaskar, language));
-    let title = language.pick(
-        "Figure 2. Vertical direct receptance",
-        "Bild 2. Vertikale Eingangsrezeptanz",
-    );
-    lines(language, LineFigure {
-        title: model.title(title, language),
-        caption: language.pick(
-            format!("Load at {SPEED} m/s, exp(+iωt), displacement and force downward. Solid: {solid}. Dashed: {dashed}."),
-            format!("Last mit {SPEED} m/s, exp(+iωt), Weg und Kraft nach unten. Durchgezogen: {solid}. Gestrichelt: {dashed}."),
-        ),
-        panels: vec![
-            panel(language, language.pick("modulus", "Betrag"), "|H| [m/N]", Scale::Log, curves(|h| h.norm())),
-            panel(
-                language,
-                language.pick("phase", "Phase"),
-                "arg H [°]",
-                Scale::Linear,
-                curves(|h| h.arg().to_degrees()),
+    let title = language.say(Sentence::Figure2);
+    lines(
+        language,
+        LineFigure {
+            title: model.title(title, language),
+            caption: language.fill(
+                Sentence::CaptionOfFigure2,
+                &[("speed", &SPEED), ("solid", &solid), ("dashed", &dashed)],
             ),
-        ],
-        arrangement: Arrangement::Stacked,
-    })
+            panels: vec![
+                panel(
+                    language,
+                    language.say(Sentence::Modulus),
+                    "|H| [m/N]",
+                    Scale::Log,
+                    curves(|h| h.norm()),
+                ),
+                panel(
+                    language,
+                    language.say(Sentence::Phase),
+                    "arg H [°]",
+                    Scale::Linear,
+                    curves(|h| h.arg().to_degrees()),
+                ),
+            ],
+            arrangement: Arrangement::Stacked,
+        },
+    )
 }
 
 pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
@@ -105,34 +106,34 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude / mean;
     let spring = per_mean * case.feedback.contact_stiffness;
-    let title = language.pick("Figure 3. Normal force", "Bild 3. Normalkraft");
+    let title = language.say(Sentence::Figure3);
     let parameters = parameters_in(&case, language);
     lines(
         language,
         LineFigure {
             title: model.title(title, language),
-            caption: language.pick(
-                format!("V = {SPEED} m/s, equation (24). {parameters}"),
-                format!("V = {SPEED} m/s, Gleichung (24). {parameters}"),
+            caption: language.fill(
+                Sentence::CaptionOfFigure3,
+                &[("speed", &SPEED), ("parameters", &parameters)],
             ),
             panels: vec![
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),
                     ..panel(
                         language,
-                        language.pick("amplitude", "Amplitude"),
+                        language.say(Sentence::Amplitude),
                         "|P₁/P₀| [-]",
                         Scale::Log,
                         vec![
                             series(
                                 &case,
-                                language.pick("Δ/H rail", "Δ/H Schiene"),
+                                language.say(Sentence::ProfileOverRail),
                                 LineStyle::Dashed,
                                 |state| per_mean / state.track_receptance.norm(),
                             ),
                             series(
                                 &case,
-                                language.pick("Δ/H wheel", "Δ/H Rad"),
+                                language.say(Sentence::ProfileOverWheel),
                                 LineStyle::Dashed,
                                 |state| per_mean / state.wheel_receptance.norm(),
                             ),
@@ -145,7 +146,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                 },
                 panel(
                     language,
-                    language.pick("phase", "Phase"),
+                    language.say(Sentence::Phase),
                     "arg P₁ [°]",
                     Scale::Linear,
                     vec![series(&case, "", LineStyle::Solid, |state| {

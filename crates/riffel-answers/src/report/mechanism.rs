@@ -4,13 +4,14 @@ use std::fmt::Write as _;
 
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
+use riffel_keys::{Language, Sentence};
 use riffel_plot::{LineFigure, MapFigure, Observation, PlotError};
 
 use super::outlook::Outlook;
 use super::page::{Section, escape, figure, list, table};
 use crate::capital;
 use crate::diagnose::{Diagnosis, SHARE, candidate_row};
-use crate::map::{MapAnswer, SIGN, Shown, panel};
+use crate::map::{MapAnswer, Shown, panel};
 use crate::parameters::parameters;
 use crate::ridge::BranchDocument;
 
@@ -33,7 +34,11 @@ pub(super) fn growth_map(
         panels: vec![panel],
         ..MapFigure::default()
     };
-    let caption = format!("{}{measured} {SIGN}", parameters(case));
+    let caption = format!(
+        "{}{measured} {}",
+        parameters(case),
+        Language::English.say(Sentence::SignOfGrowth)
+    );
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
     let svg = drawing.svg()?;

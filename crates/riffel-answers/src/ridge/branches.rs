@@ -4,7 +4,7 @@ use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
 use riffel_case::Case;
-use riffel_keys::{Language, Remark};
+use riffel_keys::{Language, Remark, Sentence};
 use serde::Serialize;
 
 /// A branch is named by a resonance of the case within this share of its frequency.
@@ -78,11 +78,11 @@ impl BranchDocument {
                 false => format!("{least}–{most}"),
             }
         };
-        let mechanism = self.kind.map_or_else(String::new, |kind| {
-            format!("{}, ", language.pick(kind.name(), in_german(kind)))
-        });
+        let mechanism = self
+            .kind
+            .map_or_else(String::new, |kind| format!("{}, ", name(kind, language)));
         let edge = match self.only_at_edge {
-            true => language.pick(", at the edge of the window", ", am Rand des Fensters"),
+            true => language.say(Sentence::AtEdgeOfWindow),
             false => "",
         };
         format!(
@@ -97,48 +97,34 @@ impl BranchDocument {
     pub fn sentence(branches: &[Self]) -> Remark {
         let in_language = |language: Language| {
             let Some((strongest, weaker)) = branches.split_first() else {
-                return language
-                    .pick(
-                        "nothing grows in this window",
-                        "in diesem Fenster wächst nichts",
-                    )
-                    .to_owned();
+                return language.say(Sentence::NothingGrows).to_owned();
             };
             let words = strongest.words(language);
             if weaker.is_empty() {
-                return language.pick(
-                    format!("the ridge is one branch, which grows at {words}"),
-                    format!("der Grat ist ein einziger Ast, der bei {words} wächst"),
-                );
+                return language.fill(Sentence::OneBranch, &[("words", &words)]);
             }
             let highest = strongest.highest_growth_rate_per_passage;
             let named = weaker.iter().take(NAMED).map(|branch| {
                 let words = branch.words(language);
                 let share = share(branch.highest_growth_rate_per_passage / highest);
-                language.pick(
-                    format!("{words} with {share} of its growth"),
-                    format!("{words} mit {share} seines Wachstums"),
+                language.fill(
+                    Sentence::BranchWithShare,
+                    &[("words", &words), ("share", &share)],
                 )
             });
             let mut named: Vec<String> = named.collect();
             if let Some(more) = weaker.len().checked_sub(NAMED + 1) {
-                named.push(language.pick(
-                    format!("{} more", more + 1),
-                    format!("{} weitere", more + 1),
-                ));
+                named.push(language.fill(Sentence::MoreBranches, &[("count", &(more + 1))]));
             }
             let named = named.join("; ");
             let count = weaker.len();
             let noun = match count {
-                1 => language.pick("1 weaker branch".to_owned(), "1 schwächerer Ast".to_owned()),
-                _ => language.pick(
-                    format!("{count} weaker branches"),
-                    format!("{count} schwächere Äste"),
-                ),
+                1 => language.say(Sentence::OneWeakerBranch).to_owned(),
+                _ => language.fill(Sentence::WeakerBranches, &[("count", &count)]),
             };
-            language.pick(
-                format!("the strongest branch grows at {words}; {noun}: {named}"),
-                format!("der stärkste Ast wächst bei {words}; {noun}: {named}"),
+            language.fill(
+                Sentence::StrongestBranch,
+                &[("words", &words), ("noun", &noun), ("named", &named)],
             )
         };
         Remark::new(
@@ -168,18 +154,43 @@ fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
         .collect()
 }
 
-/// The name in German, of the mechanisms that fix a vertical frequency.
-fn in_german(kind: MechanismKind) -> &'static str {
-    match kind {
-        MechanismKind::P2 => "P2-Resonanz",
-        MechanismKind::FullTrack => "Resonanz des ganzen Gleises",
-        MechanismKind::SleeperAntiresonance => "Antiresonanz der Schwelle",
-        MechanismKind::RailOnPad => "Schiene auf Zwischenlage",
-        MechanismKind::PinnedPinned => "Pinned-Pinned, vertikal",
-        MechanismKind::MeasuredPeak => "Spitze der gemessenen Rezeptanz",
-        MechanismKind::MeasuredDip => "Senke der gemessenen Rezeptanz",
-        MechanismKind::GivenPeak => "Spitze der gegebenen Rezeptanz",
-        MechanismKind::GivenDip => "Senke der gegebenen Rezeptanz",
-        kind => kind.name(),
+/// The name of a mechanism; in English where the catalogue has none.
+fn name(kind: MechanismKind, language: Language) -> &'static str {
+    let sentence = match kind {
+        MechanismKind::P2 => Sentence::MechanismP2,
+        MechanismKind::FullTrack => Sentence::MechanismFullTrack,
+        MechanismKind::SleeperAntiresonance => Sentence::MechanismSleeperAntiresonance,
+        MechanismKind::RailOnPad => Sentence::MechanismRailOnPad,
+        MechanismKind::PinnedPinned => Sentence::MechanismPinnedPinned,
+        MechanismKind::MeasuredPeak => Sentence::MechanismMeasuredPeak,
+        MechanismKind::MeasuredDip => Sentence::MechanismMeasuredDip,
+        MechanismKind::GivenPeak => Sentence::MechanismGivenPeak,
+        MechanismKind::GivenDip => Sentence::MechanismGivenDip,
+        kind => return kind.name(),
+    };
+    language.say(sentence)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The catalogue names mechanisms in English as the diagnosis does.
+    #[test]
+    fn mechanisms_have_one_english_name() {
+        for kind in [
+            MechanismKind::P2,
+            MechanismKind::FullTrack,
+            MechanismKind::SleeperAntiresonance,
+            MechanismKind::RailOnPad,
+            MechanismKind::PinnedPinned,
+            MechanismKind::MeasuredPeak,
+            MechanismKind::MeasuredDip,
+            MechanismKind::GivenPeak,
+            MechanismKind::GivenDip,
+        ] {
+            assert_eq!(name(kind, Language::English), kind.name());
+            assert_ne!(name(kind, Language::German), kind.name());
+        }
     }
 }

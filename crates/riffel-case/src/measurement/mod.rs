@@ -12,7 +12,7 @@ use std::path::Path;
 
 use riffel::receptance::MeasuredReceptance;
 use riffel::{Complex64, Receptance};
-use riffel_keys::{Exponents, Language, Remark, text_file};
+use riffel_keys::{Exponents, Language, Remark, Sentence, text_file};
 
 use crate::file::{Measurement, Response};
 pub use universal_function::UniversalFunction;
@@ -129,10 +129,7 @@ impl FrequencyResponse {
         if let Some(coherence) = &mut self.coherence {
             coherence.remove(0);
         }
-        Some(Remark::new(
-            "the measured value at 0 Hz is left out",
-            "der gemessene Wert bei 0 Hz bleibt weg",
-        ))
+        Some(Remark::of(Sentence::ValueAtZeroLeftOut, |_| vec![]))
     }
 
     /// Frequencies positive, rising and without gaps, values finite.
@@ -222,11 +219,8 @@ pub(crate) enum Remedy {
 impl Remedy {
     fn words(self, language: Language) -> &'static str {
         match self {
-            Self::SetKey => language.pick(
-                "set track.measurement.conjugate",
-                "track.measurement.conjugate setzen",
-            ),
-            Self::Conjugate => language.pick("conjugate it", "konjugieren"),
+            Self::SetKey => language.say(Sentence::SetConjugate),
+            Self::Conjugate => language.say(Sentence::ConjugateIt),
         }
     }
 }
@@ -239,21 +233,15 @@ pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Optio
         .collect();
     let (first, last) = (active.first()?, active.last()?);
     let (count, points) = (active.len(), receptance.points());
-    Some(Remark::new(
-        format!(
-            "the measured receptance gives energy away (Im H > 0) at {count} of {points} frequencies, between {first:.0} \
-             and {last:.0} Hz: check its phase, its noise, and whether it follows exp(+iωt) (else {})",
-            remedy.words(Language::English),
-        ),
-        format!(
-            "die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei {count} von {points} Frequenzen zwischen \
-             {first:.0} und {last:.0} Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst {})",
-            remedy.words(Language::German),
-        ),
-    )
-    .in_short(format!(
-        "the measured receptance gives energy away (Im H > 0) at {count} of {points} frequencies: check its phase"
-    )))
+    Some(Remark::of(Sentence::ReceptanceGivesEnergy, |language| {
+        vec![
+            ("count", format!("{count}")),
+            ("points", format!("{points}")),
+            ("first", format!("{first:.0}")),
+            ("last", format!("{last:.0}")),
+            ("remedy", remedy.words(language).to_string()),
+        ]
+    }))
 }
 
 impl Response {

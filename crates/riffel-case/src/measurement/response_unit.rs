@@ -1,6 +1,6 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
-use riffel_keys::{Remark, Unit};
+use riffel_keys::{Remark, Sentence, Unit};
 
 use super::MeasurementError;
 use crate::file::Response;
@@ -150,16 +150,9 @@ impl ValueUnit<'_> {
     fn taken_for_granted(&self, response: Response) -> Decoded {
         let column = self.column;
         let remark = self.quantity.is_none().then(|| {
-            Remark::new(
-                format!(
-                    "column `{column}` names no unit: taken as {} (else set track.measurement.quantity and unit)",
-                    response.name()
-                ),
-                format!(
-                    "Spalte `{column}` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst \
-                     track.measurement.quantity und unit setzen)"
-                ),
-            )
+            Remark::of(Sentence::ColumnWithoutUnit, |_| {
+                vec![("column", column.to_owned())]
+            })
         });
         Decoded {
             response,

@@ -1,7 +1,7 @@
 //! What becomes of lines with little coherence.
 
 use riffel::Complex64;
-use riffel_keys::Remark;
+use riffel_keys::{Remark, Sentence};
 
 /// Coherence γ² from which a line is taken as it is; the usual limit of hammer tests.
 const GOOD: f64 = 0.8;
@@ -42,16 +42,15 @@ pub(super) fn smooth(
     }
     let (count, points) = (poor.len(), angular.len());
     let (first, last) = (poor.first()?, poor.last()?);
-    Some(Remark::new(
-        format!(
-            "the coherence is below {GOOD} at {count} of {points} frequencies, between {first:.0} and {last:.0} Hz: there \
-             the receptance is the mean of the lines within 1/24 octave, weighted by γ²/(1 − γ²)"
-        ),
-        format!(
-            "die Kohärenz liegt bei {count} von {points} Frequenzen zwischen {first:.0} und {last:.0} Hz unter {GOOD}: \
-             dort gilt das Mittel der Linien im Umkreis von 1/24 Oktave, gewichtet mit γ²/(1 − γ²)"
-        ),
-    ))
+    Some(Remark::of(Sentence::PoorCoherence, |_| {
+        vec![
+            ("good", format!("{GOOD}")),
+            ("count", format!("{count}")),
+            ("points", format!("{points}")),
+            ("first", format!("{first:.0}")),
+            ("last", format!("{last:.0}")),
+        ]
+    }))
 }
 
 #[cfg(test)]

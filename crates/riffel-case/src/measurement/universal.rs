@@ -1,6 +1,6 @@
 //! A frequency response in a universal file.
 
-use riffel_keys::{Exponents, Remark, Unit};
+use riffel_keys::{Exponents, Remark, Sentence, Unit};
 
 use super::response_unit::STANDARD_GRAVITY;
 use super::universal_file::{self, Axis, Freedom, Function, Units};
@@ -53,16 +53,12 @@ pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, Me
 fn between_nodes(function: &Function) -> Option<Remark> {
     let (response, reference) = (function.response.node, function.reference.node);
     (response != reference).then(|| {
-        Remark::new(
-            format!(
-                "the measured response is at node {response} and its force at node {reference}: it is taken as the \
-                 receptance at the contact"
-            ),
-            format!(
-                "gemessen ist die Antwort am Knoten {response} auf eine Kraft am Knoten {reference}: sie gilt als \
-                 Rezeptanz am Kontakt"
-            ),
-        )
+        Remark::of(Sentence::ResponseAtOtherNode, |_| {
+            vec![
+                ("response", format!("{response}")),
+                ("reference", format!("{reference}")),
+            ]
+        })
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::quantity::{Kind, WrittenQuantity};
 use crate::unit::Unit;
-use crate::{Language, PhysicalRange, Remark};
+use crate::{Language, PhysicalRange, Remark, Sentence};
 
 /// What is said of a value.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,19 +41,17 @@ impl PhysicalRange {
             none if none.is_empty() => none,
             question => format!(" ({question})"),
         };
-        let (english, german) = (Language::English, Language::German);
         if !(from..=to).contains(&written.si) {
             let (from, to) = (amount(kind, from), amount(kind, to));
-            return Judgement::Unusual(Remark::new(
-                format!(
-                    "{key} is {value}; usual values are {from} to {to}{}",
-                    question(english)
-                ),
-                format!(
-                    "{key} ist {value}; üblich sind {from} bis {to}{}",
-                    question(german)
-                ),
-            ));
+            return Judgement::Unusual(Remark::of(Sentence::UnusualValue, |language| {
+                vec![
+                    ("key", format!("{key}")),
+                    ("value", format!("{value}")),
+                    ("from", format!("{from}")),
+                    ("to", format!("{to}")),
+                    ("question", question(language).to_string()),
+                ]
+            }));
         }
         if written.unit.is_empty() && written.si > self.bare_up_to {
             let in_engineers_unit = kind.in_engineers_unit(written.si);
@@ -62,16 +60,13 @@ impl PhysicalRange {
                 significant(in_engineers_unit.0),
                 in_engineers_unit.1
             );
-            return Judgement::Unusual(Remark::new(
-                format!(
-                    "{key} has no unit and is read as {read}{}",
-                    question(english)
-                ),
-                format!(
-                    "{key} hat keine Einheit und wird als {read} gelesen{}",
-                    question(german)
-                ),
-            ));
+            return Judgement::Unusual(Remark::of(Sentence::NumberWithoutUnit, |language| {
+                vec![
+                    ("key", format!("{key}")),
+                    ("read", format!("{read}")),
+                    ("question", question(language).to_string()),
+                ]
+            }));
         }
         Judgement::Usual
     }
