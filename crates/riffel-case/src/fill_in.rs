@@ -46,7 +46,7 @@ impl CaseText {
             let (key, name) = (preset.kind.key(), &preset.name);
             self.remarks
                 .push(Remark::of(Sentence::PresetChangesNothing, |_| {
-                    vec![("key", format!("{key}")), ("name", format!("{name}"))]
+                    vec![("key", key.to_string()), ("name", name.to_string())]
                 }));
         }
         for value in missing {

@@ -47,7 +47,7 @@ pub(crate) fn remarks(
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
         remarks.push(Remark::of(Sentence::RailWithoutSupport, |language| {
             vec![
-                ("free_beam_from_hz", format!("{FREE_BEAM_FROM_HZ}")),
+                ("free_beam_from_hz", FREE_BEAM_FROM_HZ.to_string()),
                 ("window", keys.window.name(language).to_owned()),
                 ("lowest", format!("{lowest:.0}")),
             ]
@@ -57,7 +57,7 @@ pub(crate) fn remarks(
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
         remarks.push(Remark::of(Sentence::RailWithoutShear, |language| {
             vec![
-                ("euler_beam_up_to_hz", format!("{EULER_BEAM_UP_TO_HZ}")),
+                ("euler_beam_up_to_hz", EULER_BEAM_UP_TO_HZ.to_string()),
                 ("window", keys.window.name(language).to_owned()),
                 ("highest", format!("{highest:.0}")),
             ]
@@ -109,7 +109,7 @@ pub(crate) fn remarks(
             Sentence::FallingFrictionAtOneSpeed,
             |language| {
                 vec![
-                    ("rolling", format!("{rolling}")),
+                    ("rolling", rolling.to_string()),
                     ("window", keys.window.name(language).to_owned()),
                 ]
             },

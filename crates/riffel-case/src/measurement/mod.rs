@@ -235,8 +235,8 @@ pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Optio
     let (count, points) = (active.len(), receptance.points());
     Some(Remark::of(Sentence::ReceptanceGivesEnergy, |language| {
         vec![
-            ("count", format!("{count}")),
-            ("points", format!("{points}")),
+            ("count", count.to_string()),
+            ("points", points.to_string()),
             ("first", format!("{first:.0}")),
             ("last", format!("{last:.0}")),
             ("remedy", remedy.words(language).to_string()),

@@ -44,9 +44,9 @@ pub(super) fn smooth(
     let (first, last) = (poor.first()?, poor.last()?);
     Some(Remark::of(Sentence::PoorCoherence, |_| {
         vec![
-            ("good", format!("{GOOD}")),
-            ("count", format!("{count}")),
-            ("points", format!("{points}")),
+            ("good", GOOD.to_string()),
+            ("count", count.to_string()),
+            ("points", points.to_string()),
             ("first", format!("{first:.0}")),
             ("last", format!("{last:.0}")),
         ]

@@ -55,8 +55,8 @@ fn between_nodes(function: &Function) -> Option<Remark> {
     (response != reference).then(|| {
         Remark::of(Sentence::ResponseAtOtherNode, |_| {
             vec![
-                ("response", format!("{response}")),
-                ("reference", format!("{reference}")),
+                ("response", response.to_string()),
+                ("reference", reference.to_string()),
             ]
         })
     })

@@ -45,10 +45,10 @@ impl PhysicalRange {
             let (from, to) = (amount(kind, from), amount(kind, to));
             return Judgement::Unusual(Remark::of(Sentence::UnusualValue, |language| {
                 vec![
-                    ("key", format!("{key}")),
-                    ("value", format!("{value}")),
-                    ("from", format!("{from}")),
-                    ("to", format!("{to}")),
+                    ("key", key.to_string()),
+                    ("value", value.to_string()),
+                    ("from", from.to_string()),
+                    ("to", to.to_string()),
                     ("question", question(language).to_string()),
                 ]
             }));
@@ -62,8 +62,8 @@ impl PhysicalRange {
             );
             return Judgement::Unusual(Remark::of(Sentence::NumberWithoutUnit, |language| {
                 vec![
-                    ("key", format!("{key}")),
-                    ("read", format!("{read}")),
+                    ("key", key.to_string()),
+                    ("read", read.to_string()),
                     ("question", question(language).to_string()),
                 ]
             }));
