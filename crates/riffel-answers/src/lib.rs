@@ -28,6 +28,7 @@ pub mod forecast;
 pub mod map;
 pub mod paper;
 mod parameters;
+pub mod point;
 pub mod receptance;
 pub mod report;
 pub mod ridge;

@@ -6,10 +6,11 @@ use riffel_case::Case;
 use riffel_keys::text_file;
 
 use crate::StudyError;
+use crate::case_sentence::case_sentence;
 use crate::fingerprint::{fingerprint, read_data};
 use crate::outputs::Outputs;
 use crate::parameter::{Parameter, ParameterValue, Spread};
-use crate::plan::{Plan, sentence};
+use crate::plan::Plan;
 
 /// A plan on its case, ready to compute.
 #[derive(Clone)]
@@ -141,7 +142,7 @@ impl Study {
         let case = self
             .outputs()
             .on(&self.case, &overrides)
-            .map_err(|error| sentence(&error))?;
+            .map_err(|error| case_sentence(&error))?;
         self.outputs().evaluate(&case)
     }
 

@@ -1,9 +1,9 @@
 //! `riffel point`
 
 use riffel::LoopState;
-use riffel_case::{Case, CaseKey, Point as Quantities, Sensitivity};
+use riffel_answers::point::{PointAnswer, PointRequest};
+use riffel_case::{Case, CaseKey, Sensitivity};
 use riffel_keys::quantity::{Kind, Length, Speed};
-use serde::Serialize;
 
 use crate::arguments::{Point, covering};
 use crate::messages::print_remarks;
@@ -15,33 +15,22 @@ pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
     let speed = arguments.speed.within("--speed")?;
     case.check_points([wavelength; 2], [speed; 2])?;
     let case = covering(&case, wavelength, wavelength)?;
-    let state = case.point(wavelength, speed)?;
-    let sensitivity = match arguments.sensitivity {
-        true => Some(case.sensitivities(wavelength, speed)?),
-        false => None,
+    let request = PointRequest {
+        wavelength,
+        speed,
+        sensitivity: arguments.sensitivity,
     };
+    let answer = PointAnswer::new(&case, request)?;
     if arguments.json {
-        print_json(&Document {
-            quantities: Quantities::new(&case, &state),
-            sensitivity,
-        })?;
+        print_json(&answer)?;
     } else {
-        print(&readable(&case, &state))?;
-        if let Some(sensitivity) = sensitivity {
-            print(&sensitivities(&sensitivity))?;
+        print(&readable(&case, &answer.state))?;
+        if let Some(sensitivity) = &answer.sensitivity {
+            print(&sensitivities(sensitivity))?;
         }
     }
     print_remarks(&case.remarks);
     Ok(())
-}
-
-/// What `--json` prints.
-#[derive(Serialize)]
-struct Document {
-    #[serde(flatten)]
-    quantities: Quantities,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    sensitivity: Option<Vec<Sensitivity>>,
 }
 
 /// What the growth rate answers to, the strongest first.

@@ -7,6 +7,7 @@ use riffel::{Complex64, Ridge};
 use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile, Remark};
 
+use crate::case_sentence::case_sentence;
 use crate::file::{MapQuantity, OutputsFile};
 
 pub use band::Band;
@@ -341,7 +342,7 @@ impl Outputs {
             let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
             let state = case
                 .point(wavelength, speed)
-                .map_err(|error| crate::plan::sentence(&error))?;
+                .map_err(|error| case_sentence(&error))?;
             for &quantity in &point.quantities {
                 let value = quantity
                     .number(case, &state)

@@ -4,6 +4,7 @@ use riffel_case::Case;
 use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
+use crate::case_sentence::case_sentence;
 use crate::distribution::Distribution;
 use crate::parameter::{Parameter, Spread};
 
@@ -40,7 +41,7 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
                 .on(case, &overrides)
                 .err()
                 .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
-            let sentence = sentence(&at_end.unwrap_or(error));
+            let sentence = case_sentence(&at_end.unwrap_or(error));
             match place {
                 Some(place) => {
                     return Err(source.refuse(&format!("parameter[{index}].{place}"), &sentence));
@@ -101,12 +102,4 @@ fn tails(table: &str, middle: &str, cut: (bool, bool)) -> Vec<(f64, Option<Strin
         side(cut.0, "min", NEXT_TO_AN_END, TAIL),
         side(cut.1, "max", 1.0 - NEXT_TO_AN_END, 1.0 - TAIL),
     ]
-}
-
-/// What the case says, without the override that the user did not write.
-pub(crate) fn sentence(error: &CaseError) -> String {
-    match error {
-        CaseError::Override { message, .. } => message.clone(),
-        error => error.to_string(),
-    }
 }

@@ -6,8 +6,6 @@ mod design;
 pub mod file;
 mod spread;
 
-pub(crate) use bounds::sentence;
-
 use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};
