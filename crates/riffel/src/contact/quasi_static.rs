@@ -85,26 +85,25 @@ impl<L: CreepLaw> QuasiStatic<L> {
 fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64, Error> {
     MeanState::check_tractive_ratio(ratio, None)?;
     let most = law.friction() * normal_force;
-    law.creepage(normal_force, ratio * law.friction() * normal_force)
-        .ok_or_else(|| {
-            let limit = law.limit(normal_force);
-            match limit {
-                ForceLimit::AdhesionMaximum(creepage) => Error::BeyondAdhesion {
-                    quantity: "tractive ratio",
-                    value: ratio,
-                    maximum: law
-                        .forces(normal_force, Creepages::longitudinal(creepage))
-                        .longitudinal
-                        / most,
-                },
-                _ => Error::OutOfRange {
-                    quantity: "tractive ratio",
-                    value: ratio,
-                    unit: "",
-                    rule: "is not reached by the creep law at any creepage",
-                },
-            }
-        })
+    law.creepage(normal_force, ratio).ok_or_else(|| {
+        let limit = law.limit(normal_force);
+        match limit {
+            ForceLimit::AdhesionMaximum(creepage) => Error::BeyondAdhesion {
+                quantity: "tractive ratio",
+                value: ratio,
+                maximum: law
+                    .forces(normal_force, Creepages::longitudinal(creepage))
+                    .longitudinal
+                    / most,
+            },
+            _ => Error::OutOfRange {
+                quantity: "tractive ratio",
+                value: ratio,
+                unit: "",
+                rule: "is not reached by the creep law at any creepage",
+            },
+        }
+    })
 }
 
 /// `Ok` if the law has slopes at the creepages.

@@ -138,9 +138,9 @@ impl CreepLaw for Carter3d {
     }
 
     /// The inverse of equation (5).
-    fn creepage(&self, normal_force: f64, tangential_force: f64) -> Option<f64> {
-        let ratio = tangential_force / (self.friction * normal_force);
-        (ratio < 1.0).then(|| self.saturation_under(normal_force) * (1.0 - (1.0 - ratio).cbrt()))
+    fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {
+        let stick = (1.0 - tractive_ratio).cbrt();
+        (tractive_ratio < 1.0).then(|| self.saturation_under(normal_force) * (1.0 - stick))
     }
 }
 

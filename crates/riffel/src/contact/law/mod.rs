@@ -162,11 +162,12 @@ pub trait CreepLaw: Send + Sync {
     /// force P > 0 \[N\].
     fn limit(&self, normal_force: f64) -> ForceLimit;
 
-    /// The longitudinal creepage \[-\] at which the force alone along the rail is Q \[N\], 0 < Q, below
+    /// The longitudinal creepage \[-\] of the tractive ratio τ = Q/μP \[-\], 0 < τ < 1, below
     /// [`limit`](Self::limit); none where the law does not reach it.
     ///
     /// Provided: bracketed between zero and the limit and bisected to rounding, some sixty forces.
-    fn creepage(&self, normal_force: f64, tangential_force: f64) -> Option<f64> {
+    fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {
+        let tangential_force = tractive_ratio * self.friction() * normal_force;
         let force = |creepage: f64| {
             self.forces(normal_force, Creepages::longitudinal(creepage))
                 .longitudinal
@@ -206,7 +207,7 @@ impl<L: CreepLaw + ?Sized> CreepLaw for Arc<L> {
         (**self).limit(normal_force)
     }
 
-    fn creepage(&self, normal_force: f64, tangential_force: f64) -> Option<f64> {
-        (**self).creepage(normal_force, tangential_force)
+    fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {
+        (**self).creepage(normal_force, tractive_ratio)
     }
 }
