@@ -5,6 +5,7 @@
 
 mod contact;
 mod contestant;
+mod first_build;
 mod python;
 mod roughness;
 mod study;
@@ -38,6 +39,9 @@ pub(crate) const CONTESTANT: &str = "--contestant";
 /// The argument that prints the section on Python alone and writes nothing.
 const PYTHON: &str = "--python";
 
+/// The argument that records the first build alone.
+const BUILD: &str = "--build";
+
 fn main() -> Result<(), Failure> {
     if std::env::args().any(|argument| argument == CONTESTANT) {
         return contest();
@@ -49,7 +53,10 @@ fn main() -> Result<(), Failure> {
         println!("{text}");
         return Ok(());
     }
-    let report = report(folder)?;
+    if std::env::args().any(|argument| argument == BUILD) {
+        return first_build::record(folder);
+    }
+    let report = report(folder)? + &first_build::recorded(folder);
     println!("{report}");
     std::fs::write(folder.join("README.md"), report)?;
     Ok(())

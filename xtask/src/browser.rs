@@ -2,8 +2,9 @@
 
 use std::env;
 use std::path::PathBuf;
-use std::process::{Command, Stdio};
+use std::process::Command;
 
+use crate::step::{run_beside, run_unseen};
 use crate::{Outcome, environment, root};
 
 /// What the tests need, with exact versions.
@@ -14,36 +15,38 @@ const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chro
 
 /// [`test()`] with the program whose page is tested.
 pub(crate) fn test_alone() -> Outcome {
-    crate::cargo(&["build", "--quiet"])?;
-    test()
+    crate::build_program()?;
+    test(&prepare()?)
+}
+
+/// What drives the browser, and the browser.
+pub(crate) struct Browser {
+    python: PathBuf,
+    chromium: PathBuf,
+}
+
+/// Chromium, and the environment of the tests.
+pub(crate) fn prepare() -> Result<Browser, String> {
+    Ok(Browser {
+        chromium: chromium()?,
+        python: environment::prepare(&folder().join("venv"), REQUIREMENTS)?,
+    })
 }
 
 /// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
-pub(crate) fn test() -> Outcome {
-    let chromium = chromium()?;
-    let folder = root().join("target/browser-tests");
-    let python = environment::prepare(&folder.join("venv"), REQUIREMENTS)?;
-    println!(
-        "# pytest crates/riffel-web/tests, in {}",
-        chromium.display()
-    );
-    let status = Command::new(python)
-        .args(["-m", "pytest", "--quiet"])
-        .arg(root().join("crates/riffel-web/tests"))
+pub(crate) fn test(browser: &Browser) -> Outcome {
+    let tests = ["-m", "pytest", "--quiet", "crates/riffel-web/tests"];
+    let mut tests = environment::command(&browser.python, &tests);
+    tests
         .env("RIFFEL", root().join("target/debug/riffel"))
-        .env("CHROMIUM", chromium)
-        .env("SCREENSHOTS", folder.join("screenshots"))
-        .env("PYTHONDONTWRITEBYTECODE", "1")
-        .status();
-    done(status, "the tests of the page")
+        .env("CHROMIUM", &browser.chromium)
+        .env("SCREENSHOTS", folder().join("screenshots"))
+        .env("PYTHONDONTWRITEBYTECODE", "1");
+    run_beside(&mut tests)
 }
 
-fn done(status: std::io::Result<std::process::ExitStatus>, what: &str) -> Outcome {
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        Ok(_) => Err(format!("{what} failed")),
-        Err(error) => Err(format!("{what} cannot be run: {error}")),
-    }
+fn folder() -> PathBuf {
+    root().join("target/browser-tests")
 }
 
 /// Chromium; installed where it is missing and Debian's package manager may do so.
@@ -52,7 +55,6 @@ fn chromium() -> Result<PathBuf, String> {
     if let Some(path) = found() {
         return Ok(path);
     }
-    println!("# apt-get install chromium");
     for arguments in [
         &["update", "--quiet"][..],
         &[
@@ -63,12 +65,11 @@ fn chromium() -> Result<PathBuf, String> {
             "chromium",
         ],
     ] {
-        let status = Command::new("apt-get")
+        let mut install = Command::new("apt-get");
+        install
             .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive")
-            .stdout(Stdio::null())
-            .status();
-        if done(status, "apt-get").is_err() {
+            .env("DEBIAN_FRONTEND", "noninteractive");
+        if run_unseen(&mut install).is_err() {
             break;
         }
     }

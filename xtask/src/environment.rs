@@ -1,10 +1,12 @@
 //! Virtual environments of Python with pinned requirements.
 
+use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Outcome, root};
+use crate::root;
+use crate::step::run_unseen;
 
 /// Oldest Python for which the pinned requirements of the tests are made; the package asks for 3.10.
 const OLDEST: &str = "3.11";
@@ -20,21 +22,13 @@ pub(crate) fn prepare(environment: &Path, requirements: &str) -> Result<PathBuf,
         return Ok(own);
     }
     let python = interpreter()?;
-    let folder = environment.to_string_lossy();
-    run(python, &["-m", "venv", "--clear", &folder]).map_err(|_| {
+    let make = ["-m", "venv", "--clear"];
+    run_unseen(command(python, &make).arg(environment)).map_err(|_| {
         format!("{python} has no module venv; install it (Debian: apt install python3-venv)")
     })?;
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-    ];
-    run(
-        &own.to_string_lossy(),
-        &[&pip[..], &["--requirement", requirements]].concat(),
-    )?;
+    let mut install = command(&own, &["-m", "pip", "install", "--quiet"]);
+    install.args(["--disable-pip-version-check", "--requirement", requirements]);
+    run_unseen(&mut install)?;
     fs::write(&installed, wanted)
         .map_err(|error| format!("cannot write {}: {error}", installed.display()))?;
     Ok(own)
@@ -67,26 +61,13 @@ fn python_of(environment: &Path) -> PathBuf {
     })
 }
 
-/// Run a program of the environment in the root of the workspace.
-pub(crate) fn run(program: &str, arguments: &[&str]) -> Outcome {
-    run_with(program, arguments, &[])
-}
-
-/// [`run`] with variables of the environment.
-pub(crate) fn run_with(program: &str, arguments: &[&str], variables: &[(&str, &str)]) -> Outcome {
-    let line = format!("{program} {}", arguments.join(" "));
-    println!("# {line}");
-    let status = Command::new(program)
+/// An interpreter with its arguments.
+pub(crate) fn command(python: impl AsRef<OsStr>, arguments: &[&str]) -> Command {
+    let mut command = Command::new(python);
+    command
         .args(arguments)
-        .current_dir(root())
         // Packages of the user stay out of it.
         .env_remove("PYTHONPATH")
-        .env("MPLBACKEND", "Agg")
-        .envs(variables.iter().copied())
-        .status()
-        .map_err(|error| format!("cannot run {line}: {error}"))?;
-    match status.success() {
-        true => Ok(()),
-        false => Err(format!("{line} failed")),
-    }
+        .env("MPLBACKEND", "Agg");
+    command
 }

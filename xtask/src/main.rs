@@ -1,16 +1,20 @@
 //! Developer commands: `cargo xtask help` names them.
 
 mod browser;
+mod check;
 mod dependencies;
 mod environment;
 mod fuzz;
 mod python;
 mod release;
+mod step;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use clap::{Parser, Subcommand};
+
+use crate::step::{cargo, run};
 
 /// Developer commands of Riffel.
 #[derive(Parser)]
@@ -24,7 +28,12 @@ struct Arguments {
 enum Task {
     /// Everything there is: formatting, lints, tests, documentation, the Python package, the page in a
     /// browser.
-    Test,
+    Test {
+        /// Only what takes a minute: formatting, lints, the tests of the libraries. Left out are the program and its
+        /// files, pictures, the page under load, examples in documentation, Python and the browser.
+        #[arg(long)]
+        quick: bool,
+    },
     /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
     Browser,
     /// The Python package alone: wheel, tests, types.
@@ -36,7 +45,11 @@ enum Task {
     /// What a release consists of, for this system: archive of the program, wheel, source distribution.
     Release,
     /// Benchmarks beside their peers; needs Python 3 with venv, and network for the first run.
-    Bench,
+    Bench {
+        /// Only the time of a release build into an empty folder.
+        #[arg(long)]
+        build: bool,
+    },
     /// Mutated files for the readers of foreign bytes and for the built program, as `fuzz/README.md` tells.
     Fuzz(fuzz::Fuzz),
 }
@@ -46,14 +59,15 @@ type Outcome = Result<(), String>;
 
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
-        Task::Test => test(),
+        Task::Test { quick: true } => check::quick(),
+        Task::Test { quick: false } => check::all(),
         Task::Browser => browser::test_alone(),
         Task::Python => python::test_alone(),
         Task::Generate => generate(),
         Task::Dependencies => dependencies::check(),
         Task::Release => release::build(),
         Task::Fuzz(arguments) => fuzz::run(&arguments),
-        Task::Bench => cargo(&["run", "--release", "--package", "riffel-bench"]),
+        Task::Bench { build } => bench(build),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -66,56 +80,38 @@ fn main() -> ExitCode {
 
 /// The root of the workspace.
 fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("..")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-fn test() -> Outcome {
-    cargo(&["fmt", "--all", "--check"])?;
-    dependencies::check()?;
-    cargo(&[
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--quiet",
-        "--",
-        "--deny",
-        "warnings",
-    ])?;
-    cargo(&["test", "--workspace", "--quiet"])?;
-    cargo_with(
-        &["doc", "--workspace", "--no-deps", "--quiet"],
-        &[("RUSTDOCFLAGS", "--deny warnings")],
-    )?;
-    python::test()?;
-    browser::test()
+/// Build the program as the tests have it, all of its dependencies too.
+fn build_program() -> Outcome {
+    let packages = ["--package", "riffel-cli", "--package", "riffel-python"];
+    let features = ["--features", "riffel-python/as-tested"];
+    run(cargo(&["build", "--quiet"]).args(packages).args(features))
+}
+
+/// Write `benches/README.md`, or its section on the first build alone.
+fn bench(build: bool) -> Outcome {
+    let mut bench = cargo(&["run", "--release", "--package", "riffel-bench"]);
+    if build {
+        bench.args(["--", "--build"]);
+    }
+    run(&mut bench)
 }
 
 /// Write the book with the program as it is now.
 fn generate() -> Outcome {
-    cargo(&["build", "--quiet"])?;
+    build_program()?;
     let program = root().join("target/debug/riffel");
     let program = program.to_string_lossy();
-    cargo(&["run", "--quiet", "--package", "riffel-book", "--", &program])
-}
-
-fn cargo(arguments: &[&str]) -> Outcome {
-    cargo_with(arguments, &[])
-}
-
-pub(crate) fn cargo_with(arguments: &[&str], environment: &[(&str, &str)]) -> Outcome {
-    let line = format!("cargo {}", arguments.join(" "));
-    println!("# {line}");
-    let status = Command::new(env!("CARGO"))
-        .args(arguments)
-        .envs(environment.iter().copied())
-        .current_dir(root())
-        .status()
-        .map_err(|error| format!("cannot run {line}: {error}"))?;
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("{line} failed"))
-    }
+    run(&mut cargo(&[
+        "run",
+        "--quiet",
+        "--package",
+        "riffel-book",
+        "--",
+        &program,
+    ]))
 }
 
 /// What a program prints.

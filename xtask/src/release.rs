@@ -8,8 +8,8 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use tar::{Builder, EntryType, Header};
 
-use crate::environment;
-use crate::{Outcome, dependencies, output, python, root};
+use crate::step::{cargo, run};
+use crate::{Outcome, dependencies, environment, output, python, root};
 
 /// Where the files of a release are written.
 const FOLDER: &str = "target/release-files";
@@ -43,15 +43,14 @@ pub(crate) fn build() -> Outcome {
     // With the features of both, so that what both are made of is built once.
     let packages = ["--package", "riffel-cli", "--package", "riffel-python"];
     let build = ["build", "--locked", "--profile", "dist", "--bin", "riffel"];
-    crate::cargo_with(&[&build[..], &packages].concat(), &environment)?;
+    run(cargo(&build).args(packages).envs(environment))?;
     archive(&folder)?;
     python_package(&environment)
 }
 
 /// The wheel, with the licences of all that is in it, and the source distribution.
 fn python_package(variables: &[(&str, &str)]) -> Outcome {
-    let python = environment::prepare(&root().join("target/python"), python::REQUIREMENTS)?;
-    let python = python.to_string_lossy();
+    let python = python::prepare()?;
     let licences = root().join(LICENCES_OF_WHEEL);
     let text = dependencies::third_party_licences("riffel-python", &host()?)?;
     fs::write(&licences, text)
@@ -66,10 +65,12 @@ fn python_package(variables: &[(&str, &str)]) -> Outcome {
         "--out",
         FOLDER,
     ];
-    let built = environment::run_with(&python, &wheel, variables);
+    let mut wheel = environment::command(&python, &wheel);
+    let built = run(wheel.envs(variables.iter().copied()));
     let _ = fs::remove_file(&licences);
     built?;
-    environment::run(&python, &["-m", "maturin", "sdist", "--out", FOLDER])
+    let sources = ["-m", "maturin", "sdist", "--out", FOLDER];
+    run(&mut environment::command(&python, &sources))
 }
 
 /// Flags of the compiler that keep the folders of this machine out of the program.

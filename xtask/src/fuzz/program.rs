@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::mutation::{Chance, mutated};
 use super::{Target, corpus};
-use crate::{Outcome, cargo, root};
+use crate::{Outcome, build_program, root};
 
 /// Longest processor time of one run \[s\], whatever else the machine does.
 const LONGEST: u32 = 10;
@@ -148,7 +148,7 @@ const LEVELS: &str = "wavelength_mm,level_db\n100,4\n80,5\n63,6\n50,8\n40,7\n31.
 
 /// Run mutated files through the program for some seconds.
 pub(super) fn run(seconds: u64, seed: u64) -> Outcome {
-    cargo(&["build", "--quiet"])?;
+    build_program()?;
     let folder = root().join("target/fuzz/program");
     let findings = root().join("target/fuzz/findings/program");
     prepare(&folder).map_err(|reason| format!("cannot prepare {}: {reason}", folder.display()))?;
