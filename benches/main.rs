@@ -216,7 +216,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     let mut text = String::from("# Benchmarks\n\n");
     writeln!(
         text,
-        "Written by `cargo xtask bench`. Machine: {}.",
+        "Written by `cargo xtask bench`. Machine: {}; profile `dist`.",
         machine()
     )?;
     writeln!(

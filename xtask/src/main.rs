@@ -92,7 +92,9 @@ fn build_program() -> Outcome {
 
 /// Write `benches/README.md`, or its section on the first build alone.
 fn bench(build: bool) -> Outcome {
-    let mut bench = cargo(&["run", "--release", "--package", "riffel-bench"]);
+    // The numbers are those of what is handed out; the first build is that of the sources.
+    let profile = if build { "release" } else { "dist" };
+    let mut bench = cargo(&["run", "--profile", profile, "--package", "riffel-bench"]);
     if build {
         bench.args(["--", "--build"]);
     }
