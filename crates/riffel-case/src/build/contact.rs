@@ -136,7 +136,13 @@ impl CheckedKeys {
             return Ok(self.answering(slow, hertz));
         }
         let (wavelength, _) = self.window()?;
-        let table = NonSteady::new(&contact, &state, wavelength.min(), wavelength.max());
+        let table = NonSteady::new(
+            &contact,
+            &state,
+            wavelength.min(),
+            wavelength.max(),
+            NonSteady::DEFAULT_TOLERANCE,
+        );
         Ok(Arc::new(self.physics("map.wavelength.min", table)?))
     }
 

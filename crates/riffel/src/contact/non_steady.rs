@@ -10,8 +10,6 @@ use super::{
 };
 use crate::Error;
 
-/// Accuracy of the table, relative to each derivative.
-const TOLERANCE: f64 = 1e-4;
 /// Fewest and most intervals between the nodes of an octave.
 const FEWEST_INTERVALS: usize = 2;
 const MOST_INTERVALS: usize = 64;
@@ -20,8 +18,8 @@ const MOST_INTERVALS: usize = 64;
 ///
 /// Method: six complex derivatives in octaves of wavelength that begin at the shortest one that the grid of the contact
 /// resolves. In each octave a polynomial in the logarithm of the wavelength through Chebyshev's points, the ends
-/// included; the intervals between them are halved until the last polynomial misses the new points by less than 1e-4 of
-/// their values. An octave does not depend on the wavelengths that are asked for, so that a point and a map of any
+/// included; the intervals between them are halved until the last polynomial misses the new points by less than the
+/// tolerance, relative to their values. An octave does not depend on the wavelengths that are asked for, so that a point and a map of any
 /// window agree bit for bit. Returns NaN outside its octaves. Cost: some 0.1 s an octave, a microsecond to ask.
 pub struct NonSteady {
     steady: MeanRolling,
@@ -52,7 +50,11 @@ fn listed(response: ContactResponse) -> [Complex64; DERIVATIVES] {
 }
 
 impl NonSteady {
-    /// The response of the contact about a state, for wavelengths from `shortest` to `longest` \[m\].
+    /// The tolerance of cases: a hundredth of the error of the half-space itself.
+    pub const DEFAULT_TOLERANCE: f64 = 1e-4;
+
+    /// The response of the contact about a state, for wavelengths from `shortest` to `longest` \[m\], each derivative
+    /// to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] with lateral creepage, of which there is no table; those of [`HalfSpace::response`];
@@ -62,6 +64,7 @@ impl NonSteady {
         state: &HalfSpaceRolling,
         shortest: f64,
         longest: f64,
+        tolerance: f64,
     ) -> Result<Self, Error> {
         let lateral = contact.steady(state).creepages.lateral;
         if lateral != 0.0 {
@@ -78,10 +81,11 @@ impl NonSteady {
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
         let mut octaves = Vec::new();
         for octave in below as i32..above as i32 {
-            octaves.push(Octave::new(|t| {
+            let value = |t: f64| {
                 let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
                 contact.response(state, wavelength).map(listed)
-            })?);
+            };
+            octaves.push(Octave::new(value, tolerance)?);
         }
         Ok(Self {
             steady: contact.steady(state),
@@ -99,7 +103,10 @@ fn place(index: usize, intervals: usize) -> f64 {
 
 impl Octave {
     /// The octave of a function of t from −1, its shortest wavelength, to 1, its longest.
-    fn new(value: impl Fn(f64) -> Result<[Complex64; DERIVATIVES], Error>) -> Result<Self, Error> {
+    fn new(
+        value: impl Fn(f64) -> Result<[Complex64; DERIVATIVES], Error>,
+        tolerance: f64,
+    ) -> Result<Self, Error> {
         let mut intervals = FEWEST_INTERVALS;
         let at = |index, intervals| value(place(index, intervals));
         let values = (0..=intervals).map(|index| at(index, intervals));
@@ -120,14 +127,14 @@ impl Octave {
             }
             finer.extend(octave.0.last());
             (octave, intervals) = (Self(finer), 2 * intervals);
-            if worst <= TOLERANCE {
+            if worst <= tolerance {
                 return Ok(octave);
             }
             if intervals >= MOST_INTERVALS {
                 return Err(Error::NotConverged {
                     problem: "table of the contact's response",
                     residual: worst,
-                    tolerance: TOLERANCE,
+                    tolerance,
                     remedy: REMEDY,
                 });
             }
