@@ -35,31 +35,26 @@ struct Line {
     whole: bool,
 }
 
+/// One point of a case, as a document.
+const POINT: [&str; 7] = [
+    "point",
+    "FILE",
+    "--wavelength",
+    "50 mm",
+    "--speed",
+    "90 km/h",
+    "--json",
+];
+
 const LINES: [Line; 9] = [
     Line {
-        words: &[
-            "point",
-            "FILE",
-            "--wavelength",
-            "50 mm",
-            "--speed",
-            "90 km/h",
-            "--json",
-        ],
+        words: &POINT,
         file: Some("cases/nominal.toml"),
         kind: Target::Case,
         whole: true,
     },
     Line {
-        words: &[
-            "point",
-            "FILE",
-            "--wavelength",
-            "50 mm",
-            "--speed",
-            "90 km/h",
-            "--json",
-        ],
+        words: &POINT,
         file: Some("cases/discrete-supports.toml"),
         kind: Target::Case,
         whole: true,
