@@ -41,7 +41,7 @@ pub fn parameters(case: &Case) -> String {
 pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
     let file = &case.file;
     let steady = case.steady;
-    let rotation = match file.wheel.rotation {
+    let rotation = match file.wheel.rotation() {
         Rotation::Inertia => format!(
             "I_w = {:.2} kg m²",
             si(file.wheel.inertia.map(|inertia| inertia.si()))
@@ -50,6 +50,13 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
             language.say(Sentence::ConstantTangentialForce).to_owned()
         }
         Rotation::ConstantCreepage => language.say(Sentence::ConstantCreepage).to_owned(),
+    };
+    let wheel = match (&file.wheelset, file.wheel.mass) {
+        (Some(wheelset), _) => {
+            let name = language.say(Sentence::Wheelset);
+            format!("{name} {}", wheelset.model.name())
+        }
+        (None, mass) => format!("m_w = {:.0} kg, {rotation}", si(mass.map(|mass| mass.si()))),
     };
     let phase = match file.contact.dissipation_phase {
         _ if file.contact.response == ContactDynamics::NonSteady => {
@@ -70,14 +77,13 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         _ => "",
     };
     format!(
-        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, m_w = {:.0} kg, {rotation}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
+        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
         language.say(Sentence::Track),
         track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,
         file.wheel.rolling_radius.si(),
         file.contact.transverse_radius.si(),
-        file.wheel.mass.si(),
         rail(case, language),
         1e-3 * steady.normal_force,
         steady.friction,

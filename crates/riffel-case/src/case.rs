@@ -90,14 +90,7 @@ impl Case {
         given: GivenReceptances,
         window: Window,
     ) -> Result<Self, CaseError> {
-        let mut text = unfilled.clone();
-        text.fill_in()?;
-        let file = text.deserialize()?;
-        text.judge()?;
-        if folder.is_none() && file.track.measurement.is_some() {
-            return Err(CheckedKeys::names_a_file(&text));
-        }
-        let keys = CheckedKeys::new(text, folder.map(Path::to_owned), file, given, window);
+        let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;
         Self::of_keys(keys, unfilled)
     }
 

@@ -1,5 +1,7 @@
 //! The keys of a case as they were written, overridden and filled in by presets.
 
+use std::collections::BTreeSet;
+
 use riffel_keys::quantity::{Kind, Length, Speed};
 use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
 use toml::{Table, Value};
@@ -13,6 +15,8 @@ use crate::preset::PresetKind;
 pub(crate) struct CaseText {
     pub(crate) keys: KeyFile,
     pub(crate) remarks: Vec<Remark>,
+    /// Keys whose values are those of presets.
+    pub(crate) filled_in: BTreeSet<String>,
 }
 
 /// A file of keys of a case, or of some of them, the axes of its map written as tables of ends.
@@ -44,6 +48,7 @@ impl CaseText {
         Self {
             keys,
             remarks: Vec::new(),
+            filled_in: BTreeSet::new(),
         }
     }
 
@@ -58,7 +63,7 @@ impl CaseText {
             spread_axes(&mut self.keys);
         }
         let [ratio, creepage] = ["contact.tractive_ratio", "contact.creepage"];
-        let sets = |key: &str| set.iter().any(|other| other == key);
+        let sets = |key: &str| set.iter().any(|other| is_within(other, key));
         match (sets(ratio), sets(creepage)) {
             (true, false) => self.keys.remove(creepage),
             (false, true) => self.keys.remove(ratio),
@@ -89,8 +94,28 @@ impl CaseText {
             let remark = self.keys.judge(&key.key)?;
             self.remarks.extend(remark);
         }
+        for key in CaseKey::in_lists() {
+            let Some((list, rest)) = key.key.split_once("[]") else {
+                continue;
+            };
+            for index in 0..self.keys.length_of(list) {
+                let remark = self.keys.judge(&format!("{list}[{index}]{rest}"))?;
+                self.remarks.extend(remark);
+            }
+        }
         Ok(())
     }
+
+    /// True for a key that is written, in the file or in an override, and not filled in by a preset.
+    pub(crate) fn is_written(&self, key: &str) -> bool {
+        self.keys.has(key) && !self.filled_in.contains(key)
+    }
+}
+
+/// True for a key and for those of the table that it is.
+fn is_within(key: &str, table: &str) -> bool {
+    let rest = key.strip_prefix(table);
+    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
 /// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, into tables.

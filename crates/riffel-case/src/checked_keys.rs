@@ -1,7 +1,7 @@
 //! The keys of a case, checked one by one.
 
 use std::fmt::Display;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use riffel::wheelset::RigidInertia;
 use riffel::{Axis, ElasticMaterial};
@@ -33,31 +33,45 @@ pub(crate) struct CheckedKeys {
 }
 
 impl CheckedKeys {
-    pub(crate) fn new(
-        text: CaseText,
-        folder: Option<PathBuf>,
-        mut file: CaseFile,
+    /// The keys of a text, presets and defaults filled in. `folder` is the one to which files are relative; without it
+    /// the case may not name any.
+    pub(crate) fn of_text(
+        mut text: CaseText,
+        folder: Option<&Path>,
         given: GivenReceptances,
         window: Window,
-    ) -> Self {
+    ) -> Result<Self, CaseError> {
+        text.fill_in()?;
+        let mut file = text.deserialize()?;
+        text.judge()?;
+        let file_keys = ["track.measurement.file", "wheelset.file"];
+        let named = file_keys.into_iter().find(|key| text.keys.has(key));
+        if let (None, Some(key)) = (folder, named) {
+            return Err(Self::names_a_file(&text, key));
+        }
         let wheel = &mut file.wheel;
-        wheel.inertia.get_or_insert_with(|| {
-            let (mass, radius) = (wheel.mass.si(), wheel.rolling_radius.si());
-            Quantity::new(RigidInertia::reduced_inertia(mass, radius))
-        });
-        Self {
+        if let Some(mass) = wheel.mass.filter(|_| file.wheelset.is_none()) {
+            let radius = wheel.rolling_radius.si();
+            let reduced = RigidInertia::reduced_inertia(mass.si(), radius);
+            wheel.inertia.get_or_insert(Quantity::new(reduced));
+            wheel.rotation.get_or_insert_default();
+        }
+        let keys = Self {
             text,
-            folder,
+            folder: folder.map(Path::to_owned),
             file,
             given,
             window,
-        }
+        };
+        keys.check_wheel()?;
+        keys.general()?;
+        Ok(keys)
     }
 
-    /// The error of a case that names a file and may not.
-    pub(crate) fn names_a_file(text: &CaseText) -> CaseError {
+    /// The error of a case that names a file by a key and may not.
+    pub(crate) fn names_a_file(text: &CaseText, key: &str) -> CaseError {
         text.keys.invalid(
-            "track.measurement.file",
+            key,
             "is a file, and this case may not name any",
             "use it in a case file with the program, `riffel map CASE`",
         )

@@ -3,6 +3,7 @@
 use riffel_keys::{CaseError, Remark, Sentence};
 
 use crate::case_text::CaseText;
+use crate::general_keys::REPLACED_BY_WHEELSET;
 use crate::preset::{Preset, PresetKind, preset, presets};
 
 impl CaseText {
@@ -10,8 +11,8 @@ impl CaseText {
     /// single parts, then those of the whole track.
     ///
     /// The damping of a layer is one choice: where a viscous damping or a loss factor is given, a
-    /// preset adds neither. The inertia of a wheel goes with its mass. A preset of which nothing is left
-    /// is worth a remark.
+    /// preset adds neither. The inertia of a wheel goes with its mass, and a wheelset takes the place of both. A preset
+    /// of which nothing is left is worth a remark.
     pub(crate) fn fill_in(&mut self) -> Result<(), CaseError> {
         for kind in PresetKind::ALL {
             let key = kind.key();
@@ -36,6 +37,9 @@ impl CaseText {
                     !self.keys.has(&format!("{layer}.damping"))
                         && !self.keys.has(&format!("{layer}.loss_factor"))
                 }
+                _ if REPLACED_BY_WHEELSET.contains(&&*value.key) && self.keys.has("wheelset") => {
+                    false
+                }
                 _ if value.key == "wheel.inertia" => {
                     !self.keys.has(&value.key) && !self.keys.has("wheel.mass")
                 }
@@ -51,6 +55,7 @@ impl CaseText {
         }
         for value in missing {
             self.keys.put(&value.key, value.value.as_str());
+            self.filled_in.insert(value.key.clone());
         }
     }
 

@@ -3,6 +3,7 @@
 use riffel::contact::MeanRolling;
 use riffel_keys::CaseError;
 
+use crate::file::Creepage;
 use crate::{Case, Hold, Variant};
 
 /// What a variant holds of the mean state of one wheel.
@@ -47,7 +48,16 @@ impl Held {
                 steady.forces.longitudinal / limit
             ),
             Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => format!("contact.creepage={:e}", steady.creepages.longitudinal),
+            Hold::Creepage => match before.contact.creepage {
+                // The table of the case stays, whatever overrides were before it.
+                Some(Creepage::Vector(creepage)) => format!(
+                    "contact.creepage={{ longitudinal = {:e}, lateral = {:e}, spin = {:e} }}",
+                    creepage.longitudinal.si(),
+                    creepage.lateral.si(),
+                    creepage.spin.si()
+                ),
+                _ => format!("contact.creepage={:e}", steady.creepages.longitudinal),
+            },
         });
         Ok(Some(Self {
             hold,

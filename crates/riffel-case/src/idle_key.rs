@@ -14,7 +14,7 @@ impl Case {
             "track" | "rail" => return self.idle_in_track(table, inner),
             "corrugation" => "growth rates do not depend on the amplitude",
             "map" => "the bands are those of the case, and the speeds those of the traffic",
-            "wheel" if inner == "inertia" && self.file.wheel.rotation != Rotation::Inertia => {
+            "wheel" if inner == "inertia" && self.file.wheel.rotation() != Rotation::Inertia => {
                 "wheel.rotation is the limit of no inertia or of infinite inertia"
             }
             "contact"

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use riffel_keys::quantity::{KINDS, Kind};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::file::CaseFile;
 
@@ -21,15 +21,14 @@ pub struct CaseKey {
 }
 
 impl CaseKey {
-    /// Every key that takes a value, in the order of the schema.
+    /// Every key that takes a value, in the order of the schema. A list is one value.
     pub fn all() -> &'static [Self] {
-        static KEYS: LazyLock<Vec<CaseKey>> = LazyLock::new(|| {
-            let schema = schemars::schema_for!(CaseFile).to_value();
-            let mut keys = Vec::new();
-            collect("", "", &schema, &mut keys);
-            keys
-        });
-        &KEYS
+        &KEYS.0
+    }
+
+    /// Every key of the items of a list, `[]` after the name of the list.
+    pub(crate) fn in_lists() -> &'static [Self] {
+        &KEYS.1
     }
 
     /// The key of this name.
@@ -47,10 +46,18 @@ impl CaseKey {
     }
 }
 
-/// The keys below the schema of a table, which stands at a pointer.
+/// Every key outside lists, and every one inside.
+static KEYS: LazyLock<(Vec<CaseKey>, Vec<CaseKey>)> = LazyLock::new(|| {
+    let schema = schemars::schema_for!(CaseFile).to_value();
+    let mut keys = Vec::new();
+    collect("", "", &schema, &mut keys);
+    keys.into_iter().partition(|key| !key.key.contains("[]"))
+});
+
+/// The keys below the schema of a table, which stands at a pointer; those of the items of a list `discs` are called
+/// `discs[]`.
 fn collect(parent: &str, pointer: &str, root: &Value, keys: &mut Vec<CaseKey>) {
-    let table = root.pointer(pointer);
-    let Some(properties) = table.and_then(|table| table["properties"].as_object()) else {
+    let Some(properties) = properties(pointer, root) else {
         return;
     };
     for (name, property) in properties {
@@ -59,29 +66,53 @@ fn collect(parent: &str, pointer: &str, root: &Value, keys: &mut Vec<CaseKey>) {
             parent => format!("{parent}.{name}"),
         };
         let own = format!("{pointer}/properties/{name}");
-        if let Some(table) = referred(property)
-            && root
-                .pointer(table)
-                .is_some_and(|table| table["properties"].is_object())
-        {
+        let choices = choices(property);
+        let tables = choices.iter().filter_map(|choice| table(choice, root));
+        let tables: Vec<&str> = tables.collect();
+        for table in &tables {
             collect(&key, table, root, keys);
+        }
+        let unit = choices.iter().find_map(|choice| choice["unit"].as_str());
+        if !tables.is_empty() && unit.is_none() {
             continue;
         }
         let description = property["description"].as_str().unwrap_or_default();
-        let unit = property["unit"].as_str();
-        keys.push(CaseKey {
-            key,
-            description: description.trim_end_matches('.').to_owned(),
-            quantity: unit.and_then(|unit| KINDS.iter().find(|kind| kind.unit == unit).copied()),
-            pointer: own,
-        });
+        let mut push = |key: String, unit: Option<&str>, pointer: String| {
+            keys.push(CaseKey {
+                key,
+                description: description.trim_end_matches('.').to_owned(),
+                quantity: unit
+                    .and_then(|unit| KINDS.iter().find(|kind| kind.unit == unit).copied()),
+                pointer,
+            });
+        };
+        push(key.clone(), unit, own.clone());
+        let item = &property["items"];
+        if let Some(unit) = item["unit"].as_str() {
+            push(format!("{key}[]"), Some(unit), format!("{own}/items"));
+        } else if let Some(table) = table(item, root) {
+            collect(&format!("{key}[]"), table, root, keys);
+        }
     }
 }
 
-/// The pointer of the schema behind a reference, also behind one that may be null or something shorter.
-fn referred(schema: &Value) -> Option<&str> {
-    let inner = schema["anyOf"].as_array().and_then(|any| any.first());
-    inner.unwrap_or(schema)["$ref"].as_str()?.strip_prefix('#')
+/// The properties of the schema at a pointer, if it is that of a table.
+fn properties<'a>(pointer: &str, root: &'a Value) -> Option<&'a Map<String, Value>> {
+    root.pointer(pointer)?["properties"].as_object()
+}
+
+/// A schema, or those of which it is any.
+fn choices(schema: &Value) -> Vec<&Value> {
+    match schema["anyOf"].as_array() {
+        Some(any) => any.iter().flat_map(choices).collect(),
+        None => vec![schema],
+    }
+}
+
+/// The pointer of the table that a schema refers to.
+fn table<'a>(schema: &'a Value, root: &Value) -> Option<&'a str> {
+    let pointer = schema["$ref"].as_str()?.strip_prefix('#')?;
+    properties(pointer, root).map(|_| pointer)
 }
 
 #[cfg(test)]
@@ -101,6 +132,12 @@ mod tests {
         assert_eq!(unit("contact.grid"), None);
         assert_eq!(unit("track.model"), None);
         assert!(CaseKey::find("contact").is_none());
+        // A number or a table.
+        assert_eq!(unit("contact.creepage"), Some(""));
+        assert_eq!(unit("contact.creepage.spin"), Some("rad/m"));
+        // A list is one value.
+        assert_eq!(unit("wheelset.discs"), None);
+        assert!(CaseKey::find("wheelset.discs[].mass").is_none());
     }
 
     /// A unit tells the kind of quantity, and the schema gives one for every quantity.
@@ -116,10 +153,21 @@ mod tests {
     /// No key of the case that takes a quantity is without a range, and none has two.
     #[test]
     fn every_quantity_of_the_case_has_one_range() {
-        for key in CaseKey::all() {
-            let has = |range: &&PhysicalRange| range.keys.contains(&key.key.as_str());
+        for key in CaseKey::all().iter().chain(CaseKey::in_lists()) {
+            // The range of a list is that of its items.
+            let items = format!("{}[]", key.key);
+            if CaseKey::in_lists().iter().any(|item| item.key == items) {
+                assert_eq!(key.quantity, None);
+                continue;
+            }
+            let name = key.key.replace("[]", "");
+            let has = |range: &&PhysicalRange| range.keys.contains(&name.as_str());
             let kinds: Vec<Kind> = RANGES.iter().filter(has).map(|range| range.kind).collect();
             assert_eq!(kinds, Vec::from_iter(key.quantity), "{}", key.key);
         }
+        let in_lists: Vec<&str> = CaseKey::in_lists().iter().map(|key| &*key.key).collect();
+        assert!(in_lists.contains(&"train.wheels[]"), "{in_lists:?}");
+        assert!(in_lists.contains(&"wheelset.discs[].mass"));
+        assert!(in_lists.contains(&"wheelset.axle.segments[].diameter"));
     }
 }

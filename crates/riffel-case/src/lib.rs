@@ -20,6 +20,7 @@ mod case_text;
 mod checked_keys;
 pub mod file;
 mod fill_in;
+mod general_keys;
 mod given;
 mod held;
 mod hold;
@@ -78,7 +79,8 @@ pub const TRAFFIC: &str = include_str!("../cases/traffic.toml");
 /// JSON schema of the case file.
 pub fn json_schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(file::CaseFile);
-    let keys = CaseKey::all().iter();
+    let keys = CaseKey::all().iter().chain(CaseKey::in_lists());
+    let keys = keys.filter(|key| key.quantity.is_some());
     riffel_keys::bound(
         &mut schema,
         keys.map(|key| (key.key.as_str(), key.pointer.as_str())),

@@ -219,6 +219,12 @@ impl KeyFile {
         self.value(key).is_some()
     }
 
+    /// Number of items of a list; zero for what is none.
+    pub fn length_of(&self, key: &str) -> usize {
+        let list = self.value(key).and_then(Value::as_array);
+        list.map_or(0, Vec::len)
+    }
+
     /// The value of a key such as `vehicle[0].speed.mean`.
     fn value(&self, key: &str) -> Option<&Value> {
         let mut parts = key.split(['.', '[']);

@@ -258,6 +258,10 @@ sentences! {
         en: "constant creepage (I_w → ∞)",
         de: "konstanter Schlupf (I_w → ∞)"
     }
+    Wheelset {
+        en: "wheelset",
+        de: "Radsatz"
+    }
     NonSteadyContact {
         en: "non-steady contact",
         de: "instationärer Kontakt"

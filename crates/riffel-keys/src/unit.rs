@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-/// Exponents of kilogram, metre and second.
+/// Exponents of kilogram, metre, second and radian.
+///
+/// The radian is kept apart from pure numbers, so that an angle is no ratio.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Exponents {
     /// Of the kilogram.
@@ -11,16 +13,32 @@ pub struct Exponents {
     pub metre: i8,
     /// Of the second.
     pub second: i8,
+    /// Of the radian.
+    pub radian: i8,
 }
 
 impl Exponents {
-    /// Exponents in the order kilogram, metre, second.
+    /// Exponents in the order kilogram, metre, second; without angles.
     pub const fn new(kilogram: i8, metre: i8, second: i8) -> Self {
         Self {
             kilogram,
             metre,
             second,
+            radian: 0,
         }
+    }
+
+    /// Those of an angle.
+    const ANGLE: Self = Self {
+        radian: 1,
+        ..Self::new(0, 0, 0)
+    };
+
+    /// True for the unit of a quantity with exponents `own`. The radian may be left out beside other units: 1/m is
+    /// rad/m, but a pure number is no angle.
+    pub(crate) fn measure(self, own: Self) -> bool {
+        let without_angle = Self { radian: 0, ..own };
+        self == own || without_angle != Self::new(0, 0, 0) && self == without_angle
     }
 
     /// Exponents of the product with another unit raised to a power; `None` on overflow.
@@ -30,13 +48,20 @@ impl Exponents {
             kilogram: sum(self.kilogram, other.kilogram)?,
             metre: sum(self.metre, other.metre)?,
             second: sum(self.second, other.second)?,
+            radian: sum(self.radian, other.radian)?,
         })
     }
 }
 
 impl fmt::Display for Exponents {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts: Vec<String> = [("kg", self.kilogram), ("m", self.metre), ("s", self.second)]
+        let symbols = [
+            ("kg", self.kilogram),
+            ("m", self.metre),
+            ("s", self.second),
+            ("rad", self.radian),
+        ];
+        let parts: Vec<String> = symbols
             .into_iter()
             .filter(|&(_, exponent)| exponent != 0)
             .map(|(symbol, exponent)| match exponent {
@@ -62,7 +87,7 @@ pub struct Unit {
 }
 
 /// Units that take a prefix.
-const PREFIXED: [(&str, f64, Exponents); 8] = [
+const PREFIXED: [(&str, f64, Exponents); 9] = [
     ("m", 1.0, Exponents::new(0, 1, 0)),
     ("g", 1e-3, Exponents::new(1, 0, 0)),
     ("s", 1.0, Exponents::new(0, 0, 1)),
@@ -71,18 +96,23 @@ const PREFIXED: [(&str, f64, Exponents); 8] = [
     ("J", 1.0, Exponents::new(1, 2, -2)),
     ("W", 1.0, Exponents::new(1, 2, -3)),
     ("Hz", 1.0, Exponents::new(0, 0, -1)),
+    ("rad", 1.0, Exponents::ANGLE),
 ];
 
 /// Newtons of a pound-force: a pound, 0.453 592 37 kg, under standard gravity.
 const POUND_FORCE: f64 = 0.453_592_37 * riffel::forecast::STANDARD_GRAVITY;
+/// Radians of a degree.
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Metres of an inch.
 const INCH: f64 = 0.0254;
 
 /// Units that take no prefix. Those of the inch and the pound are exact by the agreement of 1959; a pound is a mass,
 /// and its weight is `lbf`.
-const ALONE: [(&str, f64, Exponents); 17] = [
+const ALONE: [(&str, f64, Exponents); 19] = [
     ("%", 1e-2, Exponents::new(0, 0, 0)),
     ("‰", 1e-3, Exponents::new(0, 0, 0)),
+    ("deg", DEGREE, Exponents::ANGLE),
+    ("°", DEGREE, Exponents::ANGLE),
     ("t", 1e3, Exponents::new(1, 0, 0)),
     ("h", 3600.0, Exponents::new(0, 0, 1)),
     ("min", 60.0, Exponents::new(0, 0, 1)),
@@ -129,7 +159,7 @@ impl Unit {
     /// Read a unit.
     ///
     /// Factors stand side by side or are joined by a space, `·` or `*`; `/` divides by the one
-    /// factor that follows it; a power is written `m2`, `m²`, `m^2` or `s-1`.
+    /// factor that follows it; a power is written `m2`, `m²`, `m^2` or `s-1`. `1` stands for no unit, as in `1/m`.
     ///
     /// # Errors
     /// The part of the text that is no unit.
@@ -183,7 +213,7 @@ fn product(text: &str) -> Option<Unit> {
     if text.len() > LONGEST_RUN {
         return None;
     }
-    if text.is_empty() {
+    if text.is_empty() || text == "1" {
         return Some(Unit::ONE);
     }
     let mut ends: Vec<usize> = text
@@ -286,11 +316,30 @@ mod tests {
     #[case("lb ft2", 0.042_140_110_093_804_8, [1, 2, 0])]
     #[case("ksi", 6_894_757.293_168_361, [1, -1, -2])]
     #[case("t", 1e3, [1, 0, 0])]
+    #[case("m6", 1.0, [0, 6, 0])]
+    #[case("1/m", 1.0, [0, -1, 0])]
+    #[case("1 / mm", 1e3, [0, -1, 0])]
     fn reads(#[case] text: &str, #[case] factor: f64, #[case] exponents: [i8; 3]) {
         let unit = Unit::parse(text).unwrap();
         assert!((unit.factor / factor - 1.0).abs() < 1e-15, "{unit:?}");
         let [kilogram, metre, second] = exponents;
         assert_eq!(unit.exponents, Exponents::new(kilogram, metre, second));
+    }
+
+    #[test]
+    fn angles_are_no_pure_numbers() {
+        let [ratio, angle, spin, inverse] =
+            ["%", "deg", "mrad/mm", "1/m"].map(|text| Unit::parse(text).unwrap());
+        assert_eq!(angle.factor, std::f64::consts::PI / 180.0);
+        assert_eq!(spin.factor, 1.0);
+        assert_eq!(spin.exponents.to_string(), "m-1 rad");
+        assert!(!angle.exponents.measure(ratio.exponents));
+        assert!(!ratio.exponents.measure(angle.exponents));
+        assert!(inverse.exponents.measure(spin.exponents));
+        assert!(!spin.exponents.measure(inverse.exponents));
+        // Angular frequencies are no frequencies.
+        let hertz = Unit::parse("Hz").unwrap().exponents;
+        assert!(!Unit::parse("rad/s").unwrap().exponents.measure(hertz));
     }
 
     #[rstest]

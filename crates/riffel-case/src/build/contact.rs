@@ -147,7 +147,7 @@ impl CheckedKeys {
     }
 
     /// Tractive ratio or creepage: just one of them.
-    fn mean_state(&self) -> Result<MeanState, CaseError> {
+    pub(crate) fn mean_state(&self) -> Result<MeanState, CaseError> {
         let contact = &self.file.contact;
         match (contact.tractive_ratio, contact.creepage) {
             (Some(_), Some(_)) => Err(self.text.keys.invalid(
@@ -160,7 +160,9 @@ impl CheckedKeys {
                 "give contact.tractive_ratio or contact.creepage",
             )),
             (Some(ratio), None) => Ok(MeanState::TractiveRatio(ratio.si())),
-            (None, Some(creepage)) => Ok(MeanState::creepage(creepage.si())),
+            (None, Some(creepage)) => self
+                .creeping("contact.creepage", creepage)
+                .map(MeanState::Creepages),
         }
     }
 }

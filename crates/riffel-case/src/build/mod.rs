@@ -35,6 +35,13 @@ impl CheckedKeys {
     /// The loop of the case, and what goes with it.
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
         let file = &self.file;
+        if let Some(key) = self.general_key() {
+            return Err(self.text.keys.invalid(
+                key,
+                "asks for the loop on all axes, but Riffel computes that of one wheel along the rail",
+                "",
+            ));
+        }
         let steel = self.steel()?;
 
         let hertz = self.hertz(steel)?;
@@ -43,7 +50,8 @@ impl CheckedKeys {
 
         let (wavelength, speed) = self.window()?;
         let track = self.track(Direction::Vertical)?;
-        let wheel = RigidMass::new(file.wheel.mass.si());
+        let mass = self.required("wheel.mass", file.wheel.mass)?;
+        let wheel = RigidMass::new(mass.si());
         let mut wheel: Arc<dyn Receptance> = Arc::new(self.physics("wheel.mass", wheel)?);
         if let Some(given) = &self.given.wheel {
             wheel = given.receptance.clone();
@@ -99,7 +107,7 @@ impl CheckedKeys {
         let wheel = &self.file.wheel;
         // Filled in above; the mass it may come from is checked.
         let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
-        Ok(match wheel.rotation {
+        Ok(match wheel.rotation() {
             Rotation::Inertia => {
                 let rigid = RigidInertia::new(inertia, radius);
                 Motion::compliant(self.physics("wheel.inertia", rigid)?)

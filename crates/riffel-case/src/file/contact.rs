@@ -1,10 +1,10 @@
 //! The keys of the contact.
 
-use riffel_keys::quantity::{Force, Length, Quantity, Ratio, Speed, VelocityDecay};
+use riffel_keys::quantity::{Angle, Force, Length, Quantity, Ratio, Speed, VelocityDecay};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::CreepLawName;
+use super::{CreepLawName, Creepage};
 
 /// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,9 +19,16 @@ pub struct Contact {
     /// Tractive ratio τ = Q₀/μP₀, between 0 and 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tractive_ratio: Option<Quantity<Ratio>>,
-    /// Creepage ξ₀, above 0 and below the one at which full slip begins.
+    /// Creepage ξ₀: a number above 0 and below the one at which full slip begins, or a table of `longitudinal`,
+    /// `lateral` and `spin`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub creepage: Option<Quantity<Ratio>>,
+    pub creepage: Option<Creepage>,
+    /// Contact angle γ, under which the normal force pushes the rail outward; left out, 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_angle: Option<Quantity<Angle>>,
+    /// Lateral offset e of the contact from the shear centre of the rail, to the right; left out, 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_offset: Option<Quantity<Length>>,
     /// Reading of the phase between dissipation at the wheel and at a point of the rail; a non-steady
     /// contact resolves it itself.
     #[serde(default)]

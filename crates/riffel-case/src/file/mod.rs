@@ -2,11 +2,15 @@
 
 mod contact;
 mod creep_law_name;
+mod creepage;
 mod map;
 mod measurement;
+mod opposite_contact;
 mod rail;
 mod track;
+mod train;
 mod wheel;
+mod wheelset;
 
 use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, WearCoefficient};
 use schemars::JsonSchema;
@@ -14,13 +18,19 @@ use serde::{Deserialize, Serialize};
 
 pub use contact::{Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters};
 pub use creep_law_name::CreepLawName;
+pub use creepage::{Creepage, VectorCreepage};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
+pub use opposite_contact::OppositeContact;
 pub use rail::{BeamModel, Rail};
 pub use track::{Sleeper, Support, Track, TrackModel};
+pub use train::{Comb, Train};
 pub use wheel::{Rotation, Wheel};
+pub use wheelset::{
+    Axle, AxleSegment, Disc, OppositeRail, RailSide, Suspension, Wheelset, WheelsetModel,
+};
 
-/// A Riffel case: one vehicle wheel on one track.
+/// A Riffel case: one vehicle wheel on one track, or wheelsets on both rails.
 ///
 /// Every quantity is a bare number in SI or a string with its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -38,12 +48,21 @@ pub struct CaseFile {
     pub steel: Steel,
     /// The wheel.
     pub wheel: Wheel,
+    /// The wheelset; left out, the wheel is alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheelset: Option<Wheelset>,
+    /// The wheels that follow one another; left out, one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub train: Option<Train>,
     /// The rail.
     pub rail: Rail,
     /// What the rail lies on.
     pub track: Track,
     /// Contact of wheel and rail.
     pub contact: Contact,
+    /// What differs in the contact on the opposite rail, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub opposite_contact: Option<OppositeContact>,
     /// The profile already on the rail.
     #[serde(default)]
     pub corrugation: Corrugation,

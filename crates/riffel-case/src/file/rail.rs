@@ -1,6 +1,8 @@
 //! The keys of the rail.
 
-use riffel_keys::quantity::{Area, Density, MassPerLength, Modulus, Quantity, Ratio, SecondMoment};
+use riffel_keys::quantity::{
+    Area, Density, Length, MassPerLength, Modulus, Quantity, Ratio, SecondMoment, WarpingConstant,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -42,6 +44,24 @@ pub struct Rail {
     /// Loss factor η of the rail: E and G become E(1 + iη) and G(1 + iη); left out, none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loss_factor: Option<Quantity<Ratio>>,
+    /// Torsion constant J of the torsional stiffness GJ; left out, the rail does not twist.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub torsion_constant: Option<Quantity<SecondMoment>>,
+    /// Polar second moment I_p of the rotary inertia ρI_p, for a rail that twists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polar_second_moment: Option<Quantity<SecondMoment>>,
+    /// Warping constant I_ω of the stiffness EI_ω; left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub warping_constant: Option<Quantity<WarpingConstant>>,
+    /// Height h of the running surface above the shear centre, for a rail that twists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub head_height: Option<Quantity<Length>>,
+    /// Depth d of the foot below the shear centre, for a rail that twists on supports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foot_depth: Option<Quantity<Length>>,
+    /// Width B of the foot on its pad, for a rail that twists on supports.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foot_width: Option<Quantity<Length>>,
 }
 
 /// How the rail bends.

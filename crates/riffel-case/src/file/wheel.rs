@@ -10,14 +10,23 @@ use serde::{Deserialize, Serialize};
 pub struct Wheel {
     /// Rolling radius R.
     pub rolling_radius: Quantity<Length>,
-    /// Unsprung mass per wheel m_w.
-    pub mass: Quantity<Mass>,
+    /// Unsprung mass per wheel m_w; needed without a wheelset.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<Quantity<Mass>>,
     /// Rotational inertia per wheel I_w; left out, 0.75 · mass · R² / 2.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inertia: Option<Quantity<Inertia>>,
     /// How the wheel turns under the oscillating tangential force.
-    #[serde(default)]
-    pub rotation: Rotation,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Rotation", extend("default" = "inertia"))]
+    pub rotation: Option<Rotation>,
+}
+
+impl Wheel {
+    /// How it turns: as written, or with its inertia.
+    pub fn rotation(&self) -> Rotation {
+        self.rotation.unwrap_or_default()
+    }
 }
 
 /// How the wheel turns under the oscillating tangential force.

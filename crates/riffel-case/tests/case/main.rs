@@ -2,6 +2,7 @@
 
 mod case_file;
 mod contact;
+mod general_loop;
 mod measured_resonances;
 mod measured_tables;
 mod measurement;

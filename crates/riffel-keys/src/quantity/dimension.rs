@@ -62,6 +62,12 @@ dimensions! {
     Density = "a density", "kg/m3", "7850 kg/m3";
     /// Mass worn per dissipated energy.
     WearCoefficient = "a wear coefficient", "kg/J", "2.5e-9 kg/J";
+    /// Angle.
+    Angle = "an angle", "rad", "3 deg";
+    /// Turn per length of way.
+    Spin = "a spin", "rad/m", "0.3 rad/m";
+    /// Warping constant of a cross-section.
+    WarpingConstant = "a warping constant", "m6", "2.16e-8 m6";
     /// Decay over slip velocity.
     VelocityDecay = "a decay over slip velocity", "s/m", "0.6 s/m";
 }

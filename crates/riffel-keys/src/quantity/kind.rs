@@ -115,10 +115,10 @@ impl Kind {
             });
         };
         // No unit begins with a digit: "50,000", "50 000", "50'000" and "50.000.000" are numbers with separators.
-        let after = rest
-            .trim_start()
-            .trim_start_matches([',', '.', '\'', '’', '_', '\u{202f}']);
-        if after.starts_with(|c: char| c.is_ascii_digit()) {
+        // One alone does: "0.3 1/m".
+        let rest = rest.trim_start();
+        let after = rest.trim_start_matches([',', '.', '\'', '’', '_', '\u{202f}']);
+        if after.starts_with(|c: char| c.is_ascii_digit()) && !rest.starts_with("1/") {
             return Err(QuantityError::Separator {
                 text: text.to_owned(),
                 name,
@@ -139,7 +139,7 @@ impl Kind {
             })?;
             // The unit of a dimension is a constant that the tests read for every dimension.
             let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
-            if read.exponents != own {
+            if !read.exponents.measure(own) {
                 return Err(QuantityError::WrongUnit {
                     text: text.to_owned(),
                     got: read.exponents.to_string(),

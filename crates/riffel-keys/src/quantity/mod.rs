@@ -172,6 +172,24 @@ mod tests {
         assert_eq!(si::<Length>("5e3 m"), Ok(5000.0));
     }
 
+    #[test]
+    fn reads_angles_and_spins() {
+        assert_eq!(si::<Angle>("180 deg"), Ok(std::f64::consts::PI));
+        assert_eq!(si::<Angle>("90°"), Ok(std::f64::consts::FRAC_PI_2));
+        assert_eq!(si::<Angle>("50 mrad"), Ok(0.05));
+        assert_eq!(si::<Spin>("0.3 1/m"), Ok(0.3));
+        assert_eq!(si::<Spin>("-0.3 rad/m"), Ok(-0.3));
+        assert_eq!(
+            si::<Ratio>("20 deg").unwrap_err(),
+            "\"20 deg\" is in rad, not a ratio; write it as in \"0.4 %\""
+        );
+        assert_eq!(
+            si::<Angle>("3 %").unwrap_err(),
+            "\"3 %\" is in a plain number, not an angle in rad; write it as in \"3 deg\""
+        );
+        assert!(si::<Spin>("0,3 1/m").unwrap_err().contains("a comma"));
+    }
+
     #[rstest]
     #[case(
         "280 kg",
@@ -238,5 +256,8 @@ mod tests {
         check::<DampingPerLength>();
         check::<Density>();
         check::<WearCoefficient>();
+        check::<Angle>();
+        check::<Spin>();
+        check::<WarpingConstant>();
     }
 }

@@ -116,6 +116,8 @@ fn units(kind: &Kind) -> &'static [&'static str] {
         "N s/m" => &["kN s/m", "N s/m", "MN s/m"],
         "N s/m2" => &["kN s/m2", "N s/m2"],
         "kg/m3" => &["kg/m3", "t/m3", "g/cm3"],
+        "rad" => &["deg", "rad"],
+        "m6" => &["cm6", "mm6", "m6"],
         _ => &[],
     }
 }
@@ -134,6 +136,8 @@ fn handy(kind: &Kind) -> &'static [&'static str] {
         "N/m" => &["N/m", "kN/m", "MN/m", "GN/m"],
         "N s/m" => &["N s/m", "kN s/m", "MN s/m"],
         "N s/m2" => &["N s/m2", "kN s/m2", "MN s/m2"],
+        "rad" => &["deg"],
+        "m6" => &["mm6", "cm6", "m6"],
         _ => &[],
     }
 }
@@ -142,13 +146,16 @@ fn handy(kind: &Kind) -> &'static [&'static str] {
 pub(crate) fn amount(kind: &Kind, si: f64) -> String {
     let in_unit = |unit: &str| Unit::parse(unit).map_or(si, |unit| si / unit.factor);
     let handy = handy(kind);
-    let unit = handy
-        .iter()
-        .rev()
-        .find(|unit| in_unit(unit).abs() >= 1.0)
-        .or(handy.first())
-        .filter(|_| si != 0.0)
-        .unwrap_or(&kind.unit);
+    let unit = match handy {
+        [only] => only,
+        _ if si == 0.0 => &kind.unit,
+        _ => handy
+            .iter()
+            .rev()
+            .find(|unit| in_unit(unit).abs() >= 1.0)
+            .or(handy.first())
+            .unwrap_or(&kind.unit),
+    };
     let number = significant(in_unit(unit));
     match *unit {
         "" => number,

@@ -160,5 +160,8 @@ mod tests {
         assert_eq!(of("", 0.0015), "0.0015");
         assert_eq!(of("", 1e-9), "1e-9");
         assert_eq!(of("N s/m", 0.0), "0 N s/m");
+        assert_eq!(of("rad", 0.0), "0 deg");
+        assert_eq!(of("rad", 0.5 * std::f64::consts::PI), "90 deg");
+        assert_eq!(of("m6", 2.16e-8), "21600 cm6");
     }
 }

@@ -2,9 +2,9 @@
 
 use super::PhysicalRange;
 use crate::quantity::{
-    Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind, Length,
-    Mass, MassPerLength, Modulus, Ratio, SecondMoment, Speed, Stiffness, VelocityDecay,
-    WearCoefficient,
+    Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
+    Length, Mass, MassPerLength, Modulus, Ratio, SecondMoment, Speed, Spin, Stiffness,
+    VelocityDecay, WarpingConstant, WearCoefficient,
 };
 
 const fn row<D: Dimension>(
@@ -27,18 +27,25 @@ const fn row<D: Dimension>(
 /// most numbers above it are kilometres an hour without their unit.
 const BARE_SPEED: f64 = 40.0;
 
+/// Largest contact angle \[rad\] below a right one.
+const LARGEST_CONTACT_ANGLE: f64 = 89.999 / 180.0 * std::f64::consts::PI;
+
+/// Largest angle \[rad\] that is taken without a question where no unit is written: 17°. Flanges touch at steeper ones,
+/// but most numbers above it are degrees without their unit.
+const BARE_ANGLE: f64 = 0.3;
+
 /// Every range, in the order of the case file. Hard ranges leave room for roller rigs and twin-disc machines (wheels of
 /// 5 mm, loads of 1 N, discs of polymer) and for limits that a thought experiment takes; where a limit has a key of
 /// its own, such as `wheel.rotation`, the range ends far beyond where it is reached.
 pub static RANGES: &[PhysicalRange] = &[
     row::<Modulus>(
-        &["steel.youngs_modulus"],
+        &["steel.youngs_modulus", "wheelset.axle.youngs_modulus"],
         [1e9, 1e12],
         [150e9, 230e9],
         "Polymer discs have 1 to 3 GPa, no metal more than 600; steels 190 to 215, cast iron from 150.",
     ),
     row::<Ratio>(
-        &["steel.poisson_ratio"],
+        &["steel.poisson_ratio", "wheelset.axle.poisson_ratio"],
         [-0.9, 0.499],
         [0.2, 0.4],
         "An isotropic solid is stable between -1 and 0.5; steels have 0.27 to 0.31.",
@@ -86,10 +93,14 @@ pub static RANGES: &[PhysicalRange] = &[
         "The mass per length over the density of steel: 19 to 96 cm2.",
     ),
     row::<Ratio>(
-        &["rail.shear_coefficient", "rail.lateral_shear_coefficient"],
+        &[
+            "rail.shear_coefficient",
+            "rail.lateral_shear_coefficient",
+            "wheelset.axle.shear_coefficient",
+        ],
         [0.01, 1.0],
         [0.2, 0.95],
-        "At most 1 by its definition; 0.34 to 0.45 for rails, 0.85 for a rectangle.",
+        "At most 1 by its definition; 0.34 to 0.45 for rails, 0.85 for a rectangle, 0.89 for a solid axle.",
     ),
     row::<Modulus>(
         &["rail.shear_modulus"],
@@ -98,16 +109,46 @@ pub static RANGES: &[PhysicalRange] = &[
         "E/2(1 + v) of the range of Young's modulus; steels 77 to 83 GPa.",
     ),
     row::<Density>(
-        &["rail.density", "wear.density"],
+        &["rail.density", "wear.density", "wheelset.axle.density"],
         [100.0, 3e4],
         [7000.0, 8100.0],
         "Polymers have 1000 kg/m3, no metal more than 22 600; steels 7700 to 8000, cast iron from 7000.",
     ),
     row::<Ratio>(
-        &["rail.loss_factor"],
+        &["rail.loss_factor", "wheelset.axle.loss_factor"],
         [0.0, 2.0],
         [0.0, 0.2],
         "Steel has 0.0002, with joints and clips 0.02; rails with dampers up to 0.2.",
+    ),
+    row::<SecondMoment>(
+        &["rail.torsion_constant"],
+        [1e-16, 1e-2],
+        [2e-8, 2e-5],
+        "Rails of 15 to 75 kg/m have 10 to 400 cm4.",
+    ),
+    row::<SecondMoment>(
+        &["rail.polar_second_moment"],
+        [1e-14, 1e-2],
+        [1e-6, 2e-4],
+        "The sum of the second moments about the two axes of bending.",
+    ),
+    row::<WarpingConstant>(
+        &["rail.warping_constant"],
+        [0.0, 1e-2],
+        [0.0, 1e-6],
+        "None where sections stay plane; 60E1 has 2e-8 m6.",
+    ),
+    row::<Length>(
+        &["rail.head_height", "rail.foot_depth"],
+        [0.0, 10.0],
+        [0.01, 0.2],
+        "Their sum is the height of the rail: 60 to 190 mm.",
+    ),
+    row::<Length>(
+        &["rail.foot_width"],
+        [0.0, 10.0],
+        [0.04, 0.4],
+        "Rails of 15 to 75 kg/m have feet of 70 to 160 mm.",
     ),
     row::<Length>(
         &["track.support_spacing"],
@@ -169,19 +210,26 @@ pub static RANGES: &[PhysicalRange] = &[
         "Free rails have next to none; embedded ones some 100 kN s/m2.",
     ),
     row::<Length>(
-        &["contact.transverse_radius"],
+        &[
+            "contact.transverse_radius",
+            "opposite_contact.transverse_radius",
+        ],
         [1e-3, 1e4],
         [0.02, 20.0],
         "Rail heads have 10 to 600 mm; a conformal contact is flatter, a line contact as flat as one likes.",
     ),
     row::<Force>(
-        &["contact.normal_load", "vehicle.wheel_load"],
+        &[
+            "contact.normal_load",
+            "opposite_contact.normal_load",
+            "vehicle.wheel_load",
+        ],
         [1.0, 2e6],
         [10e3, 250e3],
         "Twin discs press with 10 N to some kN; wheels with 15 kN (light rail) to 200 kN (40 t axles).",
     ),
     row::<Ratio>(
-        &["contact.friction"],
+        &["contact.friction", "opposite_contact.friction"],
         [0.001, 1.5],
         [0.02, 0.8],
         "Leaves and ice have 0.02 to 0.05, dry rails 0.3 to 0.6, clean ones in vacuum more than 1.",
@@ -193,10 +241,46 @@ pub static RANGES: &[PhysicalRange] = &[
         "Above 0 and below 1 by its definition; nearer to an end its digits are lost.",
     ),
     row::<Ratio>(
-        &["contact.creepage", "vehicle.creepage"],
+        &[
+            "contact.creepage",
+            "opposite_contact.creepage",
+            "vehicle.creepage",
+        ],
         [1e-9, 1.0],
         [1e-6, 0.1],
         "Free rolling wheels have 0.01 %, full slip begins at 0.3 to 1 %, a locked wheel has 1.",
+    ),
+    row::<Ratio>(
+        &[
+            "contact.creepage.longitudinal",
+            "contact.creepage.lateral",
+            "opposite_contact.creepage.longitudinal",
+            "opposite_contact.creepage.lateral",
+        ],
+        [-1.0, 1.0],
+        [-0.1, 0.1],
+        "Of either sign; a locked wheel has 1, an axle in a sharp curve 1 to 2 % across the rail.",
+    ),
+    row::<Spin>(
+        &["contact.creepage.spin", "opposite_contact.creepage.spin"],
+        [-1e3, 1e3],
+        [-3.0, 3.0],
+        "The sine of the contact angle over the rolling radius: 0.1 rad/m on treads, 2 on flanges, more on small discs.",
+    ),
+    PhysicalRange {
+        bare_up_to: BARE_ANGLE,
+        ..row::<Angle>(
+            &["contact.contact_angle", "opposite_contact.contact_angle"],
+            [0.0, LARGEST_CONTACT_ANGLE],
+            [0.0, 80.0 / 180.0 * std::f64::consts::PI],
+            "Below a right angle, where no load is carried; treads have 1 to 5 degrees, flanges 60 to 75.",
+        )
+    },
+    row::<Length>(
+        &["contact.lateral_offset", "opposite_contact.lateral_offset"],
+        [-1.0, 1.0],
+        [-0.05, 0.05],
+        "Within half the width of a rail head, 30 to 37 mm.",
     ),
     row::<Ratio>(
         &["contact.polach.limit_friction_ratio"],
@@ -218,6 +302,89 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.001, 1.0],
         [0.05, 1.0],
         "At most 1 by their definition; Polach (2005) gives 0.1 to 1.",
+    ),
+    row::<Mass>(
+        &["wheelset.mass"],
+        [0.01, 1e5],
+        [100.0, 6000.0],
+        "Roller rigs weigh some kilograms; wheelsets in service 400 kg (trams) to 4000 (locomotives with their drive).",
+    ),
+    row::<Inertia>(
+        &["wheelset.roll_inertia", "wheelset.spin_inertia"],
+        [1e-7, 1e7],
+        [1.0, 5000.0],
+        "Wheelsets in service roll with 100 to 3000 kg m2 and spin with 20 to 500.",
+    ),
+    row::<Length>(
+        &["wheelset.contact_spacing"],
+        [0.01, 10.0],
+        [0.5, 2.0],
+        "The gauge and one rail head: 0.67 m (600 mm) to 1.75 m (1676 mm).",
+    ),
+    row::<Stiffness>(
+        &[
+            "wheelset.suspension.longitudinal_stiffness",
+            "wheelset.suspension.lateral_stiffness",
+            "wheelset.suspension.vertical_stiffness",
+        ],
+        [0.0, 1e13],
+        [0.0, 1e9],
+        "Primary springs of a side have 0.3 to 60 MN/m.",
+    ),
+    row::<Damping>(
+        &[
+            "wheelset.suspension.longitudinal_damping",
+            "wheelset.suspension.lateral_damping",
+            "wheelset.suspension.vertical_damping",
+        ],
+        [0.0, 1e10],
+        [0.0, 1e6],
+        "Primary dampers of a side have 1 to 60 kN s/m.",
+    ),
+    row::<Length>(
+        &["wheelset.suspension.spacing"],
+        [0.01, 10.0],
+        [0.5, 3.0],
+        "Axle boxes lie 1.1 m (inside the wheels) to 2.2 m apart.",
+    ),
+    row::<Length>(
+        &["wheelset.axle.length", "wheelset.axle.segments.length"],
+        [1e-3, 10.0],
+        [0.005, 3.0],
+        "Axles of standard gauge are 2.0 to 2.4 m long.",
+    ),
+    row::<Length>(
+        &["wheelset.axle.diameter", "wheelset.axle.segments.diameter"],
+        [1e-3, 2.0],
+        [0.05, 0.4],
+        "Axles have 110 mm (journals) to 250 mm (seats of locomotive wheels).",
+    ),
+    row::<Length>(
+        &["wheelset.discs.position"],
+        [-10.0, 10.0],
+        [-1.5, 1.5],
+        "From the middle of the axle.",
+    ),
+    row::<Mass>(
+        &["wheelset.discs.mass"],
+        [0.0, 1e5],
+        [0.0, 3000.0],
+        "Brake discs weigh 80 to 140 kg, wheels 200 to 600, gears up to 500.",
+    ),
+    row::<Inertia>(
+        &[
+            "wheelset.discs.polar_inertia",
+            "wheelset.discs.diametral_inertia",
+        ],
+        [0.0, 1e7],
+        [0.0, 1000.0],
+        "Brake discs have 3 to 12 kg m2, wheels 15 to 120; about the diameter half as much.",
+    ),
+    row::<Length>(
+        &["train.wheels"],
+        [0.0, 1e4],
+        [0.0, 1000.0],
+        "Bogies have 1.6 to 3 m between their wheels, passenger trains up to 400 m in all.",
     ),
     row::<Length>(
         &["corrugation.amplitude"],

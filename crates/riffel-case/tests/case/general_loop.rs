@@ -1,0 +1,276 @@
+//! Mistakes in the keys of the loop on all axes.
+
+use miette::Diagnostic;
+use riffel_case::{Case, NOMINAL_CASE};
+use riffel_keys::CaseError;
+use rstest::rstest;
+
+/// A wheelset on a stepped axle of 2.2 m, both rails and two creepages.
+const STEPPED_AXLE: &str = include_str!("../general-loop/stepped-axle.toml");
+/// A rigid wheelset on one rail.
+const RIGID: &str = include_str!("../general-loop/rigid-spin.toml");
+/// A rail that twists.
+const TWIST: &str = include_str!("../general-loop/twist.toml");
+/// Eight wheels on one rail.
+const TRAIN: &str = include_str!("../general-loop/eight-wheels.toml");
+
+fn error(text: &str, overrides: &[&str]) -> CaseError {
+    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
+    let error = Case::parse("case.toml", text, &overrides).err();
+    error.expect("this case must be refused")
+}
+
+/// Each names the key, the value and the rule.
+#[rstest]
+#[case::no_creepage(
+    RIGID,
+    "contact.creepage={ longitudinal = 0, lateral = 0, spin = 0 }",
+    "`contact.creepage` is longitudinal 0, lateral 0 and spin 0 rad/m, but one of them must be at least 1e-9"
+)]
+#[case::nothing_in_the_table(RIGID, "contact.creepage={}", "`contact.creepage` is longitudinal 0")]
+#[case::no_opposite_creepage(
+    STEPPED_AXLE,
+    "opposite_contact.creepage={ lateral = 1e-300 }",
+    "`opposite_contact.creepage` is longitudinal 0, lateral 0.000"
+)]
+#[case::number_of_nothing(
+    RIGID,
+    "contact.creepage=0",
+    "`contact.creepage` is 0, but must be between 1e-9 and 1"
+)]
+#[case::too_large(
+    RIGID,
+    "contact.creepage.lateral=-3",
+    "`contact.creepage.lateral` is -3, but must be between -1 and 1; did you mean \"-3 %\"?"
+)]
+#[case::creepage_of_another_kind(
+    RIGID,
+    "contact.creepage.lateral=3 deg",
+    "`contact.creepage.lateral`: \"3 deg\" is in rad, not a ratio; write it as in \"0.4 %\""
+)]
+#[case::spin_of_another_kind(
+    RIGID,
+    "contact.creepage.spin=3 deg",
+    "`contact.creepage.spin`: \"3 deg\" is in rad, not a spin in rad/m"
+)]
+#[case::misspelled_creepage(
+    RIGID,
+    "contact.creepage.latral=0.1",
+    "`contact.creepage.latral` is not a key Riffel knows; did you mean lateral?"
+)]
+#[case::creepage_of_a_list(
+    RIGID,
+    "contact.creepage=[0.1]",
+    "expected a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin"
+)]
+#[case::right_angle(
+    RIGID,
+    "contact.contact_angle=90 deg",
+    "`contact.contact_angle` is 90 deg, but must be between 0 deg and 89.999 deg"
+)]
+#[case::degrees_without_unit(
+    RIGID,
+    "contact.contact_angle=3",
+    "`contact.contact_angle` is 3 rad, but must be between 0 deg and 89.999 deg; did you mean \"3 deg\"?"
+)]
+#[case::negative_angle(
+    STEPPED_AXLE,
+    "opposite_contact.contact_angle=-1 deg",
+    "`opposite_contact.contact_angle` is -1 deg, but must be between 0 deg"
+)]
+#[case::angle_of_another_kind(
+    RIGID,
+    "contact.contact_angle=5 %",
+    "`contact.contact_angle`: \"5 %\" is in a plain number, not an angle in rad"
+)]
+#[case::offset_in_millimetres(
+    RIGID,
+    "contact.lateral_offset=10",
+    "`contact.lateral_offset` is 10 m, but must be between -1 m and 1 m; did you mean \"10 mm\""
+)]
+#[case::mass_twice(
+    RIGID,
+    "wheel.mass=350 kg",
+    "`wheel.mass` and `wheelset` exclude each other; leave wheel.mass out"
+)]
+#[case::inertia_twice(RIGID, "wheel.inertia=27", "`wheel.inertia` and `wheelset` exclude")]
+#[case::rotation_twice(
+    RIGID,
+    "wheel.rotation=inertia",
+    "`wheel.rotation` and `wheelset` exclude each other"
+)]
+#[case::unknown_model(
+    RIGID,
+    "wheelset.model=flexble",
+    "`wheelset.model`: \"flexble\" is not one of its choices; did you mean flexible?"
+)]
+#[case::misspelled(
+    RIGID,
+    "wheelset.spin_inertial=85",
+    "`wheelset.spin_inertial` is not a key Riffel knows; did you mean spin_inertia?"
+)]
+#[case::negative_mass(
+    RIGID,
+    "wheelset.mass=-1",
+    "`wheelset.mass` is -1 kg, but must be between"
+)]
+#[case::negative_damping(
+    RIGID,
+    "wheelset.suspension.lateral_damping=-1 N s/m",
+    "`wheelset.suspension.lateral_damping` is -1 N s/m, but must be between 0 N s/m"
+)]
+#[case::no_axle(RIGID, "wheelset.model=flexible", "`wheelset.axle` is missing")]
+#[case::no_file(RIGID, "wheelset.model=modal", "`wheelset.file` is missing")]
+#[case::no_measurement(RIGID, "wheelset.model=measured", "`wheelset.file` is missing")]
+#[case::two_axles(
+    STEPPED_AXLE,
+    "wheelset.axle.diameter=160 mm",
+    "`wheelset.axle.segments` and `wheelset.axle.diameter` exclude each other"
+)]
+#[case::no_segments(
+    STEPPED_AXLE,
+    "wheelset.axle.segments=[]",
+    "`wheelset.axle.segments` is an empty list, an axle of 0 m, but the sum of the lengths must be above 0"
+)]
+#[case::no_diameter(
+    STEPPED_AXLE,
+    "wheelset.axle={ length = 2.2 }",
+    "`wheelset.axle.diameter` is missing"
+)]
+#[case::negative_segment(
+    STEPPED_AXLE,
+    "wheelset.axle.segments=[{ length = -1, diameter = 0.16 }]",
+    "`wheelset.axle.segments[0].length` is -1 m, but must be between 1 mm and 10 m"
+)]
+#[case::short_axle(
+    STEPPED_AXLE,
+    "wheelset.axle.segments=[{ length = \"1.4 m\", diameter = \"160 mm\" }]",
+    "`wheelset.contact_spacing` is 1.5 m, but must be at most the length of the axle, 1.4 m"
+)]
+#[case::wide_gauge(
+    STEPPED_AXLE,
+    "wheelset.contact_spacing=2.3 m",
+    "`wheelset.contact_spacing` is 2.3 m, but must be at most the length of the axle, 2.2"
+)]
+#[case::suspension_outside(
+    STEPPED_AXLE,
+    "wheelset.suspension={ spacing = \"2.4 m\" }",
+    "`wheelset.suspension.spacing` is 2.4 m, but must be at most the length of the axle, 2.2"
+)]
+#[case::disc_outside(
+    STEPPED_AXLE,
+    "wheelset.discs=[{ position = -1.2, mass = 330, polar_inertia = 38, diametral_inertia = 20 }]",
+    "`wheelset.discs[0].position` is -1.2 m, but must be between -1.1"
+)]
+#[case::disc_of_another_kind(
+    STEPPED_AXLE,
+    "wheelset.discs=[{ position = 0, mass = \"330 kg m2\", polar_inertia = 38, diametral_inertia = 20 }]",
+    "`wheelset.discs[0].mass`: \"330 kg m2\" is in kg m2, not a mass in kg"
+)]
+#[case::disc_without_mass(
+    STEPPED_AXLE,
+    "wheelset.discs=[{ position = 0, polar_inertia = 38, diametral_inertia = 20 }]",
+    "`wheelset.discs[0].mass` is missing"
+)]
+#[case::opposite_contact_without_rail(
+    STEPPED_AXLE,
+    "wheelset.opposite_rail=absent",
+    "`opposite_contact` is given, but wheelset.opposite_rail is \"absent\""
+)]
+#[case::opposite_contact_without_wheelset(
+    NOMINAL_CASE,
+    "opposite_contact.normal_load=40 kN",
+    "`opposite_contact` is given, but there is no [wheelset]"
+)]
+#[case::one_place(
+    TRAIN,
+    "train.wheels=[\"0 m\", \"2.5 m\", \"2500 mm\"]",
+    "`train.wheels[2]` is 2.5 m, where wheel 2 stands: two wheels must not be at one place"
+)]
+#[case::first_wheel(
+    TRAIN,
+    "train.wheels=[\"1 m\", \"2.5 m\"]",
+    "`train.wheels[0]` is 1 m, but must be 0 m"
+)]
+#[case::no_wheel(
+    TRAIN,
+    "train.wheels=[]",
+    "`train.wheels` is a list of 0, but must be one to 400 distances"
+)]
+#[case::wheel_ahead(
+    TRAIN,
+    "train.wheels=[0, -2.5]",
+    "`train.wheels[1]` is -2.5 m, but must be between 0 m and 10000 m"
+)]
+#[case::wheel_of_another_kind(
+    TRAIN,
+    "train.wheels=[0, \"2 s\"]",
+    "`train.wheels[1]`: \"2 s\" is in s, not a length in m"
+)]
+#[case::comb(
+    TRAIN,
+    "train.comb=meen",
+    "`train.comb`: \"meen\" is not one of its choices"
+)]
+#[case::torsion(
+    TWIST,
+    "rail.torsion_constant=-1",
+    "`rail.torsion_constant` is -1 m4, but must be between"
+)]
+#[case::warping(
+    TWIST,
+    "rail.warping_constant=1 m4",
+    "`rail.warping_constant`: \"1 m4\" is in m4, not a warping constant in m6"
+)]
+fn mistakes_are_named(#[case] text: &str, #[case] set: &str, #[case] message: &str) {
+    let error = error(text, &[set]).in_words();
+    let head = format!("--set {set}: ");
+    // What is missing and what does not go together may stand in the file.
+    let rest = error.strip_prefix(&head).unwrap_or(&error);
+    assert!(rest.contains(message), "{error}");
+}
+
+#[rstest]
+#[case(
+    "polar_second_moment = 3.55e-05",
+    "`rail.polar_second_moment` is missing"
+)]
+#[case("head_height = 0.095", "`rail.head_height` is missing")]
+#[case("foot_depth = 0.045", "`rail.foot_depth` is missing")]
+#[case("foot_width = 0.15", "`rail.foot_width` is missing")]
+fn what_a_rail_needs_to_twist(#[case] line: &str, #[case] message: &str) {
+    let text = TWIST.replacen(line, "", 1);
+    let error = error(&text, &[]);
+    assert_eq!(error.to_string(), message);
+    let help = error.help().map(|help| help.to_string());
+    assert!(help.is_some_and(|help| help.starts_with("a rail with torsion_constant needs it")));
+}
+
+/// Values of lists are shown where they stand.
+#[test]
+fn mistakes_in_lists_are_shown() {
+    let text = TRAIN.replacen("9.0", "1.8", 1);
+    let error = error(&text, &[]);
+    let label = error.labels().and_then(|mut labels| labels.next());
+    let label = label.map(|label| &text[label.offset()..label.offset() + label.len()]);
+    assert_eq!(label, Some("1.8"), "{error}");
+}
+
+/// A tractive ratio in an override takes the place of the table, and the other way round.
+#[test]
+fn tractive_ratio_and_table_exclude_each_other() {
+    let both = RIGID.replacen("creepage = {", "tractive_ratio = 0.3\ncreepage = {", 1);
+    assert_eq!(
+        error(&both, &[]).to_string(),
+        "`contact.creepage` and `contact.tractive_ratio` exclude each other"
+    );
+    let set = [
+        "contact.tractive_ratio=0.3",
+        "contact.creepage.lateral=0.1 %",
+    ];
+    assert!(
+        error(NOMINAL_CASE, &set)
+            .in_words()
+            .contains("exclude each other")
+    );
+}
