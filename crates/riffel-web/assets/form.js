@@ -3,8 +3,11 @@
 import { get, set, short, shownUnit, si, split } from './keys.js';
 import { nameOf, number, t, written as worded } from './words.js';
 
-/** A file cannot come over the page. */
-const NOT_HERE = ['track.measurement'];
+/** A file cannot come over the page, and the page has one wheel that creeps along one rail. */
+const NOT_HERE = [
+  'track.measurement', 'wheelset', 'train', 'opposite_contact', 'contact.contact_angle', 'contact.lateral_offset', 'rail.torsion_constant',
+  'rail.polar_second_moment', 'rail.warping_constant', 'rail.head_height', 'rail.foot_depth', 'rail.foot_width',
+];
 
 /** Ranges of the sliders in SI, and whether they are logarithmic. */
 const SLIDERS = {
@@ -50,6 +53,7 @@ export class Form {
     const general = this.#section('general', true);
     this.place.append(general);
     for (const [key, node] of Object.entries(this.schema.properties)) {
+      if (NOT_HERE.includes(key)) continue;
       const resolved = resolve(this.schema, node);
       if (resolved.properties) {
         const section = this.#section(key, ['track', 'contact'].includes(key));
