@@ -62,7 +62,12 @@ pub(crate) struct WorstError {
 
 impl WorstError {
     pub(crate) fn compare(&mut self, got: Complex64, expected: Complex64) {
-        let error = (got - expected).norm() / expected.norm();
+        self.compare_beside(expected.norm(), got, expected);
+    }
+
+    /// The same, relative to a size of the caller's.
+    pub(crate) fn compare_beside(&mut self, size: f64, got: Complex64, expected: Complex64) {
+        let error = (got - expected).norm() / size;
         // NaN must not pass for small.
         self.worst = if error <= self.worst {
             self.worst

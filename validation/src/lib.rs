@@ -17,6 +17,7 @@ mod receptance;
 mod rolling;
 mod roughness;
 mod transient;
+mod wheelset;
 
 /// The outcome of one check.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,6 +93,7 @@ checks! {
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
         grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
+    wheelset: flexible_wheelset_receptance, flexible_wheelset_natural_frequencies;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 

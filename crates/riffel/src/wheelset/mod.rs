@@ -1,9 +1,27 @@
-//! The wheelset at the contact: how it answers the forces there, along the rail and downward.
+//! The wheelset at the contact: how it answers the forces there, along the rail, across it and downward.
+//!
+//! One wheel alone is a [`RigidMass`] downward and a [`RigidInertia`] along the rail. A [`Wheelset`] joins two
+//! wheels on both rails: [`RigidWheelset`], [`FlexibleWheelset`].
 
+mod consistency;
+mod flexible;
 mod motion;
+mod port;
+mod rigid;
 mod rigid_inertia;
 mod rigid_mass;
+mod section;
+mod suspension;
 
+pub use consistency::{passivity_error, reciprocity_error};
+pub use flexible::{
+    Axle, BendingPlane, CoupledInertia, Disc, DiscMotion, FlexibleWheelset, ModeName, NaturalMode,
+    RigidMotion, SectionMotion, Segment,
+};
 pub use motion::Motion;
+pub use port::{ContactReceptances, Port, Wheelset};
+pub use rigid::{RigidBody, RigidWheelset};
 pub use rigid_inertia::RigidInertia;
 pub use rigid_mass::RigidMass;
+pub use section::ContactGeometry;
+pub use suspension::Suspension;

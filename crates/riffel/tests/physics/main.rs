@@ -5,4 +5,5 @@ mod forecast;
 mod general_loop;
 mod growth;
 mod track;
+mod wheelset;
 mod work;

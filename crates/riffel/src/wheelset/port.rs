@@ -1,0 +1,76 @@
+//! What a wheelset answers at its two contacts.
+
+use std::sync::Arc;
+
+use num_complex::Complex64;
+
+use crate::receptance::Structure;
+use crate::{Direction, Place, Rail};
+
+/// A contact of a wheelset and one of its axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Port {
+    /// The rail under the wheel.
+    pub rail: Rail,
+    /// The axis, that of the track.
+    pub direction: Direction,
+}
+
+impl Port {
+    /// All six: left x, y, z, right x, y, z.
+    pub const ALL: [Self; 6] = [
+        Self::new(Rail::Left, Direction::Longitudinal),
+        Self::new(Rail::Left, Direction::Lateral),
+        Self::new(Rail::Left, Direction::Vertical),
+        Self::new(Rail::Right, Direction::Longitudinal),
+        Self::new(Rail::Right, Direction::Lateral),
+        Self::new(Rail::Right, Direction::Vertical),
+    ];
+
+    /// The axis of a contact.
+    pub const fn new(rail: Rail, direction: Direction) -> Self {
+        Self { rail, direction }
+    }
+
+    /// Its place among [`ALL`](Self::ALL).
+    pub const fn index(self) -> usize {
+        3 * self.rail as usize + self.direction as usize
+    }
+}
+
+/// Receptances of a wheelset at its contacts \[m/N\]: `[at][from]`, both in the order of [`Port::ALL`].
+pub type ContactReceptances = [[Complex64; 6]; 6];
+
+/// A wheelset on two rails, as its contacts feel it.
+///
+/// Every wheelset is a [`Structure`]: alike wherever it stands, and wheelsets at different places do not feel each
+/// other. A new kind of wheelset is one new implementation of [`receptances`](Self::receptances).
+pub trait Wheelset: Send + Sync {
+    /// Displacement of the wheels' surfaces at the contacts per force on them \[m/N\], track axes, at the angular
+    /// frequency ω > 0 \[rad/s\]. Symmetric, and passive: (H − Hᴴ)/2i has no positive eigenvalue.
+    ///
+    /// The loop wants the displacement under the force of the *wheel on the rail*, u_w = −H f.
+    fn receptances(&self, angular_frequency: f64) -> ContactReceptances;
+}
+
+impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
+    fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
+        (**self).receptances(angular_frequency)
+    }
+}
+
+impl<W: Wheelset> Structure for W {
+    fn cross_receptance(
+        &self,
+        angular_frequency: f64,
+        _speed: f64,
+        at: Place,
+        from: Place,
+    ) -> Complex64 {
+        if at.along != from.along {
+            return Complex64::ZERO;
+        }
+        let index = |place: Place| Port::new(place.rail, place.direction).index();
+        self.receptances(angular_frequency)[index(at)][index(from)]
+    }
+}

@@ -1,0 +1,103 @@
+//! The wheelset as a rigid body.
+
+use num_complex::Complex64;
+
+use super::section::SectionReceptances;
+use super::{ContactGeometry, ContactReceptances, Suspension, Wheelset};
+use crate::{Direction, Error};
+
+/// Mass and moments of inertia of a wheelset, which is symmetric about the line of its axle and about its middle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidBody {
+    /// Mass M \[kg\].
+    pub mass: f64,
+    /// Roll inertia J_x about the direction of travel through the middle of the axle, and yaw inertia \[kg m²\].
+    pub roll_inertia: f64,
+    /// Inertia J_y about the axle \[kg m²\].
+    pub spin_inertia: f64,
+}
+
+/// A rigid wheelset, free or on its primary suspension.
+///
+/// With u = u_c + θ × r at r = (0, ±s, R), the springs of the suspension at (0, ±s_b, 0) and the displacement of each
+/// motion of the body per force or moment h = 1/D:
+///
+/// ```text
+/// D_{x,y,z} = −ω²M + 2(k + iωc)      D_roll = −ω²J_x + 2s_b²(k_z + iωc_z)
+/// D_spin = −ω²J_y                    D_yaw  = −ω²J_x + 2s_b²(k_x + iωc_x)
+/// H_xx = h_x + R² h_spin + y y' h_yaw        H_yy = h_y + R² h_roll
+/// H_zz = h_z + y y' h_roll                   H_zy = −R y h_roll                 y, y' = ±s: at, from
+/// ```
+///
+/// The rest is zero. Range of validity: below the first torsion of the axle (40–90 Hz) and its first bending (60–100 Hz).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidWheelset {
+    body: RigidBody,
+    contacts: ContactGeometry,
+    suspension: Option<Suspension>,
+}
+
+impl RigidWheelset {
+    /// A free wheelset.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless every value is positive.
+    pub fn new(body: RigidBody, contacts: ContactGeometry) -> Result<Self, Error> {
+        Error::unless_positive("wheelset mass", body.mass, "kg")?;
+        Error::unless_positive("roll inertia", body.roll_inertia, "kg m2")?;
+        Error::unless_positive("spin inertia", body.spin_inertia, "kg m2")?;
+        Ok(Self {
+            body,
+            contacts: contacts.checked()?,
+            suspension: None,
+        })
+    }
+
+    /// The same on a primary suspension.
+    pub fn with_suspension(self, suspension: Suspension) -> Self {
+        Self {
+            suspension: Some(suspension),
+            ..self
+        }
+    }
+
+    /// Mass and moments of inertia.
+    pub fn body(&self) -> RigidBody {
+        self.body
+    }
+}
+
+impl Wheelset for RigidWheelset {
+    fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
+        let w = angular_frequency;
+        let inertia = |inertia: f64| Complex64::from(-w * w * inertia);
+        let springs = |direction| match &self.suspension {
+            Some(suspension) => 2.0 * suspension.dynamic_stiffness(direction, w),
+            None => Complex64::ZERO,
+        };
+        let arm = self
+            .suspension
+            .map_or(0.0, |suspension| suspension.half_spacing().powi(2));
+        let [forward, sideward, downward] =
+            Direction::ALL.map(|direction| (inertia(self.body.mass) + springs(direction)).inv());
+        let turning =
+            |direction| (inertia(self.body.roll_inertia) + arm * springs(direction)).inv();
+        let roll = turning(Direction::Vertical);
+        let yaw = turning(Direction::Longitudinal);
+        let spin = inertia(self.body.spin_inertia).inv();
+
+        let places = self.contacts.places();
+        let between = |receptance: &dyn Fn(f64, f64) -> Complex64| {
+            places.map(|at| places.map(|from| receptance(at, from)))
+        };
+        let sections = SectionReceptances {
+            forward: between(&|at, from| forward + at * from * yaw),
+            downward: between(&|at, from| downward + at * from * roll),
+            downward_by_tilt: between(&|at, _| at * roll),
+            tilt: between(&|_, _| roll),
+            twist: between(&|_, _| spin),
+            sideward: between(&|_, _| sideward),
+        };
+        sections.at_contacts(self.contacts.rolling_radius)
+    }
+}
