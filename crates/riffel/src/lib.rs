@@ -105,7 +105,7 @@ pub use contact::{Carter3d, HertzContact, RollingContact};
 pub use direction::{Direction, Place, Rail};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
-pub use feedback::{FeedbackLoop, LoopState};
+pub use feedback::{FeedbackLoop, Loop, LoopState};
 pub use growth::{Axis, GrowthMap, Ridge};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};

@@ -23,8 +23,8 @@ pub use half_space::{
 pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
 pub use law::{
     Carter2d, Carter3d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw,
-    Creepages, FallingFriction, Fastsim, ForceLimit, JohnsonVermeulen, LineContact, Polach,
-    ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
+    Creepages, FallingFriction, Fastsim, ForceLimit, FullSliding, JohnsonVermeulen, LineContact,
+    Polach, ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
 };
 pub use mean_state::{MeanRolling, MeanState};
 pub use non_steady::NonSteady;

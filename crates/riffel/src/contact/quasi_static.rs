@@ -28,9 +28,10 @@ impl<L: CreepLaw> QuasiStatic<L> {
     /// [`CreepLaw::friction`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless P₀ > 0, 0 < τ < 1 and ξ₀ > 0 (a vector of creepages: not zero), and if the law
-    /// does not reach τ at any creepage up to one; [`Error::BeyondAdhesion`] from the law's maximum of adhesion on,
-    /// [`Error::FullSlip`] from its full slip on.
+    /// [`Error::OutOfRange`] unless P₀ > 0, 0 < τ < 1 and the creepage is not zero (longitudinal creepage alone: is
+    /// positive), if the law does not reach τ at any creepage up to one, and where a vector of creepages leaves no
+    /// stick; [`Error::BeyondAdhesion`] from the law's maximum of adhesion on, [`Error::FullSlip`] from its full slip on, in
+    /// longitudinal creepage alone. A law of full sliding takes every creepage but zero, and no tractive ratio.
     pub fn new(law: L, normal_force: f64, mean: MeanState) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
         let creepages = match mean {
@@ -108,18 +109,23 @@ fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64
 
 /// `Ok` if the law has slopes at the creepages.
 fn check(law: &impl CreepLaw, normal_force: f64, creepages: Creepages) -> Result<(), Error> {
-    if creepages.lateral != 0.0 || creepages.spin != 0.0 {
-        // The law itself says where a vector of creepages leaves no stick.
+    /// Share of friction times load that is full slip to rounding: a law that saturates does so by a cubic, whose
+    /// last millionth is a hundredth of the creepage.
+    const FULL: f64 = 1.0 - 1e-6;
+    let sliding = law.limit(normal_force) == ForceLimit::FullSlip(0.0);
+    if sliding || creepages.lateral != 0.0 || creepages.spin != 0.0 {
         Error::unless_positive("magnitude of the creepage", creepages.magnitude(), "")?;
+        // The law itself says where a vector of creepages leaves no stick.
         let force = law.forces(normal_force, creepages).magnitude();
-        if force < law.friction() * normal_force {
+        if sliding || force < FULL * law.friction() * normal_force {
             return Ok(());
         }
         return Err(Error::OutOfRange {
             quantity: "magnitude of the creepage",
             value: creepages.magnitude(),
             unit: "",
-            rule: "must leave a region of stick: here the creep force reaches friction times load",
+            rule: "must leave a region of stick: here the creep force reaches friction times load, which is for a law \
+                   of full sliding",
         });
     }
     let creepage = creepages.longitudinal;

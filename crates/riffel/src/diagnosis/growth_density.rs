@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::{TrafficSpeeds, normal};
-use crate::FeedbackLoop;
+use crate::feedback::Loop;
 use crate::growth::RowEvaluator;
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
@@ -28,14 +28,15 @@ impl GrowthDensity {
     ///
     /// 200 wavelengths a decade. A receptance that does not exist at some speed and wavelength (a load that
     /// outruns its waves) counts as no growth.
-    pub fn new(feedback: &FeedbackLoop, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
+    pub fn new(feedback: impl Into<Loop>, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
         const A_DECADE: f64 = 200.0;
         let steps = (A_DECADE * (to / from).log10()).ceil().max(2.0);
         let wavelengths: Vec<f64> = (0..=steps as usize)
             .map(|step| from * (to / from).powf(step as f64 / steps))
             .collect();
+        let feedback = feedback.into();
         let per_dissipation = feedback.growth_rate_per_dissipation();
-        let mut evaluator = RowEvaluator::new(feedback, &wavelengths);
+        let mut evaluator = RowEvaluator::new(&feedback, &wavelengths);
         let mut row = vec![Complex64::ZERO; wavelengths.len()];
         let mut rates = vec![0.0; wavelengths.len()];
         for &(speed, share) in speeds.shares() {

@@ -1,8 +1,11 @@
 //! The loop that corrugation closes: profile, normal force, creepage, dissipation, wear, profile.
 
 mod general;
+mod kind;
 
-pub use general::{Contact, ContactState, GeneralLoop};
+pub(crate) use general::System;
+pub use general::{Comb, Contact, ContactState, GeneralLoop, GeneralState};
+pub use kind::{Loop, State};
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::SpeedDistribution;
-use crate::FeedbackLoop;
+use crate::feedback::Loop;
 
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
 /// places of the wheel on the track.
@@ -30,10 +30,10 @@ impl MeanGrowth {
     /// order the wheels come.
     ///
     /// Method: see [`SpeedDistribution`]; wavelengths in parallel on the current rayon pool. Cost: one
-    /// [`FeedbackLoop::at`] for each place, wavelength and speed, 65 speeds for a smooth normal
+    /// [`Loop::at`] for each place, wavelength and speed, 65 speeds for a smooth normal
     /// distribution, 1025 at most.
     pub fn compute(
-        places: &[(FeedbackLoop, f64)],
+        places: &[(Loop, f64)],
         wavelengths: &[f64],
         speeds: &SpeedDistribution,
     ) -> Self {
@@ -44,9 +44,9 @@ impl MeanGrowth {
                     let mut mean = [0.0; 2];
                     for (feedback, weight) in places {
                         let state = feedback.at(wavelength, speed);
-                        mean[0] += weight * state.growth_rate;
+                        mean[0] += weight * state.growth_rate();
                         mean[1] +=
-                            weight * state.normal_force.norm_sqr() / feedback.amplitude.powi(2);
+                            weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
                     }
                     mean
                 })

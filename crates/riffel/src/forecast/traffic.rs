@@ -1,8 +1,9 @@
 //! Growth under a mix of vehicles.
 
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
+use crate::Error;
+use crate::feedback::Loop;
 use crate::roughness::ThirdOctave;
-use crate::{Error, FeedbackLoop};
 
 /// Standard acceleration of free fall \[m/s²\], which turns a load into a mass.
 pub const STANDARD_GRAVITY: f64 = 9.80665;
@@ -32,14 +33,14 @@ impl VehicleGrowth {
     pub fn compute(
         name: &str,
         share: f64,
-        places: &[(FeedbackLoop, f64)],
+        places: &[(Loop, f64)],
         bands: &[ThirdOctave],
         speeds: SpeedDistribution,
     ) -> Result<Self, Error> {
         Error::unless_positive("share of the axle passages", share, "")?;
         let wheel_load = places
             .first()
-            .map_or(0.0, |(feedback, _)| feedback.contact.steady().normal_force);
+            .map_or(0.0, |(feedback, _)| feedback.steady().normal_force);
         Error::unless_positive("wheel load", wheel_load, "N")?;
         Ok(Self {
             name: name.to_owned(),

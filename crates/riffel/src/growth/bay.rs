@@ -5,8 +5,9 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
+use crate::FeedbackLoop;
+use crate::feedback::{Loop, State};
 use crate::receptance::CrossReceptance;
-use crate::{FeedbackLoop, LoopState};
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;
@@ -24,17 +25,17 @@ const NODES: usize = 17;
 /// see the test `bay_mean`.
 #[derive(Clone)]
 pub struct Bay {
-    feedback: FeedbackLoop,
+    feedback: Loop,
     track: Arc<dyn CrossReceptance>,
     spacing: f64,
 }
 
 impl Bay {
-    /// The loop on a track; none where supports are not discrete.
-    pub fn new(feedback: &FeedbackLoop, track: Arc<dyn CrossReceptance>) -> Option<Self> {
+    /// The loop on a track, which is the vertical one of a loop on all axes; none where supports are not discrete.
+    pub fn new(feedback: impl Into<Loop>, track: Arc<dyn CrossReceptance>) -> Option<Self> {
         Some(Self {
-            feedback: feedback.clone(),
             spacing: track.support_spacing()?,
+            feedback: feedback.into(),
             track,
         })
     }
@@ -45,16 +46,19 @@ impl Bay {
     }
 
     /// The loop with the wheel at a distance from a support \[m\].
-    pub fn at(&self, position: f64) -> FeedbackLoop {
-        FeedbackLoop {
-            track: self.track.under_load_at(position),
-            ..self.feedback.clone()
+    pub fn at(&self, position: f64) -> Loop {
+        match self.feedback.clone() {
+            Loop::Longitudinal(feedback) => Loop::Longitudinal(FeedbackLoop {
+                track: self.track.under_load_at(position),
+                ..feedback
+            }),
+            Loop::General(general) => Loop::General(general.at_position(position)),
         }
     }
 
     /// The state of the loop at equal steps from one support to the next, both included, with the
     /// position of each \[m\]; two points or more.
-    pub fn states(&self, wavelength: f64, speed: f64, points: usize) -> Vec<(f64, LoopState)> {
+    pub fn states(&self, wavelength: f64, speed: f64, points: usize) -> Vec<(f64, State)> {
         (0..points)
             .map(|index| {
                 let position = self.spacing * index as f64 / (points - 1) as f64;
@@ -64,7 +68,7 @@ impl Bay {
     }
 
     /// The loop at each place of the mean over the bay, with its weight; the weights sum to one.
-    pub fn places(&self) -> Vec<(FeedbackLoop, f64)> {
+    pub fn places(&self) -> Vec<(Loop, f64)> {
         self.nodes()
             .map(|(position, weight)| (self.at(position), weight))
             .collect()
@@ -74,8 +78,9 @@ impl Bay {
     pub fn mean_normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         self.nodes()
             .map(|(position, weight)| {
-                let state = self.at(position).at(wavelength, speed);
-                weight * state.normalized_dissipation
+                let feedback = self.at(position);
+                let normalized = feedback.normalized_dissipation();
+                weight * normalized(wavelength, speed)
             })
             .sum()
     }
@@ -85,7 +90,7 @@ impl Bay {
     /// `progress` is called as by [`GrowthMap::compute`], for the rows of all places.
     pub fn maps(&self, wavelength: Axis, speed: Axis, progress: impl Fn(usize) + Sync) -> BayMaps {
         let map =
-            |position: f64| GrowthMap::compute(&self.at(position), wavelength, speed, &progress);
+            |position: f64| GrowthMap::compute(self.at(position), wavelength, speed, &progress);
         let over_support = map(0.0);
         let mid_span = map(0.5 * self.spacing);
         let mut mean = over_support.scaled(0.0);

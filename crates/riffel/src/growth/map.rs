@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
-use crate::FeedbackLoop;
+use crate::feedback::Loop;
 use crate::tile::TILE;
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
@@ -22,10 +22,10 @@ impl GrowthMap {
     /// Evaluate the loop on a grid, rows of equal speed in parallel on the current rayon pool.
     ///
     /// `progress` is called from any thread with the number of rows just finished, one at a time.
-    /// Memory: 16 bytes a point. A point agrees with [`FeedbackLoop::at`] to rounding, or to 1e-9
+    /// Memory: 16 bytes a point. A point agrees with [`Loop::at`] to rounding, or to 1e-9
     /// where a large map reads the track from a [`Tabulated`](crate::receptance::Tabulated) receptance.
     pub fn compute(
-        feedback: &FeedbackLoop,
+        feedback: impl Into<Loop>,
         wavelength: Axis,
         speed: Axis,
         progress: impl Fn(usize) + Sync,
@@ -36,12 +36,13 @@ impl GrowthMap {
     /// [`compute`](Self::compute) for as long as the result is `wanted`, which is asked before every tile,
     /// from any thread. A map that is no longer wanted is filled up with zeros at once.
     pub fn compute_while(
-        feedback: &FeedbackLoop,
+        feedback: impl Into<Loop>,
         wavelength: Axis,
         speed: Axis,
         wanted: impl Fn() -> bool + Sync,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
+        let feedback = feedback.into();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
         let grid = Grid {
             tiles_a_row: wavelengths.len().div_ceil(TILE),
@@ -54,7 +55,7 @@ impl GrowthMap {
             .into_par_iter()
             .with_min_len(grid.tiles_a_row)
             .map_with(
-                RowEvaluator::for_map(feedback, &wavelengths, &speeds),
+                RowEvaluator::for_map(&feedback, &wavelengths, &speeds),
                 |evaluator, index| grid.evaluate(evaluator, index),
             )
             .collect_into_vec(&mut tiles);
@@ -76,7 +77,7 @@ impl GrowthMap {
     ///
     /// If there are not that many tiles.
     pub fn compute_into(
-        feedback: &FeedbackLoop,
+        feedback: impl Into<Loop>,
         wavelengths: &[f64],
         speeds: &[f64],
         tiles: &mut [[Complex64; TILE]],

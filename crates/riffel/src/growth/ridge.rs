@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::branch::{Minimum, Place, RidgeBranch, chains, minima};
 use super::{Axis, GrowthMap, RowEvaluator};
-use crate::FeedbackLoop;
+use crate::feedback::Loop;
 use crate::golden_section::golden_section;
 
 /// Share of the growth of the strongest branch below which another is left out: it would take a hundred times as long.
@@ -47,9 +47,9 @@ pub struct RidgeRow {
 impl RidgeRow {
     /// The row that a [`RowEvaluator`] computed for the wavelengths at one speed \[m/s\], for those who keep the
     /// rows too; see [`Ridge::with_strongest_branch`].
-    pub fn new(feedback: &FeedbackLoop, wavelength: Axis, speed: f64, row: &[Complex64]) -> Self {
-        let surface = Surface::of(feedback);
-        Self::on(&surface, wavelength, speed, row)
+    pub fn new(feedback: impl Into<Loop>, wavelength: Axis, speed: f64, row: &[Complex64]) -> Self {
+        let feedback = feedback.into();
+        Self::on(&Surface::of(&feedback), wavelength, speed, row)
     }
 
     fn on(
@@ -86,15 +86,16 @@ impl Ridge {
     /// Search the ridge row by row, keeping no map: the smallest Re Ŵ₁ on the grid of wavelengths,
     /// then refined between its neighbours by golden-section search to 1e-7 of the window, some 35
     /// evaluations a speed and branch. A second minimum narrower than the grid's step is missed.
-    pub fn search(feedback: &FeedbackLoop, wavelength: Axis, speed: Axis) -> Self {
+    pub fn search(feedback: impl Into<Loop>, wavelength: Axis, speed: Axis) -> Self {
         Self::search_at(feedback, wavelength, &speed.values())
     }
 
     /// [`search`](Self::search) at any speeds \[m/s\], in their order.
-    pub fn search_at(feedback: &FeedbackLoop, wavelength: Axis, speeds: &[f64]) -> Self {
-        let evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), speeds);
+    pub fn search_at(feedback: impl Into<Loop>, wavelength: Axis, speeds: &[f64]) -> Self {
+        let feedback = feedback.into();
+        let evaluator = RowEvaluator::for_map(&feedback, &wavelength.values(), speeds);
         let row = vec![Complex64::ZERO; wavelength.points()];
-        let surface = Surface::of(feedback);
+        let surface = Surface::of(&feedback);
         let rows: Vec<RidgeRow> = speeds
             .par_iter()
             .map_with((evaluator, row), |(evaluator, row), &speed| {
@@ -106,18 +107,18 @@ impl Ridge {
     }
 
     /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
-    pub fn of_map(feedback: &FeedbackLoop, map: &GrowthMap) -> Self {
-        Self::on(&Surface::of(feedback), map)
+    pub fn of_map(feedback: impl Into<Loop>, map: &GrowthMap) -> Self {
+        Self::on(&Surface::of(&feedback.into()), map)
     }
 
     /// The ridge of rows of the same loop and wavelengths, one for each speed, with its strongest branch alone: what
     /// the other branches cost is saved.
     pub fn with_strongest_branch(
-        feedback: &FeedbackLoop,
+        feedback: impl Into<Loop>,
         wavelength: Axis,
         rows: &[RidgeRow],
     ) -> Self {
-        Surface::of(feedback).ridge(wavelength, rows, 1)
+        Surface::of(&feedback.into()).ridge(wavelength, rows, 1)
     }
 
     /// The ridge of a map, refined between its points on the function Ŵ₁ of wavelength and speed
@@ -149,10 +150,11 @@ impl Ridge {
     ///
     /// A track with supports has lines besides the ridge; each is a wavelength that may dominate
     /// where another mechanism filters the ridge out.
-    pub fn lines_at(feedback: &FeedbackLoop, wavelength: Axis, speed: f64) -> Vec<RidgePoint> {
+    pub fn lines_at(feedback: impl Into<Loop>, wavelength: Axis, speed: f64) -> Vec<RidgePoint> {
+        let feedback = feedback.into();
         let mut row = vec![Complex64::ZERO; wavelength.points()];
-        RowEvaluator::new(feedback, &wavelength.values()).evaluate(speed, &mut row);
-        let surface = Surface::of(feedback);
+        RowEvaluator::new(&feedback, &wavelength.values()).evaluate(speed, &mut row);
+        let surface = Surface::of(&feedback);
         minima(wavelength, &row)
             .iter()
             .map(|minimum| surface.refined(wavelength, speed, minimum.index))
@@ -181,14 +183,10 @@ struct Surface<F> {
 
 impl Surface<()> {
     /// That of a loop.
-    fn of(feedback: &FeedbackLoop) -> Surface<impl Fn(f64, f64) -> f64 + Sync + '_> {
-        let steady = feedback.contact.steady();
+    fn of(feedback: &Loop) -> Surface<impl Fn(f64, f64) -> f64 + Sync + '_> {
+        let normalized = feedback.normalized_dissipation();
         Surface {
-            normalized: move |wavelength, speed| {
-                feedback
-                    .normalized_dissipation(&steady, wavelength, speed)
-                    .re
-            },
+            normalized: move |wavelength, speed| normalized(wavelength, speed).re,
             rate: feedback.growth_rate_per_dissipation(),
         }
     }

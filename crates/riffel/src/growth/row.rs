@@ -8,6 +8,7 @@ use pulp::Arch;
 
 use super::closing::Closing;
 use crate::FeedbackLoop;
+use crate::feedback::{GeneralLoop, Loop, System};
 use crate::receptance::Tabulated;
 use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
 
@@ -21,12 +22,32 @@ const TABLE_TOLERANCE: f64 = 1e-9;
 /// widest vector instructions of the machine. Exact to rounding. Cost: some seven nanoseconds a point
 /// for the free beam, see `benches/README.md`. Holds scratch for one tile; make one evaluator per
 /// thread with `clone`.
+///
+/// The loop on all axes is solved point by point, as [`GeneralLoop::at`] does.
 #[derive(Clone)]
-pub struct RowEvaluator {
+pub struct RowEvaluator(Kind);
+
+#[derive(Clone)]
+enum Kind {
+    Tiles(Tiles),
+    Points(Points),
+}
+
+/// The loop of one wheel and longitudinal creepage, by tiles.
+#[derive(Clone)]
+struct Tiles {
     feedback: FeedbackLoop,
     columns: Arc<[Columns]>,
     scratch: Box<Scratch>,
     arch: Arch,
+}
+
+/// The loop on all axes, by points.
+#[derive(Clone)]
+struct Points {
+    general: GeneralLoop,
+    system: Box<System>,
+    wavelengths: Arc<[f64]>,
 }
 
 /// What a tile of wavelengths fixes, whatever the speed; the last is filled up with its last
@@ -98,34 +119,27 @@ struct At {
 
 impl RowEvaluator {
     /// An evaluator of the loop over the wavelengths \[m\].
-    pub fn new(feedback: &FeedbackLoop, wavelengths: &[f64]) -> Self {
-        Self {
-            columns: wavelengths
-                .chunks(TILE)
-                .map(|wavelengths| Columns::new(feedback, wavelengths))
-                .collect(),
-            feedback: feedback.clone(),
-            scratch: Box::new(Scratch {
-                frequencies: Frequencies {
-                    angular: [0.0; TILE],
-                    reciprocal: [0.0; TILE],
-                },
-                track: SplitComplex::ZERO,
-                wheel: SplitComplex::ZERO,
-                speeds: SplitComplex::ZERO,
-                result: SplitComplex::ZERO,
+    pub fn new(feedback: impl Into<Loop>, wavelengths: &[f64]) -> Self {
+        Self(match feedback.into() {
+            Loop::Longitudinal(feedback) => Kind::Tiles(Tiles::new(feedback, wavelengths)),
+            Loop::General(general) => Kind::Points(Points {
+                system: Box::new(System::new(&general)),
+                general,
+                wavelengths: wavelengths.into(),
             }),
-            arch: Arch::new(),
-        }
+        })
     }
 
     /// An evaluator for a whole map, which reads an expensive track receptance from a table good to
     /// 1e-9 where the map is large enough to repay it.
-    pub fn for_map(feedback: &FeedbackLoop, wavelengths: &[f64], speeds: &[f64]) -> Self {
+    pub fn for_map(feedback: impl Into<Loop>, wavelengths: &[f64], speeds: &[f64]) -> Self {
         /// Points from which a table of some thousand receptances is a small part of the work.
         const WORTH_A_TABLE: usize = 20_000;
-        let mut feedback = feedback.clone();
-        if feedback.track.worth_tabulating() && wavelengths.len() * speeds.len() >= WORTH_A_TABLE {
+        let mut feedback = feedback.into();
+        if let Loop::Longitudinal(feedback) = &mut feedback
+            && feedback.track.worth_tabulating()
+            && wavelengths.len() * speeds.len() >= WORTH_A_TABLE
+        {
             let (shortest, longest) = ends(wavelengths);
             let (slowest, fastest) = ends(speeds);
             let lowest = 2.0 * PI * slowest / longest;
@@ -133,7 +147,7 @@ impl RowEvaluator {
             let source = feedback.track.clone();
             feedback.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
         }
-        Self::new(&feedback, wavelengths)
+        Self::new(feedback, wavelengths)
     }
 
     /// Ŵ₁ of equation (20) at every wavelength for one speed \[m/s\] into `row`, whose length is
@@ -149,6 +163,37 @@ impl RowEvaluator {
     // Where the compiler leaves it a call, the result is copied on its way into the map: a third of the time.
     #[inline(always)]
     pub(super) fn evaluate_tile(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
+        match &mut self.0 {
+            Kind::Tiles(tiles) => tiles.evaluate(speed, index),
+            Kind::Points(points) => points.evaluate(speed, index),
+        }
+    }
+}
+
+impl Tiles {
+    fn new(feedback: FeedbackLoop, wavelengths: &[f64]) -> Self {
+        Self {
+            columns: wavelengths
+                .chunks(TILE)
+                .map(|wavelengths| Columns::new(&feedback, wavelengths))
+                .collect(),
+            feedback,
+            scratch: Box::new(Scratch {
+                frequencies: Frequencies {
+                    angular: [0.0; TILE],
+                    reciprocal: [0.0; TILE],
+                },
+                track: SplitComplex::ZERO,
+                wheel: SplitComplex::ZERO,
+                speeds: SplitComplex::ZERO,
+                result: SplitComplex::ZERO,
+            }),
+            arch: Arch::new(),
+        }
+    }
+
+    #[inline(always)]
+    fn evaluate(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
         let columns = &self.columns[index];
         let per_speed = speed.recip();
         let joints = &self.feedback;
@@ -178,6 +223,19 @@ impl RowEvaluator {
             result: &mut scratch.result,
         });
         scratch.result.joined()
+    }
+}
+
+impl Points {
+    fn evaluate(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
+        let mut tile = [Complex64::ZERO; TILE];
+        let wavelengths = &self.wavelengths[index * TILE..];
+        for (value, &wavelength) in tile.iter_mut().zip(wavelengths) {
+            *value = self
+                .general
+                .normalized_dissipation(&mut self.system, wavelength, speed);
+        }
+        tile
     }
 }
 

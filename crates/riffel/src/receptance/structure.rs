@@ -20,6 +20,25 @@ pub trait Structure: Send + Sync {
         at: Place,
         from: Place,
     ) -> Complex64;
+
+    /// Receptances between all places \[m/N\] into a matrix by rows, the displacement at the i-th place per force at the
+    /// j-th at [i·n + j] of the n places; symmetric.
+    ///
+    /// Provided, each entry by itself; a structure whose places share their work does it once a frequency.
+    fn receptance_matrix(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+        places: &[Place],
+        matrix: &mut [Complex64],
+    ) {
+        let pairs = places
+            .iter()
+            .flat_map(|&at| places.iter().map(move |&from| (at, from)));
+        for (entry, (at, from)) in matrix.iter_mut().zip(pairs) {
+            *entry = self.cross_receptance(angular_frequency, speed, at, from);
+        }
+    }
 }
 
 /// A structure whose axes do not feel each other and which answers at the place of the force alone: a wheel without a

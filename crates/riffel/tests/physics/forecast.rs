@@ -51,7 +51,7 @@ fn bands() -> Vec<ThirdOctave> {
 }
 
 fn nominal(share: f64, load: f64, ratio: f64, speed: f64) -> Result<VehicleGrowth, Error> {
-    let places = [(feedback(load, ratio, 2.5e-9)?, 1.0)];
+    let places = [(feedback(load, ratio, 2.5e-9)?.into(), 1.0)];
     let speeds = SpeedDistribution::single(speed)?;
     VehicleGrowth::compute("wheel", share, &places, &bands(), speeds)
 }
@@ -131,7 +131,7 @@ fn the_mean_over_speeds_is_that_of_a_fine_sum() -> Result<(), Error> {
     let feedback = feedback(50e3, 0.1, 2.5e-9)?;
     let wavelengths = [0.020, 0.035, 0.055, 0.080];
     let (mean, deviation) = (30.0, 5.0);
-    let places = [(feedback.clone(), 1.0)];
+    let places = [(feedback.clone().into(), 1.0)];
     let speeds = SpeedDistribution::normal(mean, deviation)?;
     let found = MeanGrowth::compute(&places, &wavelengths, &speeds);
     let steps = 20_000;
@@ -167,7 +167,7 @@ fn growth_on_discrete_supports_is_the_mean_over_the_bay() -> Result<(), Error> {
     let found = MeanGrowth::compute(&bay.places(), &[0.05], &speeds).rates[0];
     let mean = bay.mean_normalized_dissipation(0.05, 30.0).re;
     let at = bay.at(0.0).at(0.05, 30.0);
-    let expected = at.growth_rate / at.normalized_dissipation.re * mean;
+    let expected = at.growth_rate() / at.normalized_dissipation().re * mean;
     assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
     Ok(())
 }

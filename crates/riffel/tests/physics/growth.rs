@@ -407,7 +407,7 @@ fn bay_mean() {
         // The trapezoidal rule: both ends are supports and count once together.
         let sum: riffel::Complex64 = states[1..]
             .iter()
-            .map(|(_, s)| s.normalized_dissipation)
+            .map(|(_, s)| s.normalized_dissipation())
             .sum();
         let expected = sum / 2000.0;
         let error = (mean - expected).norm() / expected.norm();
@@ -424,11 +424,11 @@ fn bay_mean() {
         let pairs = [
             (
                 maps.over_support.row(row)[column],
-                bay.at(0.0).at(l, v).normalized_dissipation,
+                bay.at(0.0).at(l, v).normalized_dissipation(),
             ),
             (
                 maps.mid_span.row(row)[column],
-                bay.at(0.3).at(l, v).normalized_dissipation,
+                bay.at(0.3).at(l, v).normalized_dissipation(),
             ),
             (
                 maps.mean.row(row)[column],

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Carter2d, Carter3d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, JohnsonVermeulen, Polach,
-    ShenHedrickElkins, SlopeReduction, TractionBound,
+    Carter2d, Carter3d, CreepEllipse, CreepLaw, FallingFriction, Fastsim, FullSliding,
+    JohnsonVermeulen, Polach, ShenHedrickElkins, SlopeReduction, TractionBound,
 };
 use crate::Error;
 use crate::contact::{HertzContact, KalkerCoefficients};
@@ -56,7 +56,7 @@ impl CreepLawEntry {
 }
 
 /// The laws, in the order of figures and tables. A new law is a file beside this one and an entry here.
-pub static CATALOGUE: [CreepLawEntry; 6] = [
+pub static CATALOGUE: [CreepLawEntry; 7] = [
     CreepLawEntry {
         name: "carter-3d",
         label: "Carter 3D (paper)",
@@ -109,6 +109,12 @@ pub static CATALOGUE: [CreepLawEntry; 6] = [
             )?;
             Ok(Arc::new(law))
         },
+    },
+    CreepLawEntry {
+        name: "full-sliding",
+        label: "full sliding",
+        description: "Coulomb friction along the slip, beyond full slip.",
+        build: |on| Ok(Arc::new(FullSliding::new(on.friction)?)),
     },
 ];
 

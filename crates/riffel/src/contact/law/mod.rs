@@ -5,6 +5,7 @@ mod carter3d;
 mod catalogue;
 mod creep_ellipse;
 mod fastsim;
+mod full_sliding;
 mod johnson_vermeulen;
 mod polach;
 mod shen_hedrick_elkins;
@@ -20,6 +21,7 @@ pub use catalogue::{CATALOGUE, CreepLawEntry, CreepLawInputs};
 pub use creep_ellipse::CreepEllipse;
 
 pub use fastsim::{ContactCell, Fastsim, TractionBound, TractionDistribution};
+pub use full_sliding::FullSliding;
 pub use johnson_vermeulen::JohnsonVermeulen;
 pub use polach::{FallingFriction, Polach, SlopeReduction};
 pub use shen_hedrick_elkins::ShenHedrickElkins;
@@ -123,7 +125,7 @@ impl CreepDerivatives {
 /// Where the longitudinal force of a creep law stops growing with longitudinal creepage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ForceLimit {
-    /// The patch slips everywhere from this creepage \[-\] on, and the force is μP.
+    /// The patch slips everywhere from this creepage \[-\] on, and the force is μP; zero for a law of full sliding.
     FullSlip(f64),
     /// The force has its first maximum at this creepage \[-\] and falls beyond it.
     AdhesionMaximum(f64),
