@@ -8,8 +8,8 @@ const SPEED: f64 = 27.8;
 
 /// Ratio of the receptance under the moving load to (23), modulus and phase \[°\], 50–1600 Hz.
 fn against_stationary() -> Vec<(f64, f64)> {
-    let moving = nominal(&["track.model=moving-beam"]).feedback.track;
-    let free = nominal(&[]).feedback.track;
+    let moving = nominal(&["track.model=moving-beam"]).track.receptance;
+    let free = nominal(&[]).track.receptance;
     (50..=1600)
         .map(|frequency| {
             let w = std::f64::consts::TAU * f64::from(frequency);
@@ -46,7 +46,7 @@ pub(crate) fn moving_load_phase() -> Row {
 }
 
 pub(crate) fn stationary_lag() -> Row {
-    let free = nominal(&[]).feedback.track;
+    let free = nominal(&[]).track.receptance;
     let phase = free.receptance(3e3, 0.0).arg().to_degrees();
     Row {
         statement: "The displacement of the free beam lags the force by 135°",

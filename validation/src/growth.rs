@@ -11,7 +11,7 @@ pub(crate) fn largest_normal_force() -> Row {
     let (mut largest, mut frequency) = (0.0, 0.0);
     for step in 500..=50_000 {
         let f = f64::from(step) / 10.0;
-        let ratio = at_frequency(&case, f, SPEED).normal_force.norm() / 50e3;
+        let ratio = at_frequency(&case, f, SPEED).normal_force().norm() / 50e3;
         if ratio > largest {
             (largest, frequency) = (ratio, f);
         }
@@ -28,7 +28,7 @@ pub(crate) fn largest_normal_force() -> Row {
 
 pub(crate) fn phase_near_300_hz() -> Row {
     let phase = at_frequency(&nominal(&[]), 300.0, SPEED)
-        .normal_force
+        .normal_force()
         .arg()
         .to_degrees();
     Row {
@@ -45,7 +45,7 @@ pub(crate) fn phase_at_high_frequency() -> Row {
     let case = nominal(&[]);
     let phase = |frequency| {
         at_frequency(&case, frequency, SPEED)
-            .normal_force
+            .normal_force()
             .arg()
             .to_degrees()
     };
@@ -393,7 +393,11 @@ pub(crate) fn lead_is_not_constant_frequency() -> Row {
 
 pub(crate) fn growth_without_resonance() -> Row {
     let case = nominal(&[]);
-    let modulus = |frequency: f64| at_frequency(&case, frequency, 30.0).track_receptance.norm();
+    let modulus = |frequency: f64| {
+        at_frequency(&case, frequency, 30.0)
+            .track_receptance()
+            .norm()
+    };
     let falling =
         (1..400).all(|step| modulus(10.0 * f64::from(step + 1)) < modulus(10.0 * f64::from(step)));
     let value = ridge_at(&case, 30.0).normalized_dissipation;

@@ -79,7 +79,8 @@ impl Parameters {
 
 /// Every quantity of the loop under the name it has in the reference.
 fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, Complex64> {
-    let state = case.feedback.at(wavelength, speed);
+    let feedback = case.feedback.longitudinal().expect("a loop of one axis");
+    let state = feedback.at(wavelength, speed);
     let real = Complex64::from;
     BTreeMap::from([
         (
@@ -98,7 +99,7 @@ fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, 
         ("creepage", real(case.steady.creepages.longitudinal)),
         (
             "contact_stiffness_n_per_m",
-            real(case.feedback.contact_stiffness),
+            real(feedback.contact_stiffness),
         ),
         ("angular_frequency_rad_per_s", real(state.angular_frequency)),
         ("rail_receptance_m_per_n", state.track_receptance),

@@ -332,7 +332,7 @@ pub(crate) fn bhaskar_resonance() -> Row {
     let (mut peak, mut frequency) = (0.0, f64::NAN);
     for step in 300..5000 {
         let f = f64::from(step) / 10.0;
-        let modulus = case.feedback.track.receptance(TAU * f, 0.0).norm();
+        let modulus = case.track.receptance.receptance(TAU * f, 0.0).norm();
         if modulus > peak {
             (peak, frequency) = (modulus, f);
         }
@@ -348,7 +348,7 @@ pub(crate) fn bhaskar_resonance() -> Row {
 }
 
 pub(crate) fn free_beam_is_the_high_frequency_limit() -> Row {
-    let track = on_track(&[]).feedback.track;
+    let track = on_track(&[]).track.receptance;
     let free = FreeBeam::new(euler(207e9, 2.35e-5, 56.0));
     let (low, high) = extent((1500..=3000).step_by(10).map(|f| {
         let w = TAU * f64::from(f);

@@ -89,6 +89,6 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         steady.friction,
         steady.tractive_ratio(),
         100.0 * steady.creepages.longitudinal,
-        1e6 * case.feedback.amplitude,
+        1e6 * case.feedback.amplitude(),
     )
 }

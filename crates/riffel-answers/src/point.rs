@@ -1,6 +1,6 @@
 //! The whole loop at one wavelength and speed.
 
-use riffel::LoopState;
+use riffel::feedback::State;
 use riffel_case::{Case, Point, Sensitivity};
 use riffel_keys::CaseError;
 use serde::Serialize;
@@ -21,7 +21,7 @@ pub struct PointRequest {
 pub struct PointAnswer {
     /// One turn of the loop.
     #[serde(skip)]
-    pub state: LoopState,
+    pub state: State,
     /// Every quantity with its key.
     #[serde(flatten)]
     pub quantities: Point,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
-use riffel::{Axis, Carter3d, Direction, FeedbackLoop, HertzContact, Receptance};
+use riffel::{Axis, Carter3d, Direction, HertzContact, Loop, Receptance};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 
@@ -26,7 +26,7 @@ pub struct Case {
     /// Every key with its value, presets and defaults filled in.
     pub file: CaseFile,
     /// The loop of the case.
-    pub feedback: FeedbackLoop,
+    pub feedback: Loop,
     /// The track, vertically.
     pub track: Track,
     /// The contact patch.
@@ -181,7 +181,7 @@ impl Case {
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that
     /// sum to one: over a bay where supports are discrete, else one.
-    pub fn places(&self) -> Vec<(FeedbackLoop, f64)> {
+    pub fn places(&self) -> Vec<(Loop, f64)> {
         let structure = self.track.structure.clone();
         structure
             .and_then(|track| Bay::new(&self.feedback, track))

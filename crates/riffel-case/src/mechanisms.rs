@@ -28,7 +28,7 @@ impl Case {
         if let Some(spacing) = spacing.filter(|_| self.may_have_supports()) {
             mechanisms.push(Mechanism::support_spacing(spacing));
         }
-        mechanisms.push(Mechanism::wheel_circumference(self.feedback.rolling_radius));
+        mechanisms.push(Mechanism::wheel_circumference(self.hertz.rolling_radius()));
         (mechanisms, unknown)
     }
 

@@ -1,6 +1,7 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
-use riffel::{Complex64, LoopState};
+use riffel::feedback::State;
+use riffel::{Complex64, Rail};
 use riffel_keys::CaseError;
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
@@ -32,6 +33,7 @@ pub enum PointQuantity {
     DwDpMPerS,
     DwDomegaWSPerRad,
     TangentialForceN,
+    LateralForceN,
     AngularVelocityRadPerS,
     DissipationW,
     DissipationPhaseRad,
@@ -53,7 +55,7 @@ enum Numbers {
 
 impl PointQuantity {
     /// Every quantity, in the order of documents.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 28] = [
         Self::WavelengthM,
         Self::SpeedMPerS,
         Self::FrequencyHz,
@@ -73,6 +75,7 @@ impl PointQuantity {
         Self::DwDpMPerS,
         Self::DwDomegaWSPerRad,
         Self::TangentialForceN,
+        Self::LateralForceN,
         Self::AngularVelocityRadPerS,
         Self::DissipationW,
         Self::DissipationPhaseRad,
@@ -165,6 +168,12 @@ impl PointQuantity {
                 Complex,
                 "oscillating tangential force Q1",
             ),
+            Self::LateralForceN => (
+                "lateral_force_n",
+                "N",
+                Complex,
+                "oscillating lateral force of a loop on all axes",
+            ),
             Self::AngularVelocityRadPerS => (
                 "angular_velocity_rad_per_s",
                 "rad/s",
@@ -231,41 +240,44 @@ impl PointQuantity {
         self.words().2 != Numbers::Real
     }
 
-    /// Its number in a state of the loop of a case; none for the constants of a creep law on the cases of others.
-    pub fn number(self, case: &Case, state: &LoopState) -> Option<Complex64> {
+    /// Its number in a state of the loop of a case; none for the constants of a creep law on the cases of others, and
+    /// for what one kind of loop alone has.
+    pub fn number(self, case: &Case, state: &State) -> Option<Complex64> {
         let real = |value: f64| Complex64::new(value, 0.0);
+        let one_axis = state.longitudinal();
         Some(match self {
-            Self::WavelengthM => real(state.wavelength),
-            Self::SpeedMPerS => real(state.speed),
-            Self::FrequencyHz => real(state.speed / state.wavelength),
+            Self::WavelengthM => real(state.wavelength()),
+            Self::SpeedMPerS => real(state.speed()),
+            Self::FrequencyHz => real(state.speed() / state.wavelength()),
             Self::SemiAxisLongitudinalM => real(case.hertz.semi_axis_longitudinal()),
             Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
             Self::CreepCoefficient => real(case.carter?.creep_coefficient()),
             Self::SaturationCreepage => real(case.carter?.saturation_creepage()),
-            Self::Creepage => real(case.steady.creepages.longitudinal),
+            Self::Creepage => one_axis.map(|_| real(case.steady.creepages.longitudinal))?,
             Self::TractiveRatio => real(case.steady.tractive_ratio()),
-            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness),
-            Self::AngularFrequencyRadPerS => real(state.angular_frequency),
-            Self::RailReceptanceMPerN => state.track_receptance,
-            Self::WheelReceptanceMPerN => state.wheel_receptance,
-            Self::NormalForceN => state.normal_force,
-            Self::DqDp => state.dq_dp,
-            Self::DqDomegaNSPerRad => state.dq_domega,
-            Self::DwDpMPerS => state.dw_dp,
-            Self::DwDomegaWSPerRad => state.dw_domega,
-            Self::TangentialForceN => state.tangential_force,
-            Self::AngularVelocityRadPerS => state.angular_velocity,
-            Self::DissipationW => state.dissipation,
-            Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
-            Self::DissipationLagW => state.dissipation_at_rail,
-            Self::NormalizedDissipation => state.normalized_dissipation,
-            Self::NormalizedByMean => state.dissipation_at_rail / state.mean_dissipation,
-            Self::MeanDissipationW => real(state.mean_dissipation),
-            Self::GrowthRatePerPassage => real(state.growth_rate),
+            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness()),
+            Self::AngularFrequencyRadPerS => real(state.angular_frequency()),
+            Self::RailReceptanceMPerN => state.track_receptance(),
+            Self::WheelReceptanceMPerN => one_axis?.wheel_receptance,
+            Self::NormalForceN => state.normal_force(),
+            Self::DqDp => one_axis?.dq_dp,
+            Self::DqDomegaNSPerRad => one_axis?.dq_domega,
+            Self::DwDpMPerS => state.dw_dp(),
+            Self::DwDomegaWSPerRad => one_axis?.dw_domega,
+            Self::TangentialForceN => state.tangential_force(),
+            Self::LateralForceN => state.general()?.contacts[0].force[1],
+            Self::AngularVelocityRadPerS => one_axis?.angular_velocity,
+            Self::DissipationW => state.dissipation(),
+            Self::DissipationPhaseRad => real(state.dissipation_lag_angle()),
+            Self::DissipationLagW => state.dissipation_at_rail(),
+            Self::NormalizedDissipation => state.normalized_dissipation(),
+            Self::NormalizedByMean => state.dissipation_at_rail() / state.mean_dissipation(),
+            Self::MeanDissipationW => real(state.mean_dissipation()),
+            Self::GrowthRatePerPassage => real(state.growth_rate()),
         })
     }
 
-    fn value(self, case: &Case, state: &LoopState) -> Option<PointValue> {
+    fn value(self, case: &Case, state: &State) -> Option<PointValue> {
         let number = self.number(case, state)?;
         Some(match self.words().2 {
             Numbers::Complex => PointValue::Complex(number),
@@ -289,16 +301,87 @@ pub enum PointValue {
 pub struct Point {
     /// In the order of documents.
     pub quantities: Vec<(PointQuantity, PointValue)>,
+    /// What a loop on all axes adds.
+    pub all_axes: Option<AllAxes>,
+}
+
+/// What a loop on all axes adds to a point; axes of the contact are x, t, n.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AllAxes {
+    /// Steady creep forces Q_x and Q_t of the contact under study \[N\].
+    pub steady_force_n: [f64; 2],
+    /// Receptance of the track at the contact under study, in its axes.
+    pub track_receptance_matrix_m_per_n: [[PointValue; 3]; 3],
+    /// Receptance of the wheel at the contact under study, in its axes.
+    pub wheel_receptance_matrix_m_per_n: [[PointValue; 3]; 3],
+    /// Every contact: those on the rail under study from the first wheel on, then those on the opposite rail.
+    pub contacts: Vec<ContactPoint>,
+}
+
+/// One of the contacts of a loop on all axes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContactPoint {
+    /// Number of the wheel from the first on, which is 1.
+    pub wheel: usize,
+    /// Its rail, "left" or "right".
+    pub rail: &'static str,
+    /// Oscillating normal force.
+    pub normal_force_n: PointValue,
+    /// Oscillating longitudinal force.
+    pub tangential_force_n: PointValue,
+    /// Oscillating lateral force.
+    pub lateral_force_n: PointValue,
+    /// Growth rate of the profile of its rail per passage of this wheel; none on a smooth rail.
+    pub growth_rate_per_passage: Option<f64>,
+}
+
+impl AllAxes {
+    fn new(case: &Case, state: &State) -> Option<Self> {
+        let (general, state) = (case.feedback.general()?, state.general()?);
+        let mut places: Vec<f64> = Vec::new();
+        let contacts = general.contacts().iter().zip(&state.contacts);
+        let contacts = contacts.map(|(contact, at)| {
+            let known = places.iter().position(|&along| along == contact.along);
+            let wheel = known.unwrap_or_else(|| {
+                places.push(contact.along);
+                places.len() - 1
+            });
+            let [tangential, lateral, normal] = at.force.map(PointValue::Complex);
+            ContactPoint {
+                wheel: 1 + wheel,
+                rail: match contact.rail {
+                    Rail::Left => "left",
+                    Rail::Right => "right",
+                },
+                normal_force_n: normal,
+                tangential_force_n: tangential,
+                lateral_force_n: lateral,
+                growth_rate_per_passage: at.growth_rate,
+            }
+        });
+        let forces = case.steady.forces;
+        Some(Self {
+            steady_force_n: [forces.longitudinal, forces.lateral],
+            track_receptance_matrix_m_per_n: state
+                .track_receptance
+                .map(|row| row.map(PointValue::Complex)),
+            wheel_receptance_matrix_m_per_n: state
+                .wheel_receptance
+                .map(|row| row.map(PointValue::Complex)),
+            contacts: contacts.collect(),
+        })
+    }
 }
 
 impl Point {
     /// The quantities of a state of the loop of a case.
-    pub fn new(case: &Case, state: &LoopState) -> Self {
+    pub fn new(case: &Case, state: &State) -> Self {
         let quantities = PointQuantity::ALL.into_iter();
         Self {
             quantities: quantities
                 .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
                 .collect(),
+            all_axes: AllAxes::new(case, state),
         }
     }
 }
@@ -326,9 +409,17 @@ impl Serialize for PointValue {
 
 impl Serialize for Point {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.quantities.len()))?;
+        let mut map = serializer.serialize_map(None)?;
         for (quantity, value) in &self.quantities {
             map.serialize_entry(quantity.key(), value)?;
+        }
+        if let Some(all_axes) = &self.all_axes {
+            map.serialize_entry("steady_force_n", &all_axes.steady_force_n)?;
+            let track = &all_axes.track_receptance_matrix_m_per_n;
+            map.serialize_entry("track_receptance_matrix_m_per_n", track)?;
+            let wheel = &all_axes.wheel_receptance_matrix_m_per_n;
+            map.serialize_entry("wheel_receptance_matrix_m_per_n", wheel)?;
+            map.serialize_entry("contacts", &all_axes.contacts)?;
         }
         map.end()
     }
@@ -340,7 +431,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] for a point outside its physical range, where the track is not known or the contact not resolved,
     /// and where a number would not be finite.
-    pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
+    pub fn point(&self, wavelength: f64, speed: f64) -> Result<State, CaseError> {
         self.check_points([wavelength; 2], [speed; 2])?;
         let case = self.covering(wavelength, wavelength)?;
         let state = case.feedback.at(wavelength, speed);

@@ -48,7 +48,7 @@ impl Case {
         wavelength: f64,
         speed: f64,
     ) -> Result<Vec<Sensitivity>, CaseError> {
-        let growth = self.point(wavelength, speed)?.growth_rate;
+        let growth = self.point(wavelength, speed)?.growth_rate();
         // A contact that is tabulated is tabulated where it is asked.
         let window = [
             format!("map.wavelength.min={wavelength:e}"),
@@ -60,15 +60,15 @@ impl Case {
                 let mut overrides = vec![format!("{}={value:e}", key.key)];
                 overrides.extend_from_slice(&window);
                 let case = self.with(&[&overrides]).ok()?;
-                Some(case.point(wavelength, speed).ok()?.growth_rate)
+                Some(case.point(wavelength, speed).ok()?.growth_rate())
             };
             let unit = key.quantity.map_or("", |kind| kind.unit);
             relative(&key.key, unit, value, growth, at)
         };
         let keys = self.quantities();
         let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
-        let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate);
-        let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate);
+        let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate());
+        let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate());
         all.extend(relative(
             "wavelength",
             "m",
@@ -185,11 +185,11 @@ mod tests {
             assert!((of(&all, "wear.density").elasticity + 1.0).abs() < 1e-10);
             let state = case.point(wavelength, speed).unwrap();
             let m = 612.0;
-            let relative = -state.normal_force
-                / case.feedback.amplitude
-                / (m * state.angular_frequency).powi(2);
-            let dissipation = state.dissipation_at_rail;
-            let expected = state.growth_rate * (dissipation * relative).re / dissipation.re;
+            let relative = -state.normal_force()
+                / case.feedback.amplitude()
+                / (m * state.angular_frequency()).powi(2);
+            let dissipation = state.dissipation_at_rail();
+            let expected = state.growth_rate() * (dissipation * relative).re / dissipation.re;
             let got = of(&all, "wheel.mass");
             assert!(
                 (got.derivative / expected - 1.0).abs() < 1e-9,
@@ -229,7 +229,7 @@ mod tests {
                         .unwrap()
                         .point(0.06, 25.0)
                         .unwrap()
-                        .growth_rate
+                        .growth_rate()
                 };
                 let difference = (at(1.0001) - at(0.9999)) / (2e-4 * at(1.0));
                 let error = (sensitivity.elasticity - difference).abs();

@@ -1,6 +1,7 @@
 //! Figures 2 and 3: vertical receptance and normal force over frequency.
 
-use riffel::{Complex64, LoopState};
+use riffel::Complex64;
+use riffel::feedback::State;
 use riffel_case::Case;
 use riffel_keys::{Language, Sentence};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
@@ -21,7 +22,7 @@ fn frequencies() -> Vec<f64> {
         .collect()
 }
 
-fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState) -> f64) -> Series {
+fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&State) -> f64) -> Series {
     let x = frequencies();
     let state = |frequency: &f64| case.feedback.at(SPEED / frequency, SPEED);
     Series {
@@ -60,13 +61,13 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
                 &moving,
                 language.say(Sentence::BeamUnderMovingLoad),
                 LineStyle::Solid,
-                |state| value(state.track_receptance),
+                |state| value(state.track_receptance()),
             ),
             series(
                 &bhaskar,
                 language.say(Sentence::TrackOfBhaskar),
                 LineStyle::Dashed,
-                |state| value(state.track_receptance),
+                |state| value(state.track_receptance()),
             ),
         ]
     };
@@ -104,8 +105,8 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
 pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let case = model.nominal(&[MOVING_BEAM.to_owned()])?;
     let mean = case.hertz.normal_force();
-    let per_mean = case.feedback.amplitude / mean;
-    let spring = per_mean * case.feedback.contact_stiffness;
+    let per_mean = case.feedback.amplitude() / mean;
+    let spring = per_mean * case.feedback.contact_stiffness();
     let title = language.say(Sentence::Figure3);
     let parameters = parameters_in(&case, language);
     lines(
@@ -129,17 +130,21 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                                 &case,
                                 language.say(Sentence::ProfileOverRail),
                                 LineStyle::Dashed,
-                                |state| per_mean / state.track_receptance.norm(),
+                                |state| per_mean / state.track_receptance().norm(),
                             ),
                             series(
                                 &case,
                                 language.say(Sentence::ProfileOverWheel),
                                 LineStyle::Dashed,
-                                |state| per_mean / state.wheel_receptance.norm(),
+                                |state| {
+                                    let w = state.angular_frequency();
+                                    let [_, wheel] = case.feedback.normal_receptances(w, SPEED);
+                                    per_mean / wheel.norm()
+                                },
                             ),
                             series(&case, "Δ k_H", LineStyle::Dashed, |_| spring),
                             series(&case, "P₁/P₀", LineStyle::Solid, |state| {
-                                state.normal_force.norm() / mean
+                                state.normal_force().norm() / mean
                             }),
                         ],
                     )
@@ -150,7 +155,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                     "arg P₁ [°]",
                     Scale::Linear,
                     vec![series(&case, "", LineStyle::Solid, |state| {
-                        state.normal_force.arg().to_degrees()
+                        state.normal_force().arg().to_degrees()
                     })],
                 ),
             ],

@@ -46,8 +46,12 @@ impl ReceptanceCurves {
         let rail = over(&*track.receptance);
         let mut joints = vec![curve("rail_m_per_n", "rail", rail)];
         if direction == Direction::Vertical {
-            let wheel = over(&*case.feedback.wheel);
-            let contact = Complex64::from(case.feedback.contact_stiffness.recip());
+            let wheel = |frequency: &f64| {
+                let [_, wheel] = case.feedback.normal_receptances(TAU * frequency, speed);
+                wheel
+            };
+            let wheel: Vec<Complex64> = frequencies.iter().map(wheel).collect();
+            let contact = Complex64::from(case.feedback.contact_stiffness().recip());
             let total = joints[0].values.iter().zip(&wheel);
             let total = total.map(|(rail, wheel)| rail + wheel + contact).collect();
             let contact = vec![contact; frequencies.len()];

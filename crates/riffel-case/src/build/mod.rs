@@ -9,7 +9,8 @@ use std::sync::Arc;
 use riffel::contact::MeanRolling;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Direction, EnergyWear, FeedbackLoop, HertzContact, PlaceOfWear, Receptance,
+    Axis, Carter3d, Direction, EnergyWear, FeedbackLoop, HertzContact, Loop, PlaceOfWear,
+    Receptance,
 };
 use riffel_keys::{CaseError, Remark};
 
@@ -21,7 +22,7 @@ use crate::track::Track;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {
-    pub(crate) feedback: FeedbackLoop,
+    pub(crate) feedback: Loop,
     pub(crate) track: Track,
     pub(crate) hertz: HertzContact,
     pub(crate) steady: MeanRolling,
@@ -70,7 +71,7 @@ impl CheckedKeys {
             file.wear.density.si(),
             hertz.semi_axis_lateral(),
         );
-        let feedback = FeedbackLoop {
+        let feedback = Loop::from(FeedbackLoop {
             track: track.receptance.clone(),
             wheel,
             contact_stiffness: hertz.stiffness(),
@@ -80,7 +81,7 @@ impl CheckedKeys {
             place_of_wear,
             wear: self.physics("wear", wear)?,
             amplitude: file.corrugation.amplitude.si(),
-        };
+        });
         let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
         remarks.extend(

@@ -1,6 +1,6 @@
 //! Where the models of a case leave their range of validity.
 
-use riffel::{Axis, Direction, FeedbackLoop, HertzContact};
+use riffel::{Axis, Direction, HertzContact, Loop};
 use riffel_keys::{Remark, Sentence};
 
 use crate::checked_keys::CheckedKeys;
@@ -35,7 +35,7 @@ const CLOSED_FORM_UP_TO: f64 = 0.05;
 pub(crate) fn remarks(
     keys: &CheckedKeys,
     track: &Track,
-    feedback: &FeedbackLoop,
+    feedback: &Loop,
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
 ) -> Vec<Remark> {
@@ -116,7 +116,7 @@ pub(crate) fn remarks(
         ));
     }
     // Outside the frequencies of a measurement there is nothing to look at.
-    let (known_from, known_to) = measurement::range(&*feedback.track);
+    let (known_from, known_to) = measurement::range(&*track.receptance);
     let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
     if lowest >= highest {
         return remarks;
@@ -126,13 +126,13 @@ pub(crate) fn remarks(
         .map(|step| lowest * (highest / lowest).powf(f64::from(step) / 200.0))
         .map(|frequency| {
             let state = feedback.at(speed.max() / frequency, speed.max());
-            state.normal_force.norm()
+            state.normal_force().norm()
         })
         .fold(0.0, f64::max)
         / hertz.normal_force();
     if worst > 1.0 {
-        let limit = 1e6 * feedback.amplitude / worst;
-        let amplitude = 1e6 * feedback.amplitude;
+        let limit = 1e6 * feedback.amplitude() / worst;
+        let amplitude = 1e6 * feedback.amplitude();
         remarks.push(Remark::of(Sentence::WheelAndRailPart, |_| {
             vec![
                 ("amplitude", format!("{amplitude:.1}")),

@@ -382,7 +382,7 @@ proptest! {
         match parse(&text) {
             Ok(case) => {
                 let state = case.feedback.at(case.wavelength.min(), case.speed.min());
-                prop_assert!(!state.normal_force.is_nan());
+                prop_assert!(!state.normal_force().is_nan());
             }
             Err(error) => prop_assert!(!error.to_string().is_empty()),
         }
@@ -478,7 +478,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
 fn points_are_checked() -> Result<(), CaseError> {
     let case = Case::parse("case.toml", NOMINAL_CASE, &[])?;
     assert_eq!(case.point(0.055, 30.0)?, case.feedback.at(0.055, 30.0));
-    assert!(case.point(0.5, 80.0)?.growth_rate.is_finite());
+    assert!(case.point(0.5, 80.0)?.growth_rate().is_finite());
     for (wavelength, speed, sentence) in [
         (1e-300, 30.0, "wavelength is"),
         (

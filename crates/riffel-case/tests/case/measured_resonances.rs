@@ -32,7 +32,7 @@ fn measured(model: &Case, step: f64, scatter: f64) -> Case {
             (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
         };
         let noise = 1.0 + scatter * 12f64.sqrt() * even();
-        let h = noise * model.feedback.track.receptance(TAU * frequency, 0.0);
+        let h = noise * model.track.receptance.receptance(TAU * frequency, 0.0);
         writeln!(table, "{frequency},{:e},{:e}", h.re, h.im).unwrap();
     }
     let folder = TempDir::new().unwrap();

@@ -38,16 +38,16 @@ fn measured(file: &str, keys: &str) -> Result<Case, riffel_keys::CaseError> {
 fn every_file_is_the_same_track(#[case] file: &str, #[case] keys: &str) {
     let (model, case) = (model(), measured(file, keys).unwrap());
     for frequency in [50.0, 80.0, 250.0, 490.0, 1200.0, 2500.0] {
-        let h = case.feedback.track.receptance(TAU * frequency, 0.0);
-        let expected = model.feedback.track.receptance(TAU * frequency, 0.0);
+        let h = case.track.receptance.receptance(TAU * frequency, 0.0);
+        let expected = model.track.receptance.receptance(TAU * frequency, 0.0);
         let error = (h - expected).norm() / expected.norm();
         assert!(error < 1e-7, "{frequency} Hz: {h} {expected}");
     }
     // A point of the map on a line, 25 m/s over 50 mm.
-    let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate;
+    let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate();
     assert!((rate(&case) / rate(&model) - 1.0).abs() < 1e-6);
     // Between two lines the receptance is a chord.
-    let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate;
+    let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate();
     assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
     // The same rail on its pads is a candidate, within a line.
     let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {
@@ -147,6 +147,6 @@ fn what_does_not_fit_is_refused(#[case] file: &str, #[case] keys: &str, #[case] 
 fn another_axis_may_be_vertical() {
     let soft = measured("three_directions.uff", "vertical_axis = \"y\"").unwrap();
     let [h, vertical] =
-        [&soft, &model()].map(|case| case.feedback.track.receptance(TAU * 490.0, 0.0));
+        [&soft, &model()].map(|case| case.track.receptance.receptance(TAU * 490.0, 0.0));
     assert!((h - 3.0 * vertical).norm() < 1e-6 * h.norm());
 }

@@ -51,8 +51,8 @@ fn check(case: &Case) {
     case.check_window().unwrap();
     let f = 50.0 * 50f64.powf(20.0 / 39.0);
     let h = case
-        .feedback
         .track
+        .receptance
         .receptance(std::f64::consts::TAU * f, 0.0);
     let expected = 1e-8 / Complex64::new(1.0, f / 100.0);
     assert!(
@@ -135,8 +135,8 @@ fn reads_universal_files(#[case] name: &str, #[case] tolerance: f64) {
             continue;
         }
         let h = case
-            .feedback
             .track
+            .receptance
             .receptance(std::f64::consts::TAU * frequency, 0.0);
         if h.is_nan() {
             continue; // the last frequency, rounded down in the file

@@ -33,7 +33,7 @@ fn every_model_computes_with_either_beam(#[case] model: &str) {
     let model = format!("track.model={model}");
     for beam in ["rail.beam=euler-bernoulli", "rail.beam=timoshenko"] {
         let case = case(&["rail.section=60E1", "track.preset=br-stiff", &model, beam]).unwrap();
-        let h = case.feedback.track.receptance(3000.0, 20.0);
+        let h = case.track.receptance.receptance(3000.0, 20.0);
         assert!(h.is_finite() && h.im < 0.0, "{model} {beam}: {h}");
     }
 }
@@ -118,9 +118,9 @@ fn a_vehicle_fills_in_wheel_and_load() {
 fn moving_load_on_a_foundation() {
     let moving = |overrides: &[&str]| {
         let overrides = [&["track.model=moving-beam"], overrides].concat();
-        case(&overrides).unwrap().feedback.track
+        case(&overrides).unwrap().track.receptance
     };
-    let still = |overrides: &[&str]| case(overrides).unwrap().feedback.track;
+    let still = |overrides: &[&str]| case(overrides).unwrap().track.receptance;
     let preset = "track.preset=br-stiff";
     let pairs = [
         (moving(&[]), still(&["track.model=free-beam"])),
@@ -230,7 +230,7 @@ fn every_preset_computes() {
         }
         let case = case(&overrides).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(
-            case.feedback.at(0.05, 20.0).normal_force.is_finite(),
+            case.feedback.at(0.05, 20.0).normal_force().is_finite(),
             "{name}"
         );
     }

@@ -1,15 +1,15 @@
 //! `riffel point`
 
-use riffel::LoopState;
+use riffel::feedback::State;
 use riffel_answers::point::{PointAnswer, PointRequest};
-use riffel_case::{Case, CaseKey, Sensitivity};
+use riffel_case::{Case, CaseKey, Point, Sensitivity};
 use riffel_keys::quantity::{Kind, Length, Speed};
 
-use crate::arguments::{Point, covering};
+use crate::arguments::{Point as Arguments, covering};
 use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
 
-pub(crate) fn run(arguments: &Point) -> miette::Result<()> {
+pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
     let wavelength = arguments.wavelength.within("--wavelength")?;
     let speed = arguments.speed.within("--speed")?;
@@ -67,30 +67,35 @@ fn short(value: f64) -> String {
 }
 
 /// Amplitudes and phases in engineers' units.
-fn readable(case: &Case, state: &LoopState) -> String {
+fn readable(case: &Case, state: &State) -> String {
     let mut table = table(&["oscillation for exp(+iωt)", "amplitude", "unit", "phase"]);
-    let rows = [
+    let w = state.angular_frequency();
+    let [_, wheel] = case.feedback.normal_receptances(w, state.speed());
+    let mut rows = vec![
         (
             "receptance of the rail",
-            state.track_receptance * 1e9,
+            state.track_receptance() * 1e9,
             "nm/N",
         ),
-        (
-            "receptance of the wheel",
-            state.wheel_receptance * 1e9,
-            "nm/N",
-        ),
-        ("normal force P₁", state.normal_force * 1e-3, "kN"),
-        ("tangential force Q₁", state.tangential_force, "N"),
-        (
+        ("receptance of the wheel", wheel * 1e9, "nm/N"),
+        ("normal force P₁", state.normal_force() * 1e-3, "kN"),
+        ("tangential force Q₁", state.tangential_force(), "N"),
+    ];
+    match state {
+        State::Longitudinal(state) => rows.push((
             "angular velocity Ω₁",
             state.angular_velocity * 1e3,
             "mrad/s",
-        ),
-        ("dissipation at the wheel W₁", state.dissipation, "W"),
-        ("dissipation at the rail", state.dissipation_at_rail, "W"),
-        ("normalised, Ŵ₁", state.normalized_dissipation, "-"),
-    ];
+        )),
+        State::General(state) => {
+            rows.push(("lateral force", state.contacts[0].force[1], "N"));
+        }
+    }
+    rows.extend([
+        ("dissipation at the wheel W₁", state.dissipation(), "W"),
+        ("dissipation at the rail", state.dissipation_at_rail(), "W"),
+        ("normalised, Ŵ₁", state.normalized_dissipation(), "-"),
+    ]);
     for (name, value, unit) in rows {
         table.add_row([
             name.to_owned(),
@@ -99,7 +104,7 @@ fn readable(case: &Case, state: &LoopState) -> String {
             format!("{:.1}°", value.arg().to_degrees()),
         ]);
     }
-    let rate = state.growth_rate;
+    let rate = state.growth_rate();
     let verdict = if rate > 0.0 {
         format!(
             "grows: doubles in {:.2e} passages",
@@ -118,21 +123,59 @@ fn readable(case: &Case, state: &LoopState) -> String {
         .unwrap_or_default();
     format!(
         "{}{:.1} mm at {:.1} km/h: {:.1} Hz\n\
-         tractive ratio {:.3}, creepage {:.4} %{full_slip}, contact {:.2} × {:.2} mm\n\
-         {table}\n\
+         tractive ratio {:.3}, creepage {}{full_slip}, contact {:.2} × {:.2} mm\n\
+         {table}\n{}\
          Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n",
         case.file
             .title
             .as_ref()
             .map(|title| format!("{title}\n"))
             .unwrap_or_default(),
-        1e3 * state.wavelength,
-        3.6 * state.speed,
-        state.speed / state.wavelength,
+        1e3 * state.wavelength(),
+        3.6 * state.speed(),
+        state.speed() / state.wavelength(),
         case.steady.tractive_ratio(),
-        100.0 * case.steady.creepages.longitudinal,
+        creepage(case),
         2e3 * case.hertz.semi_axis_longitudinal(),
         2e3 * case.hertz.semi_axis_lateral(),
-        state.normalized_dissipation.re,
+        contacts(case, state),
+        state.normalized_dissipation().re,
     )
+}
+
+/// The mean creepage of the contact under study.
+fn creepage(case: &Case) -> String {
+    let creepages = case.steady.creepages;
+    let longitudinal = format!("{:.4} %", 100.0 * creepages.longitudinal);
+    if case.feedback.longitudinal().is_some() {
+        return longitudinal;
+    }
+    format!(
+        "{longitudinal} along and {:.4} % across, spin {:.3} 1/m",
+        100.0 * creepages.lateral,
+        creepages.spin
+    )
+}
+
+/// Every contact of a loop that has several; nothing for one.
+fn contacts(case: &Case, state: &State) -> String {
+    let points = Point::new(case, state).all_axes.map(|all| all.contacts);
+    let points = points.unwrap_or_default();
+    if points.len() < 2 {
+        return String::new();
+    }
+    let mut table = table(&["wheel", "rail", "normal force kN", "growth per passage"]);
+    for (point, at) in points
+        .iter()
+        .zip(state.general().iter().flat_map(|all| &all.contacts))
+    {
+        table.add_row([
+            point.wheel.to_string(),
+            point.rail.to_owned(),
+            format!("{:.4}", 1e-3 * at.force[2].norm()),
+            at.growth_rate
+                .map_or_else(|| "smooth".to_owned(), |rate| format!("{rate:.3e}")),
+        ]);
+    }
+    format!("{table}\n")
 }

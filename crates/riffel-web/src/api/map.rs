@@ -2,7 +2,7 @@
 
 use axum::extract::State;
 use riffel::growth::{RidgeBranch, RidgePoint};
-use riffel::{Axis, FeedbackLoop, GrowthMap, Ridge};
+use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument};
 use riffel_case::Case;
@@ -128,7 +128,7 @@ impl Computed {
     /// The map of a loop of the case in a window.
     pub(crate) fn new(
         case: &Case,
-        feedback: &FeedbackLoop,
+        feedback: &Loop,
         wavelength: Axis,
         speed: Axis,
         wanted: &Wanted,

@@ -71,7 +71,7 @@ impl Spectrum {
     fn new(case: &Case, speed: f64) -> Self {
         let [lowest, highest] = FREQUENCIES;
         let feedback = &case.feedback;
-        let contact = feedback.contact_stiffness.recip();
+        let contact = feedback.contact_stiffness().recip();
         let mut spectrum = Self {
             rail_receptance_m_per_n: Vec::new(),
             wheel_receptance_m_per_n: Vec::new(),
@@ -80,10 +80,9 @@ impl Spectrum {
         };
         for frequency in &spectrum.frequency_hz {
             let w = std::f64::consts::TAU * frequency;
-            let rail = feedback.track.receptance(w, speed);
-            let wheel = feedback.wheel.receptance(w, speed);
-            // Equation (24); the wavelength plays no part in it.
-            let force = feedback.amplitude / (rail + wheel + contact);
+            let [rail, wheel] = feedback.normal_receptances(w, speed);
+            // Equation (24); the wavelength plays no part in it. On all axes it is the part of the normal alone.
+            let force = feedback.amplitude() / (rail + wheel + contact);
             spectrum.rail_receptance_m_per_n.push(pair(rail));
             spectrum.wheel_receptance_m_per_n.push(pair(wheel));
             let ratio = force / case.steady.normal_force;
@@ -102,7 +101,7 @@ impl Growth {
         Ok(Self {
             growth_rate_per_passage: wavelength_m
                 .iter()
-                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
+                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate())
                 .collect(),
             wavelength_m,
             lines: Ridge::lines_at(&case.feedback, window, speed)
@@ -160,7 +159,7 @@ pub(crate) async fn post(
             Ok(Json(Answer {
                 state: Turn {
                     point: Point::new(&case, &state),
-                    amplitude_m: case.feedback.amplitude,
+                    amplitude_m: case.feedback.amplitude(),
                     static_normal_force_n: case.steady.normal_force,
                 },
                 spectrum,
