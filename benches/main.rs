@@ -18,7 +18,7 @@ use std::time::Instant;
 
 use riffel::growth::RowEvaluator;
 use riffel::receptance::{Beam, Layer, PeriodicTrack, ShearSection, Support};
-use riffel::{Axis, Complex64, ElasticMaterial, FeedbackLoop, GrowthMap, Receptance, Ridge};
+use riffel::{Axis, Complex64, ElasticMaterial, GrowthMap, Loop, Receptance, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 
 use contestant::{Contestant, Failure, machine, numpy_version, rolland_version};
@@ -63,7 +63,7 @@ fn main() -> Result<(), Failure> {
 }
 
 /// The tracks of the tasks.
-fn feedback(track: &str) -> Result<FeedbackLoop, Failure> {
+fn feedback(track: &str) -> Result<Loop, Failure> {
     const MOVING: &str = "track.model=moving-beam";
     const PERIODIC: [&str; 4] = [
         "rail.section=60E1",

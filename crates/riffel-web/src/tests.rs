@@ -228,7 +228,7 @@ async fn a_map_is_that_of_the_program() {
         let state = case
             .feedback
             .at(case.wavelength.value(column), case.speed.value(row));
-        let expected = state.normalized_dissipation.re as f32;
+        let expected = state.normalized_dissipation().re as f32;
         // The map agrees with the loop to rounding, then both are rounded to 32 bits.
         let got = values[row * points.0 + column];
         assert!(
@@ -267,14 +267,14 @@ async fn a_point_is_that_of_the_loop() {
         );
     };
     let got = &answer["state"];
-    same(&got["growth_rate_per_passage"], state.growth_rate);
-    same(&got["normal_force_n"][0], state.normal_force.re);
-    same(&got["normal_force_n"][1], state.normal_force.im);
+    same(&got["growth_rate_per_passage"], state.growth_rate());
+    same(&got["normal_force_n"][0], state.normal_force().re);
+    same(&got["normal_force_n"][1], state.normal_force().im);
     let spectrum = &answer["spectrum"];
     assert_eq!(spectrum["frequency_hz"].as_array().unwrap().len(), 240);
     // P₁ of the curve is P₁ of the loop at its own frequency, equation (24).
     let frequency = spectrum["frequency_hz"][120].as_f64().unwrap();
-    let there = case.feedback.at(30.0 / frequency, 30.0).normal_force / case.steady.normal_force;
+    let there = case.feedback.at(30.0 / frequency, 30.0).normal_force() / case.steady.normal_force;
     let curve = spectrum["normal_force_ratio"][120][0].as_f64().unwrap();
     assert!(
         (curve - there.re).abs() <= 1e-12 * there.norm(),

@@ -74,10 +74,10 @@ fn samples_are_what_the_library_computes() {
 
         let state = case.feedback.at(0.055, 30.0);
         let force = of(&study, &values, "point_1_normal_force_n");
-        assert_eq!(force, [state.normal_force.re, state.normal_force.im]);
+        assert_eq!(force, [state.normal_force().re, state.normal_force().im]);
         assert_eq!(
             of(&study, &values, "point_1_growth_rate_per_passage")[0],
-            state.growth_rate
+            state.growth_rate()
         );
     }
 }
