@@ -4,7 +4,7 @@ mod general;
 mod kind;
 
 pub(crate) use general::System;
-pub use general::{Comb, Contact, ContactState, GeneralLoop, GeneralState};
+pub use general::{Comb, Contact, ContactState, GeneralLoop, GeneralState, Stability};
 pub use kind::{Loop, State};
 
 use std::f64::consts::PI;

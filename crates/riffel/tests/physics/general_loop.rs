@@ -248,3 +248,100 @@ fn a_response_that_is_not_told_is_asked_for() {
     assert!(matches!(error, Error::NoResponse { .. }), "{error}");
     assert!(silent(Motion::Held).is_ok());
 }
+
+/// A wheel that answers across the rail to a vertical force and back, by a mode of 400 Hz that both share.
+struct SharedMode {
+    share: f64,
+    loss_factor: f64,
+}
+
+impl Structure for SharedMode {
+    fn cross_receptance(&self, w: f64, _: f64, at: Place, from: Place) -> Complex64 {
+        use riffel::Direction::{Lateral, Vertical};
+        let mode = |hertz: f64| {
+            let of = std::f64::consts::TAU * hertz;
+            (300.0 * (of * of * Complex64::new(1.0, self.loss_factor) - w * w)).inv()
+        };
+        let shape = |place: Place| match place.direction {
+            Lateral => 1.0,
+            Vertical => self.share,
+            _ => 0.0,
+        };
+        let vertical = match (at.direction, from.direction) {
+            (Vertical, Vertical) => mode(40.0),
+            _ => Complex64::ZERO,
+        };
+        shape(at) * shape(from) * mode(400.0) + vertical
+    }
+}
+
+/// Falling friction: F = μ(c) P along the slip.
+struct Falling(f64);
+
+impl RollingContact for Falling {
+    fn steady(&self) -> riffel::contact::MeanRolling {
+        rolling(0.0, 1e-3).steady()
+    }
+
+    fn response(&self, wavelength: f64) -> riffel::contact::ContactResponse {
+        let mut response = rolling(0.0, 1e-3).response(wavelength);
+        let lateral = response.by_lateral.as_mut().unwrap();
+        lateral.force = [Complex64::ZERO, self.0.into()];
+        response.by_load.force = [Complex64::ZERO, Complex64::new(0.35, 0.0)];
+        response
+    }
+}
+
+/// One lateral mode m(ω₀² − ω²) against a slope C of friction: 1 + (iω/V) C H = 0. It grows where friction falls more
+/// steeply than the loss damps, C/V < −2ζω₀m, at its frequency; with the vertical axis in it by μ alone, the roots do not
+/// move.
+#[test]
+fn falling_friction_squeals_where_it_outweighs_the_loss() {
+    let speed = 10.0;
+    let w = std::f64::consts::TAU * 400.0;
+    // 2ζ = 0.02 of the mode.
+    let limit = -0.02 * w * 300.0 * speed;
+    for (slope, roots) in [(0.9 * limit, 0), (1.1 * limit, 2), (1e5, 0)] {
+        let contact = contact(
+            0.0,
+            Arc::new(Falling(slope)),
+            [Motion::Held, Motion::Compliant(())],
+        );
+        let squeal = general(
+            SharedMode {
+                share: 0.0,
+                loss_factor: 0.02,
+            },
+            vec![contact],
+        );
+        let stability = squeal.stability(speed, 1.0, 1e5).unwrap();
+        assert_eq!(stability.unstable_roots, roots, "{slope}");
+        if let Some(frequency) = stability.frequency {
+            assert!((frequency / 400.0 - 1.0).abs() < 0.02, "{frequency}");
+        }
+    }
+}
+
+/// Full sliding at constant friction, F = μP: the loop is 1/k_H + H_zz + μ H_zy = 0, which holds the mode by
+/// share² + μ share. It is passive where that is positive, and without a receptance between normal and tangent; where it is
+/// negative the track feeds the mode, more than so small a loss takes.
+#[test]
+fn constant_friction_needs_a_coupling_of_modes() {
+    let stability = |share: f64| {
+        let contact = contact(
+            0.0,
+            Arc::new(Falling(0.0)),
+            [Motion::Held, Motion::Compliant(())],
+        );
+        let mode = SharedMode {
+            share,
+            loss_factor: 1e-4,
+        };
+        let coupled = general(mode, vec![contact]);
+        coupled.stability(10.0, 1.0, 1e5).unwrap().unstable_roots
+    };
+    assert_eq!(stability(0.0), 0);
+    assert_eq!(stability(0.5), 0);
+    assert_eq!(stability(-0.5), 0);
+    assert_eq!(stability(-0.175), 2);
+}

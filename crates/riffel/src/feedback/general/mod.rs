@@ -2,9 +2,11 @@
 
 mod contact;
 mod linear;
+mod stability;
 mod system;
 
 pub use contact::Contact;
+pub use stability::Stability;
 pub(crate) use system::System;
 
 use std::sync::Arc;
@@ -33,7 +35,7 @@ use crate::{Error, Rail};
 /// upper sign on the right rail. A held axis has no ξ₁; on a free one Q₁ vanishes and ξ₁ takes its place among the
 /// unknowns.
 ///
-/// Where the loop is unstable without any profile (see [`unstable_roots`](Self::unstable_roots)) its growth rates mean
+/// Where the loop is unstable without any profile (see [`stability`](Self::stability)) its growth rates mean
 /// nothing.
 ///
 /// Method: 3n complex linear equations by elimination with row pivots. Cost: O(27n³) and the receptance matrices of n
