@@ -10,7 +10,7 @@
 //! let overrides = ["contact.tractive_ratio=0.5".to_owned()];
 //! let case = Case::parse("nominal", NOMINAL_CASE, &overrides)?;
 //! let state = case.feedback.at(0.055, 30.0);
-//! assert!(state.growth_rate > 0.0);
+//! assert!(state.growth_rate() > 0.0);
 //! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 
