@@ -71,6 +71,15 @@ impl MeasuredReceptance {
             .zip(self.receptances.iter().copied())
     }
 
+    /// The same with the opposite sign: of a displacement that is counted the other way.
+    pub fn negated(&self) -> Self {
+        let mut negated = self.clone();
+        for receptance in &mut negated.receptances {
+            *receptance = -*receptance;
+        }
+        negated
+    }
+
     /// Number of frequencies.
     pub fn points(&self) -> usize {
         self.receptances.len()

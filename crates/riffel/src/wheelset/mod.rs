@@ -1,10 +1,12 @@
 //! The wheelset at the contact: how it answers the forces there, along the rail, across it and downward.
 //!
 //! One wheel alone is a [`RigidMass`] downward and a [`RigidInertia`] along the rail. A [`Wheelset`] joins two
-//! wheels on both rails: [`RigidWheelset`], [`FlexibleWheelset`].
+//! wheels on both rails: [`RigidWheelset`], [`FlexibleWheelset`], [`ModalWheelset`], [`MeasuredWheelset`].
 
 mod consistency;
 mod flexible;
+mod measured;
+mod modal;
 mod motion;
 mod port;
 mod rigid;
@@ -18,6 +20,8 @@ pub use flexible::{
     Axle, BendingPlane, CoupledInertia, Disc, DiscMotion, FlexibleWheelset, ModeName, NaturalMode,
     RigidMotion, SectionMotion, Segment,
 };
+pub use measured::{MeasuredEntry, MeasuredWheelset, Violation};
+pub use modal::{ElasticMode, ModalWheelset};
 pub use motion::Motion;
 pub use port::{ContactReceptances, Port, Wheelset};
 pub use rigid::{RigidBody, RigidWheelset};
