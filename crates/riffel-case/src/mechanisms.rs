@@ -99,7 +99,11 @@ impl Case {
                 ResonanceKind::MeasuredDip => MechanismKind::MeasuredDip,
                 ResonanceKind::GivenPeak => MechanismKind::GivenPeak,
                 ResonanceKind::GivenDip => MechanismKind::GivenDip,
-                ResonanceKind::FullTrack | ResonanceKind::RailOnPad => return None,
+                ResonanceKind::FullTrack
+                | ResonanceKind::RailOnPad
+                | ResonanceKind::LateralCutOn
+                | ResonanceKind::RollCutOn
+                | ResonanceKind::LateralPinnedPinned => return None,
             };
             let resolution = found.resolution.map(|resolution| resolution / TAU);
             Some(Mechanism::of_receptance(

@@ -96,6 +96,7 @@ pub mod growth;
 mod place_of_wear;
 pub mod receptance;
 pub mod roughness;
+mod simultaneous_roots;
 mod square_root;
 pub mod tile;
 mod wear;

@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::EulerBernoulliBeam;
+use super::wave_stiffness::WaveStiffness;
 use super::waves::{Wave, Waveguide, Waves, outgoing};
 use crate::square_root::square_root;
 use crate::{ElasticMaterial, Error};
@@ -153,6 +154,21 @@ impl Beam {
             rotary_inertia: self.rotary_inertia,
             mass_per_length: self.mass_per_length,
             damping: self.damping,
+        }
+    }
+
+    /// Stiffness on a foundation κ \[N/m²\] per metre against the waves of the relation above.
+    pub(super) fn wave_stiffness(&self, w: f64, foundation: Complex64) -> WaveStiffness {
+        let Dispersion {
+            squares, transfer, ..
+        } = self.dispersion(w, foundation);
+        let leading = self.parts().bending_stiffness;
+        WaveStiffness {
+            leading,
+            roots: squares,
+            count: 2,
+            // 1 − Jω²h and −Bh.
+            denominator: transfer.map(|part| -2.0 * leading * part),
         }
     }
 

@@ -4,18 +4,24 @@
 mod bar;
 mod beam;
 mod continuous;
+mod coupled_floquet;
 mod decay_rate;
 mod euler_bernoulli;
 mod extremum;
 mod free_beam;
+mod lateral_resonance;
 mod measured;
 mod moving_beam;
 mod moving_load;
 mod periodic;
 mod resonance;
+mod spatial_track;
 mod structure;
 mod support;
 mod tabulated;
+mod twist;
+mod twisting_rail;
+mod wave_stiffness;
 mod waves;
 
 pub use bar::Bar;
@@ -30,9 +36,11 @@ pub use moving_beam::{MovingBeam, MovingLoadRoots};
 pub use moving_load::MovingLoadTrack;
 pub use periodic::{FloquetWaves, PeriodicTrack};
 pub use resonance::{Resonance, ResonanceKind};
+pub use spatial_track::{ContactPoint, SpatialRail, SpatialTrack, Supports};
 pub use structure::{Structure, Uncoupled};
 pub use support::{Layer, Support};
 pub use tabulated::Tabulated;
+pub use twist::{Twist, TwistSection};
 pub use waves::{Wave, Waveguide, Waves};
 
 use std::sync::Arc;

@@ -50,14 +50,7 @@ impl<R: Waveguide> PeriodicTrack<R> {
     /// # Errors
     /// [`Error::OutOfRange`] unless the spacing is positive and at most 10 m.
     pub fn new(rail: R, support: Support, spacing: f64) -> Result<Self, Error> {
-        if !(spacing > 0.0 && spacing <= LONGEST_SPACING) {
-            return Err(Error::OutOfRange {
-                quantity: "support spacing",
-                value: spacing,
-                unit: "m",
-                rule: "must be above zero and at most 10 m",
-            });
-        }
+        check_spacing(spacing)?;
         Ok(Self {
             rail,
             support,
@@ -109,6 +102,19 @@ impl<R: Waveguide + Copy + 'static> CrossReceptance for PeriodicTrack<R> {
     }
 }
 
+/// That waves of a rail stay within the range of numbers from one support to the next.
+pub(super) fn check_spacing(spacing: f64) -> Result<(), Error> {
+    if spacing > 0.0 && spacing <= LONGEST_SPACING {
+        return Ok(());
+    }
+    Err(Error::OutOfRange {
+        quantity: "support spacing",
+        value: spacing,
+        unit: "m",
+        rule: "must be above zero and at most 10 m",
+    })
+}
+
 /// The waves of a periodic track at one frequency, and its receptance between any two places.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloquetWaves {
@@ -129,7 +135,7 @@ struct FloquetWave {
 }
 
 impl FloquetWaves {
-    fn new(free: &Waves, stiffness: Complex64, spacing: f64) -> Self {
+    pub(super) fn new(free: &Waves, stiffness: Complex64, spacing: f64) -> Self {
         let rail = RailInBay::new(free, spacing);
         let shifted = rail.shifted_cosine();
         let sine = rail.sine(spacing);
@@ -363,7 +369,7 @@ impl RailInBay {
 }
 
 /// sinh μ of the outgoing wave, |e^{−μ}| < 1, for c = cosh μ given as c − 1.
-fn outgoing_sinh(shifted: Complex64, slope: Complex64) -> Complex64 {
+pub(super) fn outgoing_sinh(shifted: Complex64, slope: Complex64) -> Complex64 {
     /// Below this the imaginary part of c is rounding, not loss.
     const NOISE: f64 = 1e-12;
     let c = shifted + 1.0;

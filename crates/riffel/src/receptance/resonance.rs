@@ -19,6 +19,12 @@ pub enum ResonanceKind {
     RailOnPad,
     /// Rail bending between supports, half a wave in each bay.
     PinnedPinned,
+    /// Rail across the track on its pads or on the ballast.
+    LateralCutOn,
+    /// Rail turning about its axis on its pads.
+    RollCutOn,
+    /// Rail bending across the track between supports, half a wave in each bay.
+    LateralPinnedPinned,
     /// Peak of a receptance that was measured, whichever mode it is.
     MeasuredPeak,
     /// Dip of a receptance that was measured.
@@ -36,6 +42,9 @@ impl fmt::Display for ResonanceKind {
             Self::FullTrack => "full-track",
             Self::RailOnPad => "rail on pad",
             Self::PinnedPinned => "pinned-pinned",
+            Self::LateralCutOn => "lateral cut-on",
+            Self::RollCutOn => "roll cut-on",
+            Self::LateralPinnedPinned => "lateral pinned-pinned",
             Self::MeasuredPeak => "peak of the measured receptance",
             Self::MeasuredDip => "dip of the measured receptance",
             Self::GivenPeak => "peak of the given receptance",

@@ -51,6 +51,11 @@ impl Layer {
         [self.dynamic_stiffness(Complex64::ZERO), self.damping.into()]
     }
 
+    /// k, without damping.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
     fn scaled(&self, factor: f64) -> Self {
         Self {
             stiffness: self.stiffness * factor,
@@ -138,6 +143,12 @@ impl Support {
                 pad * below_pad / (pad + below_pad)
             }
         }
+    }
+
+    /// The pad alone.
+    pub(super) fn pad(&self) -> &Layer {
+        let (Self::OneLayer { pad } | Self::TwoLayer { pad, .. }) = self;
+        pad
     }
 
     /// Undamped angular frequencies \[rad/s\] at which a rail of the mass m (per support, or per
