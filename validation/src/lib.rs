@@ -17,6 +17,7 @@ mod receptance;
 mod rolling;
 mod roughness;
 mod transient;
+mod twisting_rail;
 mod wheelset;
 
 /// The outcome of one check.
@@ -69,6 +70,7 @@ checks! {
     receptance: two_layer_receptance, timoshenko_receptance, periodic_receptance_over_support,
         periodic_receptance_mid_span, two_layer_peaks, one_layer_peak, pinned_pinned_antiresonance,
         pinned_pinned_overstated_by_euler, bhaskar_resonance, free_beam_is_the_high_frequency_limit;
+    twisting_rail: twisting_rail, twisting_rail_farther_on;
     contact: hertz_semi_axis, exact_hertz_ellipse, kalker_coefficients_linear_theory,
         kalker_coefficients_printed, kalker_coefficients_contact, creep_curve, saturation_creepage,
         creepage_of_four_per_mille;
