@@ -54,7 +54,7 @@ pub struct ContactPoint {
 }
 
 /// An infinite rail that stretches, bends both ways and twists, free, on supports spread evenly or on discrete ones;
-/// receptances along all axes between any two places.
+/// receptances along all axes between any two places, counted from a support.
 ///
 /// Bending downward (w), stretch (u), and bending across (v) with twist (θ, positive: the head moves to the right)
 /// run on their own; a contact at the height h above the shear centre and e to the right of it moves by
@@ -132,7 +132,6 @@ pub struct SpatialTrack {
     supports: Supports,
     /// Distance of discrete supports.
     spacing: Option<f64>,
-    position: f64,
     /// On the left rail and on the right one.
     contacts: [ContactPoint; 2],
 }
@@ -171,7 +170,6 @@ impl SpatialTrack {
             rail,
             supports,
             spacing: None,
-            position: 0.0,
             contacts: [ContactPoint::default(); 2],
         }
     }
@@ -221,11 +219,6 @@ impl SpatialTrack {
     pub fn with_contact(mut self, rail: Rail, contact: ContactPoint) -> Self {
         self.contacts[side(rail)] = contact;
         self
-    }
-
-    /// The same with the origin of all places that far from a support \[m\].
-    pub fn at(self, position: f64) -> Self {
-        Self { position, ..self }
     }
 
     /// Distance of the supports \[m\], where they are discrete.
@@ -330,7 +323,7 @@ impl Structure for SpatialTrack {
         from: Place,
     ) -> Complex64 {
         let waves = self.waves(angular_frequency);
-        let motions = waves.motions(self.position + from.along, self.position + at.along);
+        let motions = waves.motions(from.along, at.along);
         self.entry(&motions, at, from)
     }
 
@@ -356,8 +349,7 @@ impl Structure for SpatialTrack {
         }
         for (number, (at, rows)) in contacts.iter().enumerate() {
             for (from, columns) in &contacts[..=number] {
-                let (to, start) = (self.position + at.along, self.position + from.along);
-                let motions = waves.motions(start, to);
+                let motions = waves.motions(from.along, at.along);
                 for row in rows.clone() {
                     for column in columns.clone() {
                         let entry = self.entry(&motions, places[row], places[column]);
