@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
-use riffel::{Axis, Carter3d, Direction, HertzContact, Loop, Receptance};
+use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 
@@ -254,20 +254,10 @@ impl Case {
     pub fn check_frequencies(&self, lowest: f64, highest: f64) -> Result<(), CaseError> {
         /// Frequencies come from V/λ and pass through ω: some roundings.
         const ROUNDING: f64 = 1e-9;
-        let outside = |receptance: &dyn Receptance| {
-            let (low, high) = measurement::range(receptance);
-            let within = lowest >= low * (1.0 - ROUNDING) && highest <= high * (1.0 + ROUNDING);
-            (!within).then_some((low, high))
+        let outside = |&(_, (low, high)): &(&str, (f64, f64))| {
+            lowest < low * (1.0 - ROUNDING) || highest > high * (1.0 + ROUNDING)
         };
-        let wheel = self.keys.given.wheel.as_ref();
-        let (key, (low, high)) = if let Some(range) = outside(&*self.track.receptance) {
-            match self.keys.given.track {
-                Some(_) => ("receptance of the track", range),
-                None => ("track.measurement.file", range),
-            }
-        } else if let Some(range) = wheel.and_then(|wheel| outside(&*wheel.receptance)) {
-            ("receptance of the wheel", range)
-        } else {
+        let Some((key, (low, high))) = self.known_receptances().into_iter().find(outside) else {
             return Ok(());
         };
         let asked = if lowest == highest {
@@ -280,6 +270,29 @@ impl Case {
             &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             "narrow the window, or measure further",
         ))
+    }
+
+    /// Lowest and highest frequency \[Hz\] at which track and wheel are known.
+    pub fn known_frequencies(&self) -> (f64, f64) {
+        let ranges = self.known_receptances().into_iter();
+        ranges.fold((0.0, f64::INFINITY), |known, (_, (low, high))| {
+            (f64::max(known.0, low), f64::min(known.1, high))
+        })
+    }
+
+    /// Receptances that may end: what a sentence calls them, and the frequencies \[Hz\] they are known at.
+    fn known_receptances(&self) -> Vec<(&'static str, (f64, f64))> {
+        let track = match self.keys.given.track {
+            Some(_) => "receptance of the track",
+            None => "track.measurement.file",
+        };
+        let mut known = vec![(track, measurement::range(&*self.track.receptance))];
+        let wheel = self.keys.given.wheel.as_ref();
+        known.extend(wheel.map(|wheel| {
+            let range = measurement::range(&*wheel.receptance);
+            ("receptance of the wheel", range)
+        }));
+        known
     }
 
     /// [`check_frequencies`](Self::check_frequencies) for the whole window of the map.

@@ -108,7 +108,7 @@ const INCH: f64 = 0.0254;
 
 /// Units that take no prefix. Those of the inch and the pound are exact by the agreement of 1959; a pound is a mass,
 /// and its weight is `lbf`.
-const ALONE: [(&str, f64, Exponents); 19] = [
+const ALONE: [(&str, f64, Exponents); 21] = [
     ("%", 1e-2, Exponents::new(0, 0, 0)),
     ("‰", 1e-3, Exponents::new(0, 0, 0)),
     ("deg", DEGREE, Exponents::ANGLE),
@@ -117,6 +117,8 @@ const ALONE: [(&str, f64, Exponents); 19] = [
     ("h", 3600.0, Exponents::new(0, 0, 1)),
     ("min", 60.0, Exponents::new(0, 0, 1)),
     ("in", INCH, Exponents::new(0, 1, 0)),
+    ("mil", 1e-3 * INCH, Exponents::new(0, 1, 0)),
+    ("thou", 1e-3 * INCH, Exponents::new(0, 1, 0)),
     ("ft", 12.0 * INCH, Exponents::new(0, 1, 0)),
     ("yd", 36.0 * INCH, Exponents::new(0, 1, 0)),
     ("mi", 63_360.0 * INCH, Exponents::new(0, 1, 0)),
@@ -138,13 +140,14 @@ const ALONE: [(&str, f64, Exponents); 19] = [
     ),
 ];
 
-const PREFIXES: [(&str, f64); 9] = [
+const PREFIXES: [(&str, f64); 10] = [
     ("n", 1e-9),
     ("µ", 1e-6), // U+00B5 micro sign
     ("μ", 1e-6), // U+03BC Greek mu
     ("u", 1e-6),
     ("m", 1e-3),
     ("c", 1e-2),
+    ("d", 1e-1),
     ("k", 1e3),
     ("M", 1e6),
     ("G", 1e9),
@@ -308,6 +311,9 @@ mod tests {
     #[case("in", 0.0254, [0, 1, 0])]
     #[case("in4", 4.162_314_256e-7, [0, 4, 0])]
     #[case("ft", 0.3048, [0, 1, 0])]
+    #[case("mil", 25.4e-6, [0, 1, 0])]
+    #[case("thou", 25.4e-6, [0, 1, 0])]
+    #[case("dm", 0.1, [0, 1, 0])]
     #[case("lb", 0.453_592_37, [1, 0, 0])]
     #[case("lbs/yd", 0.453_592_37 / 0.9144, [1, -1, 0])]
     #[case("lbf", 4.448_221_615_260_5, [1, 1, -2])]

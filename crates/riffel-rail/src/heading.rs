@@ -1,5 +1,6 @@
 //! What stands above the numbers: names of columns, their units, and remarks that give units.
 
+use riffel_keys::Unit;
 use riffel_keys::text_file::{printable, text_of};
 
 use crate::format::Delimiter;
@@ -10,8 +11,8 @@ use crate::rows::cells;
 pub(super) struct Heading {
     /// Names, if a line has them.
     pub(super) names: Option<Vec<String>>,
-    /// Units of a line of its own.
-    units: Option<Vec<Option<&'static str>>>,
+    /// Cells of a line of units of its own.
+    units: Option<Vec<String>>,
     /// Unit of the heights by a remark.
     heights: Option<Stated>,
     /// Unit of the positions by a remark.
@@ -68,7 +69,7 @@ impl Heading {
                 continue;
             };
             if heading.units.is_none() && is_row_of_units(&cells) {
-                heading.units = Some(cells.iter().map(|cell| unit_in(&tokens(cell))).collect());
+                heading.units = Some(cells);
                 taken.push(index);
                 // Names are looked for right above.
                 continue;
@@ -96,10 +97,26 @@ impl Heading {
         self.names.as_ref()?.get(column).map(String::as_str)
     }
 
-    /// Unit that the head of a column gives.
+    /// Unit of length that the head of a column gives.
     pub(super) fn unit_of(&self, column: usize) -> Option<&'static str> {
-        let row = self.units.as_ref().and_then(|units| *units.get(column)?);
-        row.or_else(|| unit_in(&tokens(self.name(column)?)))
+        let row = self.unit_below(column).and_then(length_in);
+        row.or_else(|| length_in(self.name(column)?))
+    }
+
+    /// Unit that the head of a column gives and that is no length known here, as it is written there.
+    pub(super) fn foreign_unit_of(&self, column: usize) -> Option<String> {
+        match self.unit_below(column) {
+            Some(unit) => length_in(unit)
+                .is_none()
+                .then(|| unit.trim_matches(['[', ']', '(', ')']).trim().to_owned()),
+            None => foreign_unit(self.name(column)?),
+        }
+    }
+
+    /// What a line of units has for a column.
+    fn unit_below(&self, column: usize) -> Option<&str> {
+        let unit = self.units.as_ref()?.get(column)?.as_str();
+        unit.contains(char::is_alphanumeric).then_some(unit)
     }
 
     /// Unit that a remark gives.
@@ -124,7 +141,10 @@ impl Heading {
 
     /// What the head calls a rail, without its unit.
     pub(super) fn rail_name(&self, column: usize) -> String {
-        let tokens = tokens(self.name(column).unwrap_or_default());
+        let mut tokens = tokens(self.name(column).unwrap_or_default());
+        if ends_in_inches(&tokens) {
+            tokens.pop();
+        }
         let kept: Vec<String> = tokens
             .into_iter()
             .filter(|token| unit(token).is_none())
@@ -205,13 +225,15 @@ pub(super) fn tokens(name: &str) -> Vec<String> {
         .collect()
 }
 
-/// The unit of length that a word is.
+/// The unit of length that a word is, wherever it stands. "in" is one at the end of a name only.
 fn unit(word: &str) -> Option<&'static str> {
-    const UNITS: [(&str, &[&str]); 5] = [
+    const UNITS: [(&str, &[&str]); 12] = [
+        ("m", &["m", "meter", "metre", "meters", "metres"]),
         (
             "km",
             &["km", "kilometer", "kilometre", "kilometers", "kilometres"],
         ),
+        ("dm", &["dm", "decimeter", "decimetre", "dezimeter"]),
         (
             "mm",
             &[
@@ -241,18 +263,72 @@ fn unit(word: &str) -> Option<&'static str> {
             ],
         ),
         ("nm", &["nm", "nanometer", "nanometre"]),
+        ("in", &["inch", "inches", "zoll"]),
+        ("ft", &["ft", "foot", "feet"]),
+        ("yd", &["yd", "yard", "yards"]),
+        ("mi", &["mi", "mile", "miles"]),
+        ("mil", &["mil", "mils", "thou", "thous"]),
     ];
-    const METRE: [&str; 5] = ["m", "meter", "metre", "meters", "metres"];
-    if METRE.contains(&word) {
-        return Some("m");
-    }
     let known = UNITS.iter().find(|(_, words)| words.contains(&word));
     known.map(|(unit, _)| *unit)
 }
 
-/// The last unit among some words.
-fn unit_in(tokens: &[String]) -> Option<&'static str> {
+/// Whether a name ends in "in", as in "left [in]" or "height_in".
+fn ends_in_inches(tokens: &[String]) -> bool {
+    tokens.last().is_some_and(|last| last == "in")
+}
+
+/// The unit of length in the name of a column or in a cell of a line of units: the last of several.
+pub(super) fn length_in(name: &str) -> Option<&'static str> {
+    let tokens = tokens(name);
+    if ends_in_inches(&tokens) {
+        return Some("in");
+    }
     tokens.iter().rev().find_map(|token| unit(token))
+}
+
+/// What the name of a column gives as its unit and is no length known here, as it is written: what stands in brackets,
+/// or a last word that is a unit.
+pub(super) fn foreign_unit(name: &str) -> Option<String> {
+    /// Units at the end of a name, as in "t_s".
+    const AT_THE_END: [&str; 16] = [
+        "s", "sec", "ms", "min", "hz", "khz", "db", "dba", "deg", "rad", "rpm", "kmh", "mph",
+        "kph", "pa", "upa",
+    ];
+    /// Units that are no other word.
+    const ALWAYS: [&str; 6] = ["furlong", "furlongs", "fuss", "fuß", "hm", "hectometre"];
+    let words = tokens(name);
+    let other =
+        |word: &String| AT_THE_END.contains(&word.as_str()) || ALWAYS.contains(&word.as_str());
+    for (open, close) in [('[', ']'), ('(', ')')] {
+        let groups = name.split(open).skip(1);
+        for (inside, _) in groups.filter_map(|group| group.split_once(close)) {
+            let inside = inside.trim();
+            let words = tokens(inside);
+            let lengths = words.iter().filter(|word| unit(word).is_some()).count();
+            let is_product = inside.contains(|c: char| c.is_numeric() || "/·*^".contains(c));
+            // "[mm]" and "(mm, filtered)", but not "[10 um]" nor "[µm/m]".
+            if lengths == 1 && !is_product || words == ["in"] {
+                continue;
+            }
+            let names_a_unit = lengths > 0
+                || words.iter().any(other)
+                || !inside.is_empty() && Unit::parse(inside).is_ok();
+            // Square brackets are for units; round ones are for remarks, too.
+            let has_a_sign = inside.contains(|c: char| c.is_alphabetic() || "°%‰".contains(c));
+            if has_a_sign && (open == '[' || names_a_unit) {
+                return Some(inside.to_owned());
+            }
+        }
+    }
+    if length_in(name).is_some() {
+        return None;
+    }
+    let last = words.last()?;
+    let is_unit = ALWAYS.contains(&last.as_str()) || words.len() > 1 && other(last);
+    let written = name.trim_end_matches(|c: char| !c.is_alphanumeric());
+    let begin = written.rfind(|c: char| !c.is_alphanumeric());
+    is_unit.then(|| written[begin.map_or(0, |at| at + 1)..].to_owned())
 }
 
 /// Whether a word of a remark speaks of heights or of positions.
@@ -366,9 +442,12 @@ fn is_row_of_units(cells: &[String]) -> bool {
     const OTHERS: [&str; 10] = ["s", "h", "hz", "db", "v", "g", "c", "deg", "km h", "m s"];
     let is_unit = |cell: &String| {
         let joined = tokens(cell).join(" ");
-        joined.is_empty() || unit(&joined).is_some() || OTHERS.contains(&joined.as_str())
+        joined.is_empty()
+            || joined == "in"
+            || unit(&joined).is_some()
+            || OTHERS.contains(&joined.as_str())
     };
-    cells.iter().all(is_unit) && cells.iter().any(|cell| unit_in(&tokens(cell)).is_some())
+    cells.iter().all(is_unit) && cells.iter().any(|cell| length_in(cell).is_some())
 }
 
 /// Text of a cell without quotes.
@@ -434,6 +513,36 @@ mod tests {
             (heading.unit_of(0), heading.unit_of(2)),
             (Some("m"), Some("um"))
         );
+    }
+
+    #[rstest]
+    #[case("x [ft]", Some("ft"), None)]
+    #[case("left_in", Some("in"), None)]
+    #[case("Höhe [Zoll]", Some("in"), None)]
+    #[case("height (thou)", Some("mil"), None)]
+    #[case("Miles", Some("mi"), None)]
+    #[case("x [dm]", Some("dm"), None)]
+    #[case("distance in metres", Some("m"), None)]
+    #[case("z (mm, filtered)", Some("mm"), None)]
+    #[case("height [furlong]", None, Some("furlong"))]
+    #[case("Weg [Fuss]", None, Some("Fuss"))]
+    #[case("x [hm]", None, Some("hm"))]
+    #[case("left [°]", None, Some("°"))]
+    #[case("left (dB)", None, Some("dB"))]
+    #[case("left [10 um]", Some("um"), Some("10 um"))]
+    #[case("slope [µm/m]", Some("m"), Some("µm/m"))]
+    #[case("t_s", None, Some("s"))]
+    #[case("s", None, None)]
+    #[case("rail (left)", None, None)]
+    #[case("z[0]", None, None)]
+    #[case("[2Jz um", Some("um"), None)]
+    fn heads_give_units(
+        #[case] name: &str,
+        #[case] length: Option<&str>,
+        #[case] foreign: Option<&str>,
+    ) {
+        assert_eq!(length_in(name), length);
+        assert_eq!(foreign_unit(name).as_deref(), foreign);
     }
 
     #[test]

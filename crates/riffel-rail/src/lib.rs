@@ -27,6 +27,7 @@ mod input;
 mod labelled_spectrum;
 mod layout;
 mod length_unit;
+mod level_unit;
 mod limit;
 mod number;
 mod part;

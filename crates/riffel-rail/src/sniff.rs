@@ -265,7 +265,7 @@ impl Table {
         }
     }
 
-    /// Refuse a remark that contradicts the head of a column, unless the user says which is right.
+    /// Refuse a head whose unit is no length, and a remark that contradicts a head, unless the user says the unit.
     fn check_units(
         &self,
         layout: &Layout,
@@ -278,6 +278,17 @@ impl Table {
         let position =
             position.map(|column| (column, Kind::Position, layout.position_unit.is_some()));
         for (column, kind, said) in heights.chain(position) {
+            if let (Some(foreign), false) = (self.heading.foreign_unit_of(column), said)
+                && !self.kilometrage[column]
+            {
+                let (what, option) = kind.words();
+                return Err(format!(
+                    "the head of column {}, \"{}\", gives {foreign} as the unit of the {what}, which is no length known \
+                     here; convert the column, or give {option}",
+                    column + 1,
+                    self.heading.name(column).unwrap_or_default()
+                ));
+            }
             if let (Some(own), Some(stated), false) = (
                 self.heading.unit_of(column),
                 self.heading.stated(kind),

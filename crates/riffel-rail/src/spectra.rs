@@ -7,8 +7,10 @@ use riffel_keys::text_file::{printable, text_of};
 
 use crate::date::read_dates;
 use crate::format::{DecimalMark, Delimiter};
-use crate::heading::{is_date, tokens};
+use crate::heading::{foreign_unit, is_date, length_in, tokens};
 use crate::labelled_spectrum::LabelledSpectrum;
+use crate::length_unit::metres;
+use crate::level_unit::level_shift;
 use crate::refusal::Refusal;
 use crate::{number, plausibility, rows};
 
@@ -236,8 +238,12 @@ fn read_long(
     levels: &[usize],
 ) -> Result<Vec<LabelledSpectrum>, Refusal> {
     let header = rows.header;
-    let metres =
-        unit(&header[wavelength]).map_err(|message| Refusal::new(Some(rows.above), message))?;
+    let in_header = |message: String| Refusal::new(Some(rows.above), message);
+    let metres = unit(&header[wavelength]).map_err(in_header)?;
+    let shifts = levels
+        .iter()
+        .map(|&level| level_shift(&header[level]).map_err(in_header))
+        .collect::<Result<Vec<f64>, Refusal>>()?;
     let mut spectra: BTreeMap<usize, Vec<(ThirdOctave, f64)>> = BTreeMap::new();
     let mut known: Vec<Vec<String>> = Vec::new();
     for row in rows.cells() {
@@ -246,9 +252,12 @@ fn read_long(
         if !length.is_finite() {
             return Err(rows.no_number(line, &cells, wavelength));
         }
-        let band = band_of(length).map_err(|message| Refusal::new(Some(line), message))?;
-        for &level in levels {
-            let value = rows.number(line, &cells, level)?;
+        let written = label(cells[wavelength]);
+        let band = check_length(length, &written, &header[wavelength])
+            .and_then(|()| band_of(length))
+            .map_err(|message| Refusal::new(Some(line), message))?;
+        for (&level, shift) in levels.iter().zip(&shifts) {
+            let value = rows.number(line, &cells, level)? + shift;
             if !value.is_finite() {
                 // One of several may have no level in a band.
                 if levels.len() > 1 {
@@ -372,16 +381,28 @@ fn write_dates_alike(spectra: &mut [LabelledSpectrum]) {
     }
 }
 
-/// Unit of the wavelength from the name of its column, which must say it.
+/// Size of the unit of the wavelength \[m\] from the name of its column, which must say it.
 fn unit(name: &str) -> Result<f64, String> {
-    let tokens = tokens(name);
-    let has = |unit: &str| tokens.iter().any(|token| token == unit);
-    match (has("mm"), has("cm"), has("m")) {
-        (true, _, _) => Ok(1e-3),
-        (_, true, _) => Ok(1e-2),
-        (_, _, true) => Ok(1.0),
-        _ => Err(format!(
+    match (length_in(name).and_then(metres), foreign_unit(name)) {
+        (Some(size), None) => Ok(size),
+        (_, Some(foreign)) => Err(format!(
+            "column `{name}` is in {foreign}, which is no length known here; call it wavelength_m or wavelength_mm"
+        )),
+        (None, None) => Err(format!(
             "column `{name}` has no unit; call it wavelength_m or wavelength_mm"
         )),
     }
+}
+
+/// Refuse a wavelength \[m\] that no record of a rail holds: the unit of its column is wrong.
+fn check_length(length: f64, written: &str, name: &str) -> Result<(), String> {
+    /// Instruments sample every millimetre and are held straight over a few metres; a unit that is wrong is off by ten
+    /// and more.
+    const KNOWN: (f64, f64) = (1e-3, 10.0);
+    if (KNOWN.0..=KNOWN.1).contains(&length) {
+        return Ok(());
+    }
+    Err(format!(
+        "column `{name}` is {written}, but roughness has wavelengths between 1 mm and 10 m; is its unit right?"
+    ))
 }

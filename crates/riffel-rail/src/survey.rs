@@ -179,6 +179,51 @@ impl Survey {
         Ok(dates)
     }
 
+    /// The column of dates, where the records are of more than one.
+    pub fn column_of_several_dates(&self) -> Option<&str> {
+        let column = self.date_column()?;
+        let dates = self.by_date(column).ok()?;
+        (dates.len() > 1).then_some(column)
+    }
+
+    /// The latest records of each rail, with the last of their dates: what the rail is like now. Records without dates
+    /// are all of now. A warning says what was left out.
+    pub fn latest(self) -> (Self, Option<Date>) {
+        let Some(column) = self.date_column().map(str::to_owned) else {
+            return (self, None);
+        };
+        // A column that is called a date and holds something else tells no time.
+        let Ok(dates) = self.by_date(&column) else {
+            return (self, None);
+        };
+        let Some((last, _)) = dates.last() else {
+            return (self, None);
+        };
+        let last = *last;
+        if dates.len() == 1 {
+            return (self, Some(last));
+        }
+        let rails = self.by_rail();
+        let records = rails.iter().filter_map(|(_, rail)| {
+            let (_, survey) = rail.by_date(&column).ok()?.pop()?;
+            Some(survey.records)
+        });
+        let records: Vec<LabelledSpectrum> = records.flatten().collect();
+        let mut warnings = self.warnings;
+        if records.len() < self.records.len() {
+            warnings.push(format!(
+                "column `{column}` has {} dates: now is the latest of each rail, {last}",
+                dates.len()
+            ));
+        }
+        let latest = Self {
+            path: self.path,
+            records,
+            warnings,
+        };
+        (latest, Some(last))
+    }
+
     /// Energy mean of the records.
     pub fn mean(&self) -> Spectrum {
         let spectra = self.spectra();

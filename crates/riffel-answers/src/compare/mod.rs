@@ -79,6 +79,7 @@ impl CompareAnswer {
         let rails: Vec<RailSpectrum> = match (&ground, survey) {
             (Some(ground), _) => vec![ground.spectrum.clone().into()],
             (None, Some(survey)) => {
+                let (survey, _) = survey.latest();
                 warnings.extend(survey.warnings.iter().cloned());
                 survey.rail_means()
             }

@@ -159,24 +159,32 @@ impl Diagnosis {
     }
 }
 
-/// Growth of the case over the wavelengths of its map and the one measured, but for those that the patch does not
-/// let through.
+/// Growth of the case over every wavelength that the other candidates are compared over, but for those that the patch
+/// does not let through or at which the track is not known at all speeds. The window of the map has no part in it: a
+/// prediction that ends where the user's window ends would explain any wavelength within a narrow one.
 fn growth(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, String> {
+    /// Wavelengths \[m\] that a cause not listed may have.
+    const ANY: (f64, f64) = (5e-3, 2.0);
     /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
     /// 2009).
     const SHORTEST: f64 = 3.0;
+    let (slowest, fastest) = (speeds.slowest(), speeds.fastest());
+    case.check_frequencies(slowest / measured, fastest / measured)
+        .map_err(|error| error.to_string())?;
+    let (lowest, highest) = case.known_frequencies();
     let shortest = SHORTEST * case.hertz.semi_axis_longitudinal();
-    let from = measured.min(case.wavelength.min()).max(shortest);
-    let to = measured.max(case.wavelength.max());
+    let from = ANY.0.max(shortest).max(fastest / highest);
+    let to = ANY.1.min(slowest / lowest);
     if from >= to {
         return Err(format!(
-            "the map of the case ends at {:.0} mm, and waves shorter than 1.5 contact lengths, {:.0} mm, pass unseen",
+            "at {:.0} to {:.0} km/h the track is known up to {:.0} mm, and waves shorter than 1.5 contact lengths, \
+             {:.0} mm, pass unseen",
+            3.6 * slowest,
+            3.6 * fastest,
             1e3 * to,
             1e3 * shortest
         ));
     }
-    case.check_frequencies(speeds.slowest() / to, speeds.fastest() / from)
-        .map_err(|error| error.to_string())?;
     let covered = case
         .covering(from, to)
         .map_err(|error| error.without_key())?;

@@ -112,6 +112,10 @@ impl ForecastAnswer {
             date,
         } = request;
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
+        let (survey, measured_on) = match survey.map(Survey::latest) {
+            Some((survey, date)) => (Some(survey), date),
+            None => (None, None),
+        };
         let measured: Vec<RailSpectrum> = match (&ground, &survey) {
             (Some(ground), _) => vec![ground.spectrum.clone().into()],
             (None, Some(survey)) => survey.rail_means(),
@@ -132,7 +136,7 @@ impl ForecastAnswer {
             rails,
             table,
             limit,
-            date,
+            date: date.or(measured_on),
             wear: None,
             warnings,
         })

@@ -14,6 +14,7 @@ use riffel_plot::PlotError;
 use riffel_rail::{LimitTable, Record};
 
 pub use inputs::Inputs;
+pub use page::GENERATOR;
 pub use roughness::block_of_strip;
 pub use site::Site;
 

@@ -7,6 +7,9 @@ const STYLE: &str = include_str!("page.css");
 /// No request may leave the page, and no script runs: the browser itself enforces it.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";
 
+/// What a page says it was written by, near its beginning.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"riffel report\">";
+
 /// A section, or the sentence why there is none.
 pub(super) enum Section {
     /// Heading and HTML.
@@ -68,6 +71,7 @@ pub(super) fn page(head: &Head, sections: &[Section]) -> String {
     }
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         {GENERATOR}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
          <title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{body}</main>\n</body>\n</html>\n"

@@ -231,9 +231,24 @@ pub(super) fn unit_in_name(name: &str) -> Option<&str> {
     } else if let Some((_, rest)) = name.split_once(" / ").or_else(|| name.split_once(" in ")) {
         Some(rest)
     } else {
-        let known = ["Hz", "hz", "kHz", "khz", "deg", "rad", "dB", "db"];
-        let tail = name.rsplit('_').next().filter(|tail| known.contains(tail));
-        tail.filter(|tail| tail.len() < name.len()).or_else(|| {
+        let known = [
+            "Hz",
+            "hz",
+            "kHz",
+            "khz",
+            "deg",
+            "rad",
+            "dB",
+            "db",
+            "rad_s",
+            "rad_per_s",
+            "rpm",
+        ];
+        let known = known.into_iter().find(|unit| {
+            let before = name.strip_suffix(unit);
+            before.is_some_and(|before| before.len() > 1 && before.ends_with('_'))
+        });
+        known.or_else(|| {
             // As in rail_m_per_n_re.
             let from = name.find("m_per_")?;
             let length = name[from..].find("_per_n")? + "_per_n".len();
@@ -258,6 +273,8 @@ mod tests {
     #[rstest]
     #[case("frequency_hz", Role::Frequency, Some("hz"))]
     #[case("f / kHz", Role::Frequency, Some("kHz"))]
+    #[case("frequency_rad_s", Role::Frequency, Some("rad_s"))]
+    #[case("frequency_rpm", Role::Frequency, Some("rpm"))]
     #[case("Frequenz [Hz]", Role::Frequency, Some("Hz"))]
     #[case("rail_m_per_n_re", Role::Real, Some("m_per_n"))]
     #[case("Imaginärteil in m/N", Role::Imaginary, Some("m/N"))]

@@ -271,15 +271,6 @@ struct Units {
 
 impl Units {
     fn new(layout: &Layout, measurement: &Measurement) -> Result<Self, MeasurementError> {
-        let hertz = Exponents::new(0, 0, -1);
-        let in_header = || {
-            let unit = Unit::parse(layout.unit(layout.columns.frequency)?).ok()?;
-            (unit.exponents == hertz).then_some(unit.factor)
-        };
-        let to_hertz = match &measurement.frequency_unit {
-            Some(unit) => factor("frequency_unit", unit, hertz, "a frequency in Hz")?,
-            None => in_header().unwrap_or(1.0),
-        };
         let phase_in_header = match layout.columns.values {
             Parts::Polar([_, phase]) => layout.unit(phase).and_then(angle),
             Parts::Cartesian(_) => None,
@@ -298,7 +289,7 @@ impl Units {
         }
         .decode()?;
         Ok(Self {
-            to_hertz,
+            to_hertz: to_hertz(layout, measurement.frequency_unit.as_ref())?,
             to_radians: match phase.unwrap_or_default() {
                 AngleUnit::Degrees => std::f64::consts::PI / 180.0,
                 AngleUnit::Radians => 1.0,
@@ -306,6 +297,44 @@ impl Units {
             phase_is_known: phase.is_some(),
             decoded,
         })
+    }
+}
+
+/// Hertz of a unit of frequency.
+fn hertz_of(unit: &str) -> Option<f64> {
+    let plain: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
+    match plain.to_lowercase().as_str() {
+        "rad/s" | "rad_s" | "rad_per_s" | "rads-1" | "rads^-1" => {
+            Some(std::f64::consts::TAU.recip())
+        }
+        "hz" => Some(1.0),
+        _ => Unit::parse(unit)
+            .ok()
+            .filter(|unit| unit.exponents == Exponents::new(0, 0, -1))
+            .map(|unit| unit.factor),
+    }
+}
+
+/// Hertz of the unit of the column of frequencies, as the key or else the head says it; 1 where neither does.
+fn to_hertz(layout: &Layout, key: Option<&String>) -> Result<f64, MeasurementError> {
+    let wrong = |message: String| MeasurementError::new("frequency_unit", message);
+    if let Some(unit) = key {
+        return hertz_of(unit).ok_or_else(|| {
+            wrong(format!(
+                "is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""
+            ))
+        });
+    }
+    let column = layout.columns.frequency;
+    match layout.unit(column) {
+        None => Ok(1.0),
+        Some(unit) => hertz_of(unit).ok_or_else(|| {
+            wrong(format!(
+                "is left out, but column `{}` is in {unit}, which is no unit of a frequency: convert it, or write \
+                 \"Hz\", \"kHz\" or \"rad/s\"",
+                layout.header[column]
+            ))
+        }),
     }
 }
 
@@ -332,26 +361,4 @@ fn number(cell: &str, separator: Separator) -> Result<f64, String> {
         Ok(_) => Err(format!("is {cell}, but must be finite")),
         Err(_) => Err(format!("is \"{cell}\", not a number")),
     }
-}
-
-/// Size of a unit in SI.
-fn factor(
-    key: &'static str,
-    unit: &str,
-    exponents: Exponents,
-    name: &str,
-) -> Result<f64, MeasurementError> {
-    let parsed = Unit::parse(unit).map_err(|part| {
-        MeasurementError::new(
-            key,
-            format!("is \"{unit}\", with the unknown unit \"{part}\""),
-        )
-    })?;
-    if parsed.exponents != exponents {
-        return Err(MeasurementError::new(
-            key,
-            format!("is \"{unit}\", which is no unit of {name}"),
-        ));
-    }
-    Ok(parsed.factor)
 }

@@ -150,3 +150,38 @@ fn another_axis_may_be_vertical() {
         [&soft, &model()].map(|case| case.track.receptance.receptance(TAU * 490.0, 0.0));
     assert!((h - 3.0 * vertical).norm() < 1e-6 * h.norm());
 }
+
+/// An angular frequency is converted; what is no frequency is refused.
+#[rstest]
+#[case("frequency [rad/s]", std::f64::consts::TAU)]
+#[case("frequency_rad_s", std::f64::consts::TAU)]
+#[case("frequency [kHz]", 1e-3)]
+fn frequencies_are_converted(#[case] head: &str, #[case] per_hertz: f64) {
+    let case = with_frequencies(head, per_hertz).unwrap();
+    let found = case.feedback.track.receptance(TAU * 500.0, 0.0);
+    assert!((found.re - 5e-9).abs() < 1e-17, "{head}: {found}");
+}
+
+#[rstest]
+#[case("frequency [rpm]", "column `frequency [rpm]` is in rpm")]
+#[case("frequency [mm]", "column `frequency [mm]` is in mm")]
+fn other_frequencies_are_refused(#[case] head: &str, #[case] part: &str) {
+    let error = with_frequencies(head, 1.0).err().unwrap().to_string();
+    assert!(error.contains(part), "{error}");
+}
+
+/// A receptance of 1e-11 m/N for each hertz, 50 to 3000 Hz.
+fn with_frequencies(head: &str, per_hertz: f64) -> Result<Case, riffel_keys::CaseError> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rail.csv");
+    let rows = (5..=300).map(|line| {
+        let hertz = 10.0 * f64::from(line);
+        format!("{:.12},{:.12e},-1e-10\n", per_hertz * hertz, 1e-11 * hertz)
+    });
+    let text = format!(
+        "{head},real [m/N],imaginary [m/N]\n{}",
+        rows.collect::<String>()
+    );
+    fs::write(&file, text).unwrap();
+    measured(file.to_str().unwrap(), "")
+}

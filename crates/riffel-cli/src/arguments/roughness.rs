@@ -164,6 +164,10 @@ pub(crate) struct Roughness {
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
+    /// With --synthesise, replace the file if it is there.
+    #[arg(long, requires = "synthesise")]
+    pub(crate) force: bool,
+
     /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
@@ -331,4 +335,8 @@ pub(crate) struct Report {
     /// Page to write.
     #[arg(short, long, value_name = "HTML", default_value = "report.html")]
     pub(crate) output: PathBuf,
+
+    /// Replace the file if it is there and is no report of an earlier run.
+    #[arg(long)]
+    pub(crate) force: bool,
 }

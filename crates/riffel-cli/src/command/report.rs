@@ -1,5 +1,7 @@
 //! `riffel report`
 
+use std::fs::File;
+use std::io::Read;
 use std::path::Path;
 
 use jiff::civil::Date;
@@ -8,8 +10,8 @@ use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::ForecastAnswer;
 use riffel_answers::map::MapAnswer;
 use riffel_answers::report::{
-    Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip,
-    report,
+    GENERATOR, Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site,
+    block_of_strip, report,
 };
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::Case;
@@ -32,6 +34,8 @@ use crate::fingerprint::fingerprint;
 use crate::output::{Progress, print};
 use crate::staging::{Existing, write_file};
 
+/// Bytes at the beginning of a page within which its generator stands.
+const REPORT_HEAD: u64 = 512;
 /// Why a part is left out.
 const NO_ROUGHNESS: &str = "no roughness was given.";
 const NO_LEVEL_LIMIT: &str = "it needs a limit of levels (--limit).";
@@ -42,8 +46,8 @@ struct Measured {
     /// What the file was understood as.
     understood: String,
     /// The latest date of a table of spectra.
-    date: Option<String>,
-    /// The spectra, with what is to be said of them.
+    date: Option<Date>,
+    /// The latest spectra, with what is to be said of them.
     survey: Survey,
     diagnosis: Option<Diagnosis>,
 }
@@ -87,10 +91,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let map = case.as_ref().map(growth_map).transpose()?;
     let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
     if let Some(case) = &case {
-        let now = match &rail {
-            Some((path, rail)) => now(path, rail, record)?,
-            None => None,
-        };
+        let now = rail
+            .as_ref()
+            .and_then(|(path, rail)| now(path, rail, record));
         if let Some(now) = &now {
             forecast = outlook(arguments, case, &limits, now)?;
         }
@@ -154,12 +157,24 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         compare: compare.as_ref().map_err(|why| *why),
         inputs: &inputs,
     })?;
-    write_file(&arguments.output, &page, Existing::Replace)?;
+    let existing = match arguments.force || is_report(&arguments.output) {
+        true => Existing::Replace,
+        false => Existing::Keep("--force to replace it"),
+    };
+    write_file(&arguments.output, &page, existing)?;
     print(&format!(
         "wrote {}; open it in a browser, print it to A4 from there\n",
         arguments.output.display()
     ))?;
     Ok(())
+}
+
+/// True if a file is a report that was written before: it is written anew, as the results of a folder are.
+fn is_report(path: &Path) -> bool {
+    let mut head = String::new();
+    File::open(path)
+        .and_then(|file| file.take(REPORT_HEAD).read_to_string(&mut head))
+        .is_ok_and(|_| head.contains(GENERATOR))
 }
 
 /// Put a file among the inputs, with its fingerprint.
@@ -235,10 +250,8 @@ fn measured(
         }
         RoughnessFile::Spectra(spectra) => {
             let survey = Survey::new(path, spectra, Vec::new())?.choose(&record.choose)?;
-            let dated = survey.columns().any(|column| column == "date");
-            let by = record.by.as_deref().or_else(|| dated.then_some("date"));
-            let dates = survey.records.iter();
-            let date = dates.filter_map(|spectrum| spectrum.label("date")).max();
+            let by = record.by.as_deref().or_else(|| survey.date_column());
+            let (latest, date) = survey.clone().latest();
             let answer = SpectraAnswer::new(&survey, limits, by)?;
             Measured {
                 understood: format!(
@@ -249,8 +262,8 @@ fn measured(
                         choose => format!(", those with {}", choose.join(", ")),
                     }
                 ),
-                date: date.map(str::to_owned),
-                survey,
+                date,
+                survey: latest,
                 roughness: MeasuredRoughness::Spectra(answer),
                 diagnosis,
             }
@@ -259,26 +272,14 @@ fn measured(
 }
 
 /// What the record says of now; none without a diagnosis, for the speeds are its.
-fn now<'a>(
-    path: &'a Path,
-    rail: &Measured,
-    record: &DiagnosisArguments,
-) -> miette::Result<Option<Now<'a>>> {
-    let Some(diagnosis) = &rail.diagnosis else {
-        return Ok(None);
-    };
-    let date = rail.date.as_deref();
-    // A table of several dates is now at its latest.
-    let choose: Vec<String> = date.iter().map(|date| format!("date={date}")).collect();
-    Ok(Some(Now {
+fn now<'a>(path: &'a Path, rail: &Measured, record: &DiagnosisArguments) -> Option<Now<'a>> {
+    let diagnosis = rail.diagnosis.as_ref()?;
+    Some(Now {
         path,
-        survey: rail.survey.clone().choose(&choose)?,
-        date: match date {
-            Some(date) => date.parse().ok(),
-            None => record.dates.last().copied(),
-        },
+        survey: rail.survey.clone(),
+        date: rail.date.or_else(|| record.dates.last().copied()),
         speed: diagnosis.speeds.mean(),
-    }))
+    })
 }
 
 /// What becomes of the rail, or why that is left out.

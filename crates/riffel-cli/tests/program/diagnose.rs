@@ -239,3 +239,22 @@ fn bad_input_is_refused_and_leaves_nothing() {
     }
     assert_eq!(sandbox.list("."), ["cases", "good.csv", "validation"]);
 }
+
+/// What a case predicts does not hang on the window of its map, which is for the eye.
+#[test]
+fn the_window_of_the_map_does_not_choose_the_cause() {
+    let sandbox = Sandbox::new();
+    record(&sandbox, "rail.csv", 0.045, 9.0);
+    let finding = |window: &str| {
+        let document = sandbox.json(&format!(
+            "diagnose cases/nominal.toml --roughness rail.csv --speed \"40 km/h..50 km/h\" --json \
+             --set 'map.wavelength={{{window}}}'"
+        ));
+        document["dominant_wavelengths"][0]["candidates"].clone()
+    };
+    let wide = finding("min=\"20 mm\",max=\"200 mm\"");
+    assert_eq!(wide, finding("min=\"20 mm\",max=\"80 mm\""));
+    assert_eq!(wide, finding("min=\"40 mm\",max=\"50 mm\""));
+    // The measured wavelength lies outside.
+    assert_eq!(wide, finding("min=\"60 mm\",max=\"100 mm\""));
+}

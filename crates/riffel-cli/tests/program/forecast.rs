@@ -619,3 +619,48 @@ fn a_traffic_file_to_start_from_is_written() {
     let schema = sandbox.json("schema --traffic");
     assert!(schema["properties"]["vehicle"].is_object());
 }
+
+/// What was measured on several dates is now at its latest, and no mean of years.
+#[test]
+fn now_is_the_latest_date() {
+    let sandbox = Sandbox::new();
+    let text = "rail,date,80 mm,63 mm,50 mm,40 mm\n\
+                L,2026-01-15,1,1,14,1\n\
+                L,2024-01-15,1,1,0,1\n\
+                R,2026-01-14,1,1,3,1\n\
+                R,2024-01-15,1,1,0,1\n";
+    fs::write(sandbox.path("dated.csv"), text).unwrap();
+    let document = sandbox.json(
+        "forecast cases/nominal.toml --spectrum dated.csv --traffic cases/traffic.toml --json",
+    );
+    let at_50 = |rail: &Value| {
+        let bands = rail["bands"].as_array().unwrap();
+        let near = |row: &&Value| (number(&row["wavelength_m"]) - 0.05).abs() < 1e-3;
+        number(&bands.iter().find(near).unwrap()["level_now_db"])
+    };
+    let rails: Vec<f64> = document["rails"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(at_50)
+        .collect();
+    // The mean of one level passes through its energy.
+    let is = |found: f64, level: f64| (found - level).abs() < 1e-9;
+    assert!(is(rails[0], 14.0) && is(rails[1], 3.0), "{rails:?}");
+    assert!(
+        document["remarks"]
+            .to_string()
+            .contains("now is the latest of each rail, 2026-01-15")
+    );
+    // Nor does a limit hold for a mean of years.
+    let document = sandbox.json("roughness dated.csv --json");
+    let groups = document["groups"].as_array().unwrap();
+    let names: Vec<&str> = groups
+        .iter()
+        .map(|group| group["group"].as_str().unwrap())
+        .collect();
+    assert_eq!(
+        names,
+        ["date 2024-01-15", "date 2026-01-14", "date 2026-01-15"]
+    );
+}

@@ -261,3 +261,29 @@ fn what_cannot_be_printed_is_an_error() {
         assert!(!errors.contains("cannot write"), "{arguments}: {errors}");
     }
 }
+
+/// A file that Riffel did not write is its owner's.
+#[test]
+fn foreign_files_are_not_replaced_by_single_files() {
+    let sandbox = Sandbox::new();
+    for command in [
+        "roughness --synthesise -o mine.txt",
+        "report cases/nominal.toml -o mine.txt",
+    ] {
+        fs::write(sandbox.path("mine.txt"), "mine").unwrap();
+        let outcome = sandbox.riffel(command);
+        assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);
+        let sentence = outcome.sentence();
+        assert!(
+            sentence.contains("mine.txt is there already") && sentence.contains("--force"),
+            "{sentence}"
+        );
+        assert_eq!(fs::read(sandbox.path("mine.txt")).unwrap(), b"mine");
+        let outcome = sandbox.riffel(&format!("{command} --force"));
+        assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
+        assert_ne!(fs::read(sandbox.path("mine.txt")).unwrap(), b"mine");
+    }
+    // A report is written anew over an earlier one, as results are in their folder.
+    let outcome = sandbox.riffel("report cases/nominal.toml -o mine.txt");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+}

@@ -32,7 +32,10 @@ pub(super) fn run(
     }
     let survey = survey.choose(&arguments.choose)?;
     let path = survey.path();
-    let answer = SpectraAnswer::new(&survey, limits, arguments.by.as_deref())?;
+    // The mean of several dates is the state of no day.
+    let dates = survey.column_of_several_dates();
+    let by = arguments.by.as_deref().or(dates);
+    let answer = SpectraAnswer::new(&survey, limits, by)?;
     let document = json(&answer.document(path));
     if arguments.json {
         print(&document)?;
@@ -48,7 +51,14 @@ pub(super) fn run(
     let files = staging.publish()?;
     if !arguments.json {
         let mut text = format!("{}\n", path.display());
-        text += &format!("read as: {} one-third-octave spectra\n", answer.count());
+        text += &format!("read as: {} one-third-octave spectra", answer.count());
+        if let (None, Some(column)) = (&arguments.by, dates) {
+            text += &format!(
+                " of {} dates, told apart by column {column}",
+                answer.groups.len()
+            );
+        }
+        text.push('\n');
         text += &readable(&answer);
         let verdicts = answer.verdicts.iter().map(|verdict| &verdict.sentence);
         for line in verdicts.chain(&answer.findings) {

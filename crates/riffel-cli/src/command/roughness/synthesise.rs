@@ -44,7 +44,11 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     let text = String::from_utf8(text).unwrap_or_default();
     match &arguments.output {
         Some(path) => {
-            write_file(path, &text, Existing::Replace)?;
+            let existing = match arguments.force {
+                true => Existing::Replace,
+                false => Existing::Keep("--force to replace it"),
+            };
+            write_file(path, &text, existing)?;
             print(&format!(
                 "wrote {p}; next: riffel roughness {p}\n",
                 p = path.display()
