@@ -120,4 +120,6 @@ mod book {
     mod track_model {}
     #[doc = include_str!("../../../docs/src/adding-a-creep-law.md")]
     mod creep_law {}
+    #[doc = include_str!("../../../docs/src/wheelset.md")]
+    mod wheelset {}
 }

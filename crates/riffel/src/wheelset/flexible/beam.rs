@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::axle::{Axle, Segment};
-use super::span::{Section, Transfer, hyperbolic};
+use super::span::{Section, Transfer, matrix_hyperbolic};
 use super::square::Square;
 
 /// Bending of a segment in one plane (Timoshenko 1921), with deflection w, rotation ψ, shear force S and moment M:
@@ -54,7 +54,7 @@ impl Section<2> for BeamSection {
         let mw = -force * squared;
         let mm = bending * (-turning * squared);
         let determinant = wm * (-mw) * (1.0 - turning * shear);
-        let [[c0, c1], [s0, s1]] = hyperbolic(ww + mm, determinant);
+        let [[c0, c1], [s0, s1]] = matrix_hyperbolic(ww + mm, determinant);
 
         let (cosh_ww, cosh_wm, cosh_mw, cosh_mm) = (c0 + c1 * ww, c1 * wm, c1 * mw, c0 + c1 * mm);
         let (sinh_ww, sinh_wm, sinh_mw, sinh_mm) = (s0 + s1 * ww, s1 * wm, s1 * mw, s0 + s1 * mm);

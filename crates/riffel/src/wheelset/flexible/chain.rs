@@ -161,15 +161,11 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
     /// Receptances between two nodes, the first left of the second: `[at][from]`, displacements by loads.
     pub(super) fn between(&self, [left, right]: [usize; 2], w: f64) -> [[Square<N>; 2]; 2] {
         let cuts = self.cuts(w);
-        let nodes: Vec<[Complex64; N]> = self
-            .nodes
-            .iter()
-            .map(|node| node.dynamic_stiffness(w))
-            .collect();
+        let node = |index: usize| self.nodes[index].dynamic_stiffness(w);
         // Over a span from one of its nodes: what lies before this one, and the product of the motions back.
-        let over = |span: usize, node: usize, before: Square<N>, mut back: Square<N>| {
+        let over = |span: usize, near: usize, before: Square<N>, mut back: Square<N>| {
             let cut = &cuts[self.spans[span]];
-            let mut stiffness = before.plus_diagonal(&nodes[node]);
+            let mut stiffness = before.plus_diagonal(&node(near));
             for _ in 0..cut.pieces {
                 let (beyond, factor) = cut.transfer.across(stiffness);
                 (stiffness, back) = (beyond, back * factor);
@@ -193,12 +189,12 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         for span in 0..left {
             (stiffness, _) = over(span, span, stiffness, identity);
         }
-        let whole = stiffness.plus_diagonal(&nodes[left]) + right_of_left;
+        let whole = stiffness.plus_diagonal(&node(left)) + right_of_left;
         let at_left = whole.inverse().symmetric();
         for span in left..right {
             (stiffness, _) = over(span, span, stiffness, identity);
         }
-        let whole = stiffness.plus_diagonal(&nodes[right]) + beyond_right;
+        let whole = stiffness.plus_diagonal(&node(right)) + beyond_right;
         let at_right = whole.inverse().symmetric();
         // The motion at the right node by that at the left one.
         let across = back.mirrored() * at_left;

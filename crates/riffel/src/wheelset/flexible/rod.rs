@@ -38,10 +38,7 @@ impl Section<1> for RodSection {
     fn transfer(&self, length: f64, w2: f64, elasticity: Complex64) -> Transfer<1> {
         let compliance = self.compliance / elasticity;
         let force = -w2 * self.inertia;
-        // A matrix of one row is one of two whose second eigenvalue is zero.
-        let square = compliance * (force * length * length);
-        let [[c0, c1], [s0, s1]] = hyperbolic(square, Complex64::ZERO);
-        let (cosh, sinh) = (c0 + c1 * square, s0 + s1 * square);
+        let [cosh, sinh] = hyperbolic(compliance * (force * length * length));
         Transfer {
             displacement: [Square([[cosh]]), Square([[length * compliance * sinh]])],
             load: [Square([[length * force * sinh]]), Square([[cosh]])],

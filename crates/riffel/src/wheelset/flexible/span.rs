@@ -70,16 +70,40 @@ pub(super) trait Section<const N: usize>: Copy {
 /// piece is finite; and short enough for the power series and for waves that decay across it by e³ at most.
 pub(super) const LONGEST_PHASE: f64 = 3.0;
 
-/// Σ tⁿ of the matrix functions cosh √X = Σ Xⁿ/(2n)! and sinh √X/√X = Σ Xⁿ/(2n+1)! as first-degree polynomials of a
+/// Terms of a power series at an argument of nine, below the rounding of the first by then.
+const MOST_TERMS: usize = 18;
+
+/// |Re z| + |Im z|.
+fn size(z: Complex64) -> f64 {
+    z.re.abs() + z.im.abs()
+}
+
+/// cosh √x and sinh √x/√x by their power series in x, |x| ≤ 9.
+#[inline(always)]
+pub(super) fn hyperbolic(x: Complex64) -> [Complex64; 2] {
+    let (mut power, mut even, mut odd) = (Complex64::ONE, 1.0, 1.0);
+    let mut sums = [Complex64::ZERO; 2];
+    for n in 0..=MOST_TERMS {
+        sums[0] += power * even;
+        sums[1] += power * odd;
+        if size(power) * even < 1e-18 {
+            break;
+        }
+        power *= x;
+        let next = 2.0 * n as f64;
+        even /= (next + 1.0) * (next + 2.0);
+        odd /= (next + 2.0) * (next + 3.0);
+    }
+    sums
+}
+
+/// The matrix functions cosh √X = Σ Xⁿ/(2n)! and sinh √X/√X = Σ Xⁿ/(2n+1)! as first-degree polynomials of a
 /// 2 × 2 matrix X of that trace and determinant: `[[c₀, c₁], [s₀, s₁]]` with cosh √X = c₀ + c₁X.
 ///
 /// Method: by Cayley and Hamilton Xⁿ = pₙX − pₙ₋₁ det X, pₙ₊₁ = pₙ tr X − pₙ₋₁ det X. Free of cancellation where the
 /// eigenvalues are small, equal or of opposite sign.
 #[inline(always)]
-pub(super) fn hyperbolic(trace: Complex64, determinant: Complex64) -> [[Complex64; 2]; 2] {
-    /// Terms of an eigenvalue of nine fall below the rounding of the first by then.
-    const MOST_TERMS: usize = 18;
-    let size = |z: Complex64| z.re.abs() + z.im.abs();
+pub(super) fn matrix_hyperbolic(trace: Complex64, determinant: Complex64) -> [[Complex64; 2]; 2] {
     let (mut before, mut power) = (Complex64::ZERO, Complex64::ONE);
     let (mut even, mut odd) = (0.5, 1.0 / 6.0);
     let mut sums = [[Complex64::ZERO; 2]; 2];
