@@ -32,6 +32,11 @@ impl Port {
         Self { rail, direction }
     }
 
+    /// That of a place, wherever the wheelset stands.
+    fn of(place: Place) -> Self {
+        Self::new(place.rail, place.direction)
+    }
+
     /// Its place among [`ALL`](Self::ALL).
     pub const fn index(self) -> usize {
         3 * self.rail as usize + self.direction as usize
@@ -70,7 +75,30 @@ impl<W: Wheelset> Structure for W {
         if at.along != from.along {
             return Complex64::ZERO;
         }
-        let index = |place: Place| Port::new(place.rail, place.direction).index();
-        self.receptances(angular_frequency)[index(at)][index(from)]
+        let receptances = self.receptances(angular_frequency);
+        receptances[Port::of(at).index()][Port::of(from).index()]
+    }
+
+    fn receptance_matrix(
+        &self,
+        angular_frequency: f64,
+        _speed: f64,
+        places: &[Place],
+        matrix: &mut [Complex64],
+    ) {
+        if places.is_empty() {
+            return;
+        }
+        let receptances = self.receptances(angular_frequency);
+        for (row, &at) in matrix.chunks_exact_mut(places.len()).zip(places) {
+            let row_of_all = &receptances[Port::of(at).index()];
+            for (entry, &from) in row.iter_mut().zip(places) {
+                *entry = if at.along == from.along {
+                    row_of_all[Port::of(from).index()]
+                } else {
+                    Complex64::ZERO
+                };
+            }
+        }
     }
 }

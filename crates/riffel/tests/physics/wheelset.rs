@@ -620,6 +620,18 @@ fn wheelsets_stand_alone() {
         cross(place(0.0, Rail::Left), place(-2.5, Rail::Left)),
         Complex64::ZERO
     );
+    // All places at once.
+    let places: Vec<Place> = [0.0, -2.5]
+        .into_iter()
+        .flat_map(|along| [place(along, Rail::Left), place(along, Rail::Right)])
+        .collect();
+    let mut matrix = [Complex64::ZERO; 16];
+    wheelset.receptance_matrix(500.0, 30.0, &places, &mut matrix);
+    for (i, &at) in places.iter().enumerate() {
+        for (j, &from) in places.iter().enumerate() {
+            assert_eq!(matrix[4 * i + j], cross(at, from));
+        }
+    }
     assert_eq!(Port::new(Rail::Right, Direction::Vertical).index(), 5);
     for (index, port) in Port::ALL.into_iter().enumerate() {
         assert_eq!(port.index(), index);
