@@ -2,17 +2,28 @@
 
 use crate::Case;
 use crate::file::CreepLawName;
-use crate::file::{ContactDynamics, Rotation, TrackModel};
+use crate::file::{ContactDynamics, Rotation, TrackModel, WheelsetModel};
 
 impl Case {
     /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
     pub fn idle_because(&self, key: &str) -> Option<String> {
         let (table, inner) = key.split_once('.').unwrap_or((key, ""));
-        let contact = &self.file.contact;
+        let file = &self.file;
+        let contact = &file.contact;
         let words = match table {
             "track" if inner == "model" => return None,
             "track" | "rail" => return self.idle_in_track(table, inner),
             "corrugation" => "growth rates do not depend on the amplitude",
+            "train"
+                if inner == "comb"
+                    && file
+                        .train
+                        .as_ref()
+                        .is_none_or(|train| train.wheels.len() < 2) =>
+            {
+                "there is one wheel, which interferes with no other"
+            }
+            "wheelset" => return self.idle_in_wheelset(inner),
             "map" => "the bands are those of the case, and the speeds those of the traffic",
             "wheel" if inner == "inertia" && self.file.wheel.rotation() != Rotation::Inertia => {
                 "wheel.rotation is the limit of no inertia or of infinite inertia"
@@ -36,6 +47,25 @@ impl Case {
         Some(words.to_owned())
     }
 
+    fn idle_in_wheelset(&self, key: &str) -> Option<String> {
+        let model = self.file.wheelset.as_ref()?.model;
+        let takes: &[WheelsetModel] = match key.split('.').next().unwrap_or_default() {
+            "mass" | "roll_inertia" | "spin_inertia" => {
+                &[WheelsetModel::Rigid, WheelsetModel::Modal]
+            }
+            "axle" | "discs" => &[WheelsetModel::Flexible],
+            "file" => &[WheelsetModel::Modal, WheelsetModel::Measured],
+            _ => return None,
+        };
+        (!takes.contains(&model)).then(|| {
+            let takes: Vec<String> = takes
+                .iter()
+                .map(|model| format!("\"{}\"", model.name()))
+                .collect();
+            format!("it belongs to wheelset.model = {}", takes.join(" or "))
+        })
+    }
+
     fn idle_in_track(&self, table: &str, key: &str) -> Option<String> {
         let track = &self.file.track;
         if self.keys.given.track.is_some() {
@@ -47,7 +77,16 @@ impl Case {
             });
         }
         if table == "rail" {
-            return None;
+            let of_twist = [
+                "polar_second_moment",
+                "warping_constant",
+                "head_height",
+                "foot_depth",
+                "foot_width",
+            ];
+            let twists = self.file.rail.torsion_constant.is_some();
+            return (!twists && of_twist.contains(&key))
+                .then(|| "without rail.torsion_constant the rail does not twist".to_owned());
         }
         let layer = key.split('.').next().unwrap_or_default();
         let model = track.model.name();

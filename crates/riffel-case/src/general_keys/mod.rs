@@ -4,12 +4,14 @@
 mod tests;
 mod wheelset;
 
-use riffel::contact::{Creepages, MeanState};
+use riffel::contact::{CREEP_LAWS, CreepLawEntry, Creepages, MeanState};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::checked_keys::CheckedKeys;
-use crate::file::{Comb, Contact, Creepage, OppositeContact, OppositeRail, RailSide, TrackModel};
+use crate::file::{
+    Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, RailSide, TrackModel,
+};
 
 pub(crate) use wheelset::WheelsetKeys;
 
@@ -219,7 +221,7 @@ impl CheckedKeys {
         }))
     }
 
-    /// Creepages that do not vanish.
+    /// Creepages that do not vanish and that the creep law knows.
     pub(crate) fn creeping(&self, key: &str, creepage: Creepage) -> Result<Creepages, CaseError> {
         let creepages = creepage.components();
         let Creepages {
@@ -237,6 +239,29 @@ impl CheckedKeys {
                 ),
                 "",
             ));
+        }
+        let Some(law) = self.creep_law_name().entry() else {
+            // The exact theory knows all.
+            return Ok(creepages);
+        };
+        let unknown = |component: &str, value: String, knows: fn(&CreepLawEntry) -> bool| {
+            let others = CREEP_LAWS.iter().filter(|law| knows(law));
+            let others = others.map(|law| law.name);
+            let others: Vec<&str> = others.chain([CreepLawName::HALF_SPACE.name()]).collect();
+            self.text.keys.invalid(
+                &format!("{key}.{component}"),
+                &format!(
+                    "is {value}, but contact.creep_law = \"{}\" does not know it",
+                    law.name
+                ),
+                &format!("laws that do: {}", others.join(", ")),
+            )
+        };
+        if lateral != 0.0 && !law.lateral {
+            return Err(unknown("lateral", lateral.to_string(), |law| law.lateral));
+        }
+        if spin != 0.0 && !law.spin {
+            return Err(unknown("spin", format!("{spin} rad/m"), |law| law.spin));
         }
         Ok(creepages)
     }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use proptest::prelude::*;
+use riffel_keys::KeyFile;
 use rstest::rstest;
 
 use super::wheelset::{RigidBodyKeys, WheelsetModelKeys};
@@ -51,6 +53,36 @@ fn reference_cases_read_and_read_back(#[case] name: &str) {
     assert_eq!(
         serde_json::from_value::<CaseFile>(as_json).unwrap(),
         read.file
+    );
+}
+
+/// Keys with their overrides go to another process as text, and make the same case there.
+#[test]
+fn keys_go_to_another_process() {
+    let sets = [
+        "opposite_contact.creepage.spin=0.1 1/m",
+        "train.wheels=[\"0 m\", \"2.5 m\"]",
+        "contact.contact_angle=2°",
+    ];
+    let text = reference("stepped-axle.toml");
+    let mut written = CaseText::parse("case.toml", &text).unwrap();
+    written.apply(&sets.map(str::to_owned)).unwrap();
+    let keys = &written.keys;
+    let again = KeyFile::restore(
+        keys.name(),
+        keys.text(),
+        &keys.table().to_string(),
+        &keys.overrides(),
+    );
+    let [here, there] = [written, CaseText::of(again.unwrap())].map(|text| {
+        CheckedKeys::of_text(text, None, GivenReceptances::default(), Window::Map).unwrap()
+    });
+    assert_eq!(there.file, here.file);
+    let general = there.general().unwrap().unwrap();
+    assert_eq!(general.wheels, [0.0, 2.5]);
+    assert_eq!(
+        general.opposite.unwrap().creepages.map(|c| c.spin),
+        Some(0.1)
     );
 }
 
@@ -211,4 +243,56 @@ fn files_are_relative_to_the_case() {
     assert_eq!(file, Path::new("cases/modes.csv"));
     let error = read(None).err().unwrap().to_string();
     assert!(error.contains("`wheelset.file` is a file"), "{error}");
+}
+
+/// Pieces that a mutation may put into a case file.
+const PIECES: [&str; 20] = [
+    "=",
+    "[",
+    "]",
+    "{",
+    "}",
+    "\"",
+    "\n",
+    ".",
+    ",",
+    "-",
+    "nan",
+    "1e999",
+    "0",
+    "-1",
+    "\"90 deg\"",
+    "\"0.3 1/m\"",
+    "[train]",
+    "[wheelset]",
+    "mass",
+    "segments",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    /// Whatever is cut from or put into a valid file, the reader answers with keys, every number of which is finite, or
+    /// with an error, and never panics.
+    #[test]
+    fn fuzz_general_case(
+        edits in prop::collection::vec((any::<prop::sample::Index>(), 0..12usize, 0..PIECES.len()), 1..5),
+        stepped in any::<bool>(),
+    ) {
+        let name = if stepped { "stepped-axle.toml" } else { "rigid-suspended.toml" };
+        let mut text: Vec<char> = reference(name).chars().collect();
+        for (place, cut, piece) in edits {
+            let start = place.index(text.len());
+            let end = (start + cut).min(text.len());
+            text.splice(start..end, PIECES[piece].chars());
+        }
+        let text: String = text.into_iter().collect();
+        match keys(&text, &[]).map(|keys| keys.general()) {
+            Ok(general) => {
+                let words = format!("{:?}", general.unwrap());
+                prop_assert!(!words.contains("NaN") && !words.contains("inf"), "{}", words);
+            }
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+        }
+    }
 }

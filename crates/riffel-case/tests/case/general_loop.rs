@@ -63,6 +63,16 @@ fn error(text: &str, overrides: &[&str]) -> CaseError {
     "contact.creepage=[0.1]",
     "expected a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin"
 )]
+#[case::law_of_one_direction(
+    RIGID,
+    "contact.creep_law=carter-2d",
+    "`contact.creepage.lateral` is 0.0015, but contact.creep_law = \"carter-2d\" does not know it"
+)]
+#[case::law_without_spin(
+    RIGID,
+    "contact.creep_law=polach",
+    "`contact.creepage.spin` is 0.35 rad/m, but contact.creep_law = \"polach\" does not know it"
+)]
 #[case::right_angle(
     RIGID,
     "contact.contact_angle=90 deg",
@@ -244,6 +254,16 @@ fn what_a_rail_needs_to_twist(#[case] line: &str, #[case] message: &str) {
     assert_eq!(error.to_string(), message);
     let help = error.help().map(|help| help.to_string());
     assert!(help.is_some_and(|help| help.starts_with("a rail with torsion_constant needs it")));
+}
+
+#[test]
+fn laws_that_know_spin_are_named() {
+    let error = error(RIGID, &["contact.creep_law=carter-3d"]);
+    let help = error.help().map(|help| help.to_string());
+    assert_eq!(
+        help.as_deref(),
+        Some("laws that do: shen-hedrick-elkins, fastsim, half-space")
+    );
 }
 
 /// Values of lists are shown where they stand.

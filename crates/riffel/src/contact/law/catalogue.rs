@@ -19,6 +19,10 @@ pub struct CreepLawEntry {
     pub label: &'static str,
     /// What it is, in one sentence.
     pub description: &'static str,
+    /// Whether it knows lateral creepage; one that does not ignores it.
+    pub lateral: bool,
+    /// Whether it knows spin; one that does not ignores it.
+    pub spin: bool,
     build: fn(&CreepLawInputs) -> Result<Arc<dyn CreepLaw>, Error>,
 }
 
@@ -61,12 +65,16 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         name: "carter-3d",
         label: "Carter 3D (paper)",
         description: "The paper's, equation (5).",
+        lateral: true,
+        spin: false,
         build: |on| Ok(Arc::new(Carter3d::new(on.hertz, on.friction)?)),
     },
     CreepLawEntry {
         name: "carter-2d",
         label: "Carter 2D",
         description: "Carter (1926), a line contact as long and as large as the ellipse.",
+        lateral: false,
+        spin: false,
         build: |on| {
             let poisson_ratio = on.hertz.material().poisson_ratio();
             let law = Carter2d::of_ellipse(on.ellipse(), poisson_ratio, on.friction)?;
@@ -77,18 +85,24 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         name: "johnson-vermeulen",
         label: "Johnson–Vermeulen",
         description: "Vermeulen & Johnson (1964), with Kalker's slope.",
+        lateral: true,
+        spin: false,
         build: |on| Ok(Arc::new(JohnsonVermeulen::new(on.ellipse(), on.friction)?)),
     },
     CreepLawEntry {
         name: "shen-hedrick-elkins",
         label: "Shen–Hedrick–Elkins",
         description: "Shen, Hedrick & Elkins (1983).",
+        lateral: true,
+        spin: true,
         build: |on| Ok(Arc::new(ShenHedrickElkins::new(on.ellipse(), on.friction)?)),
     },
     CreepLawEntry {
         name: "polach",
         label: "Polach",
         description: "Polach (2000), with the parameters of `polach`.",
+        lateral: true,
+        spin: false,
         build: |on| {
             let (friction, reduction) = (on.falling_friction, on.slope_reduction);
             let law = Polach::new(on.ellipse(), friction, reduction, on.speed)?;
@@ -99,6 +113,8 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         name: "fastsim",
         label: "FASTSIM",
         description: "Kalker's simplified theory (1982).",
+        lateral: true,
+        spin: true,
         build: |on| {
             let divisions = Fastsim::DEFAULT_DIVISIONS;
             let law = Fastsim::new(
@@ -150,6 +166,16 @@ mod tests {
                 "{}: {force}",
                 entry.name
             );
+            let across = |lateral, spin| {
+                let creepages = Creepages {
+                    longitudinal: 1e-3,
+                    lateral,
+                    spin,
+                };
+                law.forces(50e3, creepages).lateral != 0.0
+            };
+            let knows = [across(1e-3, 0.0), across(0.0, 0.1)];
+            assert_eq!(knows, [entry.lateral, entry.spin], "{}", entry.name);
             let nothing = CreepLawInputs {
                 friction: -1.0,
                 falling_friction: FallingFriction::constant(-1.0),
