@@ -130,6 +130,8 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         name: "full-sliding",
         label: "full sliding",
         description: "Coulomb friction along the slip, beyond full slip.",
+        lateral: true,
+        spin: false,
         build: |on| Ok(Arc::new(FullSliding::new(on.friction)?)),
     },
 ];
