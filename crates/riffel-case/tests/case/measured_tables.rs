@@ -158,7 +158,7 @@ fn another_axis_may_be_vertical() {
 #[case("frequency [kHz]", 1e-3)]
 fn frequencies_are_converted(#[case] head: &str, #[case] per_hertz: f64) {
     let case = with_frequencies(head, per_hertz).unwrap();
-    let found = case.feedback.track.receptance(TAU * 500.0, 0.0);
+    let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
     assert!((found.re - 5e-9).abs() < 1e-17, "{head}: {found}");
 }
 

@@ -86,7 +86,7 @@ mod tests {
         /// Slopes by differences, homogeneity, and no answer along the slip (check of the limit of all laws).
         #[test]
         fn slopes_and_null_vectors(
-            force in 5e3..150e3f64, friction in 0.05..0.8f64, magnitude in 1e-3..0.05f64, angle in 0.0..6.28f64,
+            force in 5e3..150e3f64, friction in 0.05..0.8f64, magnitude in 1e-3..0.05f64, angle in 0.0..std::f64::consts::TAU,
         ) {
             let law = FullSliding::new(friction).unwrap();
             let creepages = Creepages {
