@@ -36,6 +36,7 @@ mod sensitivity;
 mod track;
 pub mod traffic;
 mod variant;
+mod wheelset;
 mod window;
 
 pub use build::CreepLaws;
@@ -45,12 +46,13 @@ pub use given::GivenReceptance;
 pub use hold::Hold;
 pub use key::CaseKey;
 pub use measurement::UniversalFunction;
-pub use point::{Point, PointQuantity, PointValue};
+pub use point::{AllAxes, ContactPoint, Point, PointQuantity, PointValue};
 pub use portable_case::PortableCase;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use sensitivity::Sensitivity;
 pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
+pub use wheelset::CaseWheelset;
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

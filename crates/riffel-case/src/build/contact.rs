@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic, QuasiStaticHalfSpace,
-    SpringDashpot,
+    Creepages, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic,
+    QuasiStaticHalfSpace, SpringDashpot,
 };
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
@@ -33,9 +33,21 @@ pub(super) struct BuiltContact {
 impl CheckedKeys {
     pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
+        self.hertz_of(
+            steel,
+            contact.transverse_radius.si(),
+            contact.normal_load.si(),
+        )
+    }
+
+    /// The ellipse of a contact of the transverse radius \[m\] under the load \[N\].
+    pub(super) fn hertz_of(
+        &self,
+        steel: ElasticMaterial,
+        across: f64,
+        load: f64,
+    ) -> Result<HertzContact, CaseError> {
         let radius = self.file.wheel.rolling_radius.si();
-        let across = contact.transverse_radius.si();
-        let load = contact.normal_load.si();
         let hertz = match self.hertz_theory() {
             HertzTheory::Paper => HertzContact::new(steel, radius, across, load),
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
@@ -45,8 +57,16 @@ impl CheckedKeys {
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
-        let friction = self.file.contact.friction.si();
-        let mean = self.mean_state()?;
+        self.contact_of(hertz, self.file.contact.friction.si(), self.mean_state()?)
+    }
+
+    /// How a contact with that friction creeps about a mean state.
+    pub(super) fn contact_of(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+        mean: MeanState,
+    ) -> Result<BuiltContact, CaseError> {
         let name = self.creep_law_name();
         if self.file.contact.response == ContactDynamics::NonSteady
             && name != CreepLawName::HALF_SPACE
@@ -114,14 +134,18 @@ impl CheckedKeys {
                 self.physics(key(mean), contact.roll_at_tractive_ratio(ratio))?
             }
             MeanState::Creepages(creepages) => {
-                let creepage = creepages.longitudinal;
-                let state = self.physics(key(mean), contact.roll(creepage))?;
+                let alone = creepages == Creepages::longitudinal(creepages.longitudinal);
+                let state = match alone && creepages.longitudinal > 0.0 {
+                    true => contact.roll(creepages.longitudinal),
+                    false => contact.roll_with(creepages),
+                };
+                let state = self.physics(key(mean), state)?;
                 let ratio = contact.steady(&state).tractive_ratio();
                 let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
                 if ratio > largest {
                     return Err(self.out_of_range(
                         key(mean),
-                        creepage,
+                        creepages.magnitude(),
                         &format!(
                             "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
                              slip there is no slope"

@@ -2,15 +2,18 @@
 
 mod contact;
 mod creep_laws;
+mod general;
 mod track;
 mod validity;
+mod wheelset;
+
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Direction, EnergyWear, FeedbackLoop, HertzContact, Loop, PlaceOfWear,
-    Receptance,
+    Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact, Loop,
+    PlaceOfWear, Receptance,
 };
 use riffel_keys::{CaseError, Remark};
 
@@ -32,64 +35,35 @@ pub(crate) struct BuiltCase {
     pub(crate) remarks: Vec<Remark>,
 }
 
+/// A loop of either kind with its contact under study.
+struct ClosedLoop {
+    feedback: Loop,
+    hertz: HertzContact,
+    steady: MeanRolling,
+    carter: Option<Carter3d>,
+    remarks: Vec<Remark>,
+}
+
 impl CheckedKeys {
     /// The loop of the case, and what goes with it.
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
-        let file = &self.file;
-        if let Some(key) = self.general_key() {
-            return Err(self.text.keys.invalid(
-                key,
-                "asks for the loop on all axes, but Riffel computes that of one wheel along the rail",
-                "",
-            ));
-        }
         let steel = self.steel()?;
-
-        let hertz = self.hertz(steel)?;
-        let contact = self.contact(hertz)?;
-        let steady = contact.rolling.steady();
-
         let (wavelength, speed) = self.window()?;
         let track = self.track(Direction::Vertical)?;
-        let mass = self.required("wheel.mass", file.wheel.mass)?;
-        let wheel = RigidMass::new(mass.si());
-        let mut wheel: Arc<dyn Receptance> = Arc::new(self.physics("wheel.mass", wheel)?);
-        if let Some(given) = &self.given.wheel {
-            wheel = given.receptance.clone();
-        }
-        let place_of_wear = PlaceOfWear::new(
-            match file.contact.dissipation_phase {
-                DissipationPhase::Lag => riffel::DissipationPhase::Lag,
-                DissipationPhase::Lead => riffel::DissipationPhase::Lead,
-                DissipationPhase::None => riffel::DissipationPhase::None,
-            },
-            hertz.semi_axis_longitudinal(),
-            steady.tractive_ratio(),
-        );
-        let wear = EnergyWear::new(
-            file.wear.coefficient.si(),
-            file.wear.density.si(),
-            hertz.semi_axis_lateral(),
-        );
-        let feedback = Loop::from(FeedbackLoop {
-            track: track.receptance.clone(),
-            wheel,
-            contact_stiffness: hertz.stiffness(),
-            contact: contact.rolling,
-            rotation: self.rotation(hertz.rolling_radius())?,
-            rolling_radius: hertz.rolling_radius(),
-            place_of_wear,
-            wear: self.physics("wear", wear)?,
-            amplitude: file.corrugation.amplitude.si(),
-        });
+        let closed = match self.general()? {
+            Some(keys) => self.general_loop(&keys, steel, &track)?,
+            None => self.longitudinal_loop(steel, &track)?,
+        };
+        let ClosedLoop {
+            feedback,
+            hertz,
+            steady,
+            carter,
+            remarks: of_loop,
+        } = closed;
         let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
-        remarks.extend(
-            self.given
-                .wheel
-                .iter()
-                .flat_map(|given| given.remarks.clone()),
-        );
+        remarks.extend(of_loop);
         let axes = [wavelength, speed];
         remarks.extend(validity::remarks(self, &track, &feedback, hertz, axes));
         Ok(BuiltCase {
@@ -97,16 +71,75 @@ impl CheckedKeys {
             track,
             hertz,
             steady,
-            carter: contact.carter,
+            carter,
             wavelength,
             speed,
             remarks,
         })
     }
 
+    /// The loop of one wheel and longitudinal creepage.
+    fn longitudinal_loop(
+        &self,
+        steel: ElasticMaterial,
+        track: &Track,
+    ) -> Result<ClosedLoop, CaseError> {
+        let hertz = self.hertz(steel)?;
+        let contact = self.contact(hertz)?;
+        let steady = contact.rolling.steady();
+        let (wheel, remarks) = self.wheel()?;
+        let feedback = FeedbackLoop {
+            track: track.receptance.clone(),
+            wheel,
+            contact_stiffness: hertz.stiffness(),
+            contact: contact.rolling,
+            rotation: self.rotation(hertz.rolling_radius())?,
+            rolling_radius: hertz.rolling_radius(),
+            place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
+            wear: self.wear(hertz)?,
+            amplitude: self.file.corrugation.amplitude.si(),
+        };
+        Ok(ClosedLoop {
+            feedback: feedback.into(),
+            hertz,
+            steady,
+            carter: contact.carter,
+            remarks,
+        })
+    }
+
+    /// A wheel alone, downward, and what should be known of it.
+    fn wheel(&self) -> Result<(Arc<dyn Receptance>, Vec<Remark>), CaseError> {
+        let mass = self.required("wheel.mass", self.file.wheel.mass)?;
+        let rigid = self.physics("wheel.mass", RigidMass::new(mass.si()))?;
+        Ok(match &self.given.wheel {
+            Some(given) => (given.receptance.clone(), given.remarks.clone()),
+            None => (Arc::new(rigid), Vec::new()),
+        })
+    }
+
+    fn place_of_wear(&self, hertz: HertzContact, tractive_ratio: f64) -> PlaceOfWear {
+        let phase = match self.file.contact.dissipation_phase {
+            DissipationPhase::Lag => riffel::DissipationPhase::Lag,
+            DissipationPhase::Lead => riffel::DissipationPhase::Lead,
+            DissipationPhase::None => riffel::DissipationPhase::None,
+        };
+        PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), tractive_ratio)
+    }
+
+    fn wear(&self, hertz: HertzContact) -> Result<EnergyWear, CaseError> {
+        let wear = &self.file.wear;
+        let wear = EnergyWear::new(
+            wear.coefficient.si(),
+            wear.density.si(),
+            hertz.semi_axis_lateral(),
+        );
+        self.physics("wear", wear)
+    }
+
     fn rotation(&self, radius: f64) -> Result<Motion, CaseError> {
         let wheel = &self.file.wheel;
-        // Filled in above; the mass it may come from is checked.
+        // Filled in with the keys; the mass it may come from is checked.
         let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
         Ok(match wheel.rotation() {
             Rotation::Inertia => {

@@ -16,7 +16,7 @@ use crate::measurement;
 use crate::track::{Origin, Track};
 
 /// Density of rail steel \[kg/m³\].
-const RAIL_DENSITY: f64 = 7850.0;
+pub(super) const RAIL_DENSITY: f64 = 7850.0;
 
 impl CheckedKeys {
     /// The track in one direction, over a support or where the case says.
@@ -200,7 +200,11 @@ impl CheckedKeys {
         self.physics("rail", beam)
     }
 
-    fn beam(&self, steel: ElasticMaterial, direction: Direction) -> Result<Beam, CaseError> {
+    pub(super) fn beam(
+        &self,
+        steel: ElasticMaterial,
+        direction: Direction,
+    ) -> Result<Beam, CaseError> {
         let rail = &self.file.rail;
         let (second_moment, shear_coefficient) = match direction {
             Direction::Lateral => (
@@ -244,7 +248,7 @@ impl CheckedKeys {
         self.physics("rail", beam)
     }
 
-    fn bar(&self, steel: ElasticMaterial) -> Result<Bar, CaseError> {
+    pub(super) fn bar(&self, steel: ElasticMaterial) -> Result<Bar, CaseError> {
         let area = self.of_rail("rail.area", self.file.rail.area)?;
         let (loss_factor, damping) = self.rail_loss();
         let bar = Bar::new(steel, area, self.mass_per_length()?)
@@ -286,7 +290,7 @@ impl CheckedKeys {
     }
 
     /// One support, values per support, and their distance \[m\].
-    fn support(
+    pub(super) fn support(
         &self,
         two_layers: bool,
         direction: Direction,

@@ -13,7 +13,7 @@ use crate::file::{
     Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, RailSide, TrackModel,
 };
 
-pub(crate) use wheelset::WheelsetKeys;
+pub(crate) use wheelset::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
 
 /// Keys of the wheel that a wheelset replaces.
 pub(crate) const REPLACED_BY_WHEELSET: [&str; 3] =

@@ -113,7 +113,8 @@ fn check(law: &impl CreepLaw, normal_force: f64, creepages: Creepages) -> Result
     /// last millionth is a hundredth of the creepage.
     const FULL: f64 = 1.0 - 1e-6;
     let sliding = law.limit(normal_force) == ForceLimit::FullSlip(0.0);
-    if sliding || creepages.lateral != 0.0 || creepages.spin != 0.0 {
+    let alone = creepages == Creepages::longitudinal(creepages.longitudinal.abs());
+    if sliding || !alone {
         Error::unless_positive("magnitude of the creepage", creepages.magnitude(), "")?;
         // The law itself says where a vector of creepages leaves no stick.
         let force = law.forces(normal_force, creepages).magnitude();

@@ -1,0 +1,306 @@
+//! The loop on all axes of a case.
+
+use std::sync::Arc;
+
+use riffel::contact::MeanState;
+use riffel::feedback::{Contact, GeneralLoop};
+use riffel::receptance::{
+    ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
+};
+use riffel::wheelset::{Motion, RigidInertia};
+use riffel::{Carter3d, Direction, ElasticMaterial, HertzContact, Rail, Receptance};
+use riffel_keys::{CaseError, Remark};
+
+use super::ClosedLoop;
+use super::track::RAIL_DENSITY;
+use crate::checked_keys::CheckedKeys;
+use crate::file::{Comb, Rotation, TrackModel};
+use crate::general_keys::{ContactKeys, GeneralKeys, TwistKeys};
+use crate::track::Track;
+
+/// One side of the wheelsets: its contact but for where it stands.
+struct Side {
+    contact: Contact,
+    hertz: HertzContact,
+    carter: Option<Carter3d>,
+}
+
+impl CheckedKeys {
+    pub(super) fn general_loop(
+        &self,
+        keys: &GeneralKeys,
+        steel: ElasticMaterial,
+        vertical: &Track,
+    ) -> Result<ClosedLoop, CaseError> {
+        let mut remarks = Vec::new();
+        let study = self.side(keys.rail, &keys.contact, keys.mean, 1.0, steel)?;
+        let steady = study.contact.rolling.steady();
+        let (hertz, carter) = (study.hertz, study.carter);
+        let mut sides = vec![study.contact];
+        let mut points = vec![(keys.rail, keys.contact.lateral_offset)];
+        if let Some(opposite) = &keys.opposite {
+            let rail = other(keys.rail);
+            let creepages = opposite.creepages.unwrap_or(steady.creepages);
+            let mean = MeanState::Creepages(creepages);
+            let side = self.side(rail, &opposite.contact, mean, opposite.profile, steel)?;
+            sides.push(side.contact);
+            points.push((rail, opposite.contact.lateral_offset));
+        }
+        let mut contacts = Vec::with_capacity(sides.len() * keys.wheels.len());
+        for side in &sides {
+            contacts.extend(keys.wheels.iter().map(|behind| Contact {
+                // Not minus zero.
+                along: 0.0 - behind,
+                ..side.clone()
+            }));
+        }
+        let track = self.spatial_track(keys, steel, vertical, &points, &mut remarks)?;
+        let wheels = self.wheels(keys, hertz, &mut remarks)?;
+        let amplitude = self.file.corrugation.amplitude.si();
+        let feedback = GeneralLoop::new(track, wheels, contacts, amplitude);
+        let position = self.file.track.position;
+        let feedback = self
+            .physics("contact", feedback)?
+            .at_position(position.map_or(0.0, |position| position.si()))
+            .with_comb(match keys.comb {
+                Comb::Resolved => riffel::feedback::Comb::Resolved,
+                Comb::Mean => riffel::feedback::Comb::Mean,
+            });
+        Ok(ClosedLoop {
+            feedback: feedback.into(),
+            hertz,
+            steady,
+            carter,
+            remarks,
+        })
+    }
+
+    /// The contact of the first wheel with one rail.
+    fn side(
+        &self,
+        rail: Rail,
+        keys: &ContactKeys,
+        mean: MeanState,
+        profile: f64,
+        steel: ElasticMaterial,
+    ) -> Result<Side, CaseError> {
+        let hertz = self.hertz_of(steel, keys.transverse_radius, keys.normal_load)?;
+        let built = self.contact_of(hertz, keys.friction, mean)?;
+        let steady = built.rolling.steady();
+        Ok(Side {
+            contact: Contact {
+                along: 0.0,
+                rail,
+                angle: keys.contact_angle,
+                profile,
+                stiffness: hertz.stiffness(),
+                place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
+                rolling: built.rolling,
+                motion: self.motion(),
+                wear: self.wear(hertz)?,
+            },
+            hertz,
+            carter: built.carter,
+        })
+    }
+
+    /// What holds or frees the surfaces: structures say, but where the case says how a lone wheel turns.
+    fn motion(&self) -> [Motion<()>; 2] {
+        let along = match (self.file.wheelset.is_some(), self.file.wheel.rotation()) {
+            (true, _) | (false, Rotation::Inertia) => Motion::Compliant(()),
+            (false, Rotation::ConstantTangentialForce) => Motion::Free,
+            (false, Rotation::ConstantCreepage) => Motion::Held,
+        };
+        [along, Motion::Compliant(())]
+    }
+
+    /// Wheelsets, or lone wheels as in the loop of one axis.
+    fn wheels(
+        &self,
+        keys: &GeneralKeys,
+        hertz: HertzContact,
+        remarks: &mut Vec<Remark>,
+    ) -> Result<Arc<dyn Structure>, CaseError> {
+        if let Some(wheelset) = &keys.wheelset {
+            return Ok(Arc::new(self.wheelset(wheelset, hertz.rolling_radius())?));
+        }
+        let (vertical, of_wheel) = self.wheel()?;
+        remarks.extend(of_wheel);
+        let inertia = match self.file.wheel.rotation() {
+            Rotation::Inertia => Some(self.required("wheel.inertia", self.file.wheel.inertia)?),
+            _ => None,
+        };
+        let longitudinal = inertia
+            .map(|inertia| {
+                let rigid = RigidInertia::new(inertia.si(), hertz.rolling_radius());
+                self.physics("wheel.inertia", rigid)
+                    .map(|rigid| Arc::new(rigid) as Arc<dyn Receptance>)
+            })
+            .transpose()?;
+        Ok(Arc::new(Uncoupled {
+            longitudinal,
+            lateral: None,
+            vertical: Some(vertical),
+        }))
+    }
+
+    /// The track along all axes it has: without wheelsets downward alone, as in the loop of one axis.
+    fn spatial_track(
+        &self,
+        keys: &GeneralKeys,
+        steel: ElasticMaterial,
+        vertical: &Track,
+        points: &[(Rail, f64)],
+        remarks: &mut Vec<Remark>,
+    ) -> Result<Arc<dyn Structure>, CaseError> {
+        let model = self.file.track.model;
+        let modelled = self.given.track.is_none()
+            && !matches!(model, TrackModel::MovingBeam | TrackModel::Measured);
+        if !modelled {
+            if keys.wheels.len() > 1 {
+                return Err(self.text.keys.invalid(
+                    "train.wheels",
+                    &format!(
+                        "are several, but track.model = \"{}\" does not tell how the track answers from one to the next",
+                        model.name()
+                    ),
+                    "choose a model of rail and supports, or one wheel",
+                ));
+            }
+            if keys.wheelset.is_some() {
+                remarks.push(Remark::new(
+                    "this track moves downward alone; along and across the rail it is taken as rigid",
+                    "dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr",
+                ));
+            }
+            return Ok(Arc::new(Uncoupled {
+                longitudinal: None,
+                lateral: None,
+                vertical: Some(vertical.receptance.clone()),
+            }));
+        }
+        let on_supports = model != TrackModel::FreeBeam;
+        let has = |rail: bool, pad: bool| keys.wheelset.is_some() && rail && (pad || !on_supports);
+        let pad = self.file.track.pad.as_ref();
+        let rail = &self.file.rail;
+        let across = has(
+            rail.lateral_second_moment.is_some(),
+            pad.is_some_and(|pad| pad.lateral_stiffness.is_some()),
+        );
+        let along = has(
+            rail.area.is_some(),
+            pad.is_some_and(|pad| pad.longitudinal_stiffness.is_some()),
+        );
+        if keys.wheelset.is_some() {
+            for (has, key, pad, [english, german]) in [
+                (
+                    across,
+                    "rail.lateral_second_moment",
+                    "track.pad.lateral_stiffness",
+                    ["across the track", "quer zum Gleis"],
+                ),
+                (
+                    along,
+                    "rail.area",
+                    "track.pad.longitudinal_stiffness",
+                    ["along itself", "in ihrer Richtung"],
+                ),
+            ] {
+                if !has {
+                    let and = |word: &str| match on_supports {
+                        true => format!(" {word} {pad}"),
+                        false => String::new(),
+                    };
+                    remarks.push(Remark::new(
+                        format!(
+                            "the rail is taken as rigid {english}: give {key}{} to let it move",
+                            and("and")
+                        ),
+                        format!(
+                            "die Schiene gilt {german} als starr: {key}{} lässt sie sich bewegen",
+                            and("und")
+                        ),
+                    ));
+                }
+            }
+        }
+        let spatial = SpatialRail {
+            vertical: self.beam(steel, Direction::Vertical)?,
+            lateral: across
+                .then(|| self.beam(steel, Direction::Lateral))
+                .transpose()?,
+            twist: match &keys.twist {
+                Some(twist) if across => Some(self.twist_of(twist, steel)?),
+                Some(_) => {
+                    return Err(self.text.keys.invalid(
+                        "rail.torsion_constant",
+                        "is given, but the rail does not move across the track",
+                        "give rail.lateral_second_moment, track.pad.lateral_stiffness and a wheelset, or leave it out",
+                    ));
+                }
+                None => None,
+            },
+            longitudinal: along.then(|| self.bar(steel)).transpose()?,
+        };
+        let track = if on_supports {
+            let two_layers = matches!(model, TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic);
+            let support =
+                |has: bool, direction| has.then(|| self.support(two_layers, direction)).transpose();
+            let (down, spacing) = self.support(two_layers, Direction::Vertical)?;
+            let supports = Supports {
+                vertical: Some(down),
+                lateral: support(across, Direction::Lateral)?.map(|(support, _)| support),
+                longitudinal: support(along, Direction::Longitudinal)?.map(|(support, _)| support),
+            };
+            if model.is_periodic() {
+                let track = SpatialTrack::discrete(spatial, supports, spacing);
+                self.physics("track.support_spacing", track)?
+            } else {
+                let supports = supports.per_metre(spacing);
+                let supports = self.physics("track.support_spacing", supports)?;
+                SpatialTrack::continuous(spatial, supports)
+            }
+        } else {
+            SpatialTrack::free(spatial)
+        };
+        let height = keys.twist.map_or(0.0, |twist| twist.head_height);
+        let track = points.iter().fold(track, |track, &(rail, lateral_offset)| {
+            let point = ContactPoint {
+                height,
+                lateral_offset,
+            };
+            track.with_contact(rail, point)
+        });
+        Ok(Arc::new(track))
+    }
+
+    fn twist_of(&self, keys: &TwistKeys, steel: ElasticMaterial) -> Result<Twist, CaseError> {
+        let rail = &self.file.rail;
+        // A rail without supports has no foot that matters.
+        let [foot_depth, foot_width] = keys.foot.unwrap_or([0.0, 1.0]);
+        let section = TwistSection {
+            torsion_constant: keys.torsion_constant,
+            polar_second_moment: keys.polar_second_moment,
+            warping_constant: keys.warping_constant,
+            // The mass is at the shear centre.
+            centroid_height: 0.0,
+            foot_depth,
+            foot_width,
+            shear_modulus: rail
+                .shear_modulus
+                .map_or(steel.shear_modulus(), |modulus| modulus.si()),
+            density: rail.density.map_or(RAIL_DENSITY, |density| density.si()),
+        };
+        let loss_factor = rail.loss_factor.map_or(0.0, |loss| loss.si());
+        let twist =
+            Twist::new(steel, section).and_then(|twist| twist.with_loss_factor(loss_factor));
+        self.physics("rail.torsion_constant", twist)
+    }
+}
+
+fn other(rail: Rail) -> Rail {
+    match rail {
+        Rail::Left => Rail::Right,
+        Rail::Right => Rail::Left,
+    }
+}

@@ -1,0 +1,111 @@
+//! From the keys of a wheelset to its model.
+
+use riffel::ElasticMaterial;
+use riffel::wheelset::{
+    Axle, ContactGeometry, Disc, FlexibleWheelset, RigidBody, RigidWheelset, Segment, Suspension,
+};
+use riffel_keys::CaseError;
+
+use crate::checked_keys::CheckedKeys;
+use crate::file;
+use crate::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
+use crate::wheelset::CaseWheelset;
+
+impl CheckedKeys {
+    /// The wheelset, whose wheels have the rolling radius \[m\].
+    pub(crate) fn wheelset(
+        &self,
+        keys: &WheelsetKeys,
+        rolling_radius: f64,
+    ) -> Result<CaseWheelset, CaseError> {
+        let contacts = ContactGeometry {
+            contact_spacing: keys.contact_spacing,
+            rolling_radius,
+        };
+        let suspension = keys.suspension.as_ref();
+        let suspension = suspension
+            .map(|suspension| self.suspension(suspension))
+            .transpose()?;
+        match &keys.model {
+            WheelsetModelKeys::Rigid(body) => {
+                let rigid = self.rigid_wheelset(body, contacts, suspension)?;
+                Ok(CaseWheelset::Rigid(rigid))
+            }
+            WheelsetModelKeys::Flexible { axle, discs } => {
+                let discs = discs.iter().map(disc).collect();
+                let flexible = FlexibleWheelset::new(self.axle(axle)?, discs, contacts);
+                let mut flexible = self.physics("wheelset", flexible)?;
+                if let Some(suspension) = suspension {
+                    let sprung = flexible.with_suspension(suspension);
+                    flexible = self.physics("wheelset.suspension", sprung)?;
+                }
+                Ok(CaseWheelset::Flexible(flexible))
+            }
+            WheelsetModelKeys::Modal { .. } | WheelsetModelKeys::Measured { .. } => {
+                Err(self.text.keys.invalid(
+                    "wheelset.model",
+                    "is one of a file, which this version does not read",
+                    "choose \"rigid\" or \"flexible\"",
+                ))
+            }
+        }
+    }
+
+    fn rigid_wheelset(
+        &self,
+        body: &RigidBodyKeys,
+        contacts: ContactGeometry,
+        suspension: Option<Suspension>,
+    ) -> Result<RigidWheelset, CaseError> {
+        let body = RigidBody {
+            mass: body.mass,
+            roll_inertia: body.roll_inertia,
+            spin_inertia: body.spin_inertia,
+        };
+        let rigid = self.physics("wheelset", RigidWheelset::new(body, contacts))?;
+        Ok(match suspension {
+            Some(suspension) => rigid.with_suspension(suspension),
+            None => rigid,
+        })
+    }
+
+    fn suspension(&self, keys: &file::Suspension) -> Result<Suspension, CaseError> {
+        let stiffness = [
+            keys.longitudinal_stiffness,
+            keys.lateral_stiffness,
+            keys.vertical_stiffness,
+        ];
+        let damping = [
+            keys.longitudinal_damping,
+            keys.lateral_damping,
+            keys.vertical_damping,
+        ];
+        let suspension = Suspension::new(
+            stiffness.map(|stiffness| stiffness.si()),
+            damping.map(|damping| damping.si()),
+            keys.spacing.si(),
+        );
+        self.physics("wheelset.suspension", suspension)
+    }
+
+    fn axle(&self, keys: &AxleKeys) -> Result<Axle, CaseError> {
+        let material = ElasticMaterial::new(keys.youngs_modulus, keys.poisson_ratio);
+        let material = self.physics("wheelset.axle", material)?;
+        let segments = keys.segments.iter();
+        let segments = segments.map(|&[length, diameter]| Segment { length, diameter });
+        let axle = Axle::new(material, keys.density, segments.collect())
+            .and_then(|axle| axle.with_shear_coefficient(keys.shear_coefficient))
+            .and_then(|axle| axle.with_loss_factor(keys.loss_factor));
+        self.physics("wheelset.axle", axle)
+    }
+}
+
+fn disc(keys: &file::Disc) -> Disc {
+    Disc {
+        position: keys.position.si(),
+        mass: keys.mass.si(),
+        polar_inertia: keys.polar_inertia.si(),
+        diametral_inertia: keys.diametral_inertia.si(),
+        coupled: None,
+    }
+}
