@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::periodic::outgoing_sinh;
+use super::periodic::{InBay, outgoing_sinh};
 use super::twisting_rail::{CoupledWave, CoupledWaves, LateralReceptance};
 use crate::simultaneous_roots::polish;
 
@@ -29,6 +29,13 @@ pub(super) struct CoupledFloquet {
     spacing: f64,
     free: CoupledWaves,
     waves: [CoupledFloquetWave; 4],
+}
+
+/// A place along the rail, with sinh α_j(d − x) and sinh α_jx of the free waves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct CoupledStation {
+    place: InBay,
+    sines: [[Complex64; 2]; 4],
 }
 
 /// One of the Floquet waves.
@@ -115,26 +122,34 @@ impl CoupledFloquet {
         &self.waves[..self.free.as_slice().len()]
     }
 
-    /// Motion at `to` by a force or moment at `from`, both \[m\] from a support.
-    pub(super) fn receptance(&self, from: f64, to: f64) -> LateralReceptance {
-        if to < from {
-            let [[vv, vt], [tv, tt]] = self.receptance(to, from);
+    /// A place \[m\] from a support, for as many receptances as start or end there.
+    pub(super) fn station(&self, along: f64) -> CoupledStation {
+        let place = InBay::new(along, self.spacing);
+        let mut sines = [[Complex64::ZERO; 2]; 4];
+        for (slot, wave) in sines.iter_mut().zip(self.free.as_slice()) {
+            *slot = [self.spacing - place.within, place.within].map(|way| {
+                let growth = (wave.propagation * way).exp();
+                0.5 * (growth - growth.inv())
+            });
+        }
+        CoupledStation { place, sines }
+    }
+
+    /// Motion at `to` by a force or moment at `from`.
+    pub(super) fn between(&self, from: &CoupledStation, to: &CoupledStation) -> LateralReceptance {
+        if to.place < from.place {
+            let [[vv, vt], [tv, tt]] = self.between(to, from);
             return [[vv, tv], [vt, tt]];
         }
-        let bay = |x: f64| (x / self.spacing).floor();
-        let bays = bay(to) - bay(from);
-        let within = |x: f64| (x - bay(x) * self.spacing).clamp(0.0, self.spacing);
-        let (from, to) = (within(from), within(to));
-        let at_from = self.sines(from);
-        let at_to = if from == to { at_from } else { self.sines(to) };
+        let bays = to.place.bay - from.place.bay;
         let mut sum = LateralReceptance::default();
         for wave in self.waves() {
             let mut scale = wave.norm;
             if bays > 0.0 {
-                scale *= wave.multiplier.powf(bays);
+                scale *= wave.multiplier.powi(bays as i32);
             }
-            let ahead = self.shape(wave, &at_to, wave.multiplier);
-            let back = self.shape(wave, &at_from, wave.multiplier.inv());
+            let ahead = self.shape(wave, &to.sines, wave.multiplier);
+            let back = self.shape(wave, &from.sines, wave.multiplier.inv());
             for (row, ahead) in sum.iter_mut().zip(ahead) {
                 for (entry, back) in row.iter_mut().zip(back) {
                     *entry += scale * ahead * back;
@@ -142,18 +157,6 @@ impl CoupledFloquet {
             }
         }
         sum
-    }
-
-    /// sinh α_j(d − x) and sinh α_jx of the free waves.
-    fn sines(&self, x: f64) -> [[Complex64; 2]; 4] {
-        let mut sines = [[Complex64::ZERO; 2]; 4];
-        for (slot, wave) in sines.iter_mut().zip(self.free.as_slice()) {
-            *slot = [self.spacing - x, x].map(|way| {
-                let growth = (wave.propagation * way).exp();
-                0.5 * (growth - growth.inv())
-            });
-        }
-        sines
     }
 
     /// φ± with the factor of the wave, ρ or 1/ρ.
@@ -327,8 +330,8 @@ mod tests {
 
     /// Distance from the expected v by a force, v by a moment and θ by a moment, in units of those at the place of the force.
     fn error(track: &CoupledFloquet, from: f64, to: f64, expected: [(f64, f64); 3]) -> f64 {
-        let [[vv, vt], [_, tt]] = track.receptance(from, to);
-        let [[own_vv, _], [_, own_tt]] = track.receptance(from, from);
+        let [[vv, vt], [_, tt]] = track.between(&track.station(from), &track.station(to));
+        let [[own_vv, _], [_, own_tt]] = track.between(&track.station(from), &track.station(from));
         let scales = [
             own_vv.norm(),
             (own_vv * own_tt).norm().sqrt(),

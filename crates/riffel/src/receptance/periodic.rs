@@ -192,31 +192,69 @@ impl FloquetWaves {
 
     /// Displacement at `to` per force at `from` \[m/N\], both \[m\] from the support at x = 0.
     pub fn receptance(&self, from: f64, to: f64) -> Complex64 {
-        let spacing = self.rail.spacing;
-        let (left, right) = (from.min(to), from.max(to));
-        let bay = |x: f64| (x / spacing).floor();
-        let bays = bay(right) - bay(left);
-        let within = |x: f64| (x - bay(x) * spacing).clamp(0.0, spacing);
-        let (left, right) = (within(left), within(right));
-        let at_left = self.rail.sines(left);
-        let at_right = if left == right {
-            at_left
+        let station = self.station(from);
+        if from == to {
+            return self.between(&station, &station);
+        }
+        self.between(&station, &self.station(to))
+    }
+
+    /// A place \[m\] from the support at x = 0, for as many receptances as start or end there.
+    pub(super) fn station(&self, along: f64) -> Station {
+        let place = InBay::new(along, self.rail.spacing);
+        Station {
+            sines: self.rail.sines(place.within),
+            place,
+        }
+    }
+
+    /// Displacement at one place per force at another \[m/N\].
+    pub(super) fn between(&self, one: &Station, other: &Station) -> Complex64 {
+        let (left, right) = if one.place <= other.place {
+            (one, other)
         } else {
-            self.rail.sines(right)
+            (other, one)
         };
+        let bays = right.place.bay - left.place.bay;
         self.waves[..self.rail.count]
             .iter()
             .map(|wave| {
-                let ahead = wave.shape(&at_right, wave.multiplier);
-                let back = wave.shape(&at_left, wave.multiplier.inv());
+                let ahead = wave.shape(&right.sines, wave.multiplier);
+                let back = wave.shape(&left.sines, wave.multiplier.inv());
                 let within = ahead * back * wave.norm;
                 if bays == 0.0 {
                     return within;
                 }
-                within * wave.multiplier.powf(bays)
+                within * wave.multiplier.powi(bays as i32)
             })
             .sum()
     }
+}
+
+/// A place along a rail between two supports.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub(super) struct InBay {
+    /// Number of the support at or before it.
+    pub(super) bay: f64,
+    /// Distance from that \[m\].
+    pub(super) within: f64,
+}
+
+impl InBay {
+    pub(super) fn new(along: f64, spacing: f64) -> Self {
+        let bay = (along / spacing).floor();
+        Self {
+            bay,
+            within: (along - bay * spacing).clamp(0.0, spacing),
+        }
+    }
+}
+
+/// A place along the rail, with the sines of its free waves over the rest of the bay and over what is gone of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Station {
+    place: InBay,
+    sines: [OverWaves; 2],
 }
 
 impl FloquetWave {

@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::coupled_floquet::CoupledFloquet;
-use super::periodic::check_spacing;
+use super::coupled_floquet::{CoupledFloquet, CoupledStation};
+use super::periodic::{Station, check_spacing};
 use super::twisting_rail::{CoupledWaves, Foundation, LateralReceptance, TwistingRail};
 use super::{Bar, Beam, FloquetWaves, Structure, Support, Twist, Waveguide, Waves};
 use crate::{Direction, Error, Place, Rail};
@@ -56,26 +56,34 @@ pub struct ContactPoint {
 /// An infinite rail that stretches, bends both ways and twists, free, on supports spread evenly or on discrete ones;
 /// receptances along all axes between any two places, counted from a support.
 ///
-/// Bending downward (w), stretch (u), and bending across (v) with twist (θ, positive: the head moves to the right)
-/// run on their own; a contact at the height h above the shear centre and e to the right of it moves by
+/// Bending downward (w) and stretch (u) run on their own, as on [`ContinuousTrack`](super::ContinuousTrack) and
+/// [`PeriodicTrack`](super::PeriodicTrack). Bending across the track (v, of the shear centre) and twist (θ, positive: the
+/// head moves to the right) are coupled by the foot, d below the shear centre, and by the mass at the centroid, c above it:
+///
+/// ```text
+/// EI_z v'''' − ω²m (v + cθ) + K_y (v − dθ) = f_y                                          (with shear as in Beam)
+/// EI_ω θ'''' − GJ θ'' − ω²(ρI_p θ + mc (v + cθ)) + K_θ θ − dK_y (v − dθ) = moment
+/// ```
+///
+/// K_y is the lateral support, K_θ = k_p(ω)B²/12 that of a foot of the width B on its pad, k_p the vertical dynamic
+/// stiffness of the pad alone: the sleeper moves across and down on its ballast, and does not turn. Without twist the foot
+/// moves with the rail. A contact at the height h above the shear centre and e to the right of it moves by
 ///
 /// ```text
 /// u_x = u,   u_y = v + hθ,   u_z = w + eθ
 /// H_yy = H_vv + h(H_vθ + H_θv) + h²H_θθ,   H_zz = H_ww + e²H_θθ,   H_yz = e(H_vθ + hH_θθ)
 /// ```
 ///
-/// so that a rail off its middle couples lateral and vertical forces. Supports act at the foot, d below the shear
-/// centre: across the track on v − dθ, against rotation with K_θ = k_p(ω)B²/12, k_p the vertical dynamic stiffness of
-/// the pad and B its width; the sleeper moves across and down on its ballast, and does not turn. Without twist the foot
-/// moves with the rail, h and e have no part in it. The two rails of a track do not feel each other.
+/// so that a contact off the middle couples lateral and vertical forces. The two rails of a track do not feel each other,
+/// and the motion of the load along the rail is left out.
 ///
 /// Method: residues at the waves of the rail on its foundation, or Floquet waves of the free rail on discrete supports,
-/// for v and θ of both together (three waves, or four with warping); u and w are those of
-/// [`ContinuousTrack`](super::ContinuousTrack) and [`PeriodicTrack`](super::PeriodicTrack). No truncation. Errors:
-/// 1e-12 of the point receptances from 1 Hz to 5 kHz (test `supports_to_all_digits`), 1e-11 at 0.1 Hz, where the amplitudes
-/// of lateral waves on discrete supports cancel; more next to a band edge or where two waves coincide without any loss.
-/// Cost: [`receptance_matrix`](Structure::receptance_matrix) finds the waves once, 1 µs on even supports and 3 µs on
-/// discrete ones, and takes 0.2 and 1 µs for every pair of contacts.
+/// for v and θ of both together (three waves, or four with warping). No truncation. Errors: 1e-12 of the point receptances
+/// from 1 Hz to 5 kHz for a rail (test `supports_to_all_digits`), 1e-11 over all kinds of track (test
+/// `reciprocal_and_periodic`) and at 0.1 Hz, where the amplitudes of lateral waves on discrete supports cancel; more next to
+/// a band edge, or where two waves coincide, without any loss. Cost: [`receptance_matrix`](Structure::receptance_matrix)
+/// finds the waves of a frequency once, in 1 µs on even supports and 3 µs on discrete ones; every other contact takes
+/// 0.2 and 0.3 µs, and every pair 0.1 µs.
 ///
 /// Source: after Kostovasilis, Thompson & Hussein (2017), *A semi-analytical beam model for the vibration of railway
 /// tracks*, reduced to the motions above, for sections symmetric about their vertical axis; derived anew. Range of
@@ -236,26 +244,39 @@ impl SpatialTrack {
         &self.supports
     }
 
-    fn waves(&self, w: f64) -> SpatialWaves {
+    fn waves(&self, w: f64, alongs: Vec<f64>) -> SpatialWaves {
+        let Supports {
+            vertical,
+            lateral,
+            longitudinal,
+        } = self.supports;
         SpatialWaves {
-            vertical: self.axis(w, &self.rail.vertical, self.supports.vertical),
+            vertical: self.axis(w, &self.rail.vertical, vertical, &alongs),
             longitudinal: self
                 .rail
                 .longitudinal
-                .map(|bar| self.axis(w, &bar, self.supports.longitudinal)),
+                .map(|bar| self.axis(w, &bar, longitudinal, &alongs)),
             lateral: self.rail.lateral.map(|bending| match self.rail.twist {
-                None => LateralWaves::Bending(self.axis(w, &bending, self.supports.lateral)),
-                Some(twist) => self.twisting(w, &TwistingRail { bending, twist }),
+                None => LateralWaves::Bending(self.axis(w, &bending, lateral, &alongs)),
+                Some(twist) => self.twisting(w, &TwistingRail { bending, twist }, &alongs),
             }),
+            alongs,
         }
     }
 
-    fn axis(&self, w: f64, rail: &impl Waveguide, support: Option<Support>) -> AxisWaves {
+    fn axis(
+        &self,
+        w: f64,
+        rail: &impl Waveguide,
+        support: Option<Support>,
+        alongs: &[f64],
+    ) -> AxisWaves {
         let stiffness = support.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w));
         match self.spacing.filter(|_| support.is_some()) {
             Some(spacing) => {
-                let free = rail.waves(w, Complex64::ZERO);
-                AxisWaves::Discrete(FloquetWaves::new(&free, stiffness, spacing))
+                let waves = FloquetWaves::new(&rail.waves(w, Complex64::ZERO), stiffness, spacing);
+                let stations = alongs.iter().map(|&along| waves.station(along)).collect();
+                AxisWaves::Discrete { waves, stations }
             }
             None => AxisWaves::Even {
                 waves: rail.waves(w, stiffness),
@@ -264,7 +285,7 @@ impl SpatialTrack {
         }
     }
 
-    fn twisting(&self, w: f64, rail: &TwistingRail) -> LateralWaves {
+    fn twisting(&self, w: f64, rail: &TwistingRail, alongs: &[f64]) -> LateralWaves {
         let section = rail.twist.section();
         let Supports {
             vertical, lateral, ..
@@ -272,16 +293,18 @@ impl SpatialTrack {
         let foundation = Foundation {
             lateral: lateral.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w)),
             roll: vertical.map_or(Complex64::ZERO, |support| {
-                support.pad().dynamic_stiffness(Complex64::new(0.0, w))
-                    * (section.foot_width * section.foot_width / 12.0)
+                let pad = support.pad().dynamic_stiffness(Complex64::new(0.0, w));
+                pad * (section.foot_width * section.foot_width / 12.0)
             }),
         };
         match self.spacing {
-            Some(spacing) => LateralWaves::Discrete(Box::new(CoupledFloquet::new(
-                rail.waves(w, &Foundation::NONE),
-                &foundation.at_shear_centre(section.foot_depth),
-                spacing,
-            ))),
+            Some(spacing) => {
+                let free = rail.waves(w, &Foundation::NONE);
+                let stiffness = foundation.at_shear_centre(section.foot_depth);
+                let waves = Box::new(CoupledFloquet::new(free, &stiffness, spacing));
+                let stations = alongs.iter().map(|&along| waves.station(along)).collect();
+                LateralWaves::Discrete { waves, stations }
+            }
             None => LateralWaves::Even(rail.waves(w, &foundation)),
         }
     }
@@ -322,9 +345,8 @@ impl Structure for SpatialTrack {
         at: Place,
         from: Place,
     ) -> Complex64 {
-        let waves = self.waves(angular_frequency);
-        let motions = waves.motions(from.along, at.along);
-        self.entry(&motions, at, from)
+        let waves = self.waves(angular_frequency, vec![from.along, at.along]);
+        self.entry(&waves.motions(0, 1), at, from)
     }
 
     fn receptance_matrix(
@@ -334,7 +356,6 @@ impl Structure for SpatialTrack {
         places: &[Place],
         matrix: &mut [Complex64],
     ) {
-        let waves = self.waves(angular_frequency);
         let count = places.len();
         // The axes of one contact stand beside each other.
         let mut contacts = Vec::with_capacity(count);
@@ -347,9 +368,11 @@ impl Structure for SpatialTrack {
                 _ => contacts.push((*place, index..index + 1)),
             }
         }
-        for (number, (at, rows)) in contacts.iter().enumerate() {
-            for (from, columns) in &contacts[..=number] {
-                let motions = waves.motions(from.along, at.along);
+        let alongs = contacts.iter().map(|(place, _)| place.along).collect();
+        let waves = self.waves(angular_frequency, alongs);
+        for (to, (_, rows)) in contacts.iter().enumerate() {
+            for (from, (_, columns)) in contacts[..=to].iter().enumerate() {
+                let motions = waves.motions(from, to);
                 for row in rows.clone() {
                     for column in columns.clone() {
                         let entry = self.entry(&motions, places[row], places[column]);
@@ -373,8 +396,9 @@ fn side(rail: Rail) -> usize {
     }
 }
 
-/// The waves of a track at one frequency.
+/// The waves of a track at one frequency, and what they are at some places.
 struct SpatialWaves {
+    alongs: Vec<f64>,
     vertical: AxisWaves,
     longitudinal: Option<AxisWaves>,
     lateral: Option<LateralWaves>,
@@ -389,49 +413,67 @@ struct Motions {
 
 /// Waves of one motion of the rail.
 enum AxisWaves {
-    Even { waves: Waves, point: Complex64 },
-    Discrete(FloquetWaves),
+    Even {
+        waves: Waves,
+        point: Complex64,
+    },
+    Discrete {
+        waves: FloquetWaves,
+        stations: Vec<Station>,
+    },
 }
 
 /// Waves of bending across the track and twist.
 enum LateralWaves {
     Bending(AxisWaves),
     Even(CoupledWaves),
-    Discrete(Box<CoupledFloquet>),
+    Discrete {
+        waves: Box<CoupledFloquet>,
+        stations: Vec<CoupledStation>,
+    },
 }
 
 impl SpatialWaves {
-    fn motions(&self, from: f64, to: f64) -> Motions {
-        let longitudinal = self.longitudinal.as_ref();
+    /// Motions at one of the places by forces at another, by their numbers.
+    fn motions(&self, from: usize, to: usize) -> Motions {
+        let alongs = &self.alongs;
+        let along_axis = |axis: &AxisWaves| axis.receptance(alongs, from, to);
         Motions {
-            vertical: self.vertical.receptance(from, to),
-            longitudinal: longitudinal.map_or(Complex64::ZERO, |axis| axis.receptance(from, to)),
+            vertical: along_axis(&self.vertical),
+            longitudinal: self
+                .longitudinal
+                .as_ref()
+                .map_or(Complex64::ZERO, along_axis),
             lateral: match &self.lateral {
                 None => LateralReceptance::default(),
-                Some(LateralWaves::Bending(axis)) => [
-                    [axis.receptance(from, to), Complex64::ZERO],
-                    [Complex64::ZERO; 2],
-                ],
-                Some(LateralWaves::Even(waves)) => waves.receptance((to - from).abs()),
-                Some(LateralWaves::Discrete(waves)) => waves.receptance(from, to),
+                Some(LateralWaves::Bending(axis)) => {
+                    [[along_axis(axis), Complex64::ZERO], [Complex64::ZERO; 2]]
+                }
+                Some(LateralWaves::Even(waves)) => {
+                    waves.receptance((alongs[to] - alongs[from]).abs())
+                }
+                Some(LateralWaves::Discrete { waves, stations }) => {
+                    waves.between(&stations[from], &stations[to])
+                }
             },
         }
     }
 }
 
 impl AxisWaves {
-    fn receptance(&self, from: f64, to: f64) -> Complex64 {
+    fn receptance(&self, alongs: &[f64], from: usize, to: usize) -> Complex64 {
         match self {
-            Self::Even { point, .. } if from == to => *point,
-            Self::Even { waves, .. } => {
-                let distance = (to - from).abs();
+            Self::Even { waves, point } => {
+                let distance = (alongs[to] - alongs[from]).abs();
+                if distance == 0.0 {
+                    return *point;
+                }
+                let waves = waves.as_slice().iter();
                 waves
-                    .as_slice()
-                    .iter()
                     .map(|wave| wave.amplitude * (-wave.propagation * distance).exp())
                     .sum()
             }
-            Self::Discrete(waves) => waves.receptance(from, to),
+            Self::Discrete { waves, stations } => waves.between(&stations[from], &stations[to]),
         }
     }
 }
