@@ -929,3 +929,38 @@ fn measured_wheelset_is_what_was_measured() {
     assert!(MeasuredWheelset::new(twice).is_err());
     assert!(MeasuredWheelset::new(vec![]).is_err());
 }
+
+/// Two absorbers of one frequency on one wheel: against each other they swing while the wheel stands still, a mode that has
+/// no node to be seen at. It is counted, and no shape is without a number.
+#[test]
+fn equal_absorbers_are_counted() {
+    let coupled = CoupledInertia {
+        polar_inertia: 4.0,
+        stiffness: 4.0 * 700f64.powi(2),
+        damping: 0.0,
+    };
+    let absorber = Disc {
+        coupled: Some(coupled),
+        ..disc(0.75, 0.0, 0.0, 0.0)
+    };
+    let count = |absorbers: Vec<Disc>| {
+        let discs = [wheels_and_boxes([350.0, 27.77, 14.5], 80.0), absorbers].concat();
+        let axle = uniform(207e9, 0.16, 2.0);
+        let wheelset = FlexibleWheelset::new(axle, discs, CONTACTS).unwrap();
+        let modes = wheelset.natural_modes(TAU * 500.0).unwrap();
+        for mode in &modes {
+            let shape = [-0.75, 0.0, 0.75].map(|place| mode.motion_at(place).below(0.46));
+            assert!(
+                shape.iter().flatten().all(|value| value.is_finite()),
+                "{}",
+                mode.name
+            );
+        }
+        hertz(&modes, |name| matches!(name, ModeName::Torsion { .. }))
+    };
+    assert_eq!(count(vec![]).len(), 1);
+    assert_eq!(count(vec![absorber]).len(), 2);
+    let both = count(vec![absorber; 2]);
+    assert_eq!(both.len(), 3);
+    assert_relative_eq!(both[1], 700.0 / TAU, max_relative = 1e-12);
+}
