@@ -336,6 +336,9 @@ impl KeyFile {
         if message.contains("expected struct") {
             return self.invalid(path, "is not a table of keys, as it must be", "");
         }
+        if message.contains("expected a sequence") {
+            return self.invalid(path, "is not a list, as it must be", "");
+        }
         self.invalid(path, message, "")
     }
 
@@ -364,8 +367,9 @@ impl KeyFile {
             format!("`{shown}`: {rule}")
         };
         let help = (!help.is_empty()).then(|| help.to_owned());
-        // The override may have set a table around the key.
-        let tables = key.match_indices('.').rev().map(|(end, _)| &key[..end]);
+        // The override may have set a table or a list around the key.
+        let ends = key.match_indices(['.', '[']).rev();
+        let tables = ends.map(|(end, _)| &key[..end]);
         let mut places = std::iter::once(key).chain(tables);
         if let Some(assignment) = places.find_map(|place| self.overrides.get(place)) {
             return CaseError::Override {
@@ -424,7 +428,7 @@ impl Text {
         }
     }
 
-    /// The value of the key, the key itself, or the nearest table around it.
+    /// The value of the key, the key itself, or the nearest table or list around it.
     fn span(&self, key: &str) -> Option<Range<usize>> {
         let mut path = key;
         loop {
@@ -436,7 +440,7 @@ impl Text {
             if let Some(range) = found {
                 return Some(range.clone());
             }
-            path = path.rsplit_once('.')?.0;
+            path = &path[..path.rfind(['.', '['])?];
         }
     }
 }

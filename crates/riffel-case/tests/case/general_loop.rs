@@ -217,6 +217,11 @@ fn error(text: &str, overrides: &[&str]) -> CaseError {
     "train.wheels=[0, \"2 s\"]",
     "`train.wheels[1]`: \"2 s\" is in s, not a length in m"
 )]
+#[case::no_list(
+    TRAIN,
+    "train.wheels=2.5 m",
+    "`train.wheels` is not a list, as it must be"
+)]
 #[case::comb(
     TRAIN,
     "train.comb=meen",
@@ -263,6 +268,27 @@ fn laws_that_know_spin_are_named() {
     assert_eq!(
         help.as_deref(),
         Some("laws that do: shen-hedrick-elkins, fastsim, half-space")
+    );
+}
+
+/// An override of a list is named with what is wrong in it, not the line of the file that it replaces.
+#[rstest]
+#[case(TRAIN, "train.wheels=[0, 2.5, 2.5]")]
+#[case(TRAIN, "train.wheels=[0, true]")]
+#[case(STEPPED_AXLE, "wheelset.discs=[{ position = 2 }]")]
+#[case(
+    STEPPED_AXLE,
+    "wheelset.discs=[{ position = 2, mass = 1, polar_inertia = 1, diametral_inertia = 1 }]"
+)]
+#[case(
+    STEPPED_AXLE,
+    "wheelset.axle.segments=[{ length = 0, diameter = 0.16 }]"
+)]
+fn overrides_of_lists_are_named(#[case] text: &str, #[case] set: &str) {
+    let error = error(text, &[set]);
+    assert!(
+        error.to_string().starts_with(&format!("--set {set}: ")),
+        "{error}"
     );
 }
 
