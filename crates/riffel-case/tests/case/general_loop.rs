@@ -20,6 +20,28 @@ fn error(text: &str, overrides: &[&str]) -> CaseError {
     error.expect("this case must be refused")
 }
 
+/// Two flexible wheelsets on twisting rails.
+const TWO_WHEELSETS: &str = include_str!("../general-loop/two-wheelsets.toml");
+
+/// What a case writes after defaults and presets reads back as the same case, here and in another process.
+#[rstest]
+#[case::rigid(RIGID)]
+#[case::stepped_axle(STEPPED_AXLE)]
+#[case::train(TRAIN)]
+#[case::two_wheelsets(TWO_WHEELSETS)]
+fn a_completed_case_reads_back(#[case] text: &str) -> Result<(), CaseError> {
+    let case = Case::parse("case.toml", text, &["contact.contact_angle=2°".to_owned()])?;
+    let printed = toml::to_string(&case.file).unwrap_or_default();
+    let read = Case::parse("case.toml", &printed, &[])?;
+    let restored = Case::restore(&case.portable(), None, None)?;
+    for again in [read, restored] {
+        assert_eq!(again.file, case.file, "{printed}");
+        let growth = |case: &Case| case.feedback.at(0.05, 20.0).growth_rate();
+        assert_eq!(growth(&again), growth(&case));
+    }
+    Ok(())
+}
+
 /// Each names the key, the value and the rule.
 #[rstest]
 #[case::no_creepage(
