@@ -8,6 +8,7 @@ mod contact_filter;
 pub mod decay_rate;
 mod fastsim;
 mod forecast;
+mod general_loop;
 mod ground;
 mod growth;
 mod linear_theory;
@@ -96,6 +97,7 @@ checks! {
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
         grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
     wheelset: flexible_wheelset_receptance, flexible_wheelset_natural_frequencies;
+    general_loop: loop_on_all_axes, several_wheels_on_one_rail, both_rails_and_flexible_wheelsets;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 
