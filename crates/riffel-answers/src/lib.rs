@@ -35,6 +35,7 @@ pub mod ridge;
 pub mod roughness;
 pub mod study;
 mod track_in_words;
+pub mod wheelset;
 
 pub use capital::capital;
 pub use error::AnswerError;

@@ -52,7 +52,7 @@ pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use sensitivity::Sensitivity;
 pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
-pub use wheelset::CaseWheelset;
+pub use wheelset::{CaseWheelset, WheelsetMode};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file
 /// that `riffel init` writes.

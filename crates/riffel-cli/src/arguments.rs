@@ -66,6 +66,8 @@ pub(crate) enum Command {
     Map(Map),
     /// Receptance of track, wheel and contact over frequency.
     Receptance(Receptance),
+    /// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
+    Wheelset(Wheelset),
     /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
     Contact(Contact),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
@@ -334,6 +336,34 @@ pub(crate) struct Receptance {
     /// Direction of force and displacement; wheel and contact are vertical only.
     #[arg(long, value_enum, default_value_t = DirectionArgument::Vertical)]
     pub(crate) direction: DirectionArgument,
+
+    /// Matrices of track and wheel along all axes x, y, z of the track, at the contact under study.
+    #[arg(long, conflicts_with = "direction")]
+    pub(crate) matrix: bool,
+
+    /// Frequencies of --matrix, separated by commas, in Hz or with their unit, in place of --from, --to and --points.
+    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "matrix", conflicts_with_all = ["from", "to", "points"])]
+    pub(crate) frequencies: Vec<Asked<Frequency>>,
+
+    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json")]
+pub(crate) struct Wheelset {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Folder for the results, made if need be [default: CASE-wheelset].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Frequencies of the receptances, separated by commas, in Hz or with their unit [default: 600 from 20 Hz to
+    /// 2 kHz].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) frequencies: Vec<Asked<Frequency>>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
     #[arg(long)]

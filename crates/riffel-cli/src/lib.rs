@@ -77,6 +77,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Point(arguments) => command::point::run(&arguments)?,
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
+        Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,

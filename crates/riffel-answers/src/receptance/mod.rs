@@ -1,6 +1,7 @@
 //! The joints of a case over frequency.
 
 mod curves;
+mod matrix;
 
 use std::f64::consts::TAU;
 use std::io::{self, Write};
@@ -13,6 +14,7 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Se
 use serde::Serialize;
 
 pub use curves::{ReceptanceCurve, ReceptanceCurves};
+pub use matrix::{MatrixAnswer, MatrixDocument};
 
 use crate::parameters::parameters;
 

@@ -39,7 +39,7 @@ impl CheckedKeys {
                     let sprung = flexible.with_suspension(suspension);
                     flexible = self.physics("wheelset.suspension", sprung)?;
                 }
-                Ok(CaseWheelset::Flexible(flexible))
+                Ok(CaseWheelset::Flexible(Box::new(flexible)))
             }
             WheelsetModelKeys::Modal { .. } | WheelsetModelKeys::Measured { .. } => {
                 Err(self.text.keys.invalid(

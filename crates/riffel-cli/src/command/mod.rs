@@ -18,3 +18,4 @@ pub(crate) mod schema;
 pub(crate) mod serve;
 pub(crate) mod study;
 pub(crate) mod validate;
+pub(crate) mod wheelset;

@@ -5,11 +5,12 @@ use std::f64::consts::TAU;
 use riffel::Direction;
 use riffel::receptance::{DecayRate, ResonanceKind};
 use riffel_answers::receptance::{
-    ReceptanceAnswer, ReceptanceCurves, ReceptanceRequest, decay_csv, decay_figure,
+    MatrixAnswer, ReceptanceAnswer, ReceptanceCurves, ReceptanceRequest, decay_csv, decay_figure,
 };
 use riffel_case::{Case, Origin, Track};
+use riffel_keys::quantity::Frequency;
 
-use crate::arguments::{DirectionArgument, Receptance};
+use crate::arguments::{Asked, DirectionArgument, Receptance};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
@@ -17,6 +18,9 @@ use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
+    if arguments.matrix {
+        return matrix(arguments, &case);
+    }
     let direction = match arguments.direction {
         DirectionArgument::Vertical => Direction::Vertical,
         DirectionArgument::Lateral => Direction::Lateral,
@@ -61,6 +65,52 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         print_remarks(&case.remarks);
     }
     Ok(())
+}
+
+/// Track and wheel along all axes.
+fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
+    let speed = match &arguments.speed {
+        Some(speed) => speed.within("--speed")?,
+        None => case.speed.max(),
+    };
+    let frequencies = match &arguments.frequencies[..] {
+        [] => {
+            let (from, to) = range(arguments, &case.track)?;
+            ReceptanceCurves::frequencies(from, to, arguments.points)
+        }
+        listed => within("--frequencies", listed)?,
+    };
+    let answer = MatrixAnswer::new(case, speed, frequencies)?;
+    if arguments.json {
+        print_json(&answer.document())?;
+        print_remarks(&case.remarks);
+        if arguments.output.is_none() {
+            return Ok(());
+        }
+    }
+    let folder = arguments
+        .case
+        .folder(arguments.output.as_deref(), "receptance");
+    let mut staging = Staging::new("receptance", &folder)?;
+    staging.write_figure("matrix", &answer.figure(case))?;
+    staging.write_with("matrix.csv", |file| answer.csv(file))?;
+    let files = staging.publish()?;
+    if !arguments.json {
+        print(&format!("{}: {}\n", folder.display(), files.join(" ")))?;
+        print_remarks(&case.remarks);
+    }
+    Ok(())
+}
+
+/// Frequencies of a list \[Hz\].
+pub(super) fn within(
+    argument: &'static str,
+    listed: &[Asked<Frequency>],
+) -> Result<Vec<f64>, CliError> {
+    listed
+        .iter()
+        .map(|frequency| frequency.within(argument))
+        .collect()
 }
 
 /// The frequencies asked for \[Hz\]; where nothing is said, as many of the usual ones as a measurement

@@ -5,6 +5,7 @@ use num_complex::Complex64;
 use super::general::System;
 use super::{FeedbackLoop, GeneralLoop, GeneralState, LoopState};
 use crate::contact::MeanRolling;
+use crate::wheelset::Motion;
 
 /// A closed loop of either kind.
 #[derive(Clone)]
@@ -81,6 +82,35 @@ impl Loop {
                 .map(|structure| structure.receptance(angular_frequency, speed)),
             Self::General(general) => general.normal_receptances(angular_frequency, speed),
         }
+    }
+
+    /// Receptance matrices of track and wheel at the contact under study \[m/N\], in the axes x, y, z of the track; none
+    /// where a wheel follows every oscillation of the tangential force, which no receptance tells.
+    pub fn receptances(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+    ) -> Option<[[[Complex64; 3]; 3]; 2]> {
+        let feedback = match self {
+            Self::Longitudinal(feedback) => feedback,
+            Self::General(general) => {
+                let motion = &general.contacts()[0].motion;
+                let free = motion.iter().any(|motion| matches!(motion, Motion::Free));
+                return (!free).then(|| general.receptances(angular_frequency, speed));
+            }
+        };
+        let [track, wheel] = self.normal_receptances(angular_frequency, speed);
+        let along = match &feedback.rotation {
+            Motion::Compliant(structure) => structure.receptance(angular_frequency, speed),
+            Motion::Held => Complex64::ZERO,
+            Motion::Free => return None,
+        };
+        let diagonal = |along, vertical| {
+            let mut matrix = [[Complex64::ZERO; 3]; 3];
+            (matrix[0][0], matrix[2][2]) = (along, vertical);
+            matrix
+        };
+        Some([diagonal(Complex64::ZERO, track), diagonal(along, wheel)])
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.

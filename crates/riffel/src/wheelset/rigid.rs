@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 
 use super::section::SectionReceptances;
-use super::{ContactGeometry, ContactReceptances, Suspension, Wheelset};
+use super::{ContactGeometry, ContactReceptances, RigidMotion, Suspension, Wheelset};
 use crate::{Direction, Error};
 
 /// Mass and moments of inertia of a wheelset, which is symmetric about the line of its axle and about its middle.
@@ -64,6 +64,27 @@ impl RigidWheelset {
     /// Mass and moments of inertia.
     pub fn body(&self) -> RigidBody {
         self.body
+    }
+
+    /// Natural angular frequencies on the suspension without its damping \[rad/s\], lowest first: √(2k/M) along each axis,
+    /// √(2s_b²k/J_x) in roll and yaw. A motion without springs has none, and spin never has.
+    pub fn natural_frequencies(&self) -> Vec<(f64, RigidMotion)> {
+        let Some(suspension) = &self.suspension else {
+            return Vec::new();
+        };
+        let [along, across, upward] = Direction::ALL.map(|axis| 2.0 * suspension.along(axis)[0]);
+        let lever = suspension.half_spacing().powi(2);
+        let (mass, turning) = (self.body.mass, self.body.roll_inertia);
+        let mut frequencies = vec![
+            ((along / mass).sqrt(), RigidMotion::Longitudinal),
+            ((across / mass).sqrt(), RigidMotion::Lateral),
+            ((upward / mass).sqrt(), RigidMotion::Bounce),
+            ((lever * upward / turning).sqrt(), RigidMotion::Roll),
+            ((lever * along / turning).sqrt(), RigidMotion::Yaw),
+        ];
+        frequencies.retain(|&(frequency, _)| frequency > 0.0);
+        frequencies.sort_by(|a, b| a.0.total_cmp(&b.0));
+        frequencies
     }
 }
 

@@ -216,6 +216,13 @@ impl GeneralLoop {
         self.contacts[0].rail
     }
 
+    /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track.
+    pub fn receptances(&self, angular_frequency: f64, speed: f64) -> [[[Complex64; 3]; 3]; 2] {
+        let mut system = System::new(self);
+        system.track_axes(self, angular_frequency, speed);
+        [system.track_at_first(), system.wheels_at_first()]
+    }
+
     /// Receptances of track and wheel at the first contact along its normal \[m/N\].
     pub fn normal_receptances(&self, angular_frequency: f64, speed: f64) -> [Complex64; 2] {
         let mut system = System::new(self);

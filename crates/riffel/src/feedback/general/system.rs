@@ -193,12 +193,17 @@ impl System {
 
     /// Receptances of track and wheels in the axes of the contacts.
     pub(super) fn receptances(&mut self, of: &GeneralLoop, angular_frequency: f64, speed: f64) {
+        self.track_axes(of, angular_frequency, speed);
+        turn_axes(of, &mut self.track);
+        turn_axes(of, &mut self.wheels);
+    }
+
+    /// The same in the axes of the track.
+    pub(super) fn track_axes(&mut self, of: &GeneralLoop, angular_frequency: f64, speed: f64) {
         of.track
             .receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
         of.wheels
             .receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
-        turn_axes(of, &mut self.track);
-        turn_axes(of, &mut self.wheels);
     }
 
     /// A contact as the equations solved leave it.

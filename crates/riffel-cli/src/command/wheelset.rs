@@ -1,0 +1,61 @@
+//! `riffel wheelset`
+
+use riffel_answers::receptance::ReceptanceCurves;
+use riffel_answers::wheelset::{HIGHEST, WheelsetAnswer};
+use riffel_case::Case;
+
+use super::receptance::within;
+use crate::arguments::Wheelset;
+use crate::messages::print_remarks;
+use crate::output::{print, print_json, table};
+use crate::staging::Staging;
+
+/// Frequencies of the receptances where none are listed: the lowest \[Hz\], and how many.
+const USUAL: (f64, u32) = (20.0, 600);
+
+pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
+    let case = arguments.case.read()?;
+    let frequencies = match &arguments.frequencies[..] {
+        [] => ReceptanceCurves::frequencies(USUAL.0, HIGHEST, USUAL.1),
+        listed => within("--frequencies", listed)?,
+    };
+    let answer = WheelsetAnswer::new(&case, frequencies)?;
+    if arguments.json {
+        print_json(&answer.document())?;
+        print_remarks(&case.remarks);
+        if arguments.output.is_none() {
+            return Ok(());
+        }
+    }
+    let folder = arguments
+        .case
+        .folder(arguments.output.as_deref(), "wheelset");
+    let mut staging = Staging::new("wheelset", &folder)?;
+    staging.write_figure("receptance", &answer.figure(&case))?;
+    if let Some(shapes) = answer.shapes() {
+        staging.write_figure("modes", &shapes)?;
+    }
+    staging.write_with("modes.csv", |file| answer.modes_csv(file))?;
+    staging.write_with("receptance.csv", |file| answer.receptances_csv(file))?;
+    let files = staging.publish()?;
+    if !arguments.json {
+        let place = format!("{}: {}\n", folder.display(), files.join(" "));
+        print(&(readable(&case, &answer) + &place))?;
+        print_remarks(&case.remarks);
+    }
+    Ok(())
+}
+
+/// The natural frequencies for the terminal.
+fn readable(case: &Case, answer: &WheelsetAnswer) -> String {
+    let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Wheelset"));
+    if answer.modes.is_empty() {
+        return text + "a free rigid body: it has no natural frequency\n";
+    }
+    let mut rows = table(&["natural frequency Hz", "mode"]);
+    for mode in &answer.modes {
+        rows.add_row([format!("{:.2}", mode.frequency), mode.name.to_string()]);
+    }
+    text += &format!("{rows}\n");
+    text
+}
