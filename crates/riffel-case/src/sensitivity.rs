@@ -1,13 +1,15 @@
 //! Which keys of a case the growth at one point answers to, and how much.
 
 use rayon::prelude::*;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, PhysicalRange};
 use serde::Serialize;
-use serde_json::Value;
+use toml::{Table, Value};
 
+use crate::case_text::CaseText;
+use crate::window::Window;
 use crate::{Case, CaseKey};
 
-/// Derivative of the growth rate by one parameter, all that the case derives from it following.
+/// Derivative of the growth rate by one parameter, all others held.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sensitivity {
     /// Key of the case, or `wavelength` or `speed`.
@@ -32,14 +34,15 @@ impl Case {
     /// The derivatives of the growth rate at a wavelength \[m\] and a speed \[m/s\] by every quantity of the case that
     /// is not zero and moves it, and by wavelength and speed themselves; the strongest first.
     ///
-    /// A derivative is that of setting one key with all others as they are written: what the case leaves to follow from
-    /// it follows, as the inertia of a wheel from its mass where only the mass is given.
+    /// A derivative is a partial one: every other key holds its value, those that presets and defaults fill in among
+    /// them. So the inertia of a wheel stays where its mass is moved, also where it was left out.
     ///
     /// Method: central differences of the whole case, extrapolated to no step (Ridders 1982) from steps that are halved
     /// ten times, with the estimate of the error that belongs to the best. Differences reach every model of track and
     /// contact alike, those that iterate among them. Accuracy: 1e-9 of the largest elasticity and better for closed
     /// forms, see `sensitivities_match_closed_forms`; what an iteration leaves shows in the estimate. Cost: some twenty
     /// cases for each key: a tenth of a second in all, minutes with a non-steady contact, whose table is made anew.
+    /// A parameter at the end of its range cannot be moved to both sides and is left out.
     ///
     /// # Errors
     /// [`CaseError`] as of [`point`](Self::point).
@@ -48,24 +51,25 @@ impl Case {
         wavelength: f64,
         speed: f64,
     ) -> Result<Vec<Sensitivity>, CaseError> {
-        let growth = self.point(wavelength, speed)?.growth_rate();
-        // A contact that is tabulated is tabulated where it is asked.
-        let window = [
-            format!("map.wavelength.min={wavelength:e}"),
-            format!("map.wavelength.max={:e}", 1.001 * wavelength),
-        ];
+        let at_point = self.point(wavelength, speed)?.growth_rate();
+        let whole = self.written_out()?;
+        let window = window(wavelength);
+        let changed = |change: Option<String>| -> Result<f64, CaseError> {
+            let mut text = whole.clone();
+            text.apply(&window)?;
+            text.apply(change.as_slice())?;
+            let (folder, given) = (self.keys.folder.as_deref(), self.keys.given.clone());
+            let case = Self::of_text(text, folder, given, Window::Map)?;
+            Ok(case.point(wavelength, speed)?.growth_rate())
+        };
+        let growth = changed(None)?;
         let by_key = |key: &(&'static CaseKey, f64)| {
             let (key, value) = *key;
-            let at = |value: f64| -> Option<f64> {
-                let mut overrides = vec![format!("{}={value:e}", key.key)];
-                overrides.extend_from_slice(&window);
-                let case = self.with(&[&overrides]).ok()?;
-                Some(case.point(wavelength, speed).ok()?.growth_rate())
-            };
+            let at = |value: f64| changed(Some(format!("{}={value:e}", key.key))).ok();
             let unit = key.quantity.map_or("", |kind| kind.unit);
             relative(&key.key, unit, value, growth, at)
         };
-        let keys = self.quantities();
+        let keys = quantities(whole.keys.table());
         let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
         let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate());
         let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate());
@@ -73,31 +77,63 @@ impl Case {
             "wavelength",
             "m",
             wavelength,
-            growth,
+            at_point,
             at_wavelength,
         ));
-        all.extend(relative("speed", "m/s", speed, growth, at_speed));
+        all.extend(relative("speed", "m/s", speed, at_point, at_speed));
         all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
         Ok(all)
     }
 
-    /// Every quantity of the case but those of the window, with its value in SI where it is not zero.
-    fn quantities(&self) -> Vec<(&'static CaseKey, f64)> {
-        let file = serde_json::to_value(&self.file).unwrap_or_default();
-        let value = |key: &CaseKey| {
-            let mut parts = key.key.split('.');
-            let found = parts.try_fold(&file, |table, part| table.get(part))?;
-            let si = match found {
-                Value::String(text) => key.quantity?.read(text).ok()?,
-                number => number.as_f64()?,
-            };
-            (si != 0.0).then_some(si)
-        };
-        let keys = CaseKey::all().iter();
-        keys.filter(|key| key.quantity.is_some() && !key.key.starts_with("map."))
-            .filter_map(|key| Some((key, value(key)?)))
-            .collect()
+    /// The keys of the case with every value written that presets, defaults and other keys fill in.
+    fn written_out(&self) -> Result<CaseText, CaseError> {
+        let whole = Table::try_from(&self.file);
+        let whole = whole.map_err(|error| self.refuse("", &error.to_string()))?;
+        let mut text = self.unfilled.clone();
+        for (key, value) in whole {
+            text.keys.put(&key, value);
+        }
+        Ok(text)
     }
+}
+
+/// Overrides for a narrow window of the map at a wavelength \[m\]: a contact that is tabulated is tabulated where it is
+/// asked.
+fn window(wavelength: f64) -> [String; 2] {
+    const WIDTH: f64 = 1.001;
+    let range = PhysicalRange::of("map.wavelength.max");
+    let longest = range.map_or(f64::INFINITY, |range| range.hard[1]);
+    let (min, max) = if WIDTH * wavelength <= longest {
+        (wavelength, WIDTH * wavelength)
+    } else {
+        (wavelength / WIDTH, wavelength)
+    };
+    [
+        format!("map.wavelength.min={min:e}"),
+        format!("map.wavelength.max={max:e}"),
+    ]
+}
+
+/// Every quantity among the keys of a case but those of the window, with its value in SI where it is not zero.
+fn quantities(keys: &Table) -> Vec<(&'static CaseKey, f64)> {
+    let value = |key: &CaseKey| {
+        let (first, rest) = key.key.split_once('.')?;
+        let found = rest
+            .split('.')
+            .try_fold(keys.get(first)?, |table, part| table.get(part))?;
+        let si = match found {
+            Value::String(text) => key.quantity?.read(text).ok()?,
+            Value::Float(number) => *number,
+            Value::Integer(number) => *number as f64,
+            _ => return None,
+        };
+        (si != 0.0).then_some(si)
+    };
+    let known = CaseKey::all().iter();
+    known
+        .filter(|key| key.quantity.is_some() && !key.key.starts_with("map."))
+        .filter_map(|key| Some((key, value(key)?)))
+        .collect()
 }
 
 /// The derivative by a parameter; none where it cannot be moved, or moves nothing.
@@ -108,12 +144,11 @@ fn relative(
     growth: f64,
     at: impl Fn(f64) -> Option<f64>,
 ) -> Option<Sensitivity> {
-    let (derivative, error) = extrapolated(value, at)?;
+    let (derivative, error) = extrapolated(value, growth, at)?;
     let elasticity = derivative * value / growth;
     let error = (error * value / growth).abs();
     // What differs by roundings alone is not moved.
-    const ROUNDING: f64 = 1e-12;
-    (elasticity.abs() > error.max(ROUNDING)).then(|| Sensitivity {
+    (elasticity.abs() > error).then(|| Sensitivity {
         key: key.to_owned(),
         unit,
         value,
@@ -123,9 +158,13 @@ fn relative(
     })
 }
 
-/// Derivative and its error by central differences, extrapolated; none where the function is not known
-/// about the value.
-fn extrapolated(value: f64, at: impl Fn(f64) -> Option<f64>) -> Option<(f64, f64)> {
+/// Derivative of a function of a size and its error by central differences, extrapolated; none where the function is not
+/// known about the value.
+///
+/// The error is no less than what the roundings of the function make of a difference over the smallest step used.
+fn extrapolated(value: f64, size: f64, at: impl Fn(f64) -> Option<f64>) -> Option<(f64, f64)> {
+    /// Of a growth rate: some dozen operations on every way from a parameter to it.
+    const ROUNDINGS: f64 = 16.0;
     let mut best = (0.0, f64::INFINITY);
     let mut last: Vec<f64> = Vec::new();
     for halving in 0..=HALVINGS {
@@ -142,6 +181,7 @@ fn extrapolated(value: f64, at: impl Fn(f64) -> Option<f64>) -> Option<(f64, f64
             let fine = row[order];
             let next = fine + (fine - coarse) / (factor - 1.0);
             let error = (next - fine).abs().max((next - coarse).abs());
+            let error = error.max(ROUNDINGS * f64::EPSILON * size.abs() / step);
             if error < best.1 {
                 best = (next, error);
             }
@@ -156,11 +196,11 @@ fn extrapolated(value: f64, at: impl Fn(f64) -> Option<f64>) -> Option<(f64, f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NOMINAL_CASE;
+    use crate::{METRO_CASE, NOMINAL_CASE};
 
-    fn case(overrides: &[&str]) -> Case {
+    fn case(text: &str, overrides: &[&str]) -> Case {
         let overrides: Vec<String> = overrides.iter().map(|text| (*text).to_owned()).collect();
-        Case::parse("nominal", NOMINAL_CASE, &overrides).unwrap()
+        Case::parse("case", text, &overrides).unwrap()
     }
 
     fn of<'a>(all: &'a [Sensitivity], key: &str) -> &'a Sensitivity {
@@ -175,11 +215,12 @@ mod tests {
     #[test]
     fn sensitivities_match_closed_forms() {
         for (wavelength, speed) in [(0.031, 17.0), (0.12, 41.0), (0.25, 60.0)] {
-            let case = case(&[
+            let overrides = [
                 "wheel.rotation=constant-creepage",
                 "wheel.mass=612 kg",
                 "contact.tractive_ratio=0.37",
-            ]);
+            ];
+            let case = case(NOMINAL_CASE, &overrides);
             let all = case.sensitivities(wavelength, speed).unwrap();
             assert!((of(&all, "wear.coefficient").elasticity - 1.0).abs() < 1e-10);
             assert!((of(&all, "wear.density").elasticity + 1.0).abs() < 1e-10);
@@ -207,34 +248,66 @@ mod tests {
         }
     }
 
-    /// Every derivative is that of a plain central difference, of cases with presets, supports, another law and a
-    /// contact that answers late. 1e-5 is the second derivative's part in a step of 1e-4.
+    /// Every derivative is that of a plain central difference with all other keys written out, of cases with presets,
+    /// supports, another law and a contact that answers late. 1e-5 is the third derivative's part in a step of 1e-4.
     #[test]
     fn sensitivities_are_those_of_differences() {
-        for overrides in [
-            &["track.preset=br-stiff", "track.model=two-layer-periodic"][..],
-            &[
-                "contact.creep_law=polach",
-                "contact.response=spring-dashpot",
-            ][..],
+        let stiff = ["track.preset=br-stiff", "track.model=two-layer-periodic"];
+        let late = [
+            "contact.creep_law=polach",
+            "contact.response=spring-dashpot",
+        ];
+        for (text, overrides, wavelength, speed) in [
+            (NOMINAL_CASE, &stiff[..], 0.06, 25.0),
+            (NOMINAL_CASE, &late[..], 0.06, 25.0),
+            // Mass and inertia of the wheel are those of a preset.
+            (METRO_CASE, &[][..], 0.05, 60.0 / 3.6),
         ] {
-            let case = case(overrides);
-            let all = case.sensitivities(0.06, 25.0).unwrap();
+            let case = case(text, overrides);
+            let all = case.sensitivities(wavelength, speed).unwrap();
             assert!(all.len() > 8, "{}", all.len());
+            assert!(all.iter().any(|one| one.key == "wheel.inertia"));
             let largest = all[0].elasticity.abs();
+            let written = toml::to_string(&case.file).unwrap();
             for sensitivity in all.iter().filter(|one| CaseKey::find(&one.key).is_some()) {
                 let at = |factor: f64| {
                     let value = format!("{}={:e}", sensitivity.key, factor * sensitivity.value);
-                    case.with(&[&[value]])
-                        .unwrap()
-                        .point(0.06, 25.0)
-                        .unwrap()
-                        .growth_rate()
+                    let case = Case::parse("written", &written, &[value]).unwrap();
+                    case.point(wavelength, speed).unwrap().growth_rate()
                 };
                 let difference = (at(1.0001) - at(0.9999)) / (2e-4 * at(1.0));
                 let error = (sensitivity.elasticity - difference).abs();
                 assert!(error < 1e-5 * largest, "{sensitivity:?} {difference}");
             }
         }
+    }
+
+    /// What growth does not depend on is not listed, though roundings move it.
+    #[test]
+    fn roundings_are_no_sensitivity() {
+        let case = case(NOMINAL_CASE, &[]);
+        for (wavelength, speed) in [(0.055, 30.0), (0.03, 20.0), (0.04, 45.0), (0.07, 12.0)] {
+            let all = case.sensitivities(wavelength, speed).unwrap();
+            assert_eq!(
+                all.iter().find(|one| one.key == "corrugation.amplitude"),
+                None
+            );
+            assert!(all.iter().any(|one| one.key == "wear.density"));
+        }
+    }
+
+    /// Up to the longest wavelength that is computed the keys are all there; beyond it there is an error.
+    #[test]
+    fn the_end_of_the_wavelengths_has_sensitivities() {
+        let case = case(NOMINAL_CASE, &[]);
+        let keys = |wavelength| {
+            let all = case.sensitivities(wavelength, 60.0).unwrap();
+            let mut keys: Vec<String> = all.into_iter().map(|one| one.key).collect();
+            keys.retain(|key| key != "wavelength");
+            keys.sort();
+            keys
+        };
+        assert_eq!(keys(9.999), keys(9.9));
+        assert!(case.sensitivities(10.1, 60.0).is_err());
     }
 }

@@ -243,8 +243,8 @@ class Case:
         xarray.Dataset
             Over ``key``, the quantities of the case that move the growth rate, and ``wavelength`` and ``speed``, the
             strongest first: ``derivative`` of the growth rate per passage by the quantity in SI, ``elasticity``
-            (relative change over relative change), ``error`` of the elasticity, ``value`` and ``unit``. What the
-            case leaves to follow from a quantity follows, as the inertia of a wheel from its mass.
+            (relative change over relative change), ``error`` of the elasticity, ``value`` and ``unit``. All
+            other quantities hold their values, those that presets and defaults fill in among them.
 
         Examples
         --------
