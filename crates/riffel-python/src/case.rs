@@ -99,6 +99,12 @@ pub(crate) fn direction(name: &str) -> PyResult<Direction> {
     }
 }
 
+/// The first failure of callables. Those of all are taken, so that none is left for the next computation.
+fn take_failure(callables: &[Arc<CallableReceptance>]) -> Option<PyErr> {
+    let failures = callables.iter().map(|callable| callable.take_failure());
+    failures.fold(None, Option::or)
+}
+
 /// Smallest and largest value.
 fn ends(values: &[f64]) -> (f64, f64) {
     let fold = |fold: fn(f64, f64) -> f64| values.iter().copied().fold(values[0], fold);
@@ -115,11 +121,7 @@ impl Case {
 
     /// What a callable of the case raised goes before any result.
     pub(crate) fn unless_callable_failed<T>(&self, result: T) -> PyResult<T> {
-        match self
-            .callables
-            .iter()
-            .find_map(|callable| callable.take_failure())
-        {
+        match take_failure(&self.callables) {
             Some(error) => Err(error),
             None => Ok(result),
         }
@@ -199,10 +201,7 @@ impl Case {
         built: Result<riffel_case::Case, CaseError>,
         callables: Vec<Arc<CallableReceptance>>,
     ) -> PyResult<Self> {
-        match callables
-            .iter()
-            .find_map(|callable| callable.take_failure())
-        {
+        match take_failure(&callables) {
             Some(error) => Err(error),
             None => Ok(Self {
                 case: Arc::new(built.map_err(of_case)?),

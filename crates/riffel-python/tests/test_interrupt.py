@@ -36,7 +36,7 @@ def slow(frequency):
         print("begun", flush=True)
     time.sleep(0.01 * frequency.size)
     return 1e-9 / (1.0 + 1j * frequency)
-case = riffel.Case.from_toml("cases/nominal.toml").with_track(slow)
+case = riffel.Case.from_toml("cases/nominal.toml").with_track(slow).with_wheel(lambda frequency: -1e-9 / frequency)
 calls = 0
 try:
     case.growth_map(wavelength=np.linspace(0.02, 0.08, 200), speed=np.linspace(5.0, 60.0, 200))
@@ -65,7 +65,7 @@ def test_a_signal_ends_the_wait() -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_a_signal_ends_the_calls_of_a_receptance() -> None:
-    """A map asks it for minutes; once given up, never again, and the case stays good."""
+    """A map asks it for minutes; once given up, never again, and the case stays good, with a wheel beside the track."""
     command = [sys.executable, "-c", CALLABLE]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as process:
         assert process.stdout is not None
