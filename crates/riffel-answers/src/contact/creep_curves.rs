@@ -3,8 +3,9 @@
 use std::io::{self, Write};
 
 use riffel::contact::{CreepLaw, Creepages};
+use riffel_case::file::CreepLawName;
 use riffel_keys::CaseError;
-use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Series};
+use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
@@ -66,21 +67,32 @@ impl CreepCurves {
         let mut laws: Vec<CreepCurve> = laws
             .map(|(entry, law)| curve(entry.name, entry.label, by(&**law)))
             .collect();
-        laws.push(curve("half-space", "half-space (exact)", exact));
+        laws.push(curve(
+            CreepLawName::HALF_SPACE.name(),
+            "half-space (exact)",
+            exact,
+        ));
         Ok(Self { creepages, laws })
     }
 }
 
-/// Style and colour of each law.
-const LOOKS: [(LineStyle, usize); 7] = [
-    (LineStyle::Dashed, 1),
-    (LineStyle::Dotted, 6),
-    (LineStyle::Dotted, 2),
-    (LineStyle::Dashed, 3),
-    (LineStyle::Solid, 4),
-    (LineStyle::Solid, 5),
-    (LineStyle::Solid, 0),
-];
+/// Style and colour of a law: those of the exact one are its own, the others take theirs in turn.
+fn look(law: &CreepCurve, place: usize) -> (LineStyle, Rgb) {
+    const LOOKS: [(LineStyle, usize); 7] = [
+        (LineStyle::Dashed, 1),
+        (LineStyle::Dotted, 6),
+        (LineStyle::Dotted, 2),
+        (LineStyle::Dashed, 3),
+        (LineStyle::Solid, 4),
+        (LineStyle::Solid, 5),
+        (LineStyle::Dotted, 4),
+    ];
+    let (style, color) = match law.key {
+        key if key == CreepLawName::HALF_SPACE.name() => (LineStyle::Solid, 0),
+        _ => LOOKS[place % LOOKS.len()],
+    };
+    (style, OKABE_ITO[color])
+}
 
 /// One row for each sample.
 pub(super) fn table(curves: &CreepCurves, file: &mut impl Write) -> io::Result<()> {
@@ -104,15 +116,14 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
         std::iter::once(0.0).chain(values).collect()
     };
     let percent = from_origin(&curves.creepages, TO_PERCENT);
-    let laws = curves
-        .laws
-        .iter()
-        .zip(LOOKS)
-        .map(|(law, (style, color))| Series {
+    let laws = curves.laws.iter().enumerate().map(|(place, law)| {
+        let (style, color) = look(law, place);
+        Series {
             style,
-            color: Some(OKABE_ITO[color]),
+            color: Some(color),
             ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0))
-        });
+        }
+    });
     let mean_state = Series {
         label: "mean state".to_owned(),
         x: vec![TO_PERCENT * patch.state.creepage()],
@@ -127,5 +138,35 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
         y_range: Some((0.0, 1.08)),
         series: laws.chain([mean_state]).collect(),
         ..LinePanel::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use riffel_case::{Case, NOMINAL_CASE};
+
+    /// However many laws the catalogue has, each is drawn, the exact one in a look of its own.
+    #[test]
+    fn every_law_has_a_curve() -> Result<(), CaseError> {
+        let coarse = ["contact.grid=16".to_owned()];
+        let theories = RollingTheories::new(&Case::parse("nominal", NOMINAL_CASE, &coarse)?)?;
+        let mut curves = CreepCurves::new(&theories, vec![1e-3, 2e-3], || ())?;
+        assert_eq!(curves.laws.len(), riffel::contact::CREEP_LAWS.len() + 1);
+        let more = curves.laws[..3].to_vec();
+        curves.laws.splice(0..0, more);
+        let series = panel(&curves, &theories).series;
+        assert_eq!(series.len(), curves.laws.len() + 1);
+        for (law, drawn) in curves.laws.iter().zip(&series) {
+            assert_eq!(law.label, drawn.label);
+            let black = drawn.color == Some(OKABE_ITO[0]);
+            assert_eq!(
+                black,
+                law.key == CreepLawName::HALF_SPACE.name(),
+                "{}",
+                law.key
+            );
+        }
+        Ok(())
     }
 }
