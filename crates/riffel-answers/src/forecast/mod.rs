@@ -23,7 +23,8 @@ pub(crate) use figure::{rate_panel, zero};
 pub use rail_forecast::RailForecast;
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport};
-pub use words::{BEYOND, number, per_million, reached, when};
+use words::BEYOND;
+pub use words::{number, per_million, reached, when};
 
 use crate::AnswerError;
 use crate::roughness::rail_in_words;
@@ -82,20 +83,21 @@ pub struct ForecastAnswer {
 }
 
 /// A band that reaches its limit.
-pub struct Crossing<'a> {
+struct Crossing<'a> {
     /// The band.
-    pub band: &'a ForecastBand,
+    band: &'a ForecastBand,
     /// Its limit \[dB re 1 µm\].
-    pub limit: f64,
+    limit: f64,
     /// Axle passages until then.
-    pub passages: f64,
+    passages: f64,
 }
 
 impl ForecastAnswer {
     /// The forecast of the rail that will be ground, or else of what was measured; `progress` is told of each vehicle.
     ///
     /// # Errors
-    /// [`AnswerError::Case`] with the key of the traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
+    /// [`AnswerError::Argument`] for a horizon that is not finite and positive, [`AnswerError::Case`] with the key of the
+    /// traffic at fault, [`AnswerError::NoSpectrum`] without a spectrum,
     /// [`AnswerError::OutsideWindow`] where no rail has a band in the window of the case, and
     /// [`AnswerError::NoPassagesPerDay`] for months where the traffic does not say how much of it there is.
     pub fn new(
@@ -111,6 +113,7 @@ impl ForecastAnswer {
             limit: (table, limit),
             date,
         } = request;
+        horizon.check()?;
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let (survey, measured_on) = match survey.map(Survey::latest) {
             Some((survey, date)) => (Some(survey), date),
@@ -178,7 +181,7 @@ impl ForecastAnswer {
     }
 
     /// The date after some passages, if it is before the year 10000.
-    pub fn date_after(&self, passages: f64) -> Option<Date> {
+    fn date_after(&self, passages: f64) -> Option<Date> {
         let days = (passages / self.on.passages_per_day?).round();
         // Any date of the calendar is within four million days of any other.
         (days < 4e6)
@@ -205,7 +208,7 @@ impl ForecastAnswer {
     }
 
     /// Crossings of the limit by a rail, the earliest first.
-    pub fn crossings<'a>(&self, rail: &'a RailForecast) -> Vec<Crossing<'a>> {
+    fn crossings<'a>(&self, rail: &'a RailForecast) -> Vec<Crossing<'a>> {
         let mut crossings: Vec<Crossing<'a>> = rail
             .forecast
             .reaches(&self.limit)
@@ -386,6 +389,23 @@ impl ForecastAnswer {
 }
 
 impl ForecastHorizon {
+    /// `Ok` for a number that is finite and positive.
+    fn check(self) -> Result<(), AnswerError> {
+        let (argument, value) = match self {
+            Self::Passages(passages) => ("--passages", passages),
+            Self::MillionGrossTonnes(mgt) => ("--mgt", mgt),
+            Self::Months(months) => ("--months", months),
+        };
+        if value.is_finite() && value > 0.0 {
+            return Ok(());
+        }
+        Err(AnswerError::Argument {
+            argument,
+            value: value.to_string(),
+            rule: "finite and greater than zero".to_owned(),
+        })
+    }
+
     /// In axle passages.
     fn passages(self, on: &TrafficOnCase) -> Result<f64, AnswerError> {
         match self {

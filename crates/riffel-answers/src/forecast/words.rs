@@ -3,7 +3,7 @@
 use riffel::forecast::Reach;
 
 /// What stands in the place of a number that the linear loop cannot give.
-pub const BEYOND: &str = "beyond the linear range";
+pub(super) const BEYOND: &str = "beyond the linear range";
 
 /// Change of level in a million passages \[dB\].
 pub fn per_million(rate: f64) -> f64 {

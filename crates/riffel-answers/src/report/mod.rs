@@ -34,6 +34,7 @@ const TITLE: &str = "Rail roughness and corrugation";
 /// Why a section is left out.
 const NO_CASE: &str = "no case was given.";
 const NO_ROUGHNESS: &str = "no roughness was given.";
+const NO_DIAGNOSIS: &str = "the roughness was not diagnosed.";
 
 /// What the report says of the roughness of a rail.
 pub struct MeasuredRail<'a> {
@@ -109,10 +110,11 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         inputs,
     } = request;
     let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
-    let mut diagnosis = None;
+    let mut diagnosis = Err(NO_ROUGHNESS);
     match rail {
         Some(rail) => {
-            diagnosis = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
+            let diagnosed = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
+            diagnosis = diagnosed.ok_or(NO_DIAGNOSIS);
             let (own, words) = measured(rail.path, rail.roughness, limits)?;
             sections.extend(own);
             brief.extend(words);
@@ -129,35 +131,38 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             sections.extend(all.map(|heading| Section::LeftOut(heading, NO_ROUGHNESS)));
         }
     }
-    let what_if = |case: &Case| match compare {
-        Ok(answer) => outlook::what_if(case, answer),
-        Err(why) => Ok(Outlook::left_out("What-if", why)),
-    };
-    match (case, diagnosis) {
-        (Some((case, map)), Some((path, diagnosis))) => {
-            let file = path.display().to_string();
-            sections.push(mechanism::growth_map(case, map, Some(diagnosis))?.section);
-            sections.push(mechanism::diagnosis(&file, diagnosis)?);
-            brief.extend(dominant(diagnosis));
-            warnings.extend(diagnosis.warnings.iter().cloned());
+    match case {
+        Some((case, map)) => {
+            let found = diagnosis.ok().map(|(_, diagnosis)| diagnosis);
+            let map = mechanism::growth_map(case, map, found)?;
+            match diagnosis {
+                // What the map says in brief, the diagnosis says of the wavelengths that were measured.
+                Ok((path, diagnosis)) => {
+                    let file = path.display().to_string();
+                    sections.push(map.section);
+                    sections.push(mechanism::diagnosis(&file, diagnosis)?);
+                    brief.extend(dominant(diagnosis));
+                    warnings.extend(diagnosis.warnings.iter().cloned());
+                }
+                Err(why) => {
+                    map.put(&mut sections, &mut brief, &mut warnings);
+                    sections.push(Section::LeftOut("Diagnosis", why));
+                }
+            }
             warnings.extend(case.remarks.iter().map(ToString::to_string));
             let forecast = match forecast {
                 Ok(answer) => outlook::forecast(case, answer)?,
                 Err(why) => Outlook::left_out("Forecast", why),
             };
-            for outlook in [forecast, what_if(case)?] {
+            let what_if = match compare {
+                Ok(answer) => outlook::what_if(case, answer)?,
+                Err(why) => Outlook::left_out("What-if", why),
+            };
+            for outlook in [forecast, what_if] {
                 outlook.put(&mut sections, &mut brief, &mut warnings);
             }
         }
-        (Some((case, map)), None) => {
-            let map = mechanism::growth_map(case, map, None)?;
-            map.put(&mut sections, &mut brief, &mut warnings);
-            sections.push(Section::LeftOut("Diagnosis", NO_ROUGHNESS));
-            sections.push(Section::LeftOut("Forecast", NO_ROUGHNESS));
-            warnings.extend(case.remarks.iter().map(ToString::to_string));
-            what_if(case)?.put(&mut sections, &mut brief, &mut warnings);
-        }
-        (None, _) => {
+        None => {
             let all = ["Growth map", "Diagnosis", "Forecast", "What-if"];
             sections.extend(all.map(|heading| Section::LeftOut(heading, NO_CASE)));
         }

@@ -209,7 +209,7 @@ impl ProfileAnswer {
     }
 
     /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
-    pub fn line_to_grind(&self) -> (f64, f64) {
+    pub(super) fn line_to_grind(&self) -> (f64, f64) {
         let sections = self.rails.iter().flat_map(|rail| &rail.sections);
         let total = line_length(sections.map(|section| (section.from, section.to)));
         let rails = || self.rails.iter();

@@ -55,7 +55,7 @@ pub(crate) fn worst_first<T: Judged>(all: &mut [T]) {
 }
 
 /// A rail in a sentence.
-pub fn rail_in_words(name: &str) -> String {
+pub(crate) fn rail_in_words(name: &str) -> String {
     if name.starts_with("rail") || name.starts_with("column") {
         name.to_owned()
     } else {

@@ -43,7 +43,7 @@ pub struct Analysis<'a> {
 pub struct SensitivityRequest {
     /// Outputs to look at; all that are one real number for each sample where none is named.
     pub results: Vec<String>,
-    /// Confidence of the intervals, between 0 and 1.
+    /// Confidence of the intervals, between 0 and 1, both excluded.
     pub confidence: f64,
 }
 
@@ -64,19 +64,27 @@ impl<'a> SensitivityAnswer<'a> {
     /// What matters in a study whose samples are all computed.
     ///
     /// # Errors
-    /// [`StudyError::Analysis`] for an output that is not there or cannot be looked at, and for results that cannot be
-    /// read.
+    /// [`StudyError::Analysis`] for a confidence out of its range, for an output that is not there or cannot be looked at,
+    /// and for results that cannot be read.
     pub fn new(
         study: &'a Study,
         folder: &ResultFolder,
         request: &SensitivityRequest,
     ) -> Result<Self, StudyError> {
+        let confidence = request.confidence;
+        if !(confidence > 0.0 && confidence < 1.0) {
+            return Err(StudyError::Analysis {
+                message: format!(
+                    "--confidence is {confidence}, but must be between 0 and 1, both excluded"
+                ),
+            });
+        }
         let is_saltelli = study.plan.file.design.method == Method::Saltelli;
         let mut notes = Vec::new();
         let mut analyses = chosen(study, &request.results)?;
         if is_saltelli {
             let intervals = Intervals {
-                confidence: request.confidence,
+                confidence,
                 ..Intervals::default()
             };
             for analysis in &mut analyses {

@@ -2,3 +2,4 @@
 
 mod branches;
 mod comparison;
+mod forecast;

@@ -259,4 +259,8 @@ fn sensitivity_answers_in_tables_and_pictures() {
     assert_eq!(sandbox.list("figures"), names);
     let outcome = sandbox.riffel("study sensitivity results --result growth");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let outcome = sandbox.riffel("study sensitivity results --confidence 1");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let rule = "--confidence is 1, but must be between 0 and 1, both excluded";
+    assert!(outcome.sentence().contains(rule), "{}", outcome.text);
 }

@@ -14,14 +14,6 @@ use crate::output::{print, print_json, table};
 use crate::staging::Staging;
 
 pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
-    let confidence = arguments.confidence.si();
-    if !(confidence > 0.0 && confidence < 1.0) {
-        Err(CliError::Argument {
-            argument: "--confidence",
-            value: confidence.to_string(),
-            rule: "between 0 and 1, both excluded".to_owned(),
-        })?;
-    }
     let (study, folder) = ResultFolder::open(&arguments.folder)?;
     let summary = folder.summary()?;
     if summary.chunks_finished < summary.chunks {
@@ -34,6 +26,7 @@ pub(super) fn run(arguments: &Sensitivity) -> miette::Result<u8> {
         ));
         return Ok(1);
     }
+    let confidence = arguments.confidence.si();
     let request = SensitivityRequest {
         results: arguments.results.clone(),
         confidence,

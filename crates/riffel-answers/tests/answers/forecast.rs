@@ -1,0 +1,95 @@
+//! The future of a rail, and its place in a report.
+
+use std::path::Path;
+
+use riffel::roughness::Spectrum;
+use riffel_answers::AnswerError;
+use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
+use riffel_answers::map::MapAnswer;
+use riffel_answers::report::{
+    Inputs, MeasuredRail, MeasuredRoughness, ReportRequest, Site, report,
+};
+use riffel_answers::roughness::SpectraAnswer;
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, NOMINAL_CASE, TRAFFIC};
+use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Survey};
+use rstest::rstest;
+
+fn case() -> Case {
+    let window = ["map.wavelength.points=21", "map.speed.points=5"].map(str::to_owned);
+    Case::parse("case.toml", NOMINAL_CASE, &window).unwrap()
+}
+
+/// A rail whose bands are all at one level.
+fn survey(case: &Case) -> Survey {
+    let levels = bands_of(case).into_iter().map(|band| (band, -8.0));
+    let record = LabelledSpectrum::of_rail("left", Spectrum::new(levels).unwrap());
+    Survey::new(Path::new("rail.csv"), vec![record], Vec::new()).unwrap()
+}
+
+/// The first table of levels that is built in.
+fn limit() -> LimitTable {
+    let mut tables = LimitTable::all().into_iter();
+    tables
+        .find(|table| matches!(table.limit, Limit::Levels(_)))
+        .unwrap()
+}
+
+fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<ForecastAnswer, AnswerError> {
+    let table = limit();
+    let Limit::Levels(levels) = table.limit.clone() else {
+        panic!("{} is a table of levels", table.name);
+    };
+    let request = ForecastRequest {
+        traffic: Traffic::parse("traffic.toml", TRAFFIC)?,
+        survey: Some(survey(case)),
+        ground: None,
+        horizon,
+        limit: (table, levels),
+        date: None,
+    };
+    ForecastAnswer::new(case, request, &|_| ())
+}
+
+#[rstest]
+#[case(ForecastHorizon::Passages(f64::NAN), "--passages is NaN")]
+#[case(ForecastHorizon::MillionGrossTonnes(-1.0), "--mgt is -1")]
+#[case(ForecastHorizon::Months(f64::INFINITY), "--months is inf")]
+#[case(ForecastHorizon::Months(0.0), "--months is 0")]
+fn a_horizon_is_finite_and_positive(#[case] horizon: ForecastHorizon, #[case] part: &str) {
+    let error = forecast(&case(), horizon).err().unwrap().to_string();
+    assert!(error.contains(part), "{error}");
+    assert!(
+        error.ends_with("must be finite and greater than zero"),
+        "{error}"
+    );
+}
+
+/// A rail that was not diagnosed has a forecast all the same, and the report says that it was given.
+#[test]
+fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
+    let case = case();
+    let survey = survey(&case);
+    let limits = [limit()];
+    let forecast = forecast(&case, ForecastHorizon::Months(12.0))?;
+    let map = MapAnswer::new(&case, |_| ());
+    let page = report(ReportRequest {
+        title: None,
+        site: &Site::default(),
+        limits: &limits,
+        rail: Some(MeasuredRail {
+            path: survey.path(),
+            roughness: MeasuredRoughness::Spectra(SpectraAnswer::new(&survey, &limits, None)?),
+            warnings: &survey.warnings,
+            diagnosis: None,
+        }),
+        case: Some((&case, &map)),
+        forecast: Ok(&forecast),
+        compare: Err("no variant was given."),
+        inputs: &Inputs::default(),
+    })?;
+    assert!(page.contains("One-third-octave levels under"), "{page}");
+    assert!(page.contains("the roughness was not diagnosed."), "{page}");
+    assert!(!page.contains("no roughness was given."), "{page}");
+    Ok(())
+}
