@@ -9,6 +9,7 @@ mod fingerprint;
 mod messages;
 mod observations;
 mod output;
+mod results;
 mod staging;
 
 use std::ffi::OsString;
@@ -17,7 +18,7 @@ use std::path::PathBuf;
 use arguments::{Arguments, Command};
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use error::CliError;
-use messages::{complain, complain_of, complain_of_usage};
+use messages::{complain_of, complain_of_usage};
 use riffel_keys::text_file::is_standard_input;
 
 /// Exit status after an error of the user.
@@ -46,14 +47,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
             return match output::unless_reader_left(usage.print()) {
                 Ok(()) => 0,
                 Err(error) => {
-                    complain(error);
+                    complain_of(error.into());
                     BAD_INPUT
                 }
             };
         }
     };
     if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
-        complain(CliError::StandardInput);
+        complain_of(CliError::StandardInput.into());
         return BAD_INPUT;
     }
     messages::begin(arguments.verbosity());

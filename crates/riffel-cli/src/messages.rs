@@ -65,27 +65,46 @@ pub(crate) fn complain(message: impl Display) {
 /// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
 /// JSON where another program asks for it.
 pub(crate) fn complain_of(report: Report) {
-    if std::env::var_os(ERRORS_AS_JSON).is_some() {
-        let document = ErrorDocument {
-            message: in_a_message(&report.to_string()).into_owned(),
-            help: report
-                .help()
-                .map(|help| in_a_message(&help.to_string()).into_owned()),
-        };
-        let document = serde_json::to_string(&document).unwrap_or_default();
-        let _ = writeln!(io::stderr().lock(), "{document}");
-        return;
+    if is_for_a_program() {
+        let help = report.help().map(|help| help.to_string());
+        return write_document(&report.to_string(), help.as_deref());
     }
     let shown = Report::new(Shown(report));
     let _ = writeln!(io::stderr().lock(), "{shown:?}");
 }
 
+/// True if another program reads what ends the run.
+fn is_for_a_program() -> bool {
+    std::env::var_os(ERRORS_AS_JSON).is_some()
+}
+
+/// An error as one line of JSON.
+fn write_document(message: &str, help: Option<&str>) {
+    let document = ErrorDocument {
+        message: in_a_message(message).into_owned(),
+        help: help.map(|help| in_a_message(help).into_owned()),
+    };
+    let document = serde_json::to_string(&document).unwrap_or_default();
+    let _ = writeln!(io::stderr().lock(), "{document}");
+}
+
 /// What is wrong with the command line. In colours on a terminal, unless the command line has control characters
-/// itself, as they could not be told apart.
+/// itself, as they could not be told apart. As JSON where another program asks for it: the first paragraph is the
+/// message.
 pub(crate) fn complain_of_usage<'a>(
     usage: &clap::Error,
     mut arguments: impl Iterator<Item = &'a OsStr>,
 ) {
+    if is_for_a_program() {
+        let words = usage.render().to_string();
+        let words = words.trim_end();
+        let words = words.strip_prefix("error: ").unwrap_or(words);
+        let (message, help) = match words.split_once("\n\n") {
+            Some((message, help)) => (message, Some(help.trim_start())),
+            None => (words, None),
+        };
+        return write_document(message, help);
+    }
     if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
         let _ = usage.print();
     } else {

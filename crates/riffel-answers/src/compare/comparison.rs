@@ -83,7 +83,10 @@ impl Effect {
         let title = &variant.title;
         let reasons = reasons.iter();
         let reasons: Vec<String> = reasons
-            .map(|(keys, reason)| format!("{} has no effect, for {reason}", keys.join(", ")))
+            .map(|(keys, reason)| {
+                let verb = if keys.len() == 1 { "has" } else { "have" };
+                format!("{} {verb} no effect, for {reason}", keys.join(", "))
+            })
             .collect();
         let reasons = reasons.join("; ");
         let same = before.vehicles().len() == after.vehicles().len()

@@ -14,8 +14,8 @@ use super::roughness::survey;
 use crate::arguments::Compare;
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{Progress, json, print, table};
-use crate::staging::Staging;
+use crate::output::{Progress, json, table};
+use crate::results::Results;
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     let survey = match &arguments.spectrum {
@@ -24,29 +24,21 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     };
     let case = arguments.case.read()?;
     let answer = compare(&case, arguments, survey)?;
-    let document = json(&answer.document(&case));
-    if arguments.json {
-        print(&document)?;
-    }
-    if !arguments.json || arguments.output.is_some() {
-        let folder = arguments
-            .case
-            .folder(arguments.output.as_deref(), "compare");
-        let mut staging = Staging::new("compare", &folder)?;
-        staging.write_figure("compare", &answer.figure(&case))?;
-        staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-        staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
-        staging.write("summary.json", document)?;
-        let files = staging.publish()?;
-        if !arguments.json {
-            let text = readable(&case, &answer);
-            print(&format!(
-                "{text}{}: {}\n",
-                folder.display(),
-                files.join(" ")
-            ))?;
-        }
-    }
+    let results = Results {
+        command: "compare",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        json(&answer.document(&case)),
+        |staging| {
+            staging.write_figure("compare", &answer.figure(&case))?;
+            staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
+            staging.write_with("growth.csv", |file| answer.growth_csv(file))
+        },
+        || readable(&case, &answer),
+    )?;
     print_remarks(&answer.warnings);
     print_remarks(&answer.effects());
     print_remarks(&answer.comparison.base().remarks);

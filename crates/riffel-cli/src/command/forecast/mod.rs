@@ -17,8 +17,8 @@ use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{Progress, json, print, table};
-use crate::staging::Staging;
+use crate::output::{Progress, json, table};
+use crate::results::Results;
 
 pub(crate) use ground::ground_rail;
 
@@ -31,29 +31,21 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let case = arguments.case.read()?;
     let answer = forecast(&case, arguments, survey)?;
     let name = spectra.spectrum.as_ref();
-    let document = json(&answer.document(&case, name.map(|path| path.display().to_string())));
-    if arguments.json {
-        print(&document)?;
-    }
-    if !arguments.json || arguments.output.is_some() {
-        let folder = arguments
-            .case
-            .folder(arguments.output.as_deref(), "forecast");
-        let mut staging = Staging::new("forecast", &folder)?;
-        staging.write_figure("forecast", &answer.figure(&case))?;
-        staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-        staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
-        staging.write("summary.json", document)?;
-        let files = staging.publish()?;
-        if !arguments.json {
-            let text = readable(&case, &answer);
-            print(&format!(
-                "{text}{}: {}\n",
-                folder.display(),
-                files.join(" ")
-            ))?;
-        }
-    }
+    let results = Results {
+        command: "forecast",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        json(&answer.document(&case, name.map(|path| path.display().to_string()))),
+        |staging| {
+            staging.write_figure("forecast", &answer.figure(&case))?;
+            staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
+            staging.write_with("growth.csv", |file| answer.growth_csv(file))
+        },
+        || readable(&case, &answer),
+    )?;
     print_remarks(&answer.warnings);
     print_remarks(&answer.on.remarks);
     Ok(())
@@ -79,7 +71,7 @@ pub(super) fn forecast(
         traffic,
         survey: dated.as_ref().map(|dated| dated.now.clone()),
         ground,
-        horizon: horizon(&arguments.horizon)?,
+        horizon: horizon(&arguments.horizon),
         limit: (table, limit),
         date: arguments.date.or(measured_on),
     };
@@ -146,25 +138,12 @@ pub(crate) fn level_limit(name: &str) -> miette::Result<(LimitTable, LevelLimit)
 }
 
 /// How far to look ahead: as asked for, or a year.
-fn horizon(horizon: &Horizon) -> Result<ForecastHorizon, CliError> {
-    for (argument, value) in [
-        ("--passages", horizon.passages),
-        ("--mgt", horizon.mgt),
-        ("--months", horizon.months),
-    ] {
-        if let Some(value) = value.filter(|value| !(value.is_finite() && *value > 0.0)) {
-            return Err(CliError::Argument {
-                argument,
-                value: value.to_string(),
-                rule: "finite and greater than zero".to_owned(),
-            });
-        }
-    }
-    Ok(match (horizon.passages, horizon.mgt) {
+fn horizon(horizon: &Horizon) -> ForecastHorizon {
+    match (horizon.passages, horizon.mgt) {
         (Some(passages), _) => ForecastHorizon::Passages(passages),
         (None, Some(mgt)) => ForecastHorizon::MillionGrossTonnes(mgt),
         (None, None) => ForecastHorizon::Months(horizon.months.unwrap_or(12.0)),
-    })
+    }
 }
 
 /// What there is no forecast for, under the names of the arguments.
