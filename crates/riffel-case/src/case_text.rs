@@ -72,7 +72,7 @@ impl CaseText {
         Ok(())
     }
 
-    /// The keys as types, presets and defaults filled in.
+    /// The keys as types, with defaults in the place of those left out.
     pub(crate) fn deserialize(&self) -> Result<CaseFile, CaseError> {
         self.keys.deserialize_or(|key| {
             let example = match key {

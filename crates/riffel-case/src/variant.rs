@@ -26,7 +26,7 @@ pub struct Variant {
     /// Overrides of the case, `key=value`.
     pub overrides: Vec<String>,
     /// What is held where friction or load change; left out, the creepage where the case or the vehicle gives
-    /// that, else the force.
+    /// that, else the tractive ratio.
     pub hold: Option<Hold>,
     /// What is to be asked about speeds that are not usual.
     pub(crate) remarks: Vec<Remark>,

@@ -48,12 +48,6 @@ impl Remark {
         }
     }
 
-    /// The same remark, which the program prints in these few words unless it is asked for the whole.
-    pub fn in_short(mut self, short: impl Into<String>) -> Self {
-        self.short = Some(short.into());
-        self
-    }
-
     /// The English sentence in one line.
     pub fn short(&self) -> &str {
         self.short.as_deref().unwrap_or(&self.english)
@@ -88,8 +82,5 @@ mod tests {
         assert_eq!(serde_json::to_string(&remark).unwrap(), "\"below 4.5 mm\"");
         assert_eq!(remark.in_language(Language::German), "unter 4,5 mm");
         assert_eq!(remark.short(), "below 4.5 mm");
-        let remark = remark.in_short("short");
-        assert_eq!(remark.short(), "short");
-        assert_eq!(remark.to_string(), "below 4.5 mm");
     }
 }

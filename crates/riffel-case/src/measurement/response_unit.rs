@@ -1,12 +1,10 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
+use riffel::forecast::STANDARD_GRAVITY;
 use riffel_keys::{Remark, Sentence, Unit};
 
 use super::MeasurementError;
 use crate::file::Response;
-
-/// Standard acceleration of free fall \[m/s²\], the unit "g" of accelerometers (ISO 80000-3).
-pub(super) const STANDARD_GRAVITY: f64 = 9.806_65;
 
 /// What is known of the unit of a column.
 pub(super) struct ValueUnit<'a> {

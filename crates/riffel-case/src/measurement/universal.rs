@@ -1,8 +1,8 @@
 //! A frequency response in a universal file.
 
+use riffel::forecast::STANDARD_GRAVITY;
 use riffel_keys::{Exponents, Remark, Sentence, Unit};
 
-use super::response_unit::STANDARD_GRAVITY;
 use super::universal_file::{self, Axis, Freedom, Function, Units};
 use super::{FrequencyResponse, MeasurementError};
 use crate::UniversalFunction;

@@ -226,7 +226,7 @@ mod tests {
     /// The example of every dimension reads as that dimension, and what is written reads back.
     #[test]
     fn examples_read() {
-        fn check<D: Dimension>() {
+        fn check<D: Dimension>() -> Kind {
             let quantity: Quantity<D> = D::EXAMPLE.parse().unwrap();
             assert!(Unit::parse(D::UNIT).is_ok());
             assert_eq!(
@@ -237,27 +237,32 @@ mod tests {
             let (number, unit) = Kind::of::<D>().in_engineers_unit(quantity.si());
             let again: Quantity<D> = format!("{number} {unit}").parse().unwrap();
             assert!((again.si() / quantity.si() - 1.0).abs() < 4.0 * f64::EPSILON);
+            Kind::of::<D>()
         }
         assert_eq!(Kind::of::<Force>().in_engineers_unit(5e4), (50.0, "kN"));
         assert_eq!(Kind::of::<Ratio>().in_engineers_unit(0.4), (0.4, ""));
-        check::<Ratio>();
-        check::<Length>();
-        check::<Speed>();
-        check::<Frequency>();
-        check::<Mass>();
-        check::<Force>();
-        check::<Inertia>();
-        check::<Modulus>();
-        check::<Area>();
-        check::<SecondMoment>();
-        check::<MassPerLength>();
-        check::<Stiffness>();
-        check::<Damping>();
-        check::<DampingPerLength>();
-        check::<Density>();
-        check::<WearCoefficient>();
-        check::<Angle>();
-        check::<Spin>();
-        check::<WarpingConstant>();
+        let checked = [
+            check::<Ratio>(),
+            check::<Length>(),
+            check::<Speed>(),
+            check::<Frequency>(),
+            check::<Mass>(),
+            check::<Force>(),
+            check::<Inertia>(),
+            check::<Modulus>(),
+            check::<Area>(),
+            check::<SecondMoment>(),
+            check::<MassPerLength>(),
+            check::<Stiffness>(),
+            check::<Damping>(),
+            check::<DampingPerLength>(),
+            check::<Density>(),
+            check::<WearCoefficient>(),
+            check::<Angle>(),
+            check::<Spin>(),
+            check::<WarpingConstant>(),
+            check::<VelocityDecay>(),
+        ];
+        assert_eq!(checked, KINDS);
     }
 }

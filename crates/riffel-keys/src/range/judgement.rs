@@ -165,7 +165,7 @@ pub(crate) fn amount(kind: &Kind, si: f64) -> String {
 
 /// A number with six digits, in powers of ten where it is very small or large.
 fn significant(number: f64) -> String {
-    // WrittenQuantity with six digits, it reads back as a number.
+    // Written with six digits, it reads back as a number.
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     match rounded.abs() {
         size if size != 0.0 && !(1e-4..1e6).contains(&size) => format!("{rounded:e}"),
