@@ -70,8 +70,8 @@ impl BayGrowth {
             })?;
         let maps = bay.maps(case.wavelength, case.speed, progress);
         let ridges = [
-            Ridge::of_map(&bay.at(0.0), &maps.over_support),
-            Ridge::of_map(&bay.at(0.5 * bay.spacing()), &maps.mid_span),
+            Ridge::of_map(bay.at(0.0), &maps.over_support),
+            Ridge::of_map(bay.at(0.5 * bay.spacing()), &maps.mid_span),
             bay.ridge(&maps.mean),
         ];
         let fastest = ridges[2].highest();
