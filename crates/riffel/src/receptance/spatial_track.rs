@@ -78,12 +78,13 @@ pub struct ContactPoint {
 /// and the motion of the load along the rail is left out.
 ///
 /// Method: residues at the waves of the rail on its foundation, or Floquet waves of the free rail on discrete supports,
-/// for v and θ of both together (three waves, or four with warping). No truncation. Errors: 1e-12 of the point receptances
-/// from 1 Hz to 5 kHz for a rail (test `supports_to_all_digits`), 1e-11 over all kinds of track (test
-/// `reciprocal_and_periodic`) and at 0.1 Hz, where the amplitudes of lateral waves on discrete supports cancel; more next to
-/// a band edge, or where two waves coincide, without any loss. Cost: [`receptance_matrix`](Structure::receptance_matrix)
-/// finds the waves of a frequency once, in 1 µs on even supports and 3 µs on discrete ones; every other contact takes
-/// 0.2 and 0.3 µs, and every pair 0.1 µs.
+/// for v and θ of both together (three waves, or four with warping). No truncation. Errors: 1e-12 of the point
+/// receptances from 1 Hz to 5 kHz for a rail (test `supports_to_all_digits`), 1e-11 over all kinds of track (test
+/// `reciprocal_and_periodic`) and at 0.1 Hz, where the amplitudes of lateral waves on discrete supports cancel; more
+/// without any loss next to a band edge or where two waves coincide. Not a number where a wave decays by e¹⁰⁰ and more
+/// from one support to the next. Cost: [`receptance_matrix`](Structure::receptance_matrix) finds the waves of a frequency
+/// once, in 1 µs on even supports and 3 µs on discrete ones; every other contact takes 0.2 and 0.3 µs, and every pair
+/// 0.1 µs.
 ///
 /// Source: after Kostovasilis, Thompson & Hussein (2017), *A semi-analytical beam model for the vibration of railway
 /// tracks*, reduced to the motions above, for sections symmetric about their vertical axis; derived anew. Range of

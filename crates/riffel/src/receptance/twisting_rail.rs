@@ -78,6 +78,10 @@ impl Foundation {
 
 impl TwistingRail {
     pub(super) fn waves(&self, w: f64, foundation: &Foundation) -> CoupledWaves {
+        /// A hundred roundings.
+        const NOISE: f64 = 1e-14;
+        /// A complex pair is so close to the real axis only where a rounding of the polynomial would make it real.
+        const ALMOST: f64 = 1e-7;
         let section = self.twist.section();
         let mass = self.bending.mass_per_length();
         let [[lateral, across], [_, roll]] = foundation.at_shear_centre(section.foot_depth);
@@ -96,10 +100,18 @@ impl TwistingRail {
         let leading = bending.leading * twist.leading;
         let coupled = coupling * coupling / leading;
         if coupling != Complex64::ZERO {
-            polish(
-                |z| bending.monic(z) * twist.monic(z) - coupled * bending.denominator(z),
-                &mut roots[..count],
-            );
+            let polynomial =
+                |z: Complex64| bending.monic(z) * twist.monic(z) - coupled * bending.denominator(z);
+            polish(polynomial, &mut roots[..count]);
+            // Without loss it has real coefficients: what is almost real among the roots is so, and travels or decays.
+            let value = polynomial(bending.roots[0].norm().into());
+            if value.im.abs() <= NOISE * value.norm() {
+                for root in &mut roots {
+                    if root.im.abs() <= ALMOST * root.re.abs() {
+                        root.im = 0.0;
+                    }
+                }
+            }
         }
 
         // A twist by one radian moves the section about as far as its radius of gyration.
