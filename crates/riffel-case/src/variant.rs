@@ -87,6 +87,12 @@ impl Variant {
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = case_keys(name, text)?;
+        if let Some(Value::Array(_)) = source.table().get("vehicle") {
+            return Err(source.refuse(
+                "vehicle",
+                "this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic",
+            ));
+        }
         let own: Own = source.deserialize()?;
         let change = own.speed;
         if change.mean.is_some() && change.factor.is_some() {

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
-use riffel_keys::quantity::{Dimension, Length, Quantity, Speed};
+use riffel_keys::quantity::{Dimension, Length, Speed};
 use riffel_keys::text_file::{LARGEST_KEYS, decode, printable, read_bounded};
+use riffel_keys::{CaseError, PhysicalRange};
 use riffel_plot::Observation;
 
 use crate::error::CliError;
@@ -18,6 +18,9 @@ const LABEL: [&str; 4] = ["label", "name", "bezeichnung", "ort"];
 /// numbers are SI. Where commas do not divide cells, they may be decimal marks.
 pub(crate) fn read(path: &Path) -> miette::Result<Vec<Observation>> {
     let bytes = read_bounded(path, "file of observations", LARGEST_KEYS)?;
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        Err(CaseError::data(path, "the file is empty"))?;
+    }
     let text = decode(bytes).map_err(|byte| CaseError::Data {
         path: path.to_owned(),
         line: Some(byte.line),
@@ -76,9 +79,16 @@ fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, CliError> {
             }
         };
         observations.push(Observation {
-            wavelength_m: positive::<Length>("wavelength", &cell(wavelength)).map_err(wrong)?,
-            speed_m_per_s: positive::<Speed>("speed", &cell(speed)).map_err(wrong)?,
+            wavelength_m: in_range::<Length>("wavelength", &cell(wavelength)).map_err(wrong)?,
+            speed_m_per_s: in_range::<Speed>("speed", &cell(speed)).map_err(wrong)?,
             label: printable(label.map_or("measured", |label| &record[label])).into_owned(),
+        });
+    }
+    if observations.is_empty() {
+        return Err(CliError::Observation {
+            path: path.to_owned(),
+            line: 1,
+            message: "no observation stands below the head".to_owned(),
         });
     }
     Ok(observations)
@@ -112,19 +122,29 @@ fn word(header: &str) -> (String, String) {
     (name.to_owned(), unit)
 }
 
-fn positive<D: Dimension>(name: &str, text: &str) -> Result<f64, String> {
-    let quantity: Quantity<D> = text.parse().map_err(|error| format!("{name}: {error}"))?;
-    if quantity.si() > 0.0 {
-        return Ok(quantity.si());
-    }
-    Err(format!(
-        "{name} is {quantity}, but must be greater than zero"
-    ))
+fn in_range<D: Dimension>(name: &str, text: &str) -> Result<f64, String> {
+    let read = PhysicalRange::read::<D>(&format!("--{name}"), text);
+    read.map(|(si, _)| si)
+        .map_err(|rule| match rule.starts_with("is ") {
+            true => format!("{name} {rule}"),
+            false => format!("{name}: {rule}"),
+        })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn observations_are_checked_as_points_are() {
+        let sentence = |text: &str| parse(Path::new("o.csv"), text).unwrap_err().to_string();
+        let wrong = sentence("wavelength,speed\n42 mm,80 km/h\n38,72 km/h\n");
+        assert!(wrong.contains("line 3: wavelength is 38"), "{wrong}");
+        let wrong = sentence("wavelength,speed\n42 mm,800 km/h\n");
+        assert!(wrong.contains("line 2: speed is 800 km/h"), "{wrong}");
+        let wrong = sentence("wavelength,speed\n");
+        assert!(wrong.contains("no observation"), "{wrong}");
+    }
 
     #[test]
     fn tables_of_other_countries_and_units_are_read_alike() {

@@ -85,6 +85,10 @@ sentences! {
         en: "column `{column}` names no unit: taken as a receptance in m/N (else set track.measurement.quantity and unit)",
         de: "Spalte `{column}` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst track.measurement.quantity und unit setzen)"
     }
+    ReceptanceUnlikeRail {
+        en: "the measured receptance is {least} to {most} m/N, but rails have 1e-11 to 1e-7 m/N: check track.measurement.quantity and unit",
+        de: "die gemessene Rezeptanz liegt bei {least} bis {most} m/N, Schienen haben 1e-11 bis 1e-7 m/N: track.measurement.quantity und unit prüfen"
+    }
     PoorCoherence {
         en: "the coherence is below {good} at {count} of {points} frequencies, between {first} and {last} Hz: there the receptance is the mean of the lines within 1/24 octave, weighted by γ²/(1 − γ²)",
         de: "die Kohärenz liegt bei {count} von {points} Frequenzen zwischen {first} und {last} Hz unter {good}: dort gilt das Mittel der Linien im Umkreis von 1/24 Oktave, gewichtet mit γ²/(1 − γ²)"
@@ -142,6 +146,14 @@ sentences! {
     NothingGrows {
         en: "nothing grows in this window",
         de: "in diesem Fenster wächst nichts"
+    }
+    AndBetween {
+        en: " and ",
+        de: " und "
+    }
+    NoCrest {
+        en: "no crest lies in this window: growth rises towards {ends} mm",
+        de: "in diesem Fenster liegt kein Kamm: das Wachstum steigt bis {ends} mm"
     }
     OneBranch {
         en: "the ridge is one branch, which grows at {words}",

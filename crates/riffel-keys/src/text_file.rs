@@ -178,6 +178,9 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
 /// As [`read_bounded`]; [`CaseError::Data`] with line and byte if it is not UTF-8, and what it looks like.
 pub fn read_keys(path: &Path, what: &'static str) -> Result<String, CaseError> {
     let bytes = read_bounded(path, what, LARGEST_KEYS)?;
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(CaseError::data(path, "the file is empty"));
+    }
     let refuse = |line, message| CaseError::Data {
         path: path.to_owned(),
         line,

@@ -16,7 +16,7 @@ use riffel::tile::TILE;
 use riffel::{Axis, Direction, GrowthMap, Ridge};
 use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories};
 use riffel_answers::receptance::ReceptanceCurves;
-use riffel_answers::ridge::BranchDocument;
+use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{Point, PointValue};
 use riffel_keys::CaseError;
 
@@ -479,7 +479,7 @@ impl Case {
             column(|point| point.growth_rate),
         ];
         let edges: Vec<bool> = ridge.points.iter().map(|point| point.at_edge).collect();
-        Ok((columns, edges.into_pyarray(py), ridge.best_fit_frequency()))
+        Ok((columns, edges.into_pyarray(py), best_fit_frequency(&ridge)))
     }
 
     /// Of each branch of the ridge, the strongest first: its frequency, highest growth rate and mechanism; speed,

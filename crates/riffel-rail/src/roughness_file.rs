@@ -72,6 +72,21 @@ impl RoughnessFile {
             }
             None => {
                 let table = Table::find(bytes).ok_or_else(|| no_table(bytes))?;
+                if table.has_decimal_commas() {
+                    let message = format!(
+                        "has {} columns, but its head has {}; where commas divide columns, numbers have a decimal point",
+                        table.count,
+                        table.count / 2
+                    );
+                    return Err(Refusal {
+                        line: Some(table.header_lines + 1),
+                        message,
+                        help: Some(
+                            "write the file with semicolons or tabulators between its columns"
+                                .to_owned(),
+                        ),
+                    });
+                }
                 if table.mixed_marks {
                     let message = format!(
                         "numbers have a {} from here on, but a {} above",

@@ -1,5 +1,7 @@
 //! How a file of text is laid out, found from its first lines.
 
+use riffel_keys::text_file::text_of;
+
 use crate::format::{Column, DecimalMark, Delimiter, ReaderFormat};
 use crate::heading::{Heading, Kind};
 use crate::layout::Layout;
@@ -27,6 +29,8 @@ pub(super) struct Table {
     pub(super) decimal: DecimalMark,
     /// Lines before the first row of numbers.
     pub(super) header_lines: usize,
+    /// Cells of the line right above, if it has words.
+    pub(super) cells_of_head: Option<usize>,
     /// Whether rows above the first have the other decimal mark.
     pub(super) mixed_marks: bool,
     /// What stands above the numbers.
@@ -150,10 +154,15 @@ impl Table {
         }
         let all_numbers = columns as f64 / widest as f64;
         let score = 1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64;
+        let cells_of_head = rows[..first].last().and_then(|(index, cells)| {
+            let has_words = text_of(all[*index]).contains(char::is_alphabetic);
+            has_words.then_some(cells.len())
+        });
         let table = Self {
             delimiter,
             decimal,
             header_lines,
+            cells_of_head,
             mixed_marks,
             heading: Heading::read(&all[..header_lines], delimiter, count, widest),
             count,
@@ -172,6 +181,14 @@ impl Table {
             return None;
         }
         Some((score, table))
+    }
+
+    /// Whether commas divide cells and stand in numbers, too, so that rows have twice as many cells as their head.
+    pub(super) fn has_decimal_commas(&self) -> bool {
+        self.delimiter == Delimiter::Comma
+            && self
+                .cells_of_head
+                .is_some_and(|cells| 2 * cells == self.count)
     }
 
     fn integers(&self) -> bool {
@@ -216,6 +233,17 @@ impl Table {
                 .unnamed_position(&columns, spacing.is_some())
                 .map(|place| columns.remove(place)),
         };
+        if position.is_none_or(|column| !self.is_even(column) && named.is_none())
+            && spacing.is_none()
+            && let Some(counter) = self.counter()
+        {
+            return Err(format!(
+                "no column is a position: column {}, \"{}\", is a counter or a time; give the step between samples by \
+                 --spacing",
+                counter + 1,
+                self.heading.name(counter).unwrap_or_default()
+            ));
+        }
         if columns.is_empty() {
             return Err("there is no column of heights".to_owned());
         }
@@ -252,6 +280,13 @@ impl Table {
             position.unit = "m".to_owned();
         }
         Ok(format)
+    }
+
+    /// The column besides positions and heights that rises evenly, if there is one.
+    fn counter(&self) -> Option<usize> {
+        (0..self.count).find(|&column| {
+            self.numeric[column] && self.is_something_else(column) && self.is_even(column)
+        })
     }
 
     /// The place among some columns of the one that rises or falls evenly, the first of several; else the first, where

@@ -10,6 +10,7 @@ use riffel_keys::CaseError;
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
+use crate::ridge::best_fit_frequency;
 
 /// Growth under one traffic, as it is and as each variant makes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -165,7 +166,7 @@ impl Comparison {
             outcomes.push(Outcome {
                 title: variant.title.clone(),
                 fastest: FastestLine::of(&on.growth),
-                ridge_frequency: ridge.best_fit_frequency(),
+                ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
                 growth: on.growth,

@@ -84,8 +84,12 @@ impl Finding {
             .map_or_else(String::new, |(number, longer)| {
                 format!("; harmonic {number} of {:.1} mm", 1e3 * longer)
             });
+        let record = &self.measured.record;
+        let record = record
+            .as_ref()
+            .map_or_else(String::new, |record| format!(", record {record}"));
         format!(
-            "level {:.1} dB re 1 µm{rails}, {:.1} dB over the trend of its neighbours ({scatter}){chance}{harmonic}",
+            "level {:.1} dB re 1 µm{record}{rails}, {:.1} dB over the trend of its neighbours ({scatter}){chance}{harmonic}",
             peak.level, peak.prominence
         )
     }

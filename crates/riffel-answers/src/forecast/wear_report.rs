@@ -74,6 +74,14 @@ impl WearReport {
         })
     }
 
+    /// Whether a band that should grow has changed by as much as levels are printed to.
+    fn moves(&self) -> bool {
+        let bands = self.fit.bands.iter();
+        bands
+            .filter(|band| band.grows)
+            .any(|band| band.measured.abs() >= 0.05)
+    }
+
     /// What the fit says, and what it says of single bands.
     pub fn sentences(&self) -> Vec<String> {
         let fit = &self.fit;
@@ -91,6 +99,9 @@ impl WearReport {
             (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
                                                grows"
                 .to_owned(),
+            (WearVerdict::Against, _) if !self.moves() => "no wear coefficient: the bands that should grow by \
+                                                           the model have not moved"
+                .to_owned(),
             (WearVerdict::Against, _) => "no wear coefficient: the bands that should grow by the model have \
                                           fallen, so what is on this rail is not the corrugation of this model"
                 .to_owned(),
@@ -99,8 +110,8 @@ impl WearReport {
                 interval(bounds)
             ),
             _ => format!(
-                "wear coefficient {coefficient:.2e} kg/J, without an interval: that takes three records of each \
-                 date"
+                "no wear coefficient is claimed: an interval takes three records of each date; the best fit is \
+                 {coefficient:.2e} kg/J"
             ),
         }];
         for band in &fit.bands {

@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::{Shown, panel};
 use crate::AnswerError;
 use crate::parameters::parameters;
-use crate::ridge::BranchDocument;
+use crate::ridge::{BranchDocument, best_fit_frequency};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
@@ -106,7 +106,7 @@ impl BayGrowth {
             growth_rate_over_support: at(0),
             growth_rate_mid_span: at(POINTS / 2),
             growth_rate_mean: self.mean,
-            mean_ridge_best_fit_frequency_hz: self.ridges[2].best_fit_frequency(),
+            mean_ridge_best_fit_frequency_hz: best_fit_frequency(&self.ridges[2]),
             mean_ridge_branches: self.branches.clone(),
         }
     }

@@ -12,7 +12,7 @@ use riffel_keys::Remark;
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
-use crate::ridge::{BranchDocument, RidgePointDocument};
+use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
 
 pub use bay::{BayDocument, BayGrowth};
 pub use panel::{Shown, map_figure, panel};
@@ -28,6 +28,45 @@ pub struct MapAnswer {
     pub branches: Vec<BranchDocument>,
     /// Growth over the sleeper bay, where it was asked for.
     pub bay: Option<BayGrowth>,
+    /// How many observations were laid over the map, where there were any.
+    pub observations: Option<ObservationCount>,
+}
+
+/// Measured wavelengths laid over a map.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ObservationCount {
+    /// All of them.
+    pub count: usize,
+    /// Those that lie outside the window of the map.
+    pub outside_window: usize,
+}
+
+impl ObservationCount {
+    /// Of the map of a case.
+    pub fn new(case: &Case, observations: &[Observation]) -> Self {
+        let wavelengths = case.wavelength.min()..=case.wavelength.max();
+        let speeds = case.speed.min()..=case.speed.max();
+        let outside = |observation: &&Observation| {
+            !wavelengths.contains(&observation.wavelength_m)
+                || !speeds.contains(&observation.speed_m_per_s)
+        };
+        Self {
+            count: observations.len(),
+            outside_window: observations.iter().filter(outside).count(),
+        }
+    }
+
+    /// As in "3 observations, 1 outside the map".
+    pub fn sentence(self) -> String {
+        let noun = match self.count {
+            1 => "observation",
+            _ => "observations",
+        };
+        match self.outside_window {
+            0 => format!("{} {noun}", self.count),
+            outside => format!("{} {noun}, {outside} outside the map", self.count),
+        }
+    }
 }
 
 /// What `riffel map --json` prints.
@@ -40,6 +79,8 @@ pub struct MapDocument<'a> {
     ridge: RidgeSummary<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bay: Option<BayDocument>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    observations: Option<ObservationCount>,
     remarks: &'a [Remark],
 }
 
@@ -98,6 +139,7 @@ impl MapAnswer {
             map,
             ridge,
             bay: None,
+            observations: None,
         }
     }
 
@@ -115,7 +157,7 @@ impl MapAnswer {
             inputs: &case.file,
             derived: DerivedDocument::of(case),
             ridge: RidgeSummary {
-                best_fit_frequency_hz: ridge.best_fit_frequency(),
+                best_fit_frequency_hz: best_fit_frequency(ridge),
                 branches: &self.branches,
                 highest: ridge.highest().filter(grows).map(RidgePointDocument::from),
                 speeds_that_grow: ridge.points.iter().filter(grows).count(),
@@ -123,6 +165,7 @@ impl MapAnswer {
                 speeds: ridge.points.len(),
             },
             bay: self.bay.as_ref().map(BayGrowth::summary),
+            observations: self.observations,
             remarks: &case.remarks,
         }
     }

@@ -8,6 +8,7 @@ use riffel_plot::{
 };
 
 use crate::parameters::parameters;
+use crate::ridge::best_fit_frequency;
 use crate::track_in_words::place;
 
 /// What a map shows.
@@ -80,7 +81,7 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
                     .collect(),
             })
             .collect(),
-        best_fit_frequency_hz: ridge.best_fit_frequency(),
+        best_fit_frequency_hz: best_fit_frequency(ridge),
         rays_hz: constant_frequency_rays(
             (map.wavelength().min(), map.wavelength().max()),
             (map.speed().min(), map.speed().max()),

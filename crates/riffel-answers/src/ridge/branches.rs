@@ -1,5 +1,7 @@
 //! The branches of the ridge of a case: as a document, and in words.
 
+use std::collections::BTreeSet;
+
 use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
@@ -14,6 +16,13 @@ use serde::Serialize;
 const NEAR: f64 = 0.10;
 /// Branches named in a sentence after the strongest.
 const NAMED: usize = 3;
+
+/// Frequency \[Hz\] of the strongest branch; None where nothing grows, or where the window holds no crest of it but a
+/// flank alone, whose frequency is that of the edge.
+pub fn best_fit_frequency(ridge: &Ridge) -> Option<f64> {
+    let strongest = ridge.branches.first()?;
+    (!strongest.only_at_edge()).then(|| strongest.frequency())
+}
 
 /// A branch of the ridge, as documents hold it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -99,6 +108,16 @@ impl BranchDocument {
             let Some((strongest, weaker)) = branches.split_first() else {
                 return language.say(Sentence::NothingGrows).to_owned();
             };
+            if branches.iter().all(|branch| branch.only_at_edge) {
+                let ends: BTreeSet<String> = branches
+                    .iter()
+                    .flat_map(|branch| branch.wavelength_m)
+                    .map(|wavelength| format!("{:.0}", 1e3 * wavelength))
+                    .collect();
+                let ends: Vec<String> = ends.into_iter().collect();
+                let and = language.say(Sentence::AndBetween);
+                return language.fill(Sentence::NoCrest, &[("ends", &ends.join(and))]);
+            }
             let words = strongest.words(language);
             if weaker.is_empty() {
                 return language.fill(Sentence::OneBranch, &[("words", &words)]);

@@ -4,6 +4,6 @@ mod branches;
 mod point;
 mod table;
 
-pub use branches::BranchDocument;
+pub use branches::{BranchDocument, best_fit_frequency};
 pub use point::RidgePointDocument;
 pub use table::{branches_csv, ridge_csv};

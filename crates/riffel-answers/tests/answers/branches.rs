@@ -2,7 +2,8 @@
 
 use riffel::Ridge;
 use riffel::growth::RidgeBranch;
-use riffel_answers::ridge::BranchDocument;
+use riffel_answers::map::MapAnswer;
+use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::Language;
 use rstest::rstest;
@@ -137,4 +138,29 @@ fn nothing_grows_in_words() {
     assert!(branches.is_empty());
     let sentence = BranchDocument::sentence(&branches);
     assert_eq!(sentence.to_string(), "nothing grows in this window");
+}
+
+/// A window beside the crest has a flank of it, and no frequency of its own.
+#[test]
+fn a_window_without_a_crest_has_no_frequency() {
+    let case = case(
+        NOMINAL_CASE,
+        &[
+            "map.wavelength={ min = \"60 mm\", max = \"62 mm\", points = 41 }",
+            "map.speed={ min = \"80 km/h\", max = \"82 km/h\", points = 11 }",
+        ],
+    );
+    let ridge = ridge(&case);
+    assert!(ridge.best_fit_frequency().is_some());
+    assert_eq!(best_fit_frequency(&ridge), None);
+    let sentence = BranchDocument::sentence(&BranchDocument::all(&case, &ridge));
+    assert_eq!(
+        sentence.to_string(),
+        "no crest lies in this window: growth rises towards 60 mm"
+    );
+    let answer = MapAnswer::new(&case, |_| ());
+    let document = serde_json::to_value(answer.document(&case)).unwrap();
+    assert!(document["ridge"]["best_fit_frequency_hz"].is_null());
+    let figure = answer.figure(&case, Vec::new());
+    assert_eq!(figure.panels[0].best_fit_frequency_hz, None);
 }

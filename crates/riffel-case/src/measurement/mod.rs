@@ -25,6 +25,9 @@ const WIDEST_STEP: f64 = 2.0;
 /// median of a table lies between these, or its unit is another one.
 const OF_A_RAIL: (f64, f64) = (1e-14, 1e-4);
 
+/// Receptances \[m/N\] of which every measured rail has some: those of the presets, with room for softer tracks.
+const USUAL: (f64, f64) = (1e-11, 1e-7);
+
 /// What is wrong with a measurement.
 #[derive(Debug)]
 pub(crate) struct MeasurementError {
@@ -81,7 +84,8 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
     let table::Table { response, remarks } = table::read(&text, measurement)?;
     let mut measured = response.measured(measurement.conjugate, remedy)?;
     measured.remarks.splice(0..0, remarks);
-    measured.check_size()?;
+    let unusual = measured.check_size()?;
+    measured.remarks.extend(unusual);
     Ok(measured)
 }
 
@@ -192,13 +196,24 @@ impl FrequencyResponse {
 }
 
 impl Measured {
-    /// `Ok` where the median of the modulus is one that a rail may have.
-    fn check_size(&self) -> Result<(), MeasurementError> {
+    /// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
+    /// that rails do have.
+    fn check_size(&self) -> Result<Option<Remark>, MeasurementError> {
         let mut moduli: Vec<f64> = self.receptance.lines().map(|(_, h)| h.norm()).collect();
         let middle = moduli.len() / 2;
         let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
         if (OF_A_RAIL.0..=OF_A_RAIL.1).contains(&median) {
-            return Ok(());
+            let least = moduli.iter().copied().fold(f64::INFINITY, f64::min);
+            let most = moduli.iter().copied().fold(0.0, f64::max);
+            let unusual = least > USUAL.1 || most < USUAL.0;
+            return Ok(unusual.then(|| {
+                Remark::of(Sentence::ReceptanceUnlikeRail, |_| {
+                    vec![
+                        ("least", format!("{least:.0e}")),
+                        ("most", format!("{most:.0e}")),
+                    ]
+                })
+            }));
         }
         Err(MeasurementError::file(format!(
             "half of its receptances are above {median:.1e} m/N, but those of rails are some 1e-11 to 1e-7 m/N: check \

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel::forecast::SpeedDistribution;
-use riffel_keys::quantity::{Dimension, Quantity, Ratio};
+use riffel_keys::quantity::{Dimension, Force, Kind, Quantity, Ratio};
 use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile, Remark};
 use toml::Value;
@@ -44,6 +44,7 @@ impl Traffic {
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = KeyFile::parse(name, text)?;
         is_a_traffic(&source)?;
+        no_forces_as_axle_loads(&source)?;
         let file: TrafficFile = source.deserialize()?;
         let line = file.line;
         if line.passages_per_day.is_some() && line.mgt_per_year.is_some() {
@@ -64,7 +65,11 @@ impl Traffic {
         if file.vehicle.is_empty() {
             return Err(source.missing("vehicle", "write one [[vehicle]] or more"));
         }
-        let (mut speeds, mut remarks) = (Vec::new(), Vec::new());
+        let mut speeds = Vec::new();
+        let amounts = ["line.passages_per_day", "line.mgt_per_year"].into_iter();
+        let mut remarks = amounts
+            .filter_map(|key| source.judge(key).transpose())
+            .collect::<Result<Vec<Remark>, CaseError>>()?;
         for (index, vehicle) in file.vehicle.iter().enumerate() {
             remarks.extend(judged(&source, index, vehicle)?);
             let key = |name: &str| format!("vehicle[{index}].{name}");
@@ -147,6 +152,24 @@ fn is_a_traffic(source: &KeyFile) -> Result<(), CaseError> {
         )),
         None => Ok(()),
     }
+}
+
+/// Refuse an axle load that is written as a force: the key takes the mass on both wheels.
+fn no_forces_as_axle_loads(source: &KeyFile) -> Result<(), CaseError> {
+    let vehicles = source.table().get("vehicle").and_then(Value::as_array);
+    for (index, vehicle) in vehicles.into_iter().flatten().enumerate() {
+        let written = vehicle.get("axle_load").and_then(Value::as_str);
+        let is_force = |text: &&str| {
+            text.trim().parse::<f64>().is_err() && Kind::of::<Force>().read(text).is_ok()
+        };
+        if let Some(force) = written.filter(is_force) {
+            let rule = format!(
+                "is \"{force}\", a force, but must be a mass, as in \"13 t\"; half of the force may be written as wheel_load"
+            );
+            return Err(source.invalid(&format!("vehicle[{index}].axle_load"), &rule, ""));
+        }
+    }
+    Ok(())
 }
 
 /// What is to be asked about the values of a vehicle that are not usual.

@@ -14,7 +14,12 @@ pub use traffic_file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 use crate::Case;
 
 /// Keys of the traffic file that have a range, each with its place in the schema.
-pub(crate) const POINTERS: [(&str, &str); 9] = [
+pub(crate) const POINTERS: [(&str, &str); 11] = [
+    (
+        "line.passages_per_day",
+        "/$defs/Line/properties/passages_per_day",
+    ),
+    ("line.mgt_per_year", "/$defs/Line/properties/mgt_per_year"),
     ("vehicle.axle_load", "/$defs/Vehicle/properties/axle_load"),
     ("vehicle.wheel_load", "/$defs/Vehicle/properties/wheel_load"),
     ("vehicle.wheel_mass", "/$defs/Vehicle/properties/wheel_mass"),

@@ -185,3 +185,18 @@ fn with_frequencies(head: &str, per_hertz: f64) -> Result<Case, riffel_keys::Cas
     fs::write(&file, text).unwrap();
     measured(file.to_str().unwrap(), "")
 }
+
+/// A factor of a thousand is within what is read, but not within what rails have.
+#[test]
+fn a_receptance_unlike_any_rail_is_asked_about() {
+    let asked = |unit: &str| {
+        let case = measured("receptance_quoted.csv", &format!("unit = \"{unit}\"")).unwrap();
+        case.remarks.iter().any(|remark| {
+            remark
+                .to_string()
+                .contains("but rails have 1e-11 to 1e-7 m/N")
+        })
+    };
+    assert!(!asked("m/N"));
+    assert!(asked("m/mN"));
+}

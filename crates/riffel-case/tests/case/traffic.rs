@@ -159,7 +159,7 @@ fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
 )]
 #[case(
     "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"20 kN\"\n",
-    "is in kg m s-2, not a mass in kg"
+    "is \"20 kN\", a force, but must be a mass"
 )]
 #[case(
     "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 300, share = 1 }]\n",
@@ -275,4 +275,66 @@ fn wrong_choices_are_refused() {
     ] {
         assert!(message.to_string().contains(part), "{message}");
     }
+}
+
+#[test]
+fn unusual_amounts_are_asked_about() {
+    let traffic = |amount: &str| {
+        let text = format!(
+            "[line]\n{amount}\n[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = {{ mean = 20 }}\n"
+        );
+        Traffic::parse("t.toml", &text).unwrap()
+    };
+    let case = Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap();
+    let remarks = |amount: &str| -> Vec<String> {
+        let on = traffic(amount).on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
+        on.unwrap()
+            .remarks
+            .iter()
+            .map(ToString::to_string)
+            .collect()
+    };
+    // A thousand's point that is none.
+    let asked = remarks("passages_per_day = 6.000");
+    assert!(
+        asked
+            .iter()
+            .any(|remark| remark.contains("line.passages_per_day is 6; usual values are 20 to")),
+        "{asked:?}"
+    );
+    let asked = remarks("passages_per_day = 6000");
+    assert!(
+        asked
+            .iter()
+            .all(|remark| !remark.contains("passages_per_day")),
+        "{asked:?}"
+    );
+    let asked = remarks("mgt_per_year = 2500");
+    assert!(
+        asked
+            .iter()
+            .any(|remark| remark.contains("line.mgt_per_year is 2500")),
+        "{asked:?}"
+    );
+}
+
+#[test]
+fn an_axle_load_is_no_force() {
+    let text =
+        "[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = { mean = 20 }\naxle_load = \"130 kN\"\n";
+    let error = Traffic::parse("t.toml", text).err().unwrap();
+    let sentence = error.to_string();
+    assert!(
+        sentence.contains("130 kN")
+            && sentence.contains("wheel_load")
+            && sentence.contains("as in \"13 t\""),
+        "{sentence}"
+    );
+}
+
+#[test]
+fn a_traffic_file_is_no_file_of_changes() {
+    let text = "[[vehicle]]\nname = \"a\"\nshare = 1\nspeed = { mean = 20 }\n";
+    let error = Variant::parse("t.toml", text).err().unwrap().to_string();
+    assert!(error.starts_with("this is a traffic file"), "{error}");
 }

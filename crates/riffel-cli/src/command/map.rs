@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_answers::map::{BayGrowth, MapAnswer, map_csv, map_netcdf};
+use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, map_csv, map_netcdf};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
 use riffel_case::Case;
 use riffel_plot::Observation;
@@ -45,6 +45,9 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         let progress = Progress::new("growth over the bay", rows);
         let bay = BayGrowth::new(&case, curve, |rows| progress.advance(rows))?;
         answer.bay = Some(bay);
+    }
+    if arguments.observations.is_some() {
+        answer.observations = Some(ObservationCount::new(&case, &observations));
     }
     let document = json(&answer.document(&case));
     write_files(&mut staging, &case, &answer, observations, &document)?;
@@ -139,8 +142,10 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
     }
     let bay = answer.bay.as_ref();
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
+    let observations = answer.observations;
+    let observations = observations.map_or_else(String::new, |count| count.sentence() + "\n");
     format!(
-        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{branches}\n{bay}{}: {}\n",
+        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{branches}\n{bay}{observations}{}: {}\n",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),

@@ -664,3 +664,32 @@ fn now_is_the_latest_date() {
         ["date 2024-01-15", "date 2026-01-14", "date 2026-01-15"]
     );
 }
+
+/// One record of each date gives a best fit and no claim; levels that stay have not fallen.
+#[test]
+fn two_records_claim_no_coefficient() {
+    let sandbox = Sandbox::new();
+    let sentence = |change: f64| {
+        let rows = [("2025-01-15", 0.0), ("2026-01-15", change)].map(|(date, change)| {
+            let levels =
+                [80.0, 63.0, 50.0, 40.0].map(|length| format!("{date},{length},{change}\n"));
+            levels.concat()
+        });
+        let text = format!("date,wavelength_mm,level_db\n{}", rows.concat());
+        fs::write(sandbox.path("dated.csv"), text).unwrap();
+        let document = sandbox.json(
+            "forecast cases/nominal.toml --spectrum dated.csv --date-column date \
+             --traffic cases/traffic.toml --json",
+        );
+        document["findings"].to_string() + &document["wear_fit"].to_string()
+    };
+    let grown = sentence(3.0);
+    assert!(grown.contains("no wear coefficient is claimed"), "{grown}");
+    let same = sentence(0.0);
+    assert!(
+        same.contains("have not moved") && !same.contains("have fallen"),
+        "{same}"
+    );
+    let fallen = sentence(-3.0);
+    assert!(fallen.contains("have fallen"), "{fallen}");
+}

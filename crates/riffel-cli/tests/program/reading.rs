@@ -668,3 +668,73 @@ fn references_of_levels_are_converted_or_refused() {
         assert!(sentence.contains(part), "{level}: {sentence}");
     }
 }
+
+/// What stands in the way of a position is named.
+#[test]
+fn tables_without_a_position_say_what_they_have() {
+    let sandbox = Sandbox::new();
+    let rail = rail();
+    let rows = |heading: &str, row: &dyn Fn(usize, f64) -> String| {
+        let rows = rail.iter().enumerate();
+        let rows = rows.map(|(index, &(_, height))| row(index, 1e6 * height) + "\n");
+        format!("{heading}\n{}", rows.collect::<String>())
+    };
+    let counted = |index: usize, height: f64| format!("{index},{height:.4},{:.4}", height + 1.0);
+    let timed = |index: usize, height: f64| format!("{:.3},{height:.4}", 1e-3 * index as f64);
+    let commas = |index: usize, height: f64| {
+        comma(format!("{:.3};{height:.4}", 1e-3 * index as f64)).replace(';', ",")
+    };
+    for (text, part) in [
+        (
+            rows("sample,left_um,right_um", &counted),
+            "column 1, \"sample\", is a counter or a time",
+        ),
+        (
+            rows("time_s,left_um", &timed),
+            "column 1, \"time_s\", is a counter or a time",
+        ),
+        (
+            rows("Zeit [s],Hoehe [um]", &timed),
+            "column 1, \"Zeit [s]\", is a counter or a time",
+        ),
+        (
+            rows("x_m,left_um", &commas),
+            "line 2: has 4 columns, but its head has 2",
+        ),
+    ] {
+        fs::write(sandbox.path("rail.csv"), text).unwrap();
+        let outcome = sandbox.riffel("roughness rail.csv");
+        let sentence = unwrapped(&outcome.text);
+        assert_eq!(outcome.status, Some(2), "{sentence}");
+        assert!(sentence.contains(part), "{sentence}");
+    }
+    let text = rows("sample,left_um", &|index, height| {
+        format!("{index},{height:.4}")
+    });
+    fs::write(sandbox.path("rail.csv"), text).unwrap();
+    let document = sandbox.json("roughness rail.csv --spacing \"1 mm\" --json");
+    check_wave(&document, "a counter and the spacing");
+}
+
+#[test]
+fn empty_files_are_named() {
+    let sandbox = Sandbox::new();
+    fs::write(sandbox.path("empty.toml"), "\n").unwrap();
+    for command in [
+        "map empty.toml",
+        "study empty.toml",
+        "forecast cases/nominal.toml --traffic empty.toml --from-limit 3",
+        "compare cases/nominal.toml --with empty.toml --traffic cases/traffic.toml",
+        "report cases/nominal.toml --site empty.toml",
+        "map cases/nominal.toml --observations empty.toml",
+        "roughness empty.toml",
+    ] {
+        let outcome = sandbox.riffel(command);
+        let sentence = unwrapped(&outcome.text);
+        assert_eq!(outcome.status, Some(2), "{command}: {sentence}");
+        assert!(
+            sentence.contains("empty.toml: the file "),
+            "{command}: {sentence}"
+        );
+    }
+}

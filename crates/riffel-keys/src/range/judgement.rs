@@ -102,6 +102,8 @@ impl PhysicalRange {
 /// Units in which engineers write a quantity, the likeliest first.
 fn units(kind: &Kind) -> &'static [&'static str] {
     match kind.unit {
+        // A count is not written in per cent.
+        "" if !kind.example.contains('%') => &[],
         "" => &["%"],
         "m" => &["mm", "m", "cm", "µm", "in", "ft"],
         "m/s" => &["km/h", "mph", "m/s"],

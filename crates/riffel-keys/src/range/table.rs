@@ -27,6 +27,13 @@ const fn row<D: Dimension>(
 /// most numbers above it are kilometres an hour without their unit.
 const BARE_SPEED: f64 = 40.0;
 
+/// A number of things, which takes no unit and is not written in per cent.
+const COUNT: Kind = Kind {
+    name: "a number",
+    unit: "",
+    example: "6000",
+};
+
 /// Largest contact angle \[rad\] below a right one.
 const LARGEST_CONTACT_ANGLE: f64 = 89.999 / 180.0 * std::f64::consts::PI;
 
@@ -448,6 +455,24 @@ pub static RANGES: &[PhysicalRange] = &[
         [2e3, 5e4],
         "Twice the load of a wheel: 3 t (light rail) to 40 t (ore lines).",
     ),
+    PhysicalRange {
+        kind: COUNT,
+        ..row::<Ratio>(
+            &["line.passages_per_day"],
+            [1e-6, 1e7],
+            [20.0, 5e4],
+            "Axles: a branch line with two trains a day has 30, a metro with 40 trains an hour 30 000.",
+        )
+    },
+    PhysicalRange {
+        kind: COUNT,
+        ..row::<Ratio>(
+            &["line.mgt_per_year"],
+            [1e-6, 1e4],
+            [0.01, 300.0],
+            "A tram 1 to 5, main lines 5 to 40, heavy haul up to 250.",
+        )
+    },
     row::<Frequency>(
         &["--from", "--to"],
         [1e-3, 2e6],

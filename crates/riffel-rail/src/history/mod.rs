@@ -20,6 +20,8 @@ pub struct Measured {
     pub all_along: bool,
     /// Where it stands, and how far it stands out.
     pub peak: DominantWavelength,
+    /// The record of which the peak is told, where it was looked for in several: it stands out most there.
+    pub record: Option<String>,
     /// Its levels in time, where there are two records or more.
     pub course: Option<Course>,
     /// The same course on mean energies, where the levels are means of several spectra.

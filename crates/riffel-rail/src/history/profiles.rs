@@ -146,6 +146,7 @@ pub(super) fn history(
             .zip(rails)
             .filter_map(|(rail, named)| Some((named.name.clone(), level_at(rail, one)?.0)));
         Measured {
+            record: None,
             rail: Some(rails[index].name.clone()),
             places: one.places.clone(),
             all_along: one.all_along,

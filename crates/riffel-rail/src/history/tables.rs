@@ -204,6 +204,7 @@ impl RailTable {
                 all_along: true,
                 energy_levels: course.is_some().then_some(energy),
                 peak: peak.clone(),
+                record: (self.groups.len() > 1).then(|| record.clone()),
                 course,
                 rails: rails.collect(),
             }

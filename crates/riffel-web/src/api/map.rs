@@ -4,7 +4,7 @@ use axum::extract::State;
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
-use riffel_answers::ridge::{BranchDocument, RidgePointDocument};
+use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
 use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -166,7 +166,7 @@ impl Computed {
                     })
                     .collect(),
                 branches_in_words,
-                best_fit_frequency_hz: ridge.best_fit_frequency(),
+                best_fit_frequency_hz: best_fit_frequency(&ridge),
                 highest: ridge
                     .highest()
                     .filter(|point| point.growth_rate > 0.0)
