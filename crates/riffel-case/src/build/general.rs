@@ -144,7 +144,7 @@ impl CheckedKeys {
         }))
     }
 
-    /// The track along all axes it has: without wheelsets downward alone, as in the loop of one axis.
+    /// The track along all axes it has: without wheelsets and without twist downward alone, as in the loop of one axis.
     fn spatial_track(
         &self,
         keys: &GeneralKeys,
@@ -180,7 +180,8 @@ impl CheckedKeys {
             }));
         }
         let on_supports = model != TrackModel::FreeBeam;
-        let has = |rail: bool, pad: bool| keys.wheelset.is_some() && rail && (pad || !on_supports);
+        let all_axes = keys.wheelset.is_some() || keys.twist.is_some();
+        let has = |rail: bool, pad: bool| all_axes && rail && (pad || !on_supports);
         let pad = self.file.track.pad.as_ref();
         let rail = &self.file.rail;
         let across = has(
@@ -191,7 +192,7 @@ impl CheckedKeys {
             rail.area.is_some(),
             pad.is_some_and(|pad| pad.longitudinal_stiffness.is_some()),
         );
-        if keys.wheelset.is_some() {
+        if all_axes {
             for (has, key, pad, [english, german]) in [
                 (
                     across,
@@ -235,7 +236,7 @@ impl CheckedKeys {
                     return Err(self.text.keys.invalid(
                         "rail.torsion_constant",
                         "is given, but the rail does not move across the track",
-                        "give rail.lateral_second_moment, track.pad.lateral_stiffness and a wheelset, or leave it out",
+                        "give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out",
                     ));
                 }
                 None => None,
