@@ -115,6 +115,7 @@ pub(crate) fn remarks(
             },
         ));
     }
+    remarks.extend(unstable(feedback, speed));
     // Outside the frequencies of a measurement there is nothing to look at.
     let (known_from, known_to) = measurement::range(&*track.receptance);
     let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
@@ -142,6 +143,32 @@ pub(crate) fn remarks(
         }));
     }
     remarks
+}
+
+/// A loop on all axes that oscillates by itself at a speed of the window; only they can.
+///
+/// A loop whose phase cannot be followed, for want of any loss, is not judged.
+fn unstable(feedback: &Loop, speed: Axis) -> Option<Remark> {
+    /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
+    const BAND: (f64, f64) = (1.0, 10e3);
+    let general = feedback.general()?;
+    let speeds = [speed.min(), 0.5 * (speed.min() + speed.max()), speed.max()];
+    let (speed, frequency) = speeds.into_iter().find_map(|speed| {
+        let stability = general.stability(speed, BAND.0, BAND.1).ok()?;
+        Some((speed, stability.frequency?))
+    })?;
+    let values = [format!("{:.0}", 3.6 * speed), format!("{frequency:.0}")];
+    let [speed, frequency] = values;
+    Some(Remark::new(
+        format!(
+            "the loop is unstable at {speed} km/h: near {frequency} Hz it oscillates without any profile (squeal, stick and \
+             slip), and growth rates mean nothing there"
+        ),
+        format!(
+            "der Kreis ist bei {speed} km/h instabil: um {frequency} Hz schwingt er ohne jedes Profil (Quietschen, \
+             Haften und Gleiten), und Wachstumsraten bedeuten dort nichts"
+        ),
+    ))
 }
 
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on

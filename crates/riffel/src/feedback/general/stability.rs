@@ -25,8 +25,8 @@ pub struct Stability {
     /// How many roots of the loop lie in the half-plane of growing oscillations, two for each oscillation; zero where
     /// the loop is stable.
     pub unstable_roots: usize,
-    /// Frequency \[Hz\] of the oscillation that grows, as squeal or as stick and slip, of the one next to the limit of
-    /// stability where there are several; none where the loop is stable.
+    /// Frequency \[Hz\] of the oscillation that grows, as squeal or as stick and slip, the highest where there are several:
+    /// that at which F crosses the negative real axis; none where the loop is stable.
     pub frequency: Option<f64>,
 }
 
@@ -58,19 +58,16 @@ impl GeneralLoop {
         let steps = (A_DECADE * (to / from).log10()).ceil().max(1.0);
         let mut turned = 0.0;
         let mut here = (from, begin);
-        // Where F passes the origin most closely on its way round.
-        let mut closest = (f64::INFINITY, from);
+        // The phase of F from the lower frequency on.
+        let mut course = vec![(from, 0.0)];
         for step in 1..=steps as usize {
             let frequency = from * (to / from).powf(step as f64 / steps);
             let mut ahead = vec![(frequency, quotient(frequency))];
             while let Some(&next) = ahead.last() {
                 let turn = (next.1 / here.1).arg();
                 if turn.abs() < LARGEST_TURN {
-                    let modulus = next.1.norm();
-                    if turn < 0.0 && modulus < closest.0 {
-                        closest = (modulus, next.0);
-                    }
                     turned += turn;
+                    course.push((next.0, turned));
                     here = next;
                     ahead.pop();
                 } else if ahead.len() < HALVINGS && turn.is_finite() {
@@ -88,9 +85,15 @@ impl GeneralLoop {
         }
         let whole = turned - here.1.arg() + from_asymptote(begin, order);
         let roots = (order / 2.0 - whole / PI).round().max(0.0);
+        // F crosses the negative real axis where its phase is a half turn short of that at the upper end.
+        let end = turned - here.1.arg();
+        let crossing = course.windows(2).rev().find_map(|pair| {
+            let [before, after] = [pair[0].1 - end - PI, pair[1].1 - end - PI];
+            (before >= 0.0 && after < 0.0).then(|| (pair[0].0 * pair[1].0).sqrt())
+        });
         Ok(Stability {
             unstable_roots: roots as usize,
-            frequency: (roots > 0.0).then_some(closest.1),
+            frequency: crossing.filter(|_| roots > 0.0),
         })
     }
 }
