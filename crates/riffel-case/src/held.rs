@@ -22,7 +22,8 @@ impl Held {
     /// stay, or the variant gives the mean state itself.
     ///
     /// # Errors
-    /// Those of [`Case::with`] for the wheel before the change.
+    /// Those of [`Case::with`] for the wheel before the change; force or ratio of a creepage that is not along the rail
+    /// alone, for no tractive ratio brings it back.
     pub(crate) fn of(
         variant: &Variant,
         case: &Case,
@@ -40,6 +41,14 @@ impl Held {
         let Some(hold) = variant.holds(&before, &after) else {
             return Ok(None);
         };
+        let vector = before.contact.creepage.filter(Creepage::is_vector);
+        if vector.is_some() && hold != Hold::Creepage {
+            let rule = "contact.creepage of the case is a table; choose --hold creepage, or give contact.creepage with \
+                          the change";
+            return Err(variant.refuse(&format!(
+                "holds the {hold} of longitudinal creepage alone, but {rule}"
+            )));
+        }
         let steady = case.of_vehicle(&[own, window])?.steady;
         let limit = after.contact.friction.si() * after.contact.normal_load.si();
         let assignment = variant.hold.map(|hold| match hold {
@@ -48,8 +57,7 @@ impl Held {
                 steady.forces.longitudinal / limit
             ),
             Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => match before.contact.creepage {
-                // The table of the case stays, whatever overrides were before it.
+            Hold::Creepage => match vector {
                 Some(Creepage::Vector(creepage)) => format!(
                     "contact.creepage={{ longitudinal = {:e}, lateral = {:e}, spin = {:e} }}",
                     creepage.longitudinal.si(),

@@ -371,7 +371,8 @@ impl KeyFile {
         let ends = key.match_indices(['.', '[']).rev();
         let tables = ends.map(|(end, _)| &key[..end]);
         let mut places = std::iter::once(key).chain(tables);
-        if let Some(assignment) = places.find_map(|place| self.overrides.get(place)) {
+        let assignment = places.find_map(|place| self.overrides.get(place));
+        if let Some(assignment) = assignment.or_else(|| self.made_of_overrides(key)) {
             return CaseError::Override {
                 assignment: clipped(assignment).into_owned(),
                 message: match help {
@@ -381,6 +382,16 @@ impl KeyFile {
             };
         }
         self.invalid_at(key, &message, help)
+    }
+
+    /// The first override of a table that the text does not have.
+    fn made_of_overrides(&self, key: &str) -> Option<&String> {
+        if key.is_empty() || self.text.keys.contains_key(key) {
+            return None;
+        }
+        let overrides = self.overrides.iter();
+        let inner = overrides.filter(|(overridden, _)| within(overridden, key));
+        inner.min().map(|(_, assignment)| assignment)
     }
 
     /// The error, with the text where the key stands.

@@ -1,7 +1,7 @@
 //! Mistakes in the keys of the loop on all axes.
 
 use miette::Diagnostic;
-use riffel_case::{Case, NOMINAL_CASE};
+use riffel_case::{Case, Hold, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
 use rstest::rstest;
 
@@ -312,6 +312,44 @@ fn overrides_of_lists_are_named(#[case] text: &str, #[case] set: &str) {
         error.to_string().starts_with(&format!("--set {set}: ")),
         "{error}"
     );
+}
+
+/// A table that only overrides make is theirs.
+#[rstest]
+#[case(NOMINAL_CASE, &["opposite_contact.friction=0.3"])]
+#[case(NOMINAL_CASE, &["contact.creepage.lateral=0", "contact.creepage.spin=0"])]
+fn overrides_that_make_a_table_are_named(#[case] text: &str, #[case] sets: &[&str]) {
+    let error = error(text, sets).to_string();
+    assert!(
+        error.starts_with(&format!("--set {}: ", sets[0])),
+        "{error}"
+    );
+}
+
+/// With less friction a creepage in any direction stays; no tractive ratio brings it back.
+#[test]
+fn a_creepage_in_any_direction_is_held() -> Result<(), CaseError> {
+    let case = Case::parse("case.toml", RIGID, &[])?;
+    let mut variant = Variant::parse("less.toml", "[contact]\nfriction = 0.38")?;
+    for hold in [None, Some(Hold::Creepage)] {
+        variant.hold = hold;
+        let changed = variant.applied_to(&case)?;
+        assert_eq!(changed.steady.creepages, case.steady.creepages);
+        assert_eq!(changed.steady.friction, 0.38);
+    }
+    for (hold, word) in [(Hold::Force, "force"), (Hold::Ratio, "ratio")] {
+        variant.hold = Some(hold);
+        let error = variant
+            .applied_to(&case)
+            .err()
+            .map(|error| error.to_string());
+        let error = error.unwrap_or_default();
+        assert!(
+            error.contains(&format!("holds the {word} of longitudinal creepage alone")),
+            "{error}"
+        );
+    }
+    Ok(())
 }
 
 /// Values of lists are shown where they stand.
