@@ -246,15 +246,15 @@ pub(crate) struct Point {
     pub(crate) case: CaseArguments,
 
     /// Wavelength, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) wavelength: Asked<Length>,
 
     /// Speed, in m/s or with its unit.
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub(crate) speed: Asked<Speed>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// What the growth rate answers to: its derivative by every quantity of the case, by wavelength and speed.
@@ -282,7 +282,7 @@ pub(crate) struct Map {
     pub(crate) observations: Option<PathBuf>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// Growth over the bay between two supports as well: maps over a support, in mid-span and of the
@@ -291,11 +291,23 @@ pub(crate) struct Map {
     pub(crate) bay: bool,
 
     /// Wavelength of the curve over the bay [default: where the mean grows fastest].
-    #[arg(long, value_name = "LENGTH", requires = "bay", requires = "speed")]
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        requires = "bay",
+        requires = "speed"
+    )]
     pub(crate) wavelength: Option<Asked<Length>>,
 
     /// Speed of the curve over the bay.
-    #[arg(long, value_name = "SPEED", requires = "bay", requires = "wavelength")]
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        requires = "bay",
+        requires = "wavelength"
+    )]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Print the summary as one JSON document.
@@ -326,11 +338,11 @@ pub(crate) struct Receptance {
     pub(crate) points: u32,
 
     /// Speed of the load, in m/s or with its unit [default: the highest of the map].
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// Direction of force and displacement; wheel and contact are vertical only.

@@ -212,6 +212,10 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
+    if !folder.is_dir() {
+        let what = format!("there is no folder {}", folder.display());
+        return Err(cannot_write(path, io::Error::other(what)));
+    }
     let mut staging = Staging::within(&mut active(), "", folder, None)?;
     staging.write(NAME, text)?;
     let file = staging.temporary.join(NAME);

@@ -84,7 +84,7 @@ impl Delimiter {
         match self {
             Self::Comma => "commas",
             Self::Semicolon => "semicolons",
-            Self::Tab => "tabulators",
+            Self::Tab => "tabs",
             Self::Space => "blanks",
         }
     }

@@ -82,8 +82,7 @@ impl RoughnessFile {
                         line: Some(table.header_lines + 1),
                         message,
                         help: Some(
-                            "write the file with semicolons or tabulators between its columns"
-                                .to_owned(),
+                            "write the file with semicolons or tabs between its columns".to_owned(),
                         ),
                     });
                 }

@@ -72,8 +72,7 @@ pub(crate) struct Horizon {
 pub(crate) struct Spectra {
     /// Measured rail: a table of one-third-octave levels or a longitudinal profile; the energy mean of its
     /// records is taken.
-    #[arg(long, value_name = "FILE", required_unless_present_any = ["ground", "from_limit"],
-        conflicts_with_all = ["ground", "from_limit"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["ground", "from_limit"])]
     pub(crate) spectrum: Option<PathBuf>,
 
     #[command(flatten)]

@@ -124,11 +124,14 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
     ]);
     let last = ridge.points.len() - 1;
     let rows = TABLE_ROWS.min(last + 1);
+    // As many digits as tell the rows apart.
+    let step = 3.6 * (case.speed.max() - case.speed.min()) / rows as f64;
+    let digits = (1.0 - step.log10()).floor().clamp(0.0, 3.0) as usize;
     for row in 0..rows {
         let point = &ridge.points[row * last / (rows - 1)];
         let grows = point.growth_rate > 0.0;
         table.add_row([
-            format!("{:.0}", 3.6 * point.speed),
+            format!("{:.digits$}", 3.6 * point.speed),
             format!("{:.1}", 1e3 * point.wavelength),
             format!("{:.0}", point.frequency),
             format!("{:.4}", point.normalized_dissipation),

@@ -738,3 +738,37 @@ fn empty_files_are_named() {
         );
     }
 }
+
+/// What is wrong on a command line is said in the words of its options.
+#[test]
+fn wrong_arguments_are_named() {
+    let sandbox = Sandbox::new();
+    for (command, part) in [
+        (
+            "point cases/nominal.toml --wavelength \"-55 mm\" --speed \"80 km/h\"",
+            "--wavelength is -55 mm, but must be between",
+        ),
+        (
+            "init nowhere/case.toml",
+            "nowhere/case.toml: there is no folder nowhere",
+        ),
+        (
+            "forecast cases/nominal.toml --traffic cases/traffic.toml",
+            "--spectrum is left out, but must be given, or else --ground or --from-",
+        ),
+    ] {
+        let outcome = sandbox.riffel(command);
+        let sentence = unwrapped(&outcome.text);
+        assert_eq!(outcome.status, Some(2), "{command}: {sentence}");
+        assert!(sentence.contains(part), "{command}: {sentence}");
+    }
+    // Neighbouring speeds are told apart.
+    let outcome = sandbox.riffel(
+        "map cases/nominal.toml -o out --set 'map.speed={min=\"18 km/h\",max=\"20 km/h\"}'",
+    );
+    assert!(
+        outcome.text.contains("  18.0 ") && outcome.text.contains("  18.2 "),
+        "{}",
+        outcome.text
+    );
+}
