@@ -338,7 +338,7 @@ class Case:
         -------
         xarray.Dataset
             Over ``speed``. The attribute ``best_fit_frequency_hz`` is that of the strongest branch, NaN where nothing
-            grows; `ridge_branches` gives them all.
+            grows or no crest of it lies in the window; `ridge_branches` gives them all.
 
         Examples
         --------
