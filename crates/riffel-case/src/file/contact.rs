@@ -53,7 +53,7 @@ pub struct Contact {
 
 impl Contact {
     fn default_grid() -> u64 {
-        36
+        48
     }
 }
 

@@ -6,7 +6,8 @@ use num_complex::Complex64;
 
 use super::half_space::REMEDY;
 use super::{
-    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RollingContact,
+    ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
+    RollingContact,
 };
 use crate::Error;
 
@@ -14,13 +15,14 @@ use crate::Error;
 const FEWEST_INTERVALS: usize = 2;
 const MOST_INTERVALS: usize = 64;
 
-/// The response of a [`HalfSpace`] about one mean state, for a loop.
+/// The response of a [`HalfSpace`] about one mean state, for a loop: to load, both creepages and spin.
 ///
-/// Method: six complex derivatives in octaves of wavelength that begin at the shortest one that the grid of the contact
-/// resolves. In each octave a polynomial in the logarithm of the wavelength through Chebyshev's points, the ends
+/// Method: sixteen complex derivatives in octaves of wavelength that begin at the shortest one that the grid of the
+/// contact resolves. In each octave a polynomial in the logarithm of the wavelength through Chebyshev's points, the ends
 /// included; the intervals between them are halved until the last polynomial misses the new points by less than the
-/// tolerance, relative to their values. An octave does not depend on the wavelengths that are asked for, so that a point and a map of any
-/// window agree bit for bit. Returns NaN outside its octaves. Cost: some 0.1 s an octave, a microsecond to ask.
+/// tolerance, relative to the force and to the energy of each input. An octave does not depend on the wavelengths that
+/// are asked for, so that a point and a map of any window agree bit for bit. The error of the grid is the larger one
+/// of the two nearest points. Returns NaN outside its octaves. Cost: some 0.3 s an octave, a microsecond to ask.
 pub struct NonSteady {
     steady: MeanRolling,
     /// Shortest wavelength that the grid resolves \[m\].
@@ -30,23 +32,61 @@ pub struct NonSteady {
     octaves: Vec<Octave>,
 }
 
-/// Derivatives at Chebyshev's points, from the longest wavelength to the shortest.
-struct Octave(Vec<[Complex64; DERIVATIVES]>);
+/// Responses at Chebyshev's points, from the longest wavelength to the shortest.
+struct Octave(Vec<Node>);
 
-const DERIVATIVES: usize = 6;
+#[derive(Clone, Copy)]
+struct Node {
+    values: [Complex64; DERIVATIVES],
+    errors: [GridError; INPUTS],
+}
 
-/// The derivatives by load and by longitudinal creepage, each of the force along the rail and of the energy at both
-/// places. The force across it vanishes: the contact rolls straight on, and is symmetric.
-fn listed(response: ContactResponse) -> [Complex64; DERIVATIVES] {
-    let (load, creepage) = (response.by_load, response.by_longitudinal);
-    [
-        load.force[0],
-        creepage.force[0],
-        load.energy,
-        creepage.energy,
-        load.at_rail(0.0),
-        creepage.at_rail(0.0),
-    ]
+const INPUTS: usize = 4;
+/// Of one input: force along and across the rail, energy at the wheel and at the rail.
+const OUTPUTS: usize = 4;
+const DERIVATIVES: usize = INPUTS * OUTPUTS;
+
+impl Node {
+    fn new(response: ContactResponse) -> Self {
+        let mut node = Self {
+            values: [Complex64::ZERO; DERIVATIVES],
+            errors: [GridError {
+                force: 0.0,
+                energy: 0.0,
+            }; INPUTS],
+        };
+        let inputs = [
+            Some(response.by_load),
+            Some(response.by_longitudinal),
+            response.by_lateral,
+            response.by_spin,
+        ];
+        let places = node.values.chunks_exact_mut(OUTPUTS).zip(&mut node.errors);
+        for ((values, error), by) in places.zip(inputs) {
+            let Some(by) = by else { continue };
+            values.copy_from_slice(&[by.force[0], by.force[1], by.energy, by.at_rail(0.0)]);
+            *error = by.error.unwrap_or(*error);
+        }
+        node
+    }
+
+    /// Largest error of other values, relative to the force and the energy of each input; energy that vanishes by
+    /// symmetry counts by the force and the mean creepage.
+    fn missed_by(&self, values: &[Complex64; DERIVATIVES], creepage: f64) -> f64 {
+        let inputs = self.values.chunks_exact(OUTPUTS).zip(&self.errors);
+        let inputs = inputs.zip(values.chunks_exact(OUTPUTS));
+        let misses = inputs.flat_map(|((exact, error), got)| {
+            let force = exact[0].norm().hypot(exact[1].norm());
+            let energy = exact[2].norm().max(exact[3].norm());
+            let energy = energy.max(creepage * force).max(error.energy);
+            let sizes = [force, force, energy, energy];
+            let missed = move |output: usize| {
+                (got[output] - exact[output]).norm() / sizes[output].max(f64::MIN_POSITIVE)
+            };
+            (0..OUTPUTS).map(missed)
+        });
+        misses.fold(0.0, f64::max)
+    }
 }
 
 impl NonSteady {
@@ -57,8 +97,7 @@ impl NonSteady {
     /// to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] with lateral creepage, of which there is no table; those of [`HalfSpace::response`];
-    /// [`Error::NotConverged`] if 64 intervals of an octave do not do.
+    /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of an octave do not do.
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,
@@ -66,29 +105,21 @@ impl NonSteady {
         longest: f64,
         tolerance: f64,
     ) -> Result<Self, Error> {
-        let lateral = contact.steady(state).creepages.lateral;
-        if lateral != 0.0 {
-            return Err(Error::OutOfRange {
-                quantity: "lateral creepage",
-                value: lateral,
-                unit: "",
-                rule: "must be zero: the table is that of longitudinal rolling",
-            });
-        }
         contact.check_wavelength(shortest)?;
+        let steady = contact.steady(state);
         let resolved = contact.shortest_wavelength();
         let below = (shortest / resolved).log2().floor();
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
         let mut octaves = Vec::new();
         for octave in below as i32..above as i32 {
-            let value = |t: f64| {
+            let node = |t: f64| {
                 let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
-                contact.response(state, wavelength).map(listed)
+                contact.response(state, wavelength).map(Node::new)
             };
-            octaves.push(Octave::new(value, tolerance)?);
+            octaves.push(Octave::new(node, steady.creepages.magnitude(), tolerance)?);
         }
         Ok(Self {
-            steady: contact.steady(state),
+            steady,
             resolved,
             first: below,
             octaves,
@@ -104,23 +135,22 @@ fn place(index: usize, intervals: usize) -> f64 {
 impl Octave {
     /// The octave of a function of t from −1, its shortest wavelength, to 1, its longest.
     fn new(
-        value: impl Fn(f64) -> Result<[Complex64; DERIVATIVES], Error>,
+        node: impl Fn(f64) -> Result<Node, Error>,
+        creepage: f64,
         tolerance: f64,
     ) -> Result<Self, Error> {
         let mut intervals = FEWEST_INTERVALS;
-        let at = |index, intervals| value(place(index, intervals));
-        let values = (0..=intervals).map(|index| at(index, intervals));
-        let mut octave = Self(values.collect::<Result<_, _>>()?);
+        let at = |index, intervals| node(place(index, intervals));
+        let nodes = (0..=intervals).map(|index| at(index, intervals));
+        let mut octave = Self(nodes.collect::<Result<_, _>>()?);
         loop {
             let between = (0..intervals).map(|index| at(2 * index + 1, 2 * intervals));
-            let between: Vec<_> = between.collect::<Result<_, _>>()?;
-            let mut worst: f64 = 0.0;
-            for (index, exact) in between.iter().enumerate() {
+            let between: Vec<Node> = between.collect::<Result<_, _>>()?;
+            let misses = between.iter().enumerate().map(|(index, exact)| {
                 let got = octave.at(place(2 * index + 1, 2 * intervals));
-                for (got, exact) in got.iter().zip(exact) {
-                    worst = worst.max((got - exact).norm() / exact.norm().max(f64::MIN_POSITIVE));
-                }
-            }
+                exact.missed_by(&got.values, creepage)
+            });
+            let worst = misses.fold(0.0, f64::max);
             let mut finer = Vec::with_capacity(2 * intervals + 1);
             for (known, new) in octave.0.iter().zip(&between) {
                 finer.extend([*known, *new]);
@@ -141,14 +171,19 @@ impl Octave {
         }
     }
 
-    /// The polynomial at t ∈ \[−1, 1\], by the barycentric formula (Berrut & Trefethen 2004, equations 4.2 and 5.4).
-    fn at(&self, t: f64) -> [Complex64; DERIVATIVES] {
+    /// The polynomial at t ∈ \[−1, 1\], by the barycentric formula (Berrut & Trefethen 2004, equations 4.2 and 5.4), and
+    /// the larger errors of the points on both sides.
+    fn at(&self, t: f64) -> Node {
         let intervals = self.0.len() - 1;
         let (mut above, mut below) = ([Complex64::ZERO; DERIVATIVES], 0.0);
-        for (index, values) in self.0.iter().enumerate() {
+        let mut after = 1;
+        for (index, node) in self.0.iter().enumerate() {
             let distance = t - place(index, intervals);
             if distance == 0.0 {
-                return *values;
+                return *node;
+            }
+            if distance < 0.0 {
+                after = index + 1;
             }
             let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
             let share = if index == 0 || index == intervals {
@@ -158,11 +193,21 @@ impl Octave {
             };
             let weight = sign * share / distance;
             below += weight;
-            for (above, value) in above.iter_mut().zip(values) {
+            for (above, value) in above.iter_mut().zip(&node.values) {
                 *above += weight * value;
             }
         }
-        above.map(|above| above / below)
+        let (before, after) = (
+            self.0[after - 1].errors,
+            self.0[after.min(intervals)].errors,
+        );
+        Node {
+            values: above.map(|above| above / below),
+            errors: std::array::from_fn(|input| GridError {
+                force: before[input].force.max(after[input].force),
+                energy: before[input].energy.max(after[input].energy),
+            }),
+        }
     }
 }
 
@@ -174,26 +219,37 @@ impl RollingContact for NonSteady {
     fn response(&self, wavelength: f64) -> ContactResponse {
         /// A wavelength at the end may come back a rounding outside.
         const ROUNDING: f64 = 1e-9;
+        const OUTSIDE: Node = Node {
+            values: [Complex64::new(f64::NAN, f64::NAN); DERIVATIVES],
+            errors: [GridError {
+                force: f64::NAN,
+                energy: f64::NAN,
+            }; INPUTS],
+        };
         // Counted from the same wavelength by every table: equal roundings.
         let place = (wavelength / self.resolved).log2();
         let (first, end) = (self.first, self.first + self.octaves.len() as f64);
-        let values = if (first - ROUNDING..=end + ROUNDING).contains(&place) {
+        let node = if (first - ROUNDING..=end + ROUNDING).contains(&place) {
             let octave = place.floor().clamp(first, end - 1.0);
             let t = 2.0 * (place - octave) - 1.0;
             self.octaves[(octave - first) as usize].at(t.clamp(-1.0, 1.0))
         } else {
-            [Complex64::new(f64::NAN, f64::NAN); DERIVATIVES]
+            OUTSIDE
         };
-        let derivative = |input: usize| ContactDerivative {
-            force: [values[input], Complex64::ZERO],
-            energy: values[2 + input],
-            energy_at_rail: Some(values[4 + input]),
+        let derivative = |input: usize| {
+            let outputs = &node.values[input * OUTPUTS..(input + 1) * OUTPUTS];
+            ContactDerivative {
+                force: [outputs[0], outputs[1]],
+                energy: outputs[2],
+                energy_at_rail: Some(outputs[3]),
+                error: Some(node.errors[input]),
+            }
         };
         ContactResponse {
             by_load: derivative(0),
             by_longitudinal: derivative(1),
-            by_lateral: None,
-            by_spin: None,
+            by_lateral: Some(derivative(2)),
+            by_spin: Some(derivative(3)),
         }
     }
 }

@@ -58,6 +58,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
                     + creepages.lateral * force.lateral,
             ),
             energy_at_rail: None,
+            error: None,
         };
         Self {
             steady: MeanRolling {

@@ -28,7 +28,8 @@ impl QuasiStaticHalfSpace {
             response: ContactResponse {
                 by_load: at_once(response.by_load),
                 by_longitudinal: at_once(response.by_longitudinal),
-                ..response
+                by_lateral: response.by_lateral.map(at_once),
+                by_spin: response.by_spin.map(at_once),
             },
         })
     }

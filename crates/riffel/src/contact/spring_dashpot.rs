@@ -73,6 +73,7 @@ impl<C: RollingContact> RollingContact for SpringDashpot<C> {
                 force,
                 energy: energies.sum(),
                 energy_at_rail: None,
+                error: None,
             }
         };
         ContactResponse {

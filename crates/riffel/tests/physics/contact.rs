@@ -24,7 +24,7 @@ fn at(across: usize) -> (f64, Complex64) {
 }
 
 /// What extrapolation leaves falls with the grid. 0.1045 and 0.737∠−0.829 are the values of 144
-/// elements; each limit is the error found, as the book prints it, and half as much again.
+/// elements; each limit is the error found and half as much again.
 #[test]
 fn responses_converge() {
     let limit = Complex64::from_polar(0.737, -0.829);

@@ -1,6 +1,6 @@
 //! Coulomb friction over one step of the material: tractions, stick and slip.
 
-use super::gmres::{gmres, norm};
+use super::gmres::{Scalar, gmres, norm};
 use super::influence::{Convolution, Field, Influence};
 use super::patch::Patch;
 use super::strips::{Diagonal, Strips};
@@ -120,17 +120,19 @@ pub(super) fn halves<T>(values: &[T]) -> [&[T]; 2] {
 }
 
 /// The projection of w = p + rS on the disc of admissible tractions, and its derivative.
-struct State {
+pub(super) struct State {
     slips: bool,
     projected: [f64; 2],
     /// Unit vector of w.
     direction: [f64; 2],
     /// g/|w|, at most one.
     ratio: f64,
+    /// Share of the element that slips \[-\].
+    share: f64,
 }
 
 impl State {
-    fn new(w: [f64; 2], bound: f64) -> Self {
+    pub(super) fn new(w: [f64; 2], bound: f64) -> Self {
         let size = w[0].hypot(w[1]);
         // Where nothing presses, all slips.
         let slips = size > bound || bound == 0.0;
@@ -144,27 +146,41 @@ impl State {
                 [1.0, 0.0]
             },
             ratio: if slips && bound == 0.0 { 0.0 } else { ratio },
+            share: if slips { 1.0 } else { 0.0 },
         }
     }
 
+    /// The same with a share that slips, in place of all or nothing: along the slip, the rest resists it.
+    pub(super) fn slipping_in_part(self, share: f64) -> Self {
+        Self { share, ..self }
+    }
+
+    /// The traction of a change dg of the bound.
+    pub(super) fn by_bound(&self, change: f64) -> [f64; 2] {
+        self.direction.map(|part| self.share * change * part)
+    }
+
     /// The diagonal of dp − dΠ in one part.
-    fn diagonal(&self, part: usize, weight: f64) -> Diagonal {
-        let turned = if self.slips {
-            self.ratio * (1.0 - self.direction[part].powi(2))
-        } else {
-            1.0
-        };
+    pub(super) fn diagonal(&self, part: usize, weight: f64) -> Diagonal {
+        let along = self.direction[part].powi(2);
+        let turned = self.ratio * (1.0 - along) + (1.0 - self.share) * along;
         Diagonal {
             identity: 1.0 - turned,
             difference: turned * weight,
         }
     }
 
-    fn derivative(&self, dw: [f64; 2]) -> [f64; 2] {
-        if !self.slips {
+    /// dΠ of a change dw.
+    pub(super) fn derivative<T: Scalar>(&self, dw: [T; 2]) -> [T; 2] {
+        if self.share == 0.0 && self.ratio == 1.0 {
             return dw;
         }
-        let along = self.direction[0] * dw[0] + self.direction[1] * dw[1];
-        [0, 1].map(|part| self.ratio * (dw[part] - self.direction[part] * along))
+        let direction = self.direction.map(T::of);
+        let along = direction[0] * dw[0] + direction[1] * dw[1];
+        let (ratio, kept) = (T::of(self.ratio), T::of(1.0 - self.share));
+        [0, 1].map(|part| {
+            let own = direction[part] * along;
+            ratio * (dw[part] - own) + kept * own
+        })
     }
 }

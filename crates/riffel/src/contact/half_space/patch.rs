@@ -102,6 +102,16 @@ impl Patch {
         }
     }
 
+    /// Moment of tractions on the elements about the normal \[Nm\].
+    pub(super) fn moment(&self, tractions: &Field<f64>) -> f64 {
+        let elements = self
+            .centres
+            .iter()
+            .zip(tractions[0].iter().zip(&tractions[1]));
+        let moments = elements.map(|(&(x, y), (along, across))| x * across - y * along);
+        self.area() * moments.sum::<f64>()
+    }
+
     /// Share of the peak pressure that is the mean pressure of each element \[-\], of the ellipse of
     /// other semi-axes that is not larger.
     pub(super) fn pressure_of(&self, (a, b): (f64, f64)) -> Vec<f64> {

@@ -3,10 +3,12 @@
 use num_complex::Complex64;
 
 use super::Grid;
-use super::friction::{Slip, halves};
+use super::friction::{Slip, State, halves};
 use super::gmres::gmres;
 use super::influence::{Convolution, Field};
-use super::strips::{Diagonal, Strips};
+use super::partial_slip::slipping_shares;
+use super::strips::Strips;
+use crate::contact::{Creepages, GridError};
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;
@@ -15,14 +17,18 @@ const MOST_PRODUCTS: usize = 400;
 /// What oscillates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Input {
-    /// Longitudinal creepage, per unit.
-    Creepage,
     /// Normal load, per share of the mean load.
     Load,
+    /// Longitudinal creepage, per unit.
+    Longitudinal,
+    /// Lateral creepage, per unit.
+    Lateral,
+    /// Spin, per 1/m.
+    Spin,
 }
 
 /// Complex amplitudes per unit of the input.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Response {
     /// Creep force along and across the rail \[N\].
     pub(super) force: [Complex64; 2],
@@ -33,160 +39,222 @@ pub(super) struct Response {
     pub(super) rail_dissipation: Complex64,
 }
 
-/// The response at the wavenumber k = ω/V \[rad/m\]; the residual reached if it does not converge.
-pub(super) fn response(
-    grid: &Grid,
-    steady: &Slip,
-    input: Input,
-    wavenumber: f64,
-) -> Result<Response, f64> {
-    let (patch, influence) = (&grid.patch, &grid.influence);
-    let mut convolution = Convolution::new(influence, patch);
-    let (count, steps) = (patch.len(), patch.steps.len());
-    let weight = 1.0 / influence.own;
-    // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
-    // middle of the step.
-    let half = Complex64::cis(0.5 * wavenumber * patch.dx);
-    let difference = [half, -half.conj()];
-
-    // S₁ = forcing − (u₁ − u₁ ahead), bound₁.
-    let mut forcing: Field<Complex64> =
-        [vec![Complex64::ZERO; steps], vec![Complex64::ZERO; steps]];
-    let bound: Vec<f64> = match input {
-        Input::Creepage => {
-            forcing[0].fill(Complex64::from(patch.dx));
-            vec![0.0; count]
+impl Response {
+    /// That of elements of no size, from this one and one with elements of twice the length: the error goes with the
+    /// length to the power of log₂(7/3) = 1.22, between the orders 1 of the boundary of slip and 3/2 of the edge.
+    pub(super) fn extrapolated(self, coarse: Self) -> Self {
+        let extrapolated = |fine: Complex64, coarse: Complex64| 1.75 * fine - 0.75 * coarse;
+        Self {
+            force: [0, 1].map(|part| extrapolated(self.force[part], coarse.force[part])),
+            dissipation: extrapolated(self.dissipation, coarse.dissipation),
+            rail_dissipation: extrapolated(self.rail_dissipation, coarse.rail_dissipation),
         }
-        Input::Load => {
-            // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
-            // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
-            // by ε, and is carried along by the stretching.
-            let [x, y] = [0, 1].map(|part| -> Vec<Complex64> {
-                let tractions = steady.tractions[part].iter();
-                tractions.map(|&traction| traction.into()).collect()
+    }
+
+    /// What an extrapolated response may err by: the largest relative difference of the two grids, and a third of an
+    /// element as a share of the patch for what both have in common. Energy that vanishes by symmetry is measured by
+    /// the force and a creepage.
+    pub(super) fn error(self, fine: Self, coarse: Self, creepage: f64, across: usize) -> GridError {
+        let size = |force: [Complex64; 2]| force[0].norm().hypot(force[1].norm());
+        let force = size(self.force);
+        let at_wheel_and_rail = self.dissipation.norm().max(self.rail_dissipation.norm());
+        let energy = at_wheel_and_rail.max(creepage * force);
+        let of = |difference: f64, whole: f64| if whole > 0.0 { difference / whole } else { 0.0 };
+        let differences = [
+            of(
+                size([0, 1].map(|part| fine.force[part] - coarse.force[part])),
+                force,
+            ),
+            of((fine.dissipation - coarse.dissipation).norm(), energy),
+            of(
+                (fine.rail_dissipation - coarse.rail_dissipation).norm(),
+                energy,
+            ),
+        ];
+        let share = differences.into_iter().fold(0.0, f64::max) + 1.0 / (3 * across) as f64;
+        GridError {
+            force: share * force,
+            energy: share * energy,
+        }
+    }
+}
+
+/// Rolling contact about a steady state, linear, at one wavenumber k = ω/V.
+///
+/// An element that slips keeps its traction on the bound, p₁ = g₁ŝ + (g/|S|)(1 − ŝŝᵀ)S₁, one that sticks has S₁ = 0.
+/// Both are p₁ = dΠ(p₁ + rS₁) + g₁ŝ with the projection Π of [`State`]; along the slip, an element that slips in part
+/// takes its [share](slipping_shares) of the one and the rest of the other.
+pub(super) struct Tangent<'a> {
+    grid: &'a Grid,
+    steady: &'a Slip,
+    creepages: Creepages,
+    wavenumber: f64,
+    /// The factor r \[Pa/m\].
+    weight: f64,
+    /// Phase from the middle of a step of the material to its front.
+    half: Complex64,
+    states: Vec<State>,
+    strips: Strips<'a, Complex64>,
+}
+
+impl<'a> Tangent<'a> {
+    /// About a steady state at these creepages, at the wavenumber k \[rad/m\].
+    pub(super) fn new(
+        grid: &'a Grid,
+        steady: &'a Slip,
+        creepages: Creepages,
+        wavenumber: f64,
+    ) -> Self {
+        let (patch, influence) = (&grid.patch, &grid.influence);
+        let weight = influence.own.recip();
+        let shares = slipping_shares(patch, steady, &grid.bound, weight);
+        let state = |(index, share): (usize, f64)| {
+            let trial = [0, 1].map(|part| {
+                let slip = if steady.slips[index] {
+                    steady.distance[part][index]
+                } else {
+                    0.0
+                };
+                steady.tractions[part][index] + weight * slip
             });
-            let tractions = [x.as_slice(), y.as_slice()];
-            let third = 1.0 / 3.0;
-            let step = convolution.complex(tractions, [-Complex64::ONE, Complex64::ONE]);
-            let stretched = convolution.complex(tractions, difference);
-            let across = convolution.slope_across(tractions);
-            for part in 0..2 {
-                for index in 0..steps {
-                    let (x, y) = patch.steps[index].middle;
-                    let along = x * step[part][index] / patch.dx;
-                    let carried = Complex64::new(0.0, wavenumber * patch.dx)
-                        * (along + y * across[part][index]);
-                    forcing[part][index] =
-                        third * (carried - step[part][index] - stretched[part][index]);
+            State::new(trial, grid.bound[index]).slipping_in_part(share)
+        };
+        // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
+        // middle of the step.
+        let half = Complex64::cis(0.5 * wavenumber * patch.dx);
+        Self {
+            grid,
+            steady,
+            creepages,
+            wavenumber,
+            weight,
+            half,
+            states: shares.into_iter().enumerate().map(state).collect(),
+            strips: Strips::new(patch, influence, [half, -half.conj()]),
+        }
+    }
+
+    /// The displacement over a step of the material: here less ahead.
+    fn difference(&self) -> [Complex64; 2] {
+        [self.half, -self.half.conj()]
+    }
+
+    /// The slip of each step without the unknown tractions \[m\], and the change of the bound as a share of it.
+    fn forcing(&self, input: Input, convolution: &mut Convolution) -> (Field<Complex64>, f64) {
+        let patch = &self.grid.patch;
+        let rigid = |slip: &dyn Fn((f64, f64)) -> [f64; 2]| {
+            [0, 1].map(|part| -> Vec<Complex64> {
+                let steps = patch.steps.iter();
+                let slip = steps.map(|step| (patch.dx * slip(step.middle)[part]).into());
+                slip.collect()
+            })
+        };
+        match input {
+            Input::Longitudinal => (rigid(&|_| [1.0, 0.0]), 0.0),
+            Input::Lateral => (rigid(&|_| [0.0, 1.0]), 0.0),
+            Input::Spin => (rigid(&|(x, y)| [-y, x]), 0.0),
+            Input::Load => {
+                // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
+                // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
+                // by ε, and is carried along by the stretching; spin slides faster further out.
+                let [x, y] = [0, 1].map(|part| -> Vec<Complex64> {
+                    let tractions = self.steady.tractions[part].iter();
+                    tractions.map(|&traction| traction.into()).collect()
+                });
+                let tractions = [x.as_slice(), y.as_slice()];
+                let third = 1.0 / 3.0;
+                let step = convolution.complex(tractions, [-Complex64::ONE, Complex64::ONE]);
+                let stretched = convolution.complex(tractions, self.difference());
+                let across = convolution.slope_across(tractions);
+                let spin = self.creepages.spin;
+                let mut forcing = rigid(&|(x, y)| [-third * spin * y, third * spin * x]);
+                for part in 0..2 {
+                    for (index, forcing) in forcing[part].iter_mut().enumerate() {
+                        let (x, y) = patch.steps[index].middle;
+                        let along = x * step[part][index] / patch.dx;
+                        let carried = Complex64::new(0.0, self.wavenumber * patch.dx)
+                            * (along + y * across[part][index]);
+                        *forcing += third * (carried - step[part][index] - stretched[part][index]);
+                    }
+                }
+                (forcing, third)
+            }
+        }
+    }
+
+    /// The response to an input; the residual reached if it does not converge.
+    pub(super) fn response(&self, input: Input) -> Result<Response, f64> {
+        let (grid, patch, steady) = (self.grid, &self.grid.patch, self.steady);
+        let (weight, half, wavenumber) = (self.weight, self.half, self.wavenumber);
+        let count = patch.len();
+        let mut convolution = Convolution::new(&grid.influence, patch);
+        let (forcing, growth_of_bound) = self.forcing(input, &mut convolution);
+
+        let mut right = vec![Complex64::ZERO; 2 * count];
+        for (index, state) in self.states.iter().enumerate() {
+            let pushed = state.derivative([0, 1].map(|part| weight * forcing[part][index]));
+            let bounded = state.by_bound(growth_of_bound * grid.bound[index]);
+            right[index] = pushed[0] + bounded[0];
+            right[count + index] = pushed[1] + bounded[1];
+        }
+        let product = |tractions: &[Complex64]| {
+            let field = halves(tractions);
+            let moved = convolution.complex(field, self.difference());
+            let mut image = vec![Complex64::ZERO; 2 * count];
+            for (index, state) in self.states.iter().enumerate() {
+                let trial = [0, 1].map(|part| field[part][index] - weight * moved[part][index]);
+                let projected = state.derivative(trial);
+                image[index] = field[0][index] - projected[0];
+                image[count + index] = field[1][index] - projected[1];
+            }
+            image
+        };
+        let inverse = |index: usize, part| self.states[index].diagonal(part, weight);
+        let inverse = self.strips.inverse(inverse);
+        let inverse = |values: &mut [Complex64]| inverse.solve(values);
+        let solution = gmres(product, inverse, &right, TOLERANCE, MOST_PRODUCTS)?;
+        let field = halves(&solution);
+        let moved = convolution.complex(field, self.difference());
+
+        let mut result = Response {
+            force: [Complex64::ZERO; 2],
+            dissipation: Complex64::ZERO,
+            rail_dissipation: Complex64::ZERO,
+        };
+        let area = patch.area();
+        let growth = growth_of_bound;
+        let parts = field.iter().zip(&steady.tractions);
+        for (force, (changes, means)) in result.force.iter_mut().zip(parts) {
+            for (change, mean) in changes.iter().zip(means) {
+                *force += area * (change + 2.0 * growth * mean);
+            }
+        }
+        for (index, step) in patch.steps.iter().enumerate() {
+            // The traction on the way is the mean of that at both ends of the step; so the sum over all
+            // steps is the balance of energy to rounding, the release at the rear edge included.
+            let (mut mean, mut change) = ([0.0; 2], [Complex64::ZERO; 2]);
+            for (element, phase) in [(step.to, half), (step.from, half.conj())] {
+                let Some(element) = element else { continue };
+                for part in 0..2 {
+                    mean[part] += 0.5 * steady.tractions[part][element];
+                    change[part] += 0.5 * phase * field[part][element];
                 }
             }
-            grid.bound.iter().map(|bound| third * bound).collect()
-        }
-    };
-
-    // Slip elements: p₁ = g₁ŝ + (g/|S|)(1 − ŝŝᵀ) S₁; stick elements: S₁ = 0.
-    let slip = |index: usize| [steady.distance[0][index], steady.distance[1][index]];
-    let across_slip = |index: usize, value: [Complex64; 2]| -> [Complex64; 2] {
-        let [x, y] = slip(index);
-        let size = x.hypot(y);
-        let unit = [x / size, y / size];
-        let along = unit[0] * value[0] + unit[1] * value[1];
-        let stiffness = grid.bound[index] / size;
-        [0, 1].map(|part| stiffness * (value[part] - unit[part] * along))
-    };
-    let mut right = vec![Complex64::ZERO; 2 * count];
-    for index in 0..count {
-        let force = [forcing[0][index], forcing[1][index]];
-        let row = if steady.slips[index] {
-            let [x, y] = slip(index);
-            let size = x.hypot(y);
-            let turned = across_slip(index, force);
-            [
-                turned[0] + bound[index] * x / size,
-                turned[1] + bound[index] * y / size,
-            ]
-        } else {
-            force.map(|value| weight * value)
-        };
-        right[index] = row[0];
-        right[count + index] = row[1];
-    }
-    let product = |tractions: &[Complex64]| {
-        let field = halves(tractions);
-        let moved = convolution.complex(field, difference);
-        let mut image = vec![Complex64::ZERO; 2 * count];
-        for index in 0..count {
-            let moved = [moved[0][index], moved[1][index]];
-            let row = if steady.slips[index] {
-                let turned = across_slip(index, moved);
-                [field[0][index] + turned[0], field[1][index] + turned[1]]
-            } else {
-                moved.map(|value| weight * value)
-            };
-            image[index] = row[0];
-            image[count + index] = row[1];
-        }
-        image
-    };
-    let diagonal = |index: usize, part: usize| {
-        if !steady.slips[index] {
-            return Diagonal {
-                identity: 0.0,
-                difference: weight,
-            };
-        }
-        let mut unit = [Complex64::ZERO; 2];
-        unit[part] = Complex64::ONE;
-        Diagonal {
-            identity: 1.0,
-            difference: across_slip(index, unit)[part].re,
-        }
-    };
-    let strips = Strips::new(patch, influence, difference);
-    let inverse = strips.inverse(diagonal);
-    let inverse = |values: &mut [Complex64]| inverse.solve(values);
-    let solution = gmres(product, inverse, &right, TOLERANCE, MOST_PRODUCTS)?;
-    let field = halves(&solution);
-    let moved = convolution.complex(field, difference);
-
-    let mut result = Response {
-        force: [Complex64::ZERO; 2],
-        dissipation: Complex64::ZERO,
-        rail_dissipation: Complex64::ZERO,
-    };
-    let area = patch.area();
-    let growth = if input == Input::Load { 1.0 / 3.0 } else { 0.0 };
-    let parts = field.iter().zip(&steady.tractions);
-    for (force, (changes, means)) in result.force.iter_mut().zip(parts) {
-        for (change, mean) in changes.iter().zip(means) {
-            *force += area * (change + 2.0 * growth * mean);
-        }
-    }
-    for (index, step) in patch.steps.iter().enumerate() {
-        // The traction on the way is the mean of that at both ends of the step; so the sum over all
-        // steps is the balance of energy to rounding, the release at the rear edge included.
-        let (mut mean, mut change) = ([0.0; 2], [Complex64::ZERO; 2]);
-        for (element, phase) in [(step.to, half), (step.from, half.conj())] {
-            let Some(element) = element else { continue };
+            let mut density = Complex64::ZERO;
+            let mut steady_density = 0.0;
             for part in 0..2 {
-                mean[part] += 0.5 * steady.tractions[part][element];
-                change[part] += 0.5 * phase * field[part][element];
+                let slip = steady.distance[part][index] / patch.dx;
+                let slip_change = (forcing[part][index] - moved[part][index]) / patch.dx;
+                steady_density += mean[part] * slip;
+                density += mean[part] * slip_change + change[part] * slip;
             }
+            let total = area * (density + 2.0 * growth * steady_density);
+            result.dissipation += total;
+            // A stretched patch leaves its wear further from its centre.
+            let x = step.middle.0;
+            let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
+            result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
         }
-        let mut density = Complex64::ZERO;
-        let mut steady_density = 0.0;
-        for part in 0..2 {
-            let slip = steady.distance[part][index] / patch.dx;
-            let slip_change = (forcing[part][index] - moved[part][index]) / patch.dx;
-            steady_density += mean[part] * slip;
-            density += mean[part] * slip_change + change[part] * slip;
-        }
-        let total = area * (density + 2.0 * growth * steady_density);
-        result.dissipation += total;
-        // A stretched patch leaves its wear further from its centre.
-        let x = step.middle.0;
-        let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
-        result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
+        Ok(result)
     }
-    Ok(result)
 }

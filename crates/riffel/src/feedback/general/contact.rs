@@ -99,6 +99,7 @@ impl Contact {
             force: [Complex64::ZERO; 2],
             energy: Complex64::ZERO,
             energy_at_rail: None,
+            error: None,
         };
         let response = self.rolling.response(wavelength);
         Answer {
