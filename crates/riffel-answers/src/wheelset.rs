@@ -53,7 +53,8 @@ impl WheelsetAnswer {
     /// [`CaseError`] for a case without a wheelset.
     pub fn new(case: &Case, frequencies: Vec<f64>) -> Result<Self, CaseError> {
         let wheelset = case.wheelset()?.ok_or_else(|| {
-            let message = "is missing: a lone wheel has no axle; give [wheelset] with its model";
+            let message =
+                "`wheelset` is missing: a lone wheel has no axle; give [wheelset] with its model";
             case.refuse("wheelset", message)
         })?;
         let modes = case.wheelset_modes(&wheelset, HIGHEST)?;

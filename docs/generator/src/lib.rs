@@ -106,7 +106,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 6] = [
+    const PICTURES: [(&[&str], &str, &str); 8] = [
         (
             &[
                 "forecast",
@@ -156,6 +156,12 @@ fn pictures(program: &Path) -> Outcome {
             &["map", "cases/discrete-supports.toml", "--bay"],
             "bay-map.png",
             "bay-map.png",
+        ),
+        (&["map", "cases/curve.toml"], "map.png", "curve-map.png"),
+        (
+            &["wheelset", "cases/curve.toml"],
+            "modes.png",
+            "curve-modes.png",
         ),
         (
             &["receptance", "cases/discrete-supports.toml"],

@@ -47,7 +47,7 @@ impl MatrixAnswer {
         let matrices = frequencies.iter().map(|frequency| {
             let matrices = case.feedback.receptances(TAU * frequency, speed);
             matrices.ok_or_else(|| {
-                let message = "is \"constant-tangential-force\", a wheel without inertia: no receptance tells it";
+                let message = "`wheel.rotation` is \"constant-tangential-force\", a wheel without inertia: no receptance tells it";
                 case.refuse("wheel.rotation", message)
             })
         });

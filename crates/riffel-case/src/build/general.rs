@@ -84,6 +84,15 @@ impl CheckedKeys {
         profile: f64,
         steel: ElasticMaterial,
     ) -> Result<Side, CaseError> {
+        if let MeanState::Creepages(creepages) = mean
+            && creepages.magnitude() == 0.0
+        {
+            return Err(self.text.keys.invalid(
+                "contact.creepage",
+                "is spin alone, but the wear of its moment is not computed",
+                "give longitudinal or lateral creepage with it",
+            ));
+        }
         let hertz = self.hertz_of(steel, keys.transverse_radius, keys.normal_load)?;
         let built = self.contact_of(hertz, keys.friction, mean)?;
         let steady = built.rolling.steady();

@@ -15,4 +15,5 @@ mod roughness;
 mod sandbox;
 mod study;
 mod track;
+mod wheelset;
 mod writing;
