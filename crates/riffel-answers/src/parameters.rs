@@ -1,5 +1,6 @@
 //! The parameters of a case in a sentence, for captions.
 
+use riffel::contact::Creepages;
 use riffel_case::Case;
 use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
 use riffel_keys::{Language, Sentence};
@@ -77,7 +78,7 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         _ => "",
     };
     format!(
-        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, ξ₀ = {:.3} %; Δ = {:.1} µm; {law}{dynamics}{phase}.",
+        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; Δ = {:.1} µm; {law}{dynamics}{phase}.",
         language.say(Sentence::Track),
         track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
@@ -88,7 +89,28 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         1e-3 * steady.normal_force,
         steady.friction,
         steady.tractive_ratio(),
-        100.0 * steady.creepages.longitudinal,
+        creepage(steady.creepages),
         1e6 * case.feedback.amplitude(),
     )
+}
+
+/// The mean creepage: along the rail, or as a vector with its spin.
+fn creepage(creepages: Creepages) -> String {
+    let Creepages {
+        longitudinal,
+        lateral,
+        spin,
+    } = creepages;
+    if lateral == 0.0 && spin == 0.0 {
+        return format!("ξ₀ = {:.3} %", 100.0 * longitudinal);
+    }
+    let mut text = format!(
+        "ξ₀ = ({:.3}, {:.3}) %",
+        100.0 * longitudinal,
+        100.0 * lateral
+    );
+    if spin != 0.0 {
+        text += &format!(", φ₀ = {spin:.3} 1/m");
+    }
+    text
 }
