@@ -380,10 +380,10 @@ fn response_to_load_is_homogeneous() {
     let [load, longitudinal, lateral, _] =
         derivatives(contact.response(&state, f64::INFINITY).unwrap());
     let forces = [state.forces().longitudinal, state.forces().lateral];
-    for part in 0..2 {
+    for (part, force) in forces.into_iter().enumerate() {
         let slopes = oblique().longitudinal * longitudinal.force[part].re
             + oblique().lateral * lateral.force[part].re;
-        let expected = forces[part] - slopes / 3.0;
+        let expected = force - slopes / 3.0;
         let error = (50e3 * load.force[part].re - expected).abs() / state.forces().magnitude();
         assert!(error < 1e-2, "{part}: {error}");
     }
