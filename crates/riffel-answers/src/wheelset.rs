@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 use std::io::{self, Write};
+use std::sync::Arc;
 
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
@@ -23,7 +24,7 @@ const ALONG: usize = 121;
 
 /// The wheelset of a case over frequency.
 pub struct WheelsetAnswer {
-    wheelset: CaseWheelset,
+    wheelset: Arc<CaseWheelset>,
     /// Natural frequencies up to [`HIGHEST`], lowest first.
     pub modes: Vec<WheelsetMode>,
     /// \[Hz\].
@@ -50,13 +51,18 @@ impl WheelsetAnswer {
     /// The wheelset at frequencies \[Hz\].
     ///
     /// # Errors
-    /// [`CaseError`] for a case without a wheelset.
+    /// [`CaseError`] for a case without a wheelset, and for frequencies at which a measured one is not known.
     pub fn new(case: &Case, frequencies: Vec<f64>) -> Result<Self, CaseError> {
-        let wheelset = case.wheelset()?.ok_or_else(|| {
+        let wheelset = case.wheelset.clone().ok_or_else(|| {
             let message =
                 "`wheelset` is missing: a lone wheel has no axle; give [wheelset] with its model";
             case.refuse("wheelset", message)
         })?;
+        let ends = frequencies.iter();
+        let ends = ends.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], &frequency| {
+            [low.min(frequency), high.max(frequency)]
+        });
+        case.check_wheelset_frequencies(ends[0], ends[1])?;
         let modes = case.wheelset_modes(&wheelset, HIGHEST)?;
         let receptances = frequencies.iter();
         Ok(Self {
@@ -162,9 +168,9 @@ impl WheelsetAnswer {
         }
     }
 
-    /// Shapes of the lowest modes along the axle, bending and torsion; none for a rigid wheelset.
+    /// Shapes of the lowest modes along the axle, bending and torsion; none where there is no model of an axle.
     pub fn shapes(&self) -> Option<LineFigure> {
-        let CaseWheelset::Flexible(flexible) = &self.wheelset else {
+        let CaseWheelset::Flexible(flexible) = &*self.wheelset else {
             return None;
         };
         let half = 0.5 * flexible.axle().length();

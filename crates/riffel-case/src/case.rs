@@ -1,6 +1,7 @@
 //! A case, checked and complete.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
@@ -15,6 +16,7 @@ use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::given::{GivenReceptance, GivenReceptances};
 use crate::measurement;
 use crate::track::Track;
+use crate::wheelset::CaseWheelset;
 use crate::window::Window;
 
 /// A case ready to compute.
@@ -35,6 +37,8 @@ pub struct Case {
     pub steady: MeanRolling,
     /// The paper's creep law, where it is that of the case.
     pub carter: Option<Carter3d>,
+    /// The wheelset; none for a lone wheel.
+    pub wheelset: Option<Arc<CaseWheelset>>,
     /// Wavelengths of the map \[m\].
     pub wavelength: Axis,
     /// Speeds of the map \[m/s\].
@@ -101,6 +105,7 @@ impl Case {
             hertz,
             steady,
             carter,
+            wheelset,
             wavelength,
             speed,
             remarks,
@@ -114,6 +119,7 @@ impl Case {
             hertz,
             steady,
             carter,
+            wheelset,
             wavelength,
             speed,
             remarks,
@@ -246,18 +252,35 @@ impl Case {
         self.keys.track(direction)
     }
 
-    /// `Ok` if the track is known over the frequencies \[Hz\]: a measured receptance is not
+    /// `Ok` if track and wheels are known over the frequencies \[Hz\]: a measured receptance is not
     /// extrapolated.
     ///
     /// # Errors
-    /// [`CaseError`] with the frequencies at which it is known.
+    /// [`CaseError`] with the frequencies at which they are known.
     pub fn check_frequencies(&self, lowest: f64, highest: f64) -> Result<(), CaseError> {
+        self.check_known(self.known_receptances(), lowest, highest)
+    }
+
+    /// `Ok` if the wheelset is known over the frequencies \[Hz\].
+    ///
+    /// # Errors
+    /// [`CaseError`] with the frequencies at which it is known.
+    pub fn check_wheelset_frequencies(&self, lowest: f64, highest: f64) -> Result<(), CaseError> {
+        self.check_known(self.known_wheelset(), lowest, highest)
+    }
+
+    fn check_known(
+        &self,
+        known: impl IntoIterator<Item = (&'static str, (f64, f64))>,
+        lowest: f64,
+        highest: f64,
+    ) -> Result<(), CaseError> {
         /// Frequencies come from V/λ and pass through ω: some roundings.
         const ROUNDING: f64 = 1e-9;
-        let outside = |&(_, (low, high)): &(&str, (f64, f64))| {
+        let outside = |&(_, (low, high)): &(&'static str, (f64, f64))| {
             lowest < low * (1.0 - ROUNDING) || highest > high * (1.0 + ROUNDING)
         };
-        let Some((key, (low, high))) = self.known_receptances().into_iter().find(outside) else {
+        let Some((key, (low, high))) = known.into_iter().find(outside) else {
             return Ok(());
         };
         let asked = if lowest == highest {
@@ -272,7 +295,7 @@ impl Case {
         ))
     }
 
-    /// Lowest and highest frequency \[Hz\] at which track and wheel are known.
+    /// Lowest and highest frequency \[Hz\] at which track and wheels are known.
     pub fn known_frequencies(&self) -> (f64, f64) {
         let ranges = self.known_receptances().into_iter();
         ranges.fold((0.0, f64::INFINITY), |known, (_, (low, high))| {
@@ -292,7 +315,14 @@ impl Case {
             let range = measurement::range(&*wheel.receptance);
             ("receptance of the wheel", range)
         }));
+        known.extend(self.known_wheelset());
         known
+    }
+
+    /// The same of the wheelset.
+    fn known_wheelset(&self) -> Option<(&'static str, (f64, f64))> {
+        let wheelset = self.wheelset.as_ref()?;
+        Some(("wheelset.file", wheelset.frequency_range()))
     }
 
     /// [`check_frequencies`](Self::check_frequencies) for the whole window of the map.

@@ -54,6 +54,11 @@ impl Case {
                 &[WheelsetModel::Rigid, WheelsetModel::Modal]
             }
             "axle" | "discs" => &[WheelsetModel::Flexible],
+            "suspension" => &[
+                WheelsetModel::Rigid,
+                WheelsetModel::Flexible,
+                WheelsetModel::Modal,
+            ],
             "file" => &[WheelsetModel::Modal, WheelsetModel::Measured],
             _ => return None,
         };

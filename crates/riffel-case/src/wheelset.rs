@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use riffel::wheelset::{
-    ContactReceptances, FlexibleWheelset, ModeName, NaturalMode, RigidWheelset, Wheelset,
+    ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode,
+    RigidWheelset, Wheelset,
 };
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Remark};
 
 use crate::Case;
 
@@ -16,6 +17,10 @@ pub enum CaseWheelset {
     Rigid(RigidWheelset),
     /// A flexible axle with rigid discs.
     Flexible(Box<FlexibleWheelset>),
+    /// Elastic modes from a file, and the rigid body that they deform.
+    Modal(Box<ModalWheelset>, RigidWheelset),
+    /// Receptances from a file.
+    Measured(MeasuredWheelset),
 }
 
 impl Wheelset for CaseWheelset {
@@ -23,7 +28,52 @@ impl Wheelset for CaseWheelset {
         match self {
             Self::Rigid(wheelset) => wheelset.receptances(angular_frequency),
             Self::Flexible(wheelset) => wheelset.receptances(angular_frequency),
+            Self::Modal(wheelset, _) => wheelset.receptances(angular_frequency),
+            Self::Measured(wheelset) => wheelset.receptances(angular_frequency),
         }
+    }
+}
+
+impl CaseWheelset {
+    /// Lowest and highest frequency \[Hz\] at which it is known; from zero to infinity but for a measured one.
+    pub fn frequency_range(&self) -> (f64, f64) {
+        match self {
+            Self::Measured(wheelset) => {
+                let (lowest, highest) = wheelset.frequency_range();
+                (lowest / TAU, highest / TAU)
+            }
+            Self::Rigid(_) | Self::Flexible(_) | Self::Modal(..) => (0.0, f64::INFINITY),
+        }
+    }
+
+    /// A sentence where frequencies up to one \[Hz\] leave those that the modes of a file describe.
+    pub(crate) fn beyond_its_modes(&self, highest: f64) -> Option<Remark> {
+        let Self::Modal(modal, _) = self else {
+            return None;
+        };
+        let last = modal
+            .modes()
+            .iter()
+            .map(|mode| mode.angular_frequency / TAU)
+            .fold(0.0, f64::max);
+        // Without them the compliance of the modes left out is missing, which is some of the whole from there on.
+        let up_to = if modal.has_residual() {
+            last
+        } else {
+            0.5 * last
+        };
+        (highest > up_to).then(|| {
+            Remark::new(
+                format!(
+                    "the modes of the wheelset describe it up to some {up_to:.0} Hz, and the window reaches {highest:.0} Hz: \
+                     add modes or rows `residual`"
+                ),
+                format!(
+                    "die Eigenformen beschreiben den Radsatz bis etwa {up_to:.0} Hz, und das Fenster reicht bis {highest:.0} Hz: \
+                     Eigenformen oder Zeilen `residual` ergänzen"
+                ),
+            )
+        })
     }
 }
 
@@ -39,17 +89,7 @@ pub struct WheelsetMode {
 }
 
 impl Case {
-    /// The wheelset; none for a lone wheel.
-    ///
-    /// # Errors
-    /// [`CaseError`] with the key, the value and the rule.
-    pub fn wheelset(&self) -> Result<Option<CaseWheelset>, CaseError> {
-        let keys = self.keys.general()?.and_then(|keys| keys.wheelset);
-        keys.map(|keys| self.keys.wheelset(&keys, self.hertz.rolling_radius()))
-            .transpose()
-    }
-
-    /// Natural frequencies of a wheelset of the case up to one \[Hz\], lowest first.
+    /// Natural frequencies of a wheelset of the case up to one \[Hz\], lowest first; none of a measured one.
     ///
     /// # Errors
     /// [`CaseError`] where they cannot be told apart so high.
@@ -59,15 +99,27 @@ impl Case {
         highest: f64,
     ) -> Result<Vec<WheelsetMode>, CaseError> {
         match wheelset {
-            CaseWheelset::Rigid(rigid) => {
-                let frequencies = rigid.natural_frequencies().into_iter();
-                let modes = frequencies.map(|(angular_frequency, motion)| WheelsetMode {
-                    frequency: angular_frequency / TAU,
-                    name: ModeName::RigidBody(motion),
+            CaseWheelset::Rigid(rigid) => Ok(rigid_modes(rigid, highest)),
+            CaseWheelset::Modal(modal, rigid) => {
+                let mut elastic: Vec<f64> = modal
+                    .modes()
+                    .iter()
+                    .map(|mode| mode.angular_frequency / TAU)
+                    .filter(|&frequency| frequency <= highest)
+                    .collect();
+                elastic.sort_by(f64::total_cmp);
+                let mut modes = rigid_modes(rigid, highest);
+                let elastic = elastic.into_iter().enumerate();
+                modes.extend(elastic.map(|(index, frequency)| WheelsetMode {
+                    frequency,
+                    name: ModeName::Elastic { order: index + 1 },
                     shape: None,
-                });
-                Ok(modes.filter(|mode| mode.frequency <= highest).collect())
+                }));
+                modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+                Ok(modes)
             }
+            // They are the peaks of its receptances, which it shows.
+            CaseWheelset::Measured(_) => Ok(Vec::new()),
             CaseWheelset::Flexible(flexible) => {
                 let modes = flexible.natural_modes(TAU * highest);
                 let modes = self.keys.physics("wheelset.axle", modes)?;
@@ -80,4 +132,15 @@ impl Case {
             }
         }
     }
+}
+
+/// A rigid wheelset on its suspension.
+fn rigid_modes(rigid: &RigidWheelset, highest: f64) -> Vec<WheelsetMode> {
+    let frequencies = rigid.natural_frequencies().into_iter();
+    let modes = frequencies.map(|(angular_frequency, motion)| WheelsetMode {
+        frequency: angular_frequency / TAU,
+        name: ModeName::RigidBody(motion),
+        shape: None,
+    });
+    modes.filter(|mode| mode.frequency <= highest).collect()
 }

@@ -55,7 +55,16 @@ impl CheckedKeys {
             }));
         }
         let track = self.spatial_track(keys, steel, vertical, &points, &mut remarks)?;
-        let wheels = self.wheels(keys, hertz, &mut remarks)?;
+        let wheelset = keys.wheelset.as_ref();
+        let wheelset = wheelset.map(|wheelset| {
+            let radius = hertz.rolling_radius();
+            self.wheelset(wheelset, radius, keys.rail, &mut remarks)
+        });
+        let wheelset = wheelset.transpose()?.map(Arc::new);
+        let wheels: Arc<dyn Structure> = match &wheelset {
+            Some(wheelset) => wheelset.clone(),
+            None => self.lone_wheels(hertz, &mut remarks)?,
+        };
         let amplitude = self.file.corrugation.amplitude.si();
         let feedback = GeneralLoop::new(track, wheels, contacts, amplitude);
         let position = self.file.track.position;
@@ -71,6 +80,7 @@ impl CheckedKeys {
             hertz,
             steady,
             carter,
+            wheelset,
             remarks,
         })
     }
@@ -123,16 +133,12 @@ impl CheckedKeys {
         [along, Motion::Compliant(())]
     }
 
-    /// Wheelsets, or lone wheels as in the loop of one axis.
-    fn wheels(
+    /// Lone wheels, as in the loop of one axis.
+    fn lone_wheels(
         &self,
-        keys: &GeneralKeys,
         hertz: HertzContact,
         remarks: &mut Vec<Remark>,
     ) -> Result<Arc<dyn Structure>, CaseError> {
-        if let Some(wheelset) = &keys.wheelset {
-            return Ok(Arc::new(self.wheelset(wheelset, hertz.rolling_radius())?));
-        }
         let (vertical, of_wheel) = self.wheel()?;
         remarks.extend(of_wheel);
         let inertia = match self.file.wheel.rotation() {

@@ -22,6 +22,7 @@ pub use creep_laws::CreepLaws;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{DissipationPhase, Rotation};
 use crate::track::Track;
+use crate::wheelset::CaseWheelset;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {
@@ -30,6 +31,7 @@ pub(crate) struct BuiltCase {
     pub(crate) hertz: HertzContact,
     pub(crate) steady: MeanRolling,
     pub(crate) carter: Option<Carter3d>,
+    pub(crate) wheelset: Option<Arc<CaseWheelset>>,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
     pub(crate) remarks: Vec<Remark>,
@@ -41,6 +43,7 @@ struct ClosedLoop {
     hertz: HertzContact,
     steady: MeanRolling,
     carter: Option<Carter3d>,
+    wheelset: Option<Arc<CaseWheelset>>,
     remarks: Vec<Remark>,
 }
 
@@ -59,19 +62,28 @@ impl CheckedKeys {
             hertz,
             steady,
             carter,
+            wheelset,
             remarks: of_loop,
         } = closed;
         let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
         remarks.extend(of_loop);
         let axes = [wavelength, speed];
-        remarks.extend(validity::remarks(self, &track, &feedback, hertz, axes));
+        remarks.extend(validity::remarks(
+            self,
+            &track,
+            wheelset.as_deref(),
+            &feedback,
+            hertz,
+            axes,
+        ));
         Ok(BuiltCase {
             feedback,
             track,
             hertz,
             steady,
             carter,
+            wheelset,
             wavelength,
             speed,
             remarks,
@@ -104,6 +116,7 @@ impl CheckedKeys {
             hertz,
             steady,
             carter: contact.carter,
+            wheelset: None,
             remarks,
         })
     }

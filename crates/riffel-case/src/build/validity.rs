@@ -7,6 +7,7 @@ use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::measurement;
 use crate::track::Track;
+use crate::wheelset::CaseWheelset;
 
 /// Frequency from which a rail on its supports moves like a free one \[Hz\]; Afferrante & Ciavarella
 /// (2009), section 2.
@@ -35,6 +36,7 @@ const CLOSED_FORM_UP_TO: f64 = 0.05;
 pub(crate) fn remarks(
     keys: &CheckedKeys,
     track: &Track,
+    wheelset: Option<&CaseWheelset>,
     feedback: &Loop,
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
@@ -116,8 +118,14 @@ pub(crate) fn remarks(
         ));
     }
     remarks.extend(unstable(feedback, speed));
+    if let Some(wheelset) = wheelset {
+        remarks.extend(wheelset.beyond_its_modes(highest));
+    }
     // Outside the frequencies of a measurement there is nothing to look at.
-    let (known_from, known_to) = measurement::range(&*track.receptance);
+    let of_track = measurement::range(&*track.receptance);
+    let of_wheelset = wheelset.map_or((0.0, f64::INFINITY), CaseWheelset::frequency_range);
+    let known_from = of_track.0.max(of_wheelset.0);
+    let known_to = of_track.1.min(of_wheelset.1);
     let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
     if lowest >= highest {
         return remarks;
@@ -147,7 +155,7 @@ pub(crate) fn remarks(
 
 /// A loop on all axes that oscillates by itself at a speed of the window; only they can.
 ///
-/// A loop whose phase cannot be followed, for want of any loss, is not judged.
+/// A loop whose phase cannot be followed, for want of any loss or of measured frequencies, is not judged.
 fn unstable(feedback: &Loop, speed: Axis) -> Option<Remark> {
     /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
     const BAND: (f64, f64) = (1.0, 10e3);

@@ -1,22 +1,26 @@
 //! From the keys of a wheelset to its model.
 
-use riffel::ElasticMaterial;
 use riffel::wheelset::{
-    Axle, ContactGeometry, Disc, FlexibleWheelset, RigidBody, RigidWheelset, Segment, Suspension,
+    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RigidBody, RigidWheelset,
+    Segment, Suspension,
 };
-use riffel_keys::CaseError;
+use riffel::{ElasticMaterial, Rail};
+use riffel_keys::{CaseError, Remark};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file;
 use crate::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
+use crate::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
 use crate::wheelset::CaseWheelset;
 
 impl CheckedKeys {
-    /// The wheelset, whose wheels have the rolling radius \[m\].
-    pub(crate) fn wheelset(
+    /// The wheelset, whose wheels have the rolling radius \[m\] and of which that on `rail` is under study.
+    pub(super) fn wheelset(
         &self,
         keys: &WheelsetKeys,
         rolling_radius: f64,
+        rail: Rail,
+        remarks: &mut Vec<Remark>,
     ) -> Result<CaseWheelset, CaseError> {
         let contacts = ContactGeometry {
             contact_spacing: keys.contact_spacing,
@@ -41,14 +45,23 @@ impl CheckedKeys {
                 }
                 Ok(CaseWheelset::Flexible(Box::new(flexible)))
             }
-            WheelsetModelKeys::Modal { .. } | WheelsetModelKeys::Measured { .. } => {
-                Err(self.text.keys.invalid(
-                    "wheelset.model",
-                    "is one of a file, which this version does not read",
-                    "choose \"rigid\" or \"flexible\"",
-                ))
+            WheelsetModelKeys::Modal { file, body } => {
+                let rigid = self.rigid_wheelset(body, contacts, suspension)?;
+                let modal = WheelsetModes::read(file).and_then(|modes| modes.wheelset(rigid));
+                let modal = modal.map_err(|error| self.wheelset_file_error(&error))?;
+                Ok(CaseWheelset::Modal(Box::new(modal), rigid))
+            }
+            WheelsetModelKeys::Measured { file } => {
+                let measured = WheelsetReceptances::read(file, rail)
+                    .map_err(|error| self.wheelset_file_error(&error))?;
+                remarks.extend(measured.remarks);
+                Ok(CaseWheelset::Measured(measured.wheelset))
             }
         }
+    }
+
+    fn wheelset_file_error(&self, error: &MeasurementError) -> CaseError {
+        self.text.keys.invalid("wheelset.file", &error.message, "")
     }
 
     fn rigid_wheelset(
@@ -106,6 +119,10 @@ fn disc(keys: &file::Disc) -> Disc {
         mass: keys.mass.si(),
         polar_inertia: keys.polar_inertia.si(),
         diametral_inertia: keys.diametral_inertia.si(),
-        coupled: None,
+        coupled: keys.coupled.map(|coupled| CoupledInertia {
+            polar_inertia: coupled.polar_inertia.si(),
+            stiffness: coupled.stiffness.si(),
+            damping: coupled.damping.si(),
+        }),
     }
 }

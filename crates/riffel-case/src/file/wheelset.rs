@@ -1,7 +1,8 @@
 //! The keys of the wheelset.
 
 use riffel_keys::quantity::{
-    Damping, Density, Inertia, Length, Mass, Modulus, Quantity, Ratio, Stiffness,
+    Damping, Density, Inertia, Length, Mass, Modulus, Quantity, Ratio, Stiffness, TorsionalDamping,
+    TorsionalStiffness,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,7 +32,7 @@ pub struct Wheelset {
     /// The rail under study.
     #[serde(default)]
     pub rail: RailSide,
-    /// Primary suspension; left out, none.
+    /// Primary suspension, but for `measured`; left out, none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub suspension: Option<Suspension>,
     /// The axle, for `flexible`.
@@ -40,7 +41,7 @@ pub struct Wheelset {
     /// Rigid discs on the axle, for `flexible`: wheels, brake discs, gear.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub discs: Vec<Disc>,
-    /// Table of modes for `modal`, of frequency responses for `measured`. Relative to the case file.
+    /// Table of modes for `modal`, of receptances for `measured`. Relative to the case file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
 }
@@ -62,7 +63,7 @@ pub enum WheelsetModel {
     /// Modes from a file, beside the motions of the rigid body; needs `file`, `mass`, `roll_inertia` and
     /// `spin_inertia`.
     Modal,
-    /// Frequency responses from a file; needs `file`.
+    /// Receptances from a file; needs `file`.
     Measured,
 }
 
@@ -204,4 +205,26 @@ pub struct Disc {
     pub polar_inertia: Quantity<Inertia>,
     /// Its moment of inertia about a diameter.
     pub diametral_inertia: Quantity<Inertia>,
+    /// An inertia that turns with it through a spring: the rotor of a motor behind its gear, an absorber.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub coupled: Option<Coupled>,
+}
+
+/// An inertia that turns about the axle on a torsional spring and a damper.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Coupled {
+    /// Its moment of inertia; behind a gear of ratio n, n² times that of the rotor.
+    pub polar_inertia: Quantity<Inertia>,
+    /// Torsional stiffness between it and the disc, seen at the axle: n² times that on the side of the rotor.
+    pub stiffness: Quantity<TorsionalStiffness>,
+    /// Viscous damping beside the spring.
+    #[serde(default = "Coupled::no_damping")]
+    pub damping: Quantity<TorsionalDamping>,
+}
+
+impl Coupled {
+    fn no_damping() -> Quantity<TorsionalDamping> {
+        Quantity::new(0.0)
+    }
 }

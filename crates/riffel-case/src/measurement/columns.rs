@@ -20,7 +20,7 @@ pub(super) enum Parts {
 
 /// What a column holds by its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Role {
+pub(super) enum Role {
     Frequency,
     Real,
     Imaginary,
@@ -80,7 +80,7 @@ impl Role {
         ),
     ];
 
-    fn of(name: &str) -> Option<Self> {
+    pub(super) fn of(name: &str) -> Option<Self> {
         let own = without_unit(name);
         let words: Vec<String> = own
             .split(|c: char| !c.is_alphanumeric())
@@ -133,6 +133,12 @@ impl Columns {
 }
 
 impl Parts {
+    /// The column of the real part or the modulus, which names the unit.
+    pub(super) fn first(self) -> usize {
+        let (Self::Cartesian([first, _]) | Self::Polar([first, _])) = self;
+        first
+    }
+
     fn find(header: &[String], measurement: &Measurement) -> Result<Self, MeasurementError> {
         let Measurement {
             real,
@@ -259,7 +265,7 @@ pub(super) fn unit_in_name(name: &str) -> Option<&str> {
 }
 
 /// The name without what [`unit_in_name`] finds in brackets or behind a slash: in "dB re 1 m/N" nothing is real.
-fn without_unit(name: &str) -> &str {
+pub(super) fn without_unit(name: &str) -> &str {
     let ends = ["[", "(", " / ", " in "].into_iter();
     let end = ends.filter_map(|mark| name.find(mark)).min();
     &name[..end.unwrap_or(name.len())]

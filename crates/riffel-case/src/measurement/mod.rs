@@ -1,12 +1,15 @@
 //! A measured receptance, read from a file that the case names.
 
 mod columns;
+mod layout;
 mod response_unit;
 mod smoothing;
 mod table;
 mod universal;
 mod universal_file;
 mod universal_function;
+mod wheelset_modes;
+mod wheelset_receptances;
 
 use std::path::Path;
 
@@ -16,6 +19,8 @@ use riffel_keys::{Exponents, Language, Remark, Sentence, text_file};
 
 use crate::file::{Measurement, Response};
 pub use universal_function::UniversalFunction;
+pub(crate) use wheelset_modes::WheelsetModes;
+pub(crate) use wheelset_receptances::WheelsetReceptances;
 
 /// Widest step between two frequencies, as a ratio: beyond it the file says nothing of what lies
 /// between.
@@ -31,7 +36,7 @@ const USUAL: (f64, f64) = (1e-11, 1e-7);
 /// What is wrong with a measurement.
 #[derive(Debug)]
 pub(crate) struct MeasurementError {
-    /// Key below `track.measurement` that is at fault, or whose file is.
+    /// Key below `track.measurement` that is at fault, or whose file is; of a file of a wheelset it is always `file`.
     pub(crate) key: &'static str,
     /// The sentence.
     pub(crate) message: String,
@@ -71,8 +76,7 @@ pub(crate) struct Measured {
 /// Read the measurement; file names are relative to `folder`.
 pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
     let path = folder.join(&measurement.file);
-    let bytes = text_file::read_bounded(&path, "measurement", text_file::LARGEST_RESPONSES)
-        .map_err(|error| MeasurementError::file(error.to_string()))?;
+    let bytes = bytes_of(&path, "measurement")?;
     let remedy = Remedy::SetKey;
     if is_universal_file(&path) {
         let universal::Chosen { response, remarks } = universal::read(&bytes, measurement)?;
@@ -80,13 +84,22 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
         measured.remarks.splice(0..0, remarks);
         return Ok(measured);
     }
-    let text = text_file::decode(bytes).map_err(|byte| MeasurementError::file(byte.to_string()))?;
+    let text = decoded(bytes)?;
     let table::Table { response, remarks } = table::read(&text, measurement)?;
     let mut measured = response.measured(measurement.conjugate, remedy)?;
     measured.remarks.splice(0..0, remarks);
     let unusual = measured.check_size()?;
     measured.remarks.extend(unusual);
     Ok(measured)
+}
+
+fn bytes_of(path: &Path, what: &'static str) -> Result<Vec<u8>, MeasurementError> {
+    text_file::read_bounded(path, what, text_file::LARGEST_RESPONSES)
+        .map_err(|error| MeasurementError::file(error.to_string()))
+}
+
+fn decoded(bytes: Vec<u8>) -> Result<String, MeasurementError> {
+    text_file::decode(bytes).map_err(|byte| MeasurementError::file(byte.to_string()))
 }
 
 /// A function that was read elsewhere.
@@ -103,8 +116,17 @@ fn is_universal_file(path: &Path) -> bool {
 }
 
 impl FrequencyResponse {
-    /// Checked, as a receptance; `remedy` as for [`activity`].
-    fn measured(mut self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
+    /// Checked, as a receptance at a point; `remedy` as for [`activity`].
+    fn measured(self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
+        let mut measured = self.read(conjugate)?;
+        measured
+            .remarks
+            .extend(activity(&measured.receptance, remedy));
+        Ok(measured)
+    }
+
+    /// Checked, as a receptance between any two points.
+    fn read(mut self, conjugate: bool) -> Result<Measured, MeasurementError> {
         let mut remarks = Vec::new();
         remarks.extend(self.leave_out_zero());
         self.check()?;
@@ -114,7 +136,6 @@ impl FrequencyResponse {
         }
         let receptance = MeasuredReceptance::new(&angular, receptances)
             .map_err(|error| MeasurementError::file(error.to_string()))?;
-        remarks.extend(activity(&receptance, remedy));
         Ok(Measured {
             receptance,
             remarks,

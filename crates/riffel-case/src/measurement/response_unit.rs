@@ -161,7 +161,7 @@ impl ValueUnit<'_> {
 }
 
 /// What follows "dB", "dB re", "dB rel.", "dB ref", without a colon and an outer pair of brackets.
-fn after_decibel(unit: &str) -> Option<&str> {
+pub(super) fn after_decibel(unit: &str) -> Option<&str> {
     let head = unit.get(..2)?;
     let rest = head
         .eq_ignore_ascii_case("db")

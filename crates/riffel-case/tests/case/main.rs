@@ -9,3 +9,5 @@ mod measurement;
 mod remarks;
 mod track;
 mod traffic;
+mod wheelset_cases;
+mod wheelset_files;

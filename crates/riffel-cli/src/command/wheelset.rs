@@ -2,7 +2,7 @@
 
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::wheelset::{HIGHEST, WheelsetAnswer};
-use riffel_case::Case;
+use riffel_case::{Case, CaseWheelset};
 
 use super::receptance::within;
 use crate::arguments::Wheelset;
@@ -16,7 +16,12 @@ const USUAL: (f64, u32) = (20.0, 600);
 pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
     let case = arguments.case.read()?;
     let frequencies = match &arguments.frequencies[..] {
-        [] => ReceptanceCurves::frequencies(USUAL.0, HIGHEST, USUAL.1),
+        [] => {
+            let wheelset = case.wheelset.as_ref();
+            let (lowest, highest) =
+                wheelset.map_or((0.0, f64::INFINITY), |wheelset| wheelset.frequency_range());
+            ReceptanceCurves::frequencies(USUAL.0.max(lowest), HIGHEST.min(highest), USUAL.1)
+        }
         listed => within("--frequencies", listed)?,
     };
     let answer = WheelsetAnswer::new(&case, frequencies)?;
@@ -50,7 +55,13 @@ pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
 fn readable(case: &Case, answer: &WheelsetAnswer) -> String {
     let mut text = format!("{}\n", case.file.title.as_deref().unwrap_or("Wheelset"));
     if answer.modes.is_empty() {
-        return text + "a free rigid body: it has no natural frequency\n";
+        let why = match case.wheelset.as_deref() {
+            Some(CaseWheelset::Measured(_)) => {
+                "measured: its natural frequencies are the peaks of its receptances"
+            }
+            _ => "a free rigid body: it has no natural frequency",
+        };
+        return text + why + "\n";
     }
     let mut rows = table(&["natural frequency Hz", "mode"]);
     for mode in &answer.modes {

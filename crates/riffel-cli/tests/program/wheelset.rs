@@ -106,3 +106,52 @@ fn a_lone_wheel_has_no_wheelset() {
         assert_eq!(sandbox.list("."), ["cases"]);
     }
 }
+
+/// The receptances that the program writes of a wheelset are a measured wheelset, of which it writes the same again; outside
+/// their frequencies nothing is asked of it.
+#[test]
+fn a_written_wheelset_is_read_as_measured() {
+    let sandbox = Sandbox::new();
+    let listed = "--frequencies 50,80,120,200,350,600,900";
+    let case = "wheelset cases/wheelset-coach.toml";
+    assert_eq!(
+        sandbox.riffel(&format!("{case} {listed} -o out")).status,
+        Some(0)
+    );
+    std::fs::rename(
+        sandbox.path("out/receptance.csv"),
+        sandbox.path("cases/coach.csv"),
+    )
+    .unwrap();
+    let measured = format!("{case} --set wheelset.model=measured --set wheelset.file=coach.csv");
+    let [from_model, from_file] =
+        [case, &measured].map(|command| sandbox.json(&format!("{command} {listed} --json")));
+    let entries = |document: &Value| -> Vec<f64> {
+        let rows: Vec<[[[f64; 2]; 6]; 6]> =
+            serde_json::from_value(document["receptance_m_per_n"].clone()).unwrap();
+        rows.as_flattened().as_flattened().as_flattened().to_vec()
+    };
+    for (got, expected) in entries(&from_file).iter().zip(entries(&from_model)) {
+        // Between lines it would be a mean; at a line, of one of its neighbours with a weight of rounding.
+        assert!(
+            (got - expected).abs() <= 1e-9 * expected.abs().max(1e-9),
+            "{got:e} {expected:e}"
+        );
+    }
+    assert_eq!(
+        from_file["natural_frequencies"].as_array().unwrap().len(),
+        0
+    );
+    let text = sandbox.riffel(&format!("{measured} -o out")).text;
+    assert!(
+        text.contains("its natural frequencies are the peaks of its receptances"),
+        "{text}"
+    );
+    let refused = sandbox.riffel(&format!("{measured} --frequencies 40"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(
+        refused.text.contains("is known from 50.0000 to"),
+        "{}",
+        refused.text
+    );
+}

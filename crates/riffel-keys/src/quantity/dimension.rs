@@ -54,6 +54,10 @@ dimensions! {
     MassPerLength = "a mass per length", "kg/m", "56 kg/m";
     /// Stiffness.
     Stiffness = "a stiffness", "N/m", "280 MN/m";
+    /// Torsional stiffness.
+    TorsionalStiffness = "a torsional stiffness", "N m/rad", "400 kNm/rad";
+    /// Viscous damping of rotation.
+    TorsionalDamping = "a torsional damping", "N m s/rad", "50 N m s/rad";
     /// Viscous damping.
     Damping = "a viscous damping", "N s/m", "63 kNs/m";
     /// Viscous damping per length.

@@ -254,6 +254,8 @@ mod tests {
             check::<SecondMoment>(),
             check::<MassPerLength>(),
             check::<Stiffness>(),
+            check::<TorsionalStiffness>(),
+            check::<TorsionalDamping>(),
             check::<Damping>(),
             check::<DampingPerLength>(),
             check::<Density>(),

@@ -4,7 +4,7 @@ use super::PhysicalRange;
 use crate::quantity::{
     Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
     Length, Mass, MassPerLength, Modulus, Ratio, SecondMoment, Speed, Spin, Stiffness,
-    VelocityDecay, WarpingConstant, WearCoefficient,
+    TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant, WearCoefficient,
 };
 
 const fn row<D: Dimension>(
@@ -387,6 +387,24 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.0, 1000.0],
         "Brake discs have 3 to 12 kg m2, wheels 15 to 120; about the diameter half as much.",
     ),
+    row::<Inertia>(
+        &["wheelset.discs.coupled.polar_inertia"],
+        [1e-9, 1e7],
+        [0.01, 5000.0],
+        "Rotors of some kg m2 behind gears of ratio 3 to 7 count for 10 to 500.",
+    ),
+    row::<TorsionalStiffness>(
+        &["wheelset.discs.coupled.stiffness"],
+        [1e-6, 1e13],
+        [1e3, 1e9],
+        "With the inertia it turns on, some ten to some hundred hertz.",
+    ),
+    row::<TorsionalDamping>(
+        &["wheelset.discs.coupled.damping"],
+        [0.0, 1e10],
+        [0.0, 1e6],
+        "Some per cent of the critical one.",
+    ),
     row::<Length>(
         &["train.wheels"],
         [0.0, 1e4],
@@ -474,7 +492,7 @@ pub static RANGES: &[PhysicalRange] = &[
         )
     },
     row::<Frequency>(
-        &["--from", "--to"],
+        &["--from", "--to", "--frequencies"],
         [1e-3, 2e6],
         [1.0, 5e4],
         "The slowest speed over the longest wavelength to the fastest over the shortest.",

@@ -110,6 +110,11 @@ impl ModalWheelset {
         Ok(Self { residual, ..self })
     }
 
+    /// True where a residual compliance stands for the modes left out.
+    pub fn has_residual(&self) -> bool {
+        self.residual.iter().flatten().any(|&entry| entry != 0.0)
+    }
+
     /// Its elastic modes.
     pub fn modes(&self) -> &[ElasticMode] {
         &self.modes

@@ -29,6 +29,11 @@ pub enum ModeName {
         /// From 1.
         order: usize,
     },
+    /// A mode of which only the motion of the contacts is known.
+    Elastic {
+        /// From 1.
+        order: usize,
+    },
 }
 
 /// A motion of a rigid wheelset.
@@ -96,6 +101,7 @@ impl fmt::Display for ModeName {
                 })
             }
             Self::Stretch { order } => write!(f, "{} stretch", Ordinal(order)),
+            Self::Elastic { order } => write!(f, "{} elastic mode", Ordinal(order)),
         }
     }
 }
