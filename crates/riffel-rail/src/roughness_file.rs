@@ -393,6 +393,20 @@ mod tests {
         assert_eq!(record.rails[0].stretches[0].heights().len(), 4000);
     }
 
+    /// A title of one cell above two columns divided by commas says nothing of decimal commas.
+    #[test]
+    fn a_title_is_no_head() {
+        let mut text = String::from("a title\n");
+        for sample in 0..4000 {
+            let position = f64::from(sample) * 1e-3;
+            text += &format!("{position:.3},{:.2}\n", 7.0 * (140.0 * position).sin());
+        }
+        let Ok(RoughnessFile::Profile(record)) = parse(text.as_bytes(), None) else {
+            panic!("no profile");
+        };
+        assert_eq!(record.rails.len(), 1);
+    }
+
     #[test]
     fn spectra_are_told_by_their_header() {
         let text = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-3.0\nB,19.95,-6\n";

@@ -183,12 +183,13 @@ impl Table {
         Some((score, table))
     }
 
-    /// Whether commas divide cells and stand in numbers, too, so that rows have twice as many cells as their head.
+    /// Whether commas divide cells and stand in numbers, too, so that rows have twice as many cells as their head; a line
+    /// of one cell above two columns is a title, not a head.
     pub(super) fn has_decimal_commas(&self) -> bool {
         self.delimiter == Delimiter::Comma
             && self
                 .cells_of_head
-                .is_some_and(|cells| 2 * cells == self.count)
+                .is_some_and(|cells| cells > 1 && 2 * cells == self.count)
     }
 
     fn integers(&self) -> bool {
