@@ -20,15 +20,16 @@ pub(crate) struct Results<'a> {
 }
 
 impl Results<'_> {
-    /// Hand out the document, files beside it and what is said of them on a terminal.
+    /// Hand out the document, or files and what is said of them on a terminal; with `--json` and a folder both, and nothing
+    /// is said.
     pub(crate) fn hand_out(
         &self,
-        document: String,
+        document: impl FnOnce() -> String,
         write: impl FnOnce(&mut Staging) -> Result<(), CliError>,
         readable: impl FnOnce() -> String,
     ) -> Result<(), CliError> {
         if self.json {
-            print(&document)?;
+            print(&document())?;
             if self.output.is_none() {
                 return Ok(());
             }
@@ -36,7 +37,6 @@ impl Results<'_> {
         let folder = self.case.folder(self.output, self.command);
         let mut staging = Staging::new(self.command, &folder)?;
         write(&mut staging)?;
-        staging.write("summary.json", document)?;
         let files = staging.publish()?.join(" ");
         if self.json {
             return Ok(());

@@ -30,12 +30,14 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
         output: arguments.output.as_deref(),
         json: arguments.json,
     };
+    let document = || json(&answer.document(&case));
     results.hand_out(
-        json(&answer.document(&case)),
+        document,
         |staging| {
             staging.write_figure("compare", &answer.figure(&case))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-            staging.write_with("growth.csv", |file| answer.growth_csv(file))
+            staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+            staging.write("summary.json", document())
         },
         || readable(&case, &answer),
     )?;

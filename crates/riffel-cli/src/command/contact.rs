@@ -8,8 +8,8 @@ use riffel_keys::CaseError;
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{Progress, print, print_json, table};
-use crate::staging::Staging;
+use crate::output::{Progress, json, table};
+use crate::results::Results;
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let case = arguments.case.read()?;
@@ -26,31 +26,26 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
         ContactAnswer::new(theories, request, || progress.advance(1)).map_err(of_argument)?;
     drop(progress);
 
-    if arguments.json {
-        print_json(&answer.document())?;
-        print_remarks(&case.remarks);
-        if arguments.output.is_none() {
-            return Ok(());
-        }
-    }
-
-    let folder = arguments
-        .case
-        .folder(arguments.output.as_deref(), "contact");
-    let mut staging = Staging::new("contact", &folder)?;
-    staging.write_figure("contact", &answer.figure(&case))?;
-    staging.write_figure("patch", &answer.patch_figure(&case))?;
-    staging.write_with("creep-curve.csv", |file| answer.creep_curve_csv(file))?;
-    staging.write_with("frequency-response.csv", |file| {
-        answer.frequency_response_csv(file)
-    })?;
-    staging.write_with("patch.csv", |file| answer.patch_csv(file))?;
-    let files = staging.publish()?;
-    if !arguments.json {
-        let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(readable(&case, &answer) + &place))?;
-        print_remarks(&case.remarks);
-    }
+    let results = Results {
+        command: "contact",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("contact", &answer.figure(&case))?;
+            staging.write_figure("patch", &answer.patch_figure(&case))?;
+            staging.write_with("creep-curve.csv", |file| answer.creep_curve_csv(file))?;
+            staging.write_with("frequency-response.csv", |file| {
+                answer.frequency_response_csv(file)
+            })?;
+            staging.write_with("patch.csv", |file| answer.patch_csv(file))
+        },
+        || readable(&case, &answer),
+    )?;
+    print_remarks(&case.remarks);
     Ok(())
 }
 

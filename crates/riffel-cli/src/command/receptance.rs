@@ -1,5 +1,6 @@
 //! `riffel receptance`
 
+use std::cell::LazyCell;
 use std::f64::consts::TAU;
 
 use riffel::Direction;
@@ -13,8 +14,8 @@ use riffel_keys::quantity::Frequency;
 use crate::arguments::{Asked, DirectionArgument, Receptance};
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{print, print_json, table};
-use crate::staging::Staging;
+use crate::output::{json, table};
+use crate::results::Results;
 
 pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let case = arguments.case.read_at(arguments.position)?;
@@ -38,32 +39,30 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         frequencies: ReceptanceCurves::frequencies(from, to, arguments.points),
     };
     let answer = ReceptanceAnswer::new(&case, request)?;
-    if arguments.json {
-        print_json(&answer.document())?;
-        print_remarks(&case.remarks);
-        if arguments.output.is_none() {
-            return Ok(());
-        }
-    }
-    let decay = answer.decay();
-    let folder = arguments
-        .case
-        .folder(arguments.output.as_deref(), "receptance");
-    let mut staging = Staging::new("receptance", &folder)?;
-    staging.write_figure("receptance", &answer.figure(&case))?;
-    staging.write_with("receptance.csv", |file| answer.curves_csv(file))?;
-    staging.write_with("resonances.csv", |file| answer.resonances_csv(file))?;
-    if let Some(decay) = &decay {
-        staging.write_with("decay-rate.csv", |file| decay_csv(decay, file))?;
-        let svg = decay_figure(&case, decay).svg().map_err(CliError::from)?;
-        staging.write_picture("decay-rate", &svg)?;
-    }
-    let files = staging.publish()?;
-    if !arguments.json {
-        let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(readable(&case, &answer, decay.as_deref()) + &place))?;
-        print_remarks(&case.remarks);
-    }
+    // Only files and words tell it.
+    let decay = LazyCell::new(|| answer.decay());
+    let results = Results {
+        command: "receptance",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("receptance", &answer.figure(&case))?;
+            staging.write_with("receptance.csv", |file| answer.curves_csv(file))?;
+            staging.write_with("resonances.csv", |file| answer.resonances_csv(file))?;
+            if let Some(decay) = &*decay {
+                staging.write_with("decay-rate.csv", |file| decay_csv(decay, file))?;
+                let svg = decay_figure(&case, decay).svg().map_err(CliError::from)?;
+                staging.write_picture("decay-rate", &svg)?;
+            }
+            Ok(())
+        },
+        || readable(&case, &answer, decay.as_deref()),
+    )?;
+    print_remarks(&case.remarks);
     Ok(())
 }
 
@@ -81,24 +80,21 @@ fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
         listed => within("--frequencies", listed)?,
     };
     let answer = MatrixAnswer::new(case, speed, frequencies)?;
-    if arguments.json {
-        print_json(&answer.document())?;
-        print_remarks(&case.remarks);
-        if arguments.output.is_none() {
-            return Ok(());
-        }
-    }
-    let folder = arguments
-        .case
-        .folder(arguments.output.as_deref(), "receptance");
-    let mut staging = Staging::new("receptance", &folder)?;
-    staging.write_figure("matrix", &answer.figure(case))?;
-    staging.write_with("matrix.csv", |file| answer.csv(file))?;
-    let files = staging.publish()?;
-    if !arguments.json {
-        print(&format!("{}: {}\n", folder.display(), files.join(" ")))?;
-        print_remarks(&case.remarks);
-    }
+    let results = Results {
+        command: "receptance",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("matrix", &answer.figure(case))?;
+            staging.write_with("matrix.csv", |file| answer.csv(file))
+        },
+        String::new,
+    )?;
+    print_remarks(&case.remarks);
     Ok(())
 }
 

@@ -7,8 +7,8 @@ use riffel_case::{Case, CaseWheelset};
 use super::receptance::within;
 use crate::arguments::Wheelset;
 use crate::messages::print_remarks;
-use crate::output::{print, print_json, table};
-use crate::staging::Staging;
+use crate::output::{json, table};
+use crate::results::Results;
 
 /// Frequencies of the receptances where none are listed: the lowest \[Hz\], and how many.
 const USUAL: (f64, u32) = (20.0, 600);
@@ -25,29 +25,25 @@ pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
         listed => within("--frequencies", listed)?,
     };
     let answer = WheelsetAnswer::new(&case, frequencies)?;
-    if arguments.json {
-        print_json(&answer.document())?;
-        print_remarks(&case.remarks);
-        if arguments.output.is_none() {
-            return Ok(());
-        }
-    }
-    let folder = arguments
-        .case
-        .folder(arguments.output.as_deref(), "wheelset");
-    let mut staging = Staging::new("wheelset", &folder)?;
-    staging.write_figure("receptance", &answer.figure(&case))?;
-    if let Some(shapes) = answer.shapes() {
-        staging.write_figure("modes", &shapes)?;
-    }
-    staging.write_with("modes.csv", |file| answer.modes_csv(file))?;
-    staging.write_with("receptance.csv", |file| answer.receptances_csv(file))?;
-    let files = staging.publish()?;
-    if !arguments.json {
-        let place = format!("{}: {}\n", folder.display(), files.join(" "));
-        print(&(readable(&case, &answer) + &place))?;
-        print_remarks(&case.remarks);
-    }
+    let results = Results {
+        command: "wheelset",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    results.hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("receptance", &answer.figure(&case))?;
+            if let Some(shapes) = answer.shapes() {
+                staging.write_figure("modes", &shapes)?;
+            }
+            staging.write_with("modes.csv", |file| answer.modes_csv(file))?;
+            staging.write_with("receptance.csv", |file| answer.receptances_csv(file))
+        },
+        || readable(&case, &answer),
+    )?;
+    print_remarks(&case.remarks);
     Ok(())
 }
 

@@ -37,12 +37,14 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         output: arguments.output.as_deref(),
         json: arguments.json,
     };
+    let document = || json(&answer.document(&case, name.map(|path| path.display().to_string())));
     results.hand_out(
-        json(&answer.document(&case, name.map(|path| path.display().to_string()))),
+        document,
         |staging| {
             staging.write_figure("forecast", &answer.figure(&case))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
-            staging.write_with("growth.csv", |file| answer.growth_csv(file))
+            staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+            staging.write("summary.json", document())
         },
         || readable(&case, &answer),
     )?;
