@@ -63,7 +63,10 @@ impl CaseText {
         let known: Vec<String> = presets()
             .iter()
             .filter(|preset| preset.kind == kind)
-            .map(|preset| preset.name.clone())
+            .map(|preset| match &preset.aliases[..] {
+                [] => preset.name.clone(),
+                aliases => format!("{} ({})", preset.name, aliases.join(", ")),
+            })
             .collect();
         self.keys.invalid(
             kind.key(),

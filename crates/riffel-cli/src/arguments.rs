@@ -2,6 +2,7 @@
 
 mod asked;
 mod forecast;
+mod number;
 mod roughness;
 mod study;
 

@@ -339,7 +339,30 @@ impl KeyFile {
         if message.contains("expected a sequence") {
             return self.invalid(path, "is not a list, as it must be", "");
         }
-        self.invalid(path, message, "")
+        match self.of_another_kind(path, message) {
+            Some(rule) => self.invalid(path, &rule, ""),
+            None => self.invalid(path, message, ""),
+        }
+    }
+
+    /// What the reader expected in place of a value, in words of the case file.
+    fn of_another_kind(&self, path: &str, message: &str) -> Option<String> {
+        let (found, expected) = message.split_once(", expected ")?;
+        if !found.starts_with("invalid type") && !found.starts_with("invalid value") {
+            return None;
+        }
+        let kind = match expected {
+            "u8" | "u16" | "u32" | "u64" | "usize" => "a whole number, zero or more",
+            "a string" => "a text in quotes",
+            "a boolean" => "true or false",
+            kind => kind,
+        };
+        let value = match self.value(path)? {
+            Value::Array(_) => "a list".to_owned(),
+            Value::Table(_) => "a table of keys".to_owned(),
+            value => value.to_string(),
+        };
+        Some(format!("is {value}, but must be {kind}"))
     }
 
     /// A key that must be there and is not.

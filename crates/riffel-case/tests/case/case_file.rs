@@ -85,8 +85,14 @@ fn a_portable_case_is_restored() -> Result<(), CaseError> {
 #[case::wrong_type(
     "friction = 0.4",
     "friction = [0.4]",
-    "`contact.friction`: invalid type: sequence, expected a ratio",
+    "`contact.friction` is a list, but must be a ratio",
     "[0.4]"
+)]
+#[case::no_text(
+    "friction = 0.4",
+    "friction = 0.4\ncreep_law = 3",
+    "`contact.creep_law` is 3, but must be a text in quotes",
+    "3"
 )]
 #[case::unknown_key(
     "friction = 0.4",
@@ -201,7 +207,7 @@ fn a_portable_case_is_restored() -> Result<(), CaseError> {
 #[case::negative_points(
     "points = 241",
     "points = -3",
-    "`map.wavelength.points`: invalid value",
+    "`map.wavelength.points` is -3, but must be a whole number, zero or more",
     "-3"
 )]
 #[case::syntax("friction = 0.4", "friction = ", "not valid TOML", "")]

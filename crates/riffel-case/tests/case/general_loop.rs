@@ -83,7 +83,7 @@ fn a_completed_case_reads_back(#[case] text: &str) -> Result<(), CaseError> {
 #[case::creepage_of_a_list(
     RIGID,
     "contact.creepage=[0.1]",
-    "expected a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin"
+    "is a list, but must be a ratio such as 0.004 or \"0.4 %\", or a table of longitudinal, lateral and spin"
 )]
 #[case::law_of_one_direction(
     RIGID,

@@ -8,6 +8,7 @@ use riffel_case::Hold;
 use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
+use super::number::plain_number;
 use super::{Asked, CaseArguments, Layout};
 
 #[derive(Args)]
@@ -55,15 +56,15 @@ pub(crate) struct Forecast {
 #[group(multiple = false)]
 pub(crate) struct Horizon {
     /// Look so many axle passages ahead.
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = plain_number)]
     pub(crate) passages: Option<f64>,
 
     /// Look so many million gross tonnes ahead.
-    #[arg(long, value_name = "X", allow_negative_numbers = true)]
+    #[arg(long, value_name = "X", allow_negative_numbers = true, value_parser = plain_number)]
     pub(crate) mgt: Option<f64>,
 
     /// Look so many months ahead [default: 12].
-    #[arg(long, value_name = "M", allow_negative_numbers = true)]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = plain_number)]
     pub(crate) months: Option<f64>,
 }
 
@@ -103,6 +104,7 @@ pub(crate) struct Spectra {
         long,
         value_name = "N",
         allow_negative_numbers = true,
+        value_parser = plain_number,
         requires = "spectrum"
     )]
     pub(crate) passages_between: Option<f64>,

@@ -8,6 +8,7 @@ use riffel_answers::roughness::ProfileRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity};
 use riffel_rail::{LengthUnit, RecordPart, read_date};
 
+use super::number::plain_number;
 use super::{CaseArguments, Ground, HoldArgument};
 
 /// How files of roughness are laid out, and what is taken of them.
@@ -319,7 +320,8 @@ pub(crate) struct Report {
         long,
         value_name = "M",
         requires = "traffic",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = plain_number
     )]
     pub(crate) months: Option<f64>,
 

@@ -518,6 +518,10 @@ fn bad_input_is_answered_with_a_sentence() {
             "greater than zero",
         ),
         (
+            format!("{forecast} --spectrum one.csv --passages 2,5e6"),
+            "no separators of thousands",
+        ),
+        (
             format!("{forecast} --spectrum one.csv --passages 1 --mgt 1"),
             "cannot be used with",
         ),
