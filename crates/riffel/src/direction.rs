@@ -25,6 +25,19 @@ pub enum Rail {
     Right,
 }
 
+impl Rail {
+    /// Left, then right.
+    pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
+
+    /// −1 on the left, +1 on the right: the side of the track to which it lies.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Left => -1.0,
+            Self::Right => 1.0,
+        }
+    }
+}
+
 /// Where on a structure, and along which of its axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {

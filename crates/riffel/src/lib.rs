@@ -14,7 +14,8 @@
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
 //! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`]; what
-//! becomes of it under traffic, in [`forecast`].
+//! becomes of it under traffic, in [`forecast`]. How a bogie stands in a curve, and the creepages of its contacts, is in
+//! [`curving`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -85,6 +86,7 @@
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod contact;
+pub mod curving;
 pub mod diagnosis;
 mod direction;
 mod elastic;

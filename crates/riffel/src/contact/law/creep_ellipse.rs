@@ -42,6 +42,30 @@ impl CreepEllipse {
         }
     }
 
+    /// An ellipse with the linear forces of given creep coefficients f₁₁, f₂₂ \[N\] and f₂₃ \[N m\] under the normal force
+    /// P₀ \[N\]: f₁₁, f₂₂ ∝ P^{2/3}, f₂₃ ∝ P. Its size is a mere unit.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless f₁₁, f₂₂ and P₀ are positive and f₂₃ is not negative.
+    pub fn of_coefficients(
+        longitudinal: f64,
+        lateral: f64,
+        spin: f64,
+        normal_force: f64,
+    ) -> Result<Self, Error> {
+        let ellipse = Self {
+            normal_force,
+            semi_axis_longitudinal: 1.0,
+            semi_axis_lateral: 1.0,
+            shear_modulus: 1.0,
+            c11: longitudinal,
+            c22: lateral,
+            c23: spin,
+        };
+        ellipse.check()?;
+        Ok(ellipse)
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
         Error::unless_positive("normal force", self.normal_force, "N")?;
         Error::unless_positive("longitudinal semi-axis", self.semi_axis_longitudinal, "m")?;
@@ -49,7 +73,7 @@ impl CreepEllipse {
         Error::unless_positive("shear modulus", self.shear_modulus, "Pa")?;
         Error::unless_positive("creep coefficient C11", self.c11, "")?;
         Error::unless_positive("creep coefficient C22", self.c22, "")?;
-        Error::unless_positive("creep coefficient C23", self.c23, "")
+        Error::unless_not_negative("creep coefficient C23", self.c23, "")
     }
 
     /// The same contact under the normal force P > 0 \[N\].

@@ -1,0 +1,111 @@
+//! A bogie in equilibrium.
+
+use crate::Rail;
+use crate::contact::{CreepForces, Creepages};
+
+/// A wheelset in equilibrium; forces and moments are those on the wheelset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WheelsetState {
+    /// Lateral shift y \[m\].
+    pub lateral_shift: f64,
+    /// Yaw ψ \[rad\].
+    pub yaw: f64,
+    /// Angle of attack \[rad\], positive with the nose to the outside of the curve.
+    pub angle_of_attack: f64,
+    /// Ω r₀/V \[-\], with the radius of the right wheel.
+    pub rotation_ratio: f64,
+    /// Lateral force of a flange that is a spring \[N\].
+    pub flange_force: f64,
+    /// Lateral force of the suspension \[N\].
+    pub suspension_lateral_force: f64,
+    /// Yaw moment of the suspension \[N m\].
+    pub suspension_yaw_moment: f64,
+    /// Yaw moment of the contacts \[N m\].
+    pub contact_yaw_moment: f64,
+    /// Lateral inertial force of its mass under the uncompensated acceleration \[N\].
+    pub inertial_lateral_force: f64,
+}
+
+/// The contact of one wheel; forces are those on the rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WheelState {
+    /// Wheelset, 1 leads.
+    pub wheelset: usize,
+    /// Rail.
+    pub rail: Rail,
+    /// Creepages, lateral and spin in the plane of contact.
+    pub creepages: Creepages,
+    /// Contact angle γ \[rad\].
+    pub contact_angle: f64,
+    /// Rolling radius r \[m\].
+    pub rolling_radius: f64,
+    /// Vertical load W \[N\].
+    pub vertical_load: f64,
+    /// Normal force P \[N\].
+    pub normal_force: f64,
+    /// Tangential force in the axes of the contact \[N\].
+    pub creep_forces: CreepForces,
+    /// Lateral force on the rail in the plane of the track \[N\], of normal and tangential force.
+    pub track_lateral_force: f64,
+    /// |Q|/μP \[-\].
+    pub tractive_ratio: f64,
+    /// Dissipated energy per metre Tγ = Q_x ξ_x + Q_y ξ_y \[N\].
+    pub t_gamma: f64,
+}
+
+/// The frame in equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FrameState {
+    /// Lateral shift \[m\] from the middle of the chord between the axles.
+    pub lateral_shift: f64,
+    /// Yaw \[rad\] from the tangent in the middle.
+    pub yaw: f64,
+    /// Lateral inertial force of all that is not wheelsets \[N\].
+    pub inertial_lateral_force: f64,
+}
+
+/// One step of the way from straight track to the curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ContinuationStep {
+    /// Share of curvature, uncompensated acceleration, torques and yaw moment \[-\].
+    pub fraction: f64,
+    /// Largest residual over the load of a wheel \[-\].
+    pub residual: f64,
+    /// Newton steps.
+    pub iterations: usize,
+}
+
+/// A bogie in equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct BogieState {
+    /// The wheelsets; the first leads.
+    pub wheelsets: [WheelsetState; 2],
+    /// The wheels: 1 left, 1 right, 2 left, 2 right.
+    pub wheels: [WheelState; 4],
+    /// The frame.
+    pub frame: FrameState,
+    /// Lateral acceleration that the cant leaves \[m/s²\], positive outward.
+    pub uncompensated_acceleration: f64,
+    /// Acceleration into the plane of the track \[m/s²\].
+    pub normal_acceleration: f64,
+    /// Power of friction in the contacts, V Σ Tγ \[W\].
+    pub frictional_power: f64,
+    /// Power of the torques Σ Ω T \[W\].
+    pub drive_power: f64,
+    /// Largest residual of force, or of moment over its arm, over the static load of a wheel \[-\].
+    pub residual: f64,
+    /// The way from straight track; empty for a state found from another start.
+    pub continuation: Vec<ContinuationStep>,
+}
+
+impl BogieState {
+    /// Resistance of the curve \[N\]: frictional less drive power, over the speed \[m/s\].
+    pub fn curving_resistance(&self, speed: f64) -> f64 {
+        (self.frictional_power - self.drive_power) / speed
+    }
+}

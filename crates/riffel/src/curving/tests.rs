@@ -1,0 +1,164 @@
+//! Limits and identities of curving.
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+
+use super::*;
+use crate::contact::{CreepEllipse, ShenHedrickElkins};
+
+fn ellipse() -> CreepEllipse {
+    CreepEllipse::of_coefficients(10.5e6, 9.2e6, 22e3, 54e3).unwrap()
+}
+
+fn creep(friction: f64) -> Creep {
+    Creep::Law(Arc::new(
+        ShenHedrickElkins::new(ellipse(), friction).unwrap(),
+    ))
+}
+
+fn bogie() -> Bogie {
+    Bogie {
+        wheelbase: 2.5,
+        primary_spacing: 2.0,
+        primary_longitudinal_stiffness: 10e6,
+        primary_lateral_stiffness: 5e6,
+        mass_per_axle: 11_000.0,
+        wheelset_mass: 1400.0,
+        rolling_radii: [0.46, 0.46],
+        contact_spacing: 1.5,
+        centre_of_mass_height: 1.7,
+        frame_yaw_moment: 0.0,
+        drive_torque: [0.0, 0.0],
+    }
+}
+
+fn tilted(shift_moment: bool) -> Kinematics {
+    Kinematics::Nonlinear {
+        surfaces: Arc::new(ConeWithFlangePlane {
+            conicity: 0.05,
+            slope: 2.5,
+            shift: 7e-3,
+            width: 0.4e-3,
+        }),
+        contact_plane: ContactPlane::Tilted { shift_moment },
+        flange: None,
+    }
+}
+
+/// Wheelsets on springs so soft that they are free, balanced by cant, roll without creepage; the springs' share of the
+/// creep forces is 1e-9.
+#[test]
+fn soft_springs_leave_the_wheelsets_free() {
+    let (spacing, radius, speed) = (1.5_f64, 700.0, 20.0_f64);
+    // tan θ = V²/gR balances the curve.
+    let cant = spacing * (speed * speed / (STANDARD_GRAVITY * radius)).atan().sin();
+    let linear = Creep::Linear {
+        ellipse: CreepEllipse::of_coefficients(10e6, 9e6, 0.0, 54e3).unwrap(),
+        friction: 0.4,
+    };
+    let free = BogieInCurve {
+        curve: Curve {
+            radius,
+            cant,
+            speed,
+        },
+        bogie: Bogie {
+            primary_longitudinal_stiffness: 0.01,
+            primary_lateral_stiffness: 0.01,
+            ..bogie()
+        },
+        kinematics: Kinematics::Linear { conicity: 0.1 },
+        creep: [linear.clone(), linear],
+    };
+    let state = free.equilibrium().unwrap();
+    let expected = free_curving_shift(0.46, spacing, 0.1, radius);
+    for wheelset in state.wheelsets {
+        assert_relative_eq!(wheelset.lateral_shift, expected, max_relative = 1e-7);
+        assert!(wheelset.yaw.abs() < 1e-9);
+    }
+}
+
+/// Where every contact slides, no tangential force is above μP, and tight curves with stiff springs bring it there.
+#[test]
+fn tight_curves_slide() {
+    let tight = BogieInCurve {
+        curve: Curve {
+            radius: 100.0,
+            cant: 0.0,
+            speed: 3.0,
+        },
+        bogie: bogie(),
+        kinematics: Kinematics::Nonlinear {
+            surfaces: Arc::new(Cone { conicity: 0.05 }),
+            contact_plane: ContactPlane::Horizontal,
+            flange: Some(FlangeSpring {
+                clearance: 7e-3,
+                stiffness: 50e6,
+            }),
+        },
+        creep: [creep(0.3), creep(0.3)],
+    };
+    let state = tight.equilibrium().unwrap();
+    assert!(
+        state.wheels[..2]
+            .iter()
+            .all(|wheel| (wheel.tractive_ratio - 1.0).abs() < 1e-12)
+    );
+    assert!(
+        state
+            .wheels
+            .iter()
+            .all(|wheel| wheel.tractive_ratio < 1.0 + 1e-12)
+    );
+    assert!(state.wheelsets[0].flange_force > 0.0 && state.wheelsets[0].angle_of_attack > 0.0);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// A curve to the other side with the rails' friction exchanged and the moment turned is the mirror image, and what
+    /// friction takes is what the springs, the drive and the motion along the track give: per wheelset
+    /// V ΣQ·ξ = V ΣQ_x − (V/R) s(Q_xR − Q_xL) + ΩT, but for the lateral slip of rails in a curve.
+    #[test]
+    fn mirror_and_energy(
+        radius in 150.0..2000.0_f64, speed in 5.0..25.0_f64, left in 0.15..0.5_f64, right in 0.15..0.5_f64,
+        moment in -5e3..5e3_f64, torque in -1e3..1e3_f64,
+    ) {
+        let curve = Curve { radius, cant: 0.05, speed };
+        prop_assume!(curve.uncompensated_acceleration(1.5) < 1.5);
+        let one = BogieInCurve {
+            curve,
+            bogie: Bogie { frame_yaw_moment: moment, drive_torque: [torque, 0.0], ..bogie() },
+            kinematics: tilted(false),
+            creep: [creep(left), creep(right)],
+        };
+        let other = BogieInCurve {
+            curve: Curve { radius: -radius, ..curve },
+            bogie: Bogie { frame_yaw_moment: -moment, ..one.bogie },
+            creep: [creep(right), creep(left)],
+            ..one.clone()
+        };
+        let (one, other) = (one.equilibrium().unwrap(), other.equilibrium().unwrap());
+        for (one, other) in one.wheelsets.iter().zip(&other.wheelsets) {
+            prop_assert!((one.lateral_shift + other.lateral_shift).abs() < 1e-10);
+            prop_assert!((one.yaw + other.yaw).abs() < 1e-10);
+        }
+        for (index, wheel) in one.wheels.iter().enumerate() {
+            let mirrored = &other.wheels[index ^ 1];
+            prop_assert!((wheel.normal_force - mirrored.normal_force).abs() < 1e-4);
+        }
+        for (index, wheelset) in one.wheelsets.iter().enumerate() {
+            let [left, right] = [&one.wheels[2 * index], &one.wheels[2 * index + 1]];
+            let along = left.creep_forces.longitudinal + right.creep_forces.longitudinal;
+            let turning = 0.75 * (right.creep_forces.longitudinal - left.creep_forces.longitudinal);
+            let turn = wheelset.rotation_ratio * speed / 0.46;
+            let drive = if index == 0 { turn * torque } else { 0.0 };
+            let given = speed * along - speed / radius * turning + drive;
+            let taken = speed * (left.t_gamma + right.t_gamma);
+            // Rounding of forces of 50 kN at 25 m/s, and the equilibrium's of 1e-12.
+            prop_assert!((given - taken).abs() < 1e-4, "{given} {taken}");
+        }
+    }
+}
