@@ -11,8 +11,9 @@ impl CaseText {
     /// single parts, then those of the whole track.
     ///
     /// The damping of a layer is one choice: where a viscous damping or a loss factor is given, a
-    /// preset adds neither. The inertia of a wheel goes with its mass, and a wheelset takes the place of both. A preset
-    /// of which nothing is left is worth a remark.
+    /// preset adds neither. The inertia of a wheel goes with its mass, and a wheelset takes the place of both. A list is
+    /// one value, and an axle of segments has no one length and diameter. A preset of which nothing is left is worth a
+    /// remark.
     pub(crate) fn fill_in(&mut self) -> Result<(), CaseError> {
         for kind in PresetKind::ALL {
             let key = kind.key();
@@ -43,7 +44,12 @@ impl CaseText {
                 _ if value.key == "wheel.inertia" => {
                     !self.keys.has(&value.key) && !self.keys.has("wheel.mass")
                 }
-                _ => !self.keys.has(&value.key),
+                Some(("wheelset.axle", "length" | "diameter"))
+                    if self.keys.has("wheelset.axle.segments") =>
+                {
+                    false
+                }
+                _ => !self.keys.has(value.list().unwrap_or(&value.key)),
             })
             .collect();
         if missing.is_empty() {
@@ -56,6 +62,7 @@ impl CaseText {
         for value in missing {
             self.keys.put(&value.key, value.value.as_str());
             self.filled_in.insert(value.key.clone());
+            self.filled_in.extend(value.list().map(str::to_owned));
         }
     }
 

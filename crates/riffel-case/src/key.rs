@@ -36,6 +36,16 @@ impl CaseKey {
         Self::all().iter().find(|known| known.key == key)
     }
 
+    /// The key of this name, also of one in the item of a list, `wheelset.discs[0].mass`.
+    pub(crate) fn at(key: &str) -> Option<&'static Self> {
+        let Some((list, item)) = key.split_once('[') else {
+            return Self::find(key);
+        };
+        let (_, rest) = item.split_once(']')?;
+        let in_list = |known: &&Self| known.key.strip_prefix(list) == Some(&format!("[]{rest}"));
+        Self::in_lists().iter().find(in_list)
+    }
+
     /// The name of the key most like a text.
     pub fn nearest(text: &str) -> &'static str {
         let likeness = |known: &&Self| strsim::jaro_winkler(text, &known.key);

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
+use riffel_keys::quantity::Kind;
 use riffel_keys::{CaseError, clipped};
 use serde::Deserialize;
 use serde_json::json;
@@ -50,18 +51,21 @@ pub enum PresetKind {
     Sleeper,
     /// Ballast.
     Ballast,
+    /// A wheelset.
+    Wheelset,
     /// A wheel with its load.
     Vehicle,
 }
 
 impl PresetKind {
     /// Every kind, those that fill in single parts before those that fill in the whole.
-    pub(crate) const ALL: [Self; 6] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self::Rail,
         Self::Pad,
         Self::Sleeper,
         Self::Ballast,
         Self::Track,
+        Self::Wheelset,
         Self::Vehicle,
     ];
 
@@ -73,6 +77,7 @@ impl PresetKind {
             Self::Pad => "track.pad.preset",
             Self::Sleeper => "track.sleeper.preset",
             Self::Ballast => "track.ballast.preset",
+            Self::Wheelset => "wheelset.preset",
             Self::Vehicle => "vehicle",
         }
     }
@@ -85,6 +90,7 @@ impl PresetKind {
             Self::Pad => "pad",
             Self::Sleeper => "sleeper",
             Self::Ballast => "ballast",
+            Self::Wheelset => "wheelset",
             Self::Vehicle => "vehicle",
         }
     }
@@ -108,7 +114,7 @@ pub struct Preset {
 /// One value of a preset with its source.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PresetValue {
-    /// The key of a case file it stands for, dotted.
+    /// The key of a case file it stands for, dotted, as in `rail.area` or `wheelset.discs[0].mass`.
     pub key: String,
     /// The value as written, in engineers' units.
     pub value: String,
@@ -118,7 +124,19 @@ pub struct PresetValue {
     pub source: String,
 }
 
-/// A preset as it stands in its file: after the head, one table for each key.
+impl PresetValue {
+    /// What the key takes; none for a choice.
+    fn quantity(&self) -> Option<Kind> {
+        CaseKey::at(&self.key)?.quantity
+    }
+
+    /// The list that it belongs to, if any.
+    pub(crate) fn list(&self) -> Option<&str> {
+        Some(self.key.split_once('[')?.0)
+    }
+}
+
+/// A preset as it stands in its file: after the head, one table for each key, also for those of the items of a list.
 #[derive(Deserialize)]
 struct PresetFile {
     name: String,
@@ -156,7 +174,7 @@ impl Preset {
     /// The preset as one JSON document: each value as written and, where it is a quantity, in SI with its unit.
     pub fn document(&self) -> serde_json::Value {
         let values = self.values.iter().map(|value| {
-            let quantity = CaseKey::find(&value.key).and_then(|key| key.quantity);
+            let quantity = value.quantity();
             let document = json!({
                 "value": value.value,
                 "value_si": quantity.and_then(|kind| kind.read(&value.value).ok()),
@@ -201,6 +219,11 @@ fn collect(
         match inner {
             Value::Table(inner) if !inner.contains_key("source") => {
                 collect(&key, inner, values)?;
+            }
+            Value::Array(items) => {
+                for (index, item) in items.into_iter().enumerate() {
+                    collect(&format!("{key}[{index}]"), item.try_into()?, values)?;
+                }
             }
             other => {
                 let written: PresetFileValue = other.try_into()?;
@@ -275,7 +298,13 @@ mod tests {
         for preset in presets() {
             let document = preset.document();
             for (key, value) in document["values"].as_object().unwrap() {
-                assert!(value["value_si"].is_f64(), "{} {key}: {value}", preset.name);
+                let is_choice = key == "wheelset.model";
+                assert_eq!(
+                    value["value_si"].is_f64(),
+                    !is_choice,
+                    "{} {key}: {value}",
+                    preset.name
+                );
             }
         }
         let rail = preset("UIC60").unwrap().document();
@@ -301,7 +330,7 @@ mod tests {
     fn presets_are_usual() {
         for Preset { name, values, .. } in presets() {
             for value in values {
-                let Some(kind) = CaseKey::find(&value.key).and_then(|key| key.quantity) else {
+                let Some(kind) = value.quantity() else {
                     continue;
                 };
                 let si = kind.read(&value.value).unwrap();

@@ -259,20 +259,39 @@ impl KeyFile {
         }
     }
 
-    /// Set a key, which is no override. A value where a table is needed stays, for the reader to complain of.
+    /// Set a key such as `rail.area` or `vehicle[0].share`, which is no override; tables, lists and the item after the
+    /// last are made. A value where a table or a list is needed stays, for the reader to complain of.
     pub fn put(&mut self, key: &str, value: impl Into<Value>) {
-        let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
-        let mut table = &mut self.table;
-        for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
-            let inner = table
-                .entry(parent.to_owned())
-                .or_insert_with(|| Value::Table(Table::new()));
-            let Some(inner) = inner.as_table_mut() else {
+        let empty = |next: Option<&&str>| match next {
+            Some(part) if part.ends_with(']') => Value::Array(Vec::new()),
+            _ => Value::Table(Table::new()),
+        };
+        let mut parts = key.split(['.', '[']).peekable();
+        let Some(first) = parts.next() else {
+            return;
+        };
+        let top = self.table.entry(first.to_owned());
+        let mut place = top.or_insert_with(|| empty(parts.peek()));
+        while let Some(part) = parts.next() {
+            let inner = match part.strip_suffix(']') {
+                Some(index) => index.parse().ok().and_then(|index: usize| {
+                    let items = place.as_array_mut()?;
+                    if items.len() == index {
+                        items.push(empty(parts.peek()));
+                    }
+                    items.get_mut(index)
+                }),
+                None => place.as_table_mut().map(|table| {
+                    let inner = table.entry(part.to_owned());
+                    inner.or_insert_with(|| empty(parts.peek()))
+                }),
+            };
+            let Some(inner) = inner else {
                 return;
             };
-            table = inner;
+            place = inner;
         }
-        table.insert(last.to_owned(), value.into());
+        *place = value.into();
     }
 
     /// The keys as types.

@@ -261,6 +261,7 @@ fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -
             file.vehicle.as_ref(),
             file.rail.section.as_ref(),
             file.track.preset.as_ref(),
+            (file.wheelset.as_ref()).and_then(|wheelset| wheelset.preset.as_ref()),
         ];
         for preset in names
             .into_iter()

@@ -11,3 +11,4 @@ mod track;
 mod traffic;
 mod wheelset_cases;
 mod wheelset_files;
+mod wheelset_presets;

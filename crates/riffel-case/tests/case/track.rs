@@ -203,10 +203,11 @@ fn timoshenko_needs_area_and_shear_coefficient() {
     }
 }
 
-/// Every preset of a kind makes a case.
+/// Every preset of a kind makes a case; wheelsets, in the place of the wheel of this one, do in `wheelset_presets.rs`.
 #[test]
 fn every_preset_computes() {
-    for preset in riffel_case::presets() {
+    let presets = riffel_case::presets().iter();
+    for preset in presets.filter(|preset| preset.kind != riffel_case::PresetKind::Wheelset) {
         let name = format!("{}={}", preset.kind.key(), preset.name);
         let model = if preset
             .values

@@ -1,0 +1,129 @@
+//! Presets of wheelsets, and values that go before theirs.
+
+use riffel_case::{Case, CaseWheelset, PresetKind, presets};
+use rstest::rstest;
+
+/// A case whose wheelset is that of a preset, with overrides.
+fn case(overrides: &[&str]) -> Result<Case, riffel_keys::CaseError> {
+    let text = include_str!("../../cases/wheelset-metro-trailer.toml");
+    let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+    Case::parse("case.toml", text, &overrides)
+}
+
+/// Mass \[kg\] of the wheelset.
+fn mass(case: &Case) -> f64 {
+    match case.wheelset.as_deref() {
+        Some(CaseWheelset::Flexible(flexible)) => flexible.rigid_body().mass,
+        Some(CaseWheelset::Rigid(rigid)) => rigid.body().mass,
+        _ => panic!("another wheelset"),
+    }
+}
+
+/// Mass \[kg\] of an axle of 2.2 m and a diameter \[m\].
+fn axle(diameter: f64) -> f64 {
+    7850.0 * 2.2 * std::f64::consts::PI * diameter * diameter / 4.0
+}
+
+#[test]
+fn every_wheelset_computes() {
+    let wheelsets = presets().iter();
+    let wheelsets: Vec<_> = wheelsets
+        .filter(|preset| preset.kind == PresetKind::Wheelset)
+        .collect();
+    assert_eq!(wheelsets.len(), 5);
+    for preset in wheelsets {
+        let case = case(&[&format!("wheelset.preset={}", preset.name)]).unwrap();
+        let title = &preset.title;
+        // The title says the mass; of a driven one without the rotor, which does not move with the axle.
+        let said = title
+            .split(['(', ' '])
+            .find_map(|word| word.parse::<f64>().ok());
+        let said = said.expect("a mass in the title");
+        assert!(
+            (mass(&case) / said - 1.0).abs() < 2e-3,
+            "{title} {}",
+            mass(&case)
+        );
+        let growth = case.feedback.at(0.05, 15.0).growth_rate();
+        assert!(growth.is_finite(), "{title}");
+    }
+}
+
+/// One value of a table goes before that of the preset, the others stay.
+#[test]
+fn a_written_value_goes_before_that_of_the_preset() {
+    let all = mass(&case(&[]).unwrap());
+    let thick = case(&["wheelset.axle.diameter=180 mm"]).unwrap();
+    assert!((mass(&thick) - all - axle(0.18) + axle(0.16)).abs() < 1e-9);
+    let wheelset = thick.file.wheelset.as_ref().unwrap();
+    assert_eq!(wheelset.axle.as_ref().unwrap().loss_factor.si(), 0.002);
+    assert_eq!(
+        wheelset
+            .suspension
+            .as_ref()
+            .unwrap()
+            .vertical_stiffness
+            .si(),
+        1.7e6
+    );
+    assert_eq!(wheelset.discs.len(), 6);
+}
+
+/// A list is one value: discs that are written are all there are.
+#[test]
+fn written_discs_replace_the_whole_list() {
+    let wheel = |place| {
+        format!(
+            r#"{{ position = {place}, mass = 300, polar_inertia = 30, diametral_inertia = 16 }}"#
+        )
+    };
+    let discs = format!("wheelset.discs=[{}, {}]", wheel(-0.75), wheel(0.75));
+    let case = case(&[&discs]).unwrap();
+    assert!(
+        (mass(&case) - 600.0 - axle(0.16)).abs() < 1e-9,
+        "{}",
+        mass(&case)
+    );
+}
+
+/// Segments are in the place of length and diameter.
+#[test]
+fn written_segments_replace_length_and_diameter() {
+    let case = case(&[
+        r#"wheelset.axle.segments=[{ length = 1.1, diameter = 0.16 }, { length = 1.1, diameter = 0.18 }]"#,
+    ]);
+    let all = mass(&self::case(&[]).unwrap());
+    let more = 0.5 * (axle(0.18) - axle(0.16));
+    assert!((mass(&case.unwrap()) - all - more).abs() < 1e-9);
+}
+
+/// A preset of all that a case says itself is worth a remark; one with another model gives what that takes.
+#[test]
+fn a_rigid_wheelset_takes_the_suspension_of_a_preset() {
+    let rigid = case(&[
+        "wheelset.model=rigid",
+        "wheelset.mass=1400 kg",
+        "wheelset.roll_inertia=700 kg m2",
+        "wheelset.spin_inertia=96 kg m2",
+    ])
+    .unwrap();
+    assert_eq!(mass(&rigid), 1400.0);
+    assert!(matches!(
+        rigid.wheelset.as_deref(),
+        Some(CaseWheelset::Rigid(_))
+    ));
+}
+
+#[rstest]
+#[case::unknown(
+    "wheelset.preset=metro",
+    "is \"metro\", but no wheelset preset has that name; allowed: coach, electric-locomotive, metro-motor, metro-trailer, tram"
+)]
+#[case::of_another_kind("wheelset.preset=locomotive", "no wheelset preset has that name")]
+#[case::not_a_name("wheelset.preset=3", "is \"3\", but no wheelset preset")]
+#[case::rigid("wheelset.model=rigid", "`wheelset.mass` is missing")]
+#[case::discs_of_another_kind("wheelset.discs=3", "`wheelset.discs` is not a list")]
+fn mistakes_name_the_key(#[case] change: &str, #[case] says: &str) {
+    let message = case(&[change]).err().unwrap().to_string();
+    assert!(message.contains(says), "{message}");
+}
