@@ -92,6 +92,47 @@ pub enum Error {
         width: f64,
     },
 
+    /// A structure that moves before it is struck.
+    #[error(
+        "no causal track has this receptance: the nearest differs from it by {:.1} % rms, a share of {share:.1e} of its \
+         square, and at most {largest:.0e} may be cut; give damping in N s/m in place of loss factors",
+        100.0 * share.sqrt()
+    )]
+    NotCausal {
+        /// Mean square of the relative difference.
+        share: f64,
+        /// The largest allowed.
+        largest: f64,
+    },
+
+    /// Motion that does not repeat itself with every wave of the profile.
+    #[error(
+        "after {seconds} s of rolling the motion still does not repeat itself from wave to wave: it changes by \
+         {change:.1e} of its first harmonic; choose a smaller amplitude"
+    )]
+    NotSettled {
+        /// Time of rolling \[s\].
+        seconds: f64,
+        /// Change over a tenth of a second, over the first harmonic.
+        change: f64,
+    },
+
+    /// A wheel that hops instead of rolling.
+    #[error(
+        "a sinusoid of {:.4} um and {:.4} mm keeps the wheel in the air for {:.0} % of a wave; choose a smaller amplitude",
+        1e6 * amplitude,
+        1e3 * wavelength,
+        100.0 * share
+    )]
+    Airborne {
+        /// Share of a wave without contact \[-\].
+        share: f64,
+        /// Amplitude of the profile \[m\].
+        amplitude: f64,
+        /// Its wavelength \[m\].
+        wavelength: f64,
+    },
+
     /// The load outruns the bending waves that its own oscillation excites.
     #[error(
         "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \

@@ -15,7 +15,7 @@
 //!
 //! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`]; what
 //! becomes of it under traffic, in [`forecast`]. How a bogie stands in a curve, and the creepages of its contacts, is in
-//! [`curving`].
+//! [`curving`]. Large amplitudes, followed through time, are in [`passage`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -95,6 +95,7 @@ pub mod feedback;
 pub mod forecast;
 mod golden_section;
 pub mod growth;
+pub mod passage;
 mod place_of_wear;
 pub mod receptance;
 pub mod roughness;

@@ -4,6 +4,7 @@ mod contact;
 mod forecast;
 mod general_loop;
 mod growth;
+mod passage;
 mod spatial_track;
 mod track;
 mod wheelset;

@@ -1,0 +1,24 @@
+//! A wheel that rolls along a rail in time: large amplitudes, loss of contact, wear over many passages.
+//!
+//! The loop of [`feedback`](crate::feedback) is linear in the amplitude of the profile. Here the same wheel, track and
+//! creep law are followed through time with the contact as it is: the normal force of Hertz, which ends where the
+//! surfaces part, and the creep force at the normal force and creepage of the instant. Small amplitudes give the linear
+//! loop again.
+//!
+//! [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
+//! and [`Settled`] the state over a sinusoid that repeats itself with every wave.
+
+mod hertz_spring;
+mod impulse_response;
+mod least_squares;
+mod march;
+mod model;
+mod settled;
+mod track_motion;
+mod vector_fitting;
+
+pub use hertz_spring::HertzSpring;
+pub use impulse_response::ImpulseResponse;
+pub use march::{ContactInstant, March};
+pub use model::{PassageModel, Turning};
+pub use settled::{Harmonic, Settled, Sinusoid};

@@ -1,0 +1,71 @@
+//! Wheel, track and contact of a march.
+
+use std::sync::Arc;
+
+use super::{HertzSpring, ImpulseResponse, March};
+use crate::Error;
+use crate::contact::{CreepLaw, MeanRolling};
+
+/// How the wheel turns under the creep force.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Turning {
+    /// As a rigid body under a constant torque of the drive, I dΩ/dt = (Q − Q₀)R, equation (15): the creep force keeps
+    /// its mean, and the creepage finds its own.
+    Inertia {
+        /// I_w \[kg m²\].
+        inertia: f64,
+        /// R \[m\].
+        rolling_radius: f64,
+    },
+    /// Evenly: the creepage is constant, and the creep force finds its mean.
+    Held,
+}
+
+/// One wheel on a track, at one speed.
+///
+/// * Track: displacement u_r = ∫ g(t − τ) (P − P₀) dτ from its position under the load at rest.
+/// * Wheel: a rigid mass under a dead load, m_w d²z_w/dt² = P₀ − P, with z_w downward.
+/// * Contact: δ = δ₀ + z_w − u_r + r for a profile of height r, P = C_H δ^{3/2} or none.
+/// * Creep: Q of a steady law at the P and ξ of the instant, none without contact; dξ/dt = −(R²/I_wV)(Q − Q₀).
+///
+/// Both means follow of themselves: a wheel that goes on rolling has the mean normal force P₀, and one with inertia the
+/// mean creep force Q₀. Range of validity: that of the steady law, waves much longer than the patch; the profile is not
+/// averaged over the patch; a wheel without a suspension of its own, so above some 10 Hz.
+#[derive(Clone)]
+pub struct PassageModel {
+    /// The track.
+    pub track: ImpulseResponse,
+    /// Unsprung mass m_w \[kg\].
+    pub wheel_mass: f64,
+    /// The contact.
+    pub spring: HertzSpring,
+    /// The creep law.
+    pub law: Arc<dyn CreepLaw>,
+    /// The wheel's rotation.
+    pub turning: Turning,
+    /// The mean state, at which a march begins.
+    pub mean: MeanRolling,
+    /// Speed V \[m/s\].
+    pub speed: f64,
+}
+
+impl PassageModel {
+    /// A march from steady rolling on, in steps of the given length \[m\].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless step, speed, mass and inertia are positive.
+    pub fn march(&self, step: f64) -> Result<March<'_>, Error> {
+        Error::unless_positive("step", step, "m")?;
+        Error::unless_positive("speed", self.speed, "m/s")?;
+        Error::unless_positive("mass", self.wheel_mass, "kg")?;
+        if let Turning::Inertia {
+            inertia,
+            rolling_radius,
+        } = self.turning
+        {
+            Error::unless_positive("inertia", inertia, "kg m2")?;
+            Error::unless_positive("rolling radius", rolling_radius, "m")?;
+        }
+        Ok(March::new(self, step))
+    }
+}
