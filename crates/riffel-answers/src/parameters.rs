@@ -2,7 +2,7 @@
 
 use riffel::contact::Creepages;
 use riffel_case::Case;
-use riffel_case::file::{ContactDynamics, CreepLawName, DissipationPhase, Rotation};
+use riffel_case::file::{CaseFile, ContactDynamics, CreepLawName, DissipationPhase, Rotation};
 use riffel_keys::{Language, Sentence};
 
 use crate::track_in_words::{rail, track};
@@ -13,8 +13,8 @@ fn si(value: Option<f64>) -> f64 {
 }
 
 /// The parameters of Polach's law in words, where the case has any.
-pub(crate) fn polach(case: &Case) -> String {
-    let Some(polach) = &case.file.contact.polach else {
+pub(crate) fn polach(file: &CaseFile) -> String {
+    let Some(polach) = &file.contact.polach else {
         return String::new();
     };
     let reduction = format!(
@@ -70,7 +70,7 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
     let law = language.say(Sentence::CreepLaw);
     let law = match case.creep_law() {
         CreepLawName::CARTER_3D => String::new(),
-        CreepLawName::POLACH => format!("{law} polach{}; ", polach(case)),
+        CreepLawName::POLACH => format!("{law} polach{}; ", polach(&case.file)),
         name => format!("{law} {}; ", name.name()),
     };
     let dynamics = match file.contact.response {
@@ -95,7 +95,7 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
 }
 
 /// The mean creepage: along the rail, or as a vector with its spin.
-fn creepage(creepages: Creepages) -> String {
+pub(crate) fn creepage(creepages: Creepages) -> String {
     let Creepages {
         longitudinal,
         lateral,

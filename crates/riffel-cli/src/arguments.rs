@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_answers::paper::Model;
-use riffel_case::Case;
+use riffel_case::file::CaseFile;
+use riffel_case::{Case, CaseContact};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;
@@ -127,6 +128,13 @@ impl CaseArguments {
         ))
     }
 
+    /// The contact of the case alone.
+    pub(crate) fn read_contact(&self) -> miette::Result<CaseContact> {
+        let contact = CaseContact::read(&self.path, &self.overrides)?;
+        protect(&self.path, &contact.file);
+        Ok(contact)
+    }
+
     /// The case with the wheel at another place of the bay.
     pub(crate) fn read_at(&self, position: Option<Quantity<Length>>) -> miette::Result<Case> {
         let Some(position) = position else {
@@ -171,11 +179,15 @@ pub(crate) fn stem(path: &Path) -> String {
 
 /// The case, whose file of a measured track must not be replaced by results.
 fn protected(path: &Path, case: Case) -> Case {
-    if let Some(measurement) = &case.file.track.measurement {
+    protect(path, &case.file);
+    case
+}
+
+fn protect(path: &Path, file: &CaseFile) {
+    if let Some(measurement) = &file.track.measurement {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         add_input(folder.join(&measurement.file));
     }
-    case
 }
 
 /// The case with a contact that answers from one wavelength \[m\] to another.
@@ -411,7 +423,7 @@ pub(crate) struct Contact {
     #[arg(long, value_name = "CREEPAGES", value_delimiter = ',')]
     pub(crate) creepage: Vec<Quantity<Ratio>>,
 
-    /// Wavelengths of the frequency response in semi-axes λ/a, separated by commas [default: 30, from 2
+    /// Wavelengths of the frequency response in semi-axes λ/a, separated by commas [default: 61, from 2
     /// to 100].
     #[arg(long, value_name = "RATIOS", value_delimiter = ',')]
     pub(crate) ratio: Vec<Quantity<Ratio>>,

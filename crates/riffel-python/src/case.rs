@@ -14,10 +14,10 @@ use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
 use riffel::{Axis, Direction, GrowthMap, Ridge};
-use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories};
+use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::{Point, PointValue};
+use riffel_case::{CaseContact, Point, PointValue};
 use riffel_keys::CaseError;
 
 use crate::array::owned;
@@ -28,6 +28,14 @@ use crate::tables;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 type Complex<'py> = Bound<'py, PyArray1<Complex64>>;
+/// Input, output, its name, response and error.
+type Response<'py> = (
+    &'static str,
+    &'static str,
+    &'static str,
+    Complex<'py>,
+    Real<'py>,
+);
 
 /// A case, checked and complete.
 #[pyclass(frozen, module = "riffel._riffel")]
@@ -602,7 +610,7 @@ impl Case {
     ) -> PyResult<(Real<'py>, Vec<(&'static str, &'static str, Real<'py>)>)> {
         let creepages = creepages.map(|creepages| owned(&creepages));
         let curves = self.compute(py, move |case| {
-            let theories = RollingTheories::new(case)?;
+            let theories = CaseContact::of(case).and_then(RollingTheories::new)?;
             let creepages = creepages.unwrap_or_else(|| theories.default_creepages());
             CreepCurves::new(&theories, creepages, || ())
         })?;
@@ -612,30 +620,31 @@ impl Case {
         Ok((curves.creepages.into_pyarray(py), laws.collect()))
     }
 
-    /// Wavelengths over the semi-axis; and input, output, name and response of each pair.
+    /// Wavelengths over the semi-axis; input, output, name, response and error of each pair; and whether they are responses
+    /// over the quasi-static ones.
     fn frequency_response<'py>(
         &self,
         py: Python<'py>,
         ratios: Option<PyReadonlyArray1<'py, f64>>,
-    ) -> PyResult<(
-        Real<'py>,
-        Vec<(&'static str, &'static str, &'static str, Complex<'py>)>,
-    )> {
+    ) -> PyResult<(Real<'py>, Vec<Response<'py>>, bool)> {
         let ratios = ratios.map(|ratios| owned(&ratios));
         let response = self.compute(py, move |case| {
-            let theories = RollingTheories::new(case)?;
+            let theories = CaseContact::of(case).and_then(RollingTheories::new)?;
+            theories.check_slope()?;
             let ratios = ratios.unwrap_or_else(FrequencyResponse::default_ratios);
             FrequencyResponse::new(&theories, ratios, || ())
         })?;
         let response = response.map_err(of_case)?;
-        let inputs = response.inputs().into_iter();
-        let all = inputs.flat_map(|(input, outputs)| {
-            outputs.all().map(|(output, name, values)| {
-                (input, output, name, values.to_vec().into_pyarray(py))
+        let inputs = response.inputs.into_iter();
+        let all = inputs.flat_map(|input| {
+            input.outputs.into_iter().map(move |output| {
+                let values = output.values.into_pyarray(py);
+                let errors = output.errors.into_pyarray(py);
+                (input.key, output.key, output.name, values, errors)
             })
         });
         let all = all.collect();
-        Ok((response.ratios.into_pyarray(py), all))
+        Ok((response.ratios.into_pyarray(py), all, response.normalized))
     }
 
     /// The contact patch by the keys of `riffel contact --json`.
@@ -658,6 +667,13 @@ impl Case {
             kalker.set_item(key, value)?;
         }
         contact.set_item("kalker", kalker)?;
+        let steady = self.compute(py, |case| CaseContact::of(case)?.steady())?;
+        let steady = SteadyDocument::new(&steady.map_err(of_case)?);
+        let document = PyDict::new(py);
+        document.set_item("force_n", steady.force_n.to_vec())?;
+        document.set_item("spin_moment_nm", steady.spin_moment_nm)?;
+        document.set_item("dissipation_j_per_m", steady.dissipation_j_per_m)?;
+        contact.set_item("steady", document)?;
         Ok(contact)
     }
 }

@@ -14,6 +14,7 @@ import xarray as xr
 from conftest import PROGRAM, ROOT
 
 import riffel
+import riffel.plot
 
 POINTS = json.loads((ROOT / "validation/reference/points.json").read_text())["points"]
 
@@ -174,6 +175,30 @@ def test_contact_of_the_program(program: Callable[..., Any]) -> None:
     for put in ("creepage", "load"):
         for output, pairs in written["frequency_response"][put].items():
             assert [complex(*pair) for pair in pairs] == response.sel(input=put, output=output).values.tolist()
+
+
+def test_contact_in_any_direction_of_the_program(program: Callable[..., Any]) -> None:
+    sets = {
+        "contact.grid": 16,
+        "contact.response": "non-steady",
+        "contact.creepage": {"longitudinal": 0.0005, "lateral": 0.0003, "spin": 0.1},
+    }
+    table = "contact.creepage={ longitudinal = 0.0005, lateral = 0.0003, spin = 0.1 }"
+    words = ["--set", "contact.grid=16", "--set", "contact.response=non-steady", "--set", table]
+    written = program("contact", "cases/nominal.toml", "--json", *words, "--ratio", "8,20", "--creepage", "0.001")
+    case = riffel.Case.from_toml("cases/nominal.toml", sets)
+    assert case.contact()["steady"] == written["steady"]
+    assert written["steady"]["spin_moment_nm"] != 0.0
+    found = case.frequency_response([8.0, 20.0])
+    responses = written["frequency_response"]
+    assert found["input"].values.tolist() == ["longitudinal_creepage", "lateral_creepage", "spin", "load"]
+    for put in found["input"].values.tolist():
+        for output, pairs in responses[put].items():
+            one = found.sel(input=put, output=output)
+            assert [complex(*pair) for pair in pairs] == one["response"].values.tolist()
+            assert responses["error"][put][output] == one["error"].values.tolist()
+    with pytest.raises(ValueError, match="input by input"):
+        riffel.plot.frequency_response(found)
 
 
 @pytest.mark.parametrize("case", ["nominal", "discrete-supports"])

@@ -124,19 +124,22 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
             ..line(law.label, &percent, &from_origin(&law.tractive_ratios, 1.0))
         }
     });
-    let mean_state = Series {
+    let mean_state = patch.along_rail().then(|| Series {
         label: "mean state".to_owned(),
         x: vec![TO_PERCENT * patch.state.creepage()],
         y: vec![patch.tractive_ratio(patch.state.tangential_force())],
         style: LineStyle::Markers,
         color: Some(OKABE_ITO[0]),
-    };
+    });
     LinePanel {
-        subtitle: "steady rolling".to_owned(),
+        subtitle: match patch.along_rail() {
+            true => "steady rolling".to_owned(),
+            false => "steady rolling, longitudinal creepage alone".to_owned(),
+        },
         x_label: "creepage ξ [%]".to_owned(),
         y_label: "tractive ratio Q/μP [-]".to_owned(),
         y_range: Some((0.0, 1.08)),
-        series: laws.chain([mean_state]).collect(),
+        series: laws.chain(mean_state).collect(),
         ..LinePanel::default()
     }
 }
@@ -144,13 +147,14 @@ pub(super) fn panel(curves: &CreepCurves, patch: &RollingTheories) -> LinePanel 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use riffel_case::{Case, NOMINAL_CASE};
+    use riffel_case::{Case, CaseContact, NOMINAL_CASE};
 
     /// However many laws the catalogue has, each is drawn, the exact one in a look of its own.
     #[test]
     fn every_law_has_a_curve() -> Result<(), CaseError> {
         let coarse = ["contact.grid=16".to_owned()];
-        let theories = RollingTheories::new(&Case::parse("nominal", NOMINAL_CASE, &coarse)?)?;
+        let theories = CaseContact::of(&Case::parse("nominal", NOMINAL_CASE, &coarse)?)
+            .and_then(RollingTheories::new)?;
         let mut curves = CreepCurves::new(&theories, vec![1e-3, 2e-3], || ())?;
         assert_eq!(curves.laws.len(), riffel::contact::CREEP_LAWS.len() + 1);
         let more = curves.laws[..3].to_vec();

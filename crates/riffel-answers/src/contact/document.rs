@@ -4,7 +4,8 @@ use riffel::Complex64;
 use riffel::contact::KalkerCoefficients;
 use serde::Serialize;
 
-use super::{CreepCurves, FrequencyResponse, ResponseOutputs, RollingTheories};
+use super::{CreepCurves, FrequencyResponse, OutputResponse, RollingTheories};
+use riffel_case::SteadyContact;
 
 /// What `riffel contact --json` prints.
 #[derive(Serialize)]
@@ -15,8 +16,33 @@ pub struct ContactDocument {
     peak_pressure_pa: f64,
     stiffness_n_per_m: f64,
     kalker: KalkerDocument,
+    steady: SteadyDocument,
     creep_curve: CreepCurveDocument,
-    frequency_response: FrequencyResponseDocument,
+    /// None near full slip, where no slope is left.
+    frequency_response: Option<FrequencyResponseDocument>,
+}
+
+/// Steady rolling by the law of the case.
+#[derive(Serialize)]
+pub struct SteadyDocument {
+    /// Along and across the rail.
+    pub force_n: [f64; 2],
+    /// None where the law does not tell it.
+    pub spin_moment_nm: Option<f64>,
+    /// With the work of the spin moment; none where there is spin and the law does not tell it.
+    pub dissipation_j_per_m: Option<f64>,
+}
+
+impl SteadyDocument {
+    /// Steady rolling as data.
+    pub fn new(steady: &SteadyContact) -> Self {
+        let forces = steady.rolling.forces;
+        Self {
+            force_n: [forces.longitudinal, forces.lateral],
+            spin_moment_nm: steady.spin_moment,
+            dissipation_j_per_m: steady.energy_per_metre(),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -33,36 +59,56 @@ struct CreepCurveDocument {
     tractive_ratio: serde_json::Map<String, serde_json::Value>,
 }
 
+type Map = serde_json::Map<String, serde_json::Value>;
+
 #[derive(Serialize)]
 struct FrequencyResponseDocument {
     wavelength_over_semi_axis: Vec<f64>,
-    creepage: serde_json::Map<String, serde_json::Value>,
-    load: serde_json::Map<String, serde_json::Value>,
+    /// Input by input, output by output.
+    #[serde(flatten)]
+    responses: Map,
+    /// What the grid may miss of each response.
+    error: Map,
 }
 
-pub(super) fn document(
-    patch: &RollingTheories,
-    curves: &CreepCurves,
-    response: &FrequencyResponse,
-) -> ContactDocument {
-    let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;
-    let laws = curves
-        .laws
-        .iter()
-        .map(|law| (law.key.to_owned(), law.tractive_ratios.clone().into()));
-    let outputs = |outputs: &ResponseOutputs| {
+impl FrequencyResponseDocument {
+    fn new(response: &FrequencyResponse) -> Self {
+        let each = |value: &dyn Fn(&OutputResponse) -> serde_json::Value| -> Map {
+            let of_input = |outputs: &[OutputResponse]| -> Map {
+                let outputs = outputs.iter();
+                outputs
+                    .map(|output| (output.key.to_owned(), value(output)))
+                    .collect()
+            };
+            let inputs = response.inputs.iter();
+            inputs
+                .map(|input| (input.key.to_owned(), of_input(&input.outputs).into()))
+                .collect()
+        };
         let pairs = |values: &[Complex64]| -> serde_json::Value {
             values
                 .iter()
                 .map(|value| serde_json::Value::from(vec![value.re, value.im]))
                 .collect()
         };
-        outputs
-            .all()
-            .map(|(key, _, values)| (key.to_owned(), pairs(values)))
-            .into_iter()
-            .collect()
-    };
+        Self {
+            wavelength_over_semi_axis: response.ratios.clone(),
+            responses: each(&|output| pairs(&output.values)),
+            error: each(&|output| output.errors.clone().into()),
+        }
+    }
+}
+
+pub(super) fn document(
+    patch: &RollingTheories,
+    curves: &CreepCurves,
+    response: Option<&FrequencyResponse>,
+) -> ContactDocument {
+    let KalkerCoefficients { c11, c22, c23, c33 } = patch.laws.kalker;
+    let laws = curves
+        .laws
+        .iter()
+        .map(|law| (law.key.to_owned(), law.tractive_ratios.clone().into()));
     ContactDocument {
         semi_axis_longitudinal_m: patch.hertz.semi_axis_longitudinal(),
         semi_axis_lateral_m: patch.hertz.semi_axis_lateral(),
@@ -70,14 +116,11 @@ pub(super) fn document(
         peak_pressure_pa: patch.hertz.peak_pressure(),
         stiffness_n_per_m: patch.hertz.stiffness(),
         kalker: KalkerDocument { c11, c22, c23, c33 },
+        steady: SteadyDocument::new(&patch.steady),
         creep_curve: CreepCurveDocument {
             creepage: curves.creepages.clone(),
             tractive_ratio: laws.collect(),
         },
-        frequency_response: FrequencyResponseDocument {
-            wavelength_over_semi_axis: response.ratios.clone(),
-            creepage: outputs(&response.creepage),
-            load: outputs(&response.load),
-        },
+        frequency_response: response.map(FrequencyResponseDocument::new),
     }
 }

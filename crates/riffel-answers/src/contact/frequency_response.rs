@@ -2,55 +2,118 @@
 
 use std::io::{self, Write};
 
-use riffel::{Complex64, contact::ContactResponse};
+use riffel::Complex64;
+use riffel::contact::{ContactDerivative, ContactResponse, GridError};
 use riffel_keys::CaseError;
 use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Scale, Series};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
 
-/// Normalised responses to one input, 1 for long wavelengths.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ResponseOutputs {
-    /// Tangential force.
-    pub force: Vec<Complex64>,
-    /// Dissipated energy.
-    pub dissipation: Vec<Complex64>,
-    /// Energy left on the rail by the whole passage.
-    pub rail_dissipation: Vec<Complex64>,
+/// What one output answers to one input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutputResponse {
+    /// Key in documents and tables.
+    pub key: &'static str,
+    /// Name in figures.
+    pub name: &'static str,
+    /// The response at each wavelength.
+    pub values: Vec<Complex64>,
+    /// What the grid of the contact may miss of each, an upper bound of the modulus of the error.
+    pub errors: Vec<f64>,
+    /// The quasi-static response, in the same unit.
+    slow: Complex64,
 }
 
-impl ResponseOutputs {
-    fn push(&mut self, [force, dissipation, rail_dissipation]: [Complex64; 3]) {
-        self.force.push(force);
-        self.dissipation.push(dissipation);
-        self.rail_dissipation.push(rail_dissipation);
-    }
-
-    /// The outputs with their keys and names in figures.
-    pub fn all(&self) -> [(&'static str, &'static str, &[Complex64]); 3] {
-        [
-            ("force", "force", &self.force),
-            ("dissipation", "dissipation", &self.dissipation),
-            (
-                "rail_dissipation",
-                "energy left on rail",
-                &self.rail_dissipation,
-            ),
-        ]
-    }
+/// What answers to an oscillation of one input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InputResponse {
+    /// Key in documents and tables.
+    pub key: &'static str,
+    /// Name in figures.
+    pub name: &'static str,
+    /// What answers.
+    pub outputs: Vec<OutputResponse>,
 }
 
-/// Response at each wavelength divided by the quasi-static one.
+/// Responses of the exact contact about its mean state.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FrequencyResponse {
     /// Wavelengths in longitudinal semi-axes λ/a \[-\].
     pub ratios: Vec<f64>,
-    /// By an oscillation of creepage.
-    pub creepage: ResponseOutputs,
-    /// By an oscillation of the normal load.
-    pub load: ResponseOutputs,
+    /// Input by input: about longitudinal creepage given by a number creepage and load, each response over the quasi-static
+    /// one; about a table of creepages both creepages, spin and load, in SI per unit of the input.
+    pub inputs: Vec<InputResponse>,
+    /// True for responses over the quasi-static ones.
+    pub normalized: bool,
 }
+
+/// Key and name of an output, where it stands in a derivative, where in a quasi-static one, and its error.
+type Output = (
+    &'static str,
+    &'static str,
+    fn(&ContactDerivative) -> Complex64,
+    fn(&ContactDerivative) -> Complex64,
+    fn(&GridError) -> f64,
+);
+
+const FORCE: Output = (
+    "force",
+    "force",
+    |by| by.force[0],
+    |by| by.force[0],
+    |error| error.force,
+);
+const LONGITUDINAL_FORCE: Output = (
+    "longitudinal_force",
+    "longitudinal force",
+    |by| by.force[0],
+    |by| by.force[0],
+    |error| error.force,
+);
+const LATERAL_FORCE: Output = (
+    "lateral_force",
+    "lateral force",
+    |by| by.force[1],
+    |by| by.force[1],
+    |error| error.force,
+);
+const DISSIPATION: Output = (
+    "dissipation",
+    "dissipation",
+    |by| by.energy,
+    |by| by.energy,
+    |error| error.energy,
+);
+const RAIL_DISSIPATION: Output = (
+    "rail_dissipation",
+    "energy left on rail",
+    |by| by.at_rail(0.0),
+    // What a point of the rail receives slowly is what is dissipated.
+    |by| by.energy,
+    |error| error.energy,
+);
+
+/// Key and name of an input, and its derivative.
+type Input = (
+    &'static str,
+    &'static str,
+    fn(&ContactResponse) -> Option<ContactDerivative>,
+);
+
+const LOAD: Input = ("load", "load", |response| Some(response.by_load));
+const CREEPAGE: Input = ("creepage", "creepage", |response| {
+    Some(response.by_longitudinal)
+});
+const LONGITUDINAL: Input = (
+    "longitudinal_creepage",
+    "longitudinal creepage",
+    |response| Some(response.by_longitudinal),
+);
+const LATERAL: Input = ("lateral_creepage", "lateral creepage", |response| {
+    response.by_lateral
+});
+const SPIN: Input = ("spin", "spin", |response| response.by_spin);
 
 impl FrequencyResponse {
     /// The responses at some wavelengths λ/a; `progress` is told of each of them and of one more.
@@ -68,29 +131,54 @@ impl FrequencyResponse {
             response.map_err(refused(input))
         };
         let slow = at(f64::INFINITY, "the mean state of the case".to_owned())?;
-        let (mut creepage, mut load) = (ResponseOutputs::default(), ResponseOutputs::default());
-        for &ratio in &ratios {
-            let wavelength = ratio * theories.hertz.semi_axis_longitudinal();
-            let response = at(wavelength, format!("λ/a = {ratio}"))?;
-            let rail = [
-                response.by_load.at_rail(0.0),
-                response.by_longitudinal.at_rail(0.0),
-            ];
-            creepage.push([
-                response.by_longitudinal.force[0] / slow.by_longitudinal.force[0],
-                response.by_longitudinal.energy / slow.by_longitudinal.energy,
-                rail[1] / slow.by_longitudinal.energy,
-            ]);
-            load.push([
-                response.by_load.force[0] / slow.by_load.force[0],
-                response.by_load.energy / slow.by_load.energy,
-                rail[0] / slow.by_load.energy,
-            ]);
-        }
+        let responses: Vec<ContactResponse> = ratios
+            .iter()
+            .map(|&ratio| {
+                let wavelength = ratio * theories.hertz.semi_axis_longitudinal();
+                at(wavelength, format!("λ/a = {ratio}"))
+            })
+            .collect::<Result<_, _>>()?;
+        let normalized = theories.along_rail();
+        let (inputs, outputs): (&[Input], &[Output]) = match normalized {
+            true => (&[CREEPAGE, LOAD], &[FORCE, DISSIPATION, RAIL_DISSIPATION]),
+            false => (
+                &[LONGITUDINAL, LATERAL, SPIN, LOAD],
+                &[
+                    LONGITUDINAL_FORCE,
+                    LATERAL_FORCE,
+                    DISSIPATION,
+                    RAIL_DISSIPATION,
+                ],
+            ),
+        };
+        let inputs = inputs.iter().filter_map(|&(key, name, input)| {
+            let slow = input(&slow)?;
+            let derivatives: Vec<ContactDerivative> = responses.iter().filter_map(input).collect();
+            let outputs = outputs.iter().map(|&(key, name, output, slowly, error)| {
+                let scale = match normalized {
+                    true => slowly(&slow),
+                    false => Complex64::ONE,
+                };
+                let of = |by: &ContactDerivative| by.error.as_ref().map_or(f64::NAN, error);
+                let errors = derivatives.iter().map(|by| of(by) / scale.norm());
+                OutputResponse {
+                    key,
+                    name,
+                    values: derivatives.iter().map(|by| output(by) / scale).collect(),
+                    errors: errors.collect(),
+                    slow: slowly(&slow) / scale,
+                }
+            });
+            Some(InputResponse {
+                key,
+                name,
+                outputs: outputs.collect(),
+            })
+        });
         Ok(Self {
+            inputs: inputs.collect(),
             ratios,
-            creepage,
-            load,
+            normalized,
         })
     }
 
@@ -108,24 +196,17 @@ impl FrequencyResponse {
             })
             .collect()
     }
-
-    /// The inputs with their keys.
-    pub fn inputs(&self) -> [(&'static str, &ResponseOutputs); 2] {
-        [("creepage", &self.creepage), ("load", &self.load)]
-    }
 }
 
 /// One row for each sample.
 pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
     let columns: Vec<(String, &[Complex64])> = response
-        .inputs()
-        .into_iter()
-        .flat_map(|(input, outputs)| {
-            let column = |output| format!("{input}_{output}");
-            outputs
-                .all()
-                .map(|(output, _, values)| (column(output), values))
+        .inputs
+        .iter()
+        .flat_map(|input| {
+            let outputs = input.outputs.iter();
+            outputs.map(|output| (format!("{}_{}", input.key, output.key), &*output.values))
         })
         .collect();
     let mut header = vec!["wavelength_over_semi_axis".to_owned()];
@@ -144,29 +225,93 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
     writer.flush()
 }
 
-/// Modulus and phase against wavelength.
-pub(super) fn panels(response: &FrequencyResponse) -> [LinePanel; 2] {
+/// Modulus and phase against wavelength; about a table of creepages the moduli, input by input.
+pub(super) fn panels(response: &FrequencyResponse) -> Vec<LinePanel> {
+    match response.normalized {
+        true => normalized_panels(response).into(),
+        false => response
+            .inputs
+            .iter()
+            .map(|input| input_panel(&response.ratios, input))
+            .collect(),
+    }
+}
+
+/// The moduli of what answers to one input, forces over the whole quasi-static force and energies over the quasi-static
+/// energy; where that vanishes, by symmetry of the mean state, there are none.
+fn input_panel(ratios: &[f64], input: &InputResponse) -> LinePanel {
+    /// Share of the largest modulus over wavelength below which a quasi-static one is none.
+    const NONE: f64 = 1e-3;
+    let forces: Vec<&OutputResponse> = input.outputs.iter().take(2).collect();
+    let energies: Vec<&OutputResponse> = input.outputs.iter().skip(2).collect();
+    let group = |outputs: Vec<&OutputResponse>, colors: [usize; 2]| {
+        let slow = outputs[0].slow.norm();
+        let slow = match colors {
+            // Both components of one force.
+            FORCE_COLORS => slow.hypot(outputs[1].slow.norm()),
+            _ => slow,
+        };
+        let all = outputs.iter().flat_map(|output| &output.values);
+        let largest = all.map(|value| value.norm()).fold(slow, f64::max);
+        let curves = outputs
+            .into_iter()
+            .zip(colors)
+            .filter_map(|(output, color)| {
+                let moduli: Vec<f64> = output
+                    .values
+                    .iter()
+                    .map(|value| value.norm() / slow)
+                    .collect();
+                let highest = moduli.iter().copied().fold(0.0, f64::max);
+                (slow > NONE * largest && highest > NONE).then(|| Series {
+                    color: Some(OKABE_ITO[color]),
+                    ..line(output.name, ratios, &moduli)
+                })
+            });
+        curves.collect::<Vec<_>>()
+    };
+    const FORCE_COLORS: [usize; 2] = [0, 4];
+    const ENERGY_COLORS: [usize; 2] = [2, 1];
+    let mut series = group(forces, FORCE_COLORS);
+    series.extend(group(energies, ENERGY_COLORS));
+    let curves = series.iter().flat_map(|series| &series.y);
+    let largest = curves.copied().fold(0.0, f64::max);
+    /// Room for the names above the curves, which end at 1.
+    const HIGHEST: f64 = 1.6;
+    LinePanel {
+        subtitle: format!("response to {} over quasi-static response", input.name),
+        x_label: "wavelength λ/a [-]".to_owned(),
+        x_scale: Scale::Log,
+        y_label: "modulus [-]".to_owned(),
+        y_range: Some((0.0, HIGHEST.max(1.25 * largest))),
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// Modulus and phase of responses that are normalised.
+fn normalized_panels(response: &FrequencyResponse) -> [LinePanel; 2] {
     // Names stand in the first of the two panels only.
     let panel = |named: bool, value: &dyn Fn(&[Complex64]) -> Vec<f64>| LinePanel {
         x_label: "wavelength λ/a [-]".to_owned(),
         x_scale: Scale::Log,
         series: response
-            .inputs()
-            .into_iter()
+            .inputs
+            .iter()
             .zip([LineStyle::Solid, LineStyle::Dashed])
-            .flat_map(|((input, outputs), style)| {
+            .flat_map(|(input, style)| {
                 let colors = [OKABE_ITO[0], OKABE_ITO[2], OKABE_ITO[1]];
-                let outputs = outputs.all().into_iter().zip(colors);
-                outputs.map(move |((_, output, values), color)| {
+                let outputs = input.outputs.iter().zip(colors);
+                outputs.map(move |(output, color)| {
                     let label = if named {
-                        format!("{output} by {input}")
+                        format!("{} by {}", output.name, input.name)
                     } else {
                         String::new()
                     };
                     Series {
                         style,
                         color: Some(color),
-                        ..line(&label, &response.ratios, &value(values))
+                        ..line(&label, &response.ratios, &value(&output.values))
                     }
                 })
             })
@@ -174,11 +319,9 @@ pub(super) fn panels(response: &FrequencyResponse) -> [LinePanel; 2] {
         ..LinePanel::default()
     };
     let moduli = |values: &[Complex64]| values.iter().map(|value| value.norm()).collect();
-    let largest = response
-        .inputs()
-        .into_iter()
-        .flat_map(|(_, outputs)| outputs.all())
-        .flat_map(|(_, _, values)| values)
+    let outputs = response.inputs.iter().flat_map(|input| &input.outputs);
+    let largest = outputs
+        .flat_map(|output| &output.values)
         .map(|value| value.norm())
         .fold(0.0, f64::max);
     /// Room for the names above the curves, which end at 1.

@@ -8,16 +8,15 @@ mod theories;
 
 use std::io::{self, Write};
 
-use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 pub use creep_curves::{CreepCurve, CreepCurves};
-pub use document::ContactDocument;
-pub use frequency_response::{FrequencyResponse, ResponseOutputs};
+pub use document::{ContactDocument, SteadyDocument};
+pub use frequency_response::{FrequencyResponse, InputResponse, OutputResponse};
 pub use theories::RollingTheories;
 
-use crate::parameters::polach;
+use crate::parameters::{creepage, polach};
 
 /// What is asked of the contact of a case.
 #[derive(Debug, Clone)]
@@ -34,8 +33,8 @@ pub struct ContactAnswer {
     pub theories: RollingTheories,
     /// Creep curves of all laws.
     pub curves: CreepCurves,
-    /// Responses about the mean state.
-    pub response: FrequencyResponse,
+    /// Responses about the mean state; none near full slip, where no slope is left.
+    pub response: Option<FrequencyResponse>,
 }
 
 impl ContactAnswer {
@@ -53,7 +52,11 @@ impl ContactAnswer {
         let creepages = request.creepages;
         let creepages = creepages.unwrap_or_else(|| theories.default_creepages());
         // First what is refused soonest.
-        let response = FrequencyResponse::new(&theories, ratios, &progress)?;
+        let response = theories
+            .check_slope()
+            .is_ok()
+            .then(|| FrequencyResponse::new(&theories, ratios, &progress))
+            .transpose()?;
         let curves = CreepCurves::new(&theories, creepages, &progress)?;
         Ok(Self {
             theories,
@@ -64,32 +67,33 @@ impl ContactAnswer {
 
     /// The contact as data: what `riffel contact --json` prints.
     pub fn document(&self) -> ContactDocument {
-        document::document(&self.theories, &self.curves, &self.response)
+        document::document(&self.theories, &self.curves, self.response.as_ref())
     }
 
     /// Creep curves, and modulus and phase of the responses.
-    pub fn figure(&self, case: &Case) -> LineFigure {
+    pub fn figure(&self) -> LineFigure {
         let Self {
             theories,
             curves,
             response,
         } = self;
-        let [modulus, phase] = frequency_response::panels(response);
+        let mut panels = vec![creep_curves::panel(curves, theories)];
+        panels.extend(response.iter().flat_map(frequency_response::panels));
         LineFigure {
             title: "Rolling contact: creep curves and frequency response".to_owned(),
             caption: format!(
                 "Responses of the half-space about its mean state, exp(+iωt); the energy left on the rail is that of \
                  the whole passage, relative to the instant at which the wheel centre passes. {}",
-                parameters(case, theories)
+                parameters(theories)
             ),
-            panels: vec![creep_curves::panel(curves, theories), modulus, phase],
+            panels,
             arrangement: Arrangement::Stacked,
         }
     }
 
     /// Stick, slip and tractions of the mean state.
-    pub fn patch_figure(&self, case: &Case) -> LineFigure {
-        patch::figure(case, &self.theories)
+    pub fn patch_figure(&self) -> LineFigure {
+        patch::figure(&self.theories)
     }
 
     /// The elements of the patch, one row for each.
@@ -108,33 +112,39 @@ impl ContactAnswer {
         creep_curves::table(&self.curves, file)
     }
 
-    /// One row for each wavelength.
+    /// One row for each wavelength; none where there is no response.
     ///
     /// # Errors
     /// Those of the file.
     pub fn frequency_response_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        frequency_response::table(&self.response, file)
+        let response = self.response.as_ref();
+        response.map_or(Ok(()), |response| frequency_response::table(response, file))
     }
 }
 
 /// The parameters of the contact in one sentence.
-fn parameters(case: &Case, patch: &RollingTheories) -> String {
+fn parameters(patch: &RollingTheories) -> String {
+    let file = &patch.contact.file;
+    let creepages = patch.half_space.steady(&patch.state).creepages;
+    let creepage = match patch.along_rail() {
+        true => format!("ξ₀ = {:.4} %", 100.0 * creepages.longitudinal),
+        false => creepage(creepages),
+    };
     let material = patch.hertz.material();
     format!(
         "E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, P = {:.0} kN, μ = {}; ellipse {:.2} × {:.2} mm; \
-         mean state τ = {:.3}, ξ₀ = {:.4} %; {} elements over a diameter{}.",
-        1e-9 * case.file.steel.youngs_modulus.si(),
+         mean state τ = {:.3}, {creepage}; {} elements over a diameter{}.",
+        1e-9 * file.steel.youngs_modulus.si(),
         material.poisson_ratio(),
         patch.hertz.rolling_radius(),
-        case.file.contact.transverse_radius.si(),
+        file.contact.transverse_radius.si(),
         1e-3 * patch.hertz.normal_force(),
         patch.friction,
         2e3 * patch.hertz.semi_axis_longitudinal(),
         2e3 * patch.hertz.semi_axis_lateral(),
-        patch.tractive_ratio(patch.state.tangential_force()),
-        100.0 * patch.state.creepage(),
-        case.file.contact.grid,
-        match polach(case).as_str() {
+        patch.exact_tractive_ratio(),
+        file.contact.grid,
+        match polach(file).as_str() {
             "" => String::new(),
             words => format!("; Polach{words}"),
         },

@@ -3,12 +3,11 @@
 use std::io::{self, Write};
 
 use riffel::contact::ContactElement;
-use riffel_case::Case;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Series};
 
 use super::{RollingTheories, line, parameters};
 
-pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
+pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
     const TO_MILLIMETRES: f64 = 1e3;
     const TO_MEGAPASCALS: f64 = 1e-6;
     /// Height of a panel over its width, so that the ellipse keeps its shape.
@@ -53,6 +52,11 @@ pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
         }
     };
 
+    // Along the rail, or of both components.
+    let traction: fn(&ContactElement) -> f64 = match patch.along_rail() {
+        true => |element| element.traction.0,
+        false => |element| element.traction.0.hypot(element.traction.1),
+    };
     let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
 
     let outline: (Vec<f64>, Vec<f64>) = (0..=180)
@@ -61,7 +65,7 @@ pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
         .unzip();
     let rows = distinct(patch.elements().map(|element| element.centre.1));
     let columns = distinct(patch.elements().map(|element| element.centre.0));
-    let every = case.file.contact.grid.div_ceil(MOST_MARKS) as usize;
+    let every = patch.contact.file.contact.grid.div_ceil(MOST_MARKS) as usize;
     let marks = |label: &str, slips: bool, color: usize| {
         // A wide zone is legible with fewer marks.
         let zone = patch.elements().filter(|element| element.slips == slips);
@@ -94,7 +98,7 @@ pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
         title: "Contact patch in steady rolling".to_owned(),
         caption: format!(
             "Half-space theory; material enters on the right, at x = +a. {}",
-            parameters(case, patch)
+            parameters(patch)
         ),
         panels: vec![
             LinePanel {
@@ -105,7 +109,7 @@ pub(super) fn figure(case: &Case, patch: &RollingTheories) -> LineFigure {
                 y_range: Some((0.0, 1.25 * highest)),
                 series: vec![
                     stress("bound μp", LineStyle::Dashed, |element| element.bound),
-                    stress("traction", LineStyle::Solid, |element| element.traction.0),
+                    stress("traction", LineStyle::Solid, traction),
                 ],
                 ..LinePanel::default()
             },

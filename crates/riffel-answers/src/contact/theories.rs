@@ -4,57 +4,57 @@ use riffel::contact::{
     ContactElement, CreepEllipse, CreepLaw, HalfSpace, HalfSpaceRolling, JohnsonVermeulen,
 };
 use riffel::{Carter3d, HertzContact};
-use riffel_case::{Case, CreepLaws};
+use riffel_case::{CaseContact, CreepLaws, SteadyContact};
 use riffel_keys::CaseError;
 
-/// The contact of the case by all theories, and its mean state by the exact one.
+/// The contact of the case by all theories, and its mean state by its own and by the exact one.
 pub struct RollingTheories {
+    /// The contact of the case.
+    pub contact: CaseContact,
     /// The ellipse.
     pub hertz: HertzContact,
     /// Coefficient of friction \[-\].
     pub friction: f64,
     /// The laws that are formulas of the ellipse.
     pub laws: CreepLaws,
+    /// The mean state by the law of the case.
+    pub steady: SteadyContact,
     /// Kalker's exact theory on half-spaces.
     pub half_space: HalfSpace,
-    /// The mean state by the exact theory.
+    /// The mean state by the exact theory: at the tractive ratio of the law, or at the creepages of a table.
     pub state: HalfSpaceRolling,
     full_slip_creepage: f64,
 }
 
 impl RollingTheories {
-    /// All theories about the tractive ratio of the case.
+    /// All theories about the mean state of the case.
     ///
     /// # Errors
-    /// [`CaseError`] near full slip, for a grid of the contact that is too coarse, or where the exact theory
-    /// does not converge.
-    pub fn new(case: &Case) -> Result<Self, CaseError> {
-        let (hertz, friction) = (case.hertz, case.steady.friction);
-        let ratio = case.steady.tractive_ratio();
-        if ratio > HalfSpace::LARGEST_TRACTIVE_RATIO {
-            let message = format!(
-                "the tractive ratio of the case is {ratio:.4}, but must be at most {} for a frequency \
-                 response: nearer to full slip the creep curve has no slope",
-                HalfSpace::LARGEST_TRACTIVE_RATIO
-            );
-            return Err(case.refuse("contact.tractive_ratio", &message));
+    /// [`CaseError`] near full slip where a response is asked for, for a grid of the contact that is too coarse, or where
+    /// the exact theory does not converge.
+    pub fn new(contact: CaseContact) -> Result<Self, CaseError> {
+        let (hertz, friction) = (contact.hertz, contact.friction());
+        let by_law = contact.steady_by_law()?;
+        let vector = contact.vector_creepage().is_some();
+        if let Some(by_law) = by_law.filter(|_| !vector) {
+            slope_at(&contact, by_law.rolling.tractive_ratio())?;
         }
-        let mean_state = || refused("the mean state of the case");
-        let laws = case.creep_laws()?;
+        let half_space = contact.half_space()?;
+        let state = contact.exact(&half_space)?;
+        if !vector || contact.is_non_steady() {
+            slope_at(&contact, half_space.steady(&state).tractive_ratio())?;
+        }
+        let laws = contact.creep_laws()?;
         let full_slip = || -> Result<f64, riffel::Error> {
             let ellipse = CreepEllipse::new(hertz, laws.kalker);
             let by_ellipse = JohnsonVermeulen::new(ellipse, friction)?.limit(hertz.normal_force());
             let by_paper = Carter3d::new(hertz, friction)?.saturation_creepage();
             Ok(by_ellipse.creepage().max(by_paper))
         };
-        let full_slip_creepage = full_slip().map_err(mean_state())?;
-        let across = usize::try_from(case.file.contact.grid).unwrap_or(usize::MAX);
-        let half_space =
-            HalfSpace::new(hertz, friction, across).map_err(refused("contact.grid"))?;
-        let state = half_space
-            .roll_at_tractive_ratio(ratio)
-            .map_err(mean_state())?;
+        let full_slip_creepage = full_slip().map_err(refused("the creep curves"))?;
         Ok(Self {
+            steady: by_law.unwrap_or_else(|| SteadyContact::exact(&half_space, &state)),
+            contact,
             hertz,
             friction,
             full_slip_creepage,
@@ -62,6 +62,24 @@ impl RollingTheories {
             half_space,
             state,
         })
+    }
+
+    /// `Ok` if the exact theory has slopes about its mean state.
+    ///
+    /// # Errors
+    /// [`CaseError`] near full slip.
+    pub fn check_slope(&self) -> Result<(), CaseError> {
+        slope_at(&self.contact, self.exact_tractive_ratio())
+    }
+
+    /// |Q|/μP of the mean state by the exact theory.
+    pub fn exact_tractive_ratio(&self) -> f64 {
+        self.half_space.steady(&self.state).tractive_ratio()
+    }
+
+    /// True for a mean state of longitudinal creepage alone, given by a number.
+    pub fn along_rail(&self) -> bool {
+        self.contact.vector_creepage().is_none()
     }
 
     /// The larger of the creepages at which Johnson & Vermeulen and the paper see full slip.
@@ -88,6 +106,25 @@ impl RollingTheories {
             .map(|index| last * f64::from(index) / f64::from(POINTS))
             .collect()
     }
+}
+
+/// `Ok` if there is a slope at a tractive ratio \[-\].
+fn slope_at(contact: &CaseContact, ratio: f64) -> Result<(), CaseError> {
+    /// What the search for a tractive ratio leaves.
+    const ROUNDING: f64 = 2e-6;
+    if ratio <= HalfSpace::LARGEST_TRACTIVE_RATIO + ROUNDING {
+        return Ok(());
+    }
+    let message = format!(
+        "the tractive ratio of the case is {ratio:.4}, but must be at most {} for a frequency \
+         response: nearer to full slip the creep curve has no slope",
+        HalfSpace::LARGEST_TRACTIVE_RATIO
+    );
+    let key = match contact.file.contact.creepage {
+        Some(_) => "contact.creepage",
+        None => "contact.tractive_ratio",
+    };
+    Err(contact.refuse(key, &message))
 }
 
 /// A refusal of the physics, with what was computed.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    Creepages, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic,
-    QuasiStaticHalfSpace, SpringDashpot,
+    CreepLaw, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic, QuasiStaticHalfSpace,
+    SpringDashpot,
 };
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
@@ -16,7 +16,7 @@ use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
 const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
 
 /// The key that gives a mean state.
-fn key(mean: MeanState) -> &'static str {
+pub(crate) fn mean_key(mean: MeanState) -> &'static str {
     match mean {
         MeanState::TractiveRatio(_) => "contact.tractive_ratio",
         MeanState::Creepages(_) => "contact.creepage",
@@ -31,7 +31,7 @@ pub(super) struct BuiltContact {
 }
 
 impl CheckedKeys {
-    pub(super) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
+    pub(crate) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
         let contact = &self.file.contact;
         self.hertz_of(
             steel,
@@ -60,16 +60,11 @@ impl CheckedKeys {
         self.contact_of(hertz, self.file.contact.friction.si(), self.mean_state()?)
     }
 
-    /// How a contact with that friction creeps about a mean state.
-    pub(super) fn contact_of(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-        mean: MeanState,
-    ) -> Result<BuiltContact, CaseError> {
-        let name = self.creep_law_name();
-        if self.file.contact.response == ContactDynamics::NonSteady
-            && name != CreepLawName::HALF_SPACE
+    /// `Ok` if the keys of the contact go together.
+    pub(crate) fn check_contact(&self) -> Result<(), CaseError> {
+        let contact = &self.file.contact;
+        if contact.response == ContactDynamics::NonSteady
+            && self.creep_law_name() != CreepLawName::HALF_SPACE
         {
             return Err(self.text.keys.invalid(
                 "contact.creep_law",
@@ -78,27 +73,51 @@ impl CheckedKeys {
                 "choose contact.creep_law = \"half-space\", or leave it out",
             ));
         }
-        let grid = self.file.contact.grid;
-        if !GRIDS.contains(&grid) || !grid.is_multiple_of(2) {
-            return Err(self.out_of_range("contact.grid", grid, "an even number from 16 to 200"));
+        if !GRIDS.contains(&contact.grid) || !contact.grid.is_multiple_of(2) {
+            return Err(self.out_of_range(
+                "contact.grid",
+                contact.grid,
+                "an even number from 16 to 200",
+            ));
         }
         // Checked whatever the law is, so that a comparison changes one line.
-        self.polach(friction)?;
+        self.polach(contact.friction.si()).map(|_| ())
+    }
+
+    /// The creep law of the case on a contact; none for the exact theory.
+    pub(crate) fn creep_law(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+    ) -> Result<Option<Arc<dyn CreepLaw>>, CaseError> {
+        let Some(entry) = self.creep_law_name().entry() else {
+            return Ok(None);
+        };
+        let inputs = self.creep_law_inputs(hertz, friction)?;
+        self.physics("contact", entry.build(&inputs)).map(Some)
+    }
+
+    /// How a contact with that friction creeps about a mean state.
+    pub(super) fn contact_of(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+        mean: MeanState,
+    ) -> Result<BuiltContact, CaseError> {
+        self.check_contact()?;
         let load = hertz.normal_force();
-        if name == CreepLawName::CARTER_3D {
+        if self.creep_law_name() == CreepLawName::CARTER_3D {
             let law = self.physics("contact", Carter3d::new(hertz, friction))?;
-            let rolling = self.physics(key(mean), QuasiStatic::new(law, load, mean))?;
+            let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
             return Ok(BuiltContact {
                 rolling: self.answering(rolling, hertz),
                 carter: Some(law),
             });
         }
-        let rolling = match name.entry() {
+        let rolling = match self.creep_law(hertz, friction)? {
             None => self.half_space(hertz, friction, mean)?,
-            Some(entry) => {
-                let inputs = self.creep_law_inputs(hertz, friction)?;
-                let law = self.physics("contact", entry.build(&inputs))?;
-                let rolling = self.physics(key(mean), QuasiStatic::new(law, load, mean))?;
+            Some(law) => {
+                let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
                 self.answering(rolling, hertz)
             }
         };
@@ -120,41 +139,51 @@ impl CheckedKeys {
         }
     }
 
+    /// A contact by the exact theory.
+    pub(crate) fn half_space_of(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+    ) -> Result<HalfSpace, CaseError> {
+        let across = usize::try_from(self.file.contact.grid).unwrap_or(usize::MAX);
+        self.physics("contact.grid", HalfSpace::new(hertz, friction, across))
+    }
+
+    /// A mean state by the exact theory, with a slope or without.
+    pub(crate) fn exact_state(
+        &self,
+        contact: &HalfSpace,
+        mean: MeanState,
+    ) -> Result<HalfSpaceRolling, CaseError> {
+        let state = match mean {
+            MeanState::TractiveRatio(ratio) => contact.roll_at_tractive_ratio(ratio),
+            MeanState::Creepages(creepages) => contact.roll_with(creepages),
+        };
+        self.physics(mean_key(mean), state)
+    }
+
     fn half_space(
         &self,
         hertz: HertzContact,
         friction: f64,
         mean: MeanState,
     ) -> Result<Arc<dyn RollingContact>, CaseError> {
-        let grid = self.file.contact.grid;
-        let across = usize::try_from(grid).unwrap_or(usize::MAX);
-        let contact = self.physics("contact.grid", HalfSpace::new(hertz, friction, across))?;
-        let state: HalfSpaceRolling = match mean {
-            MeanState::TractiveRatio(ratio) => {
-                self.physics(key(mean), contact.roll_at_tractive_ratio(ratio))?
-            }
-            MeanState::Creepages(creepages) => {
-                let alone = creepages == Creepages::longitudinal(creepages.longitudinal);
-                let state = match alone && creepages.longitudinal > 0.0 {
-                    true => contact.roll(creepages.longitudinal),
-                    false => contact.roll_with(creepages),
-                };
-                let state = self.physics(key(mean), state)?;
-                let ratio = contact.steady(&state).tractive_ratio();
-                let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
-                if ratio > largest {
-                    return Err(self.out_of_range(
-                        key(mean),
-                        creepages.magnitude(),
-                        &format!(
-                            "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
-                             slip there is no slope"
-                        ),
-                    ));
-                }
-                state
-            }
-        };
+        let contact = self.half_space_of(hertz, friction)?;
+        let state = self.exact_state(&contact, mean)?;
+        let ratio = contact.steady(&state).tractive_ratio();
+        let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
+        if let MeanState::Creepages(creepages) = mean
+            && ratio > largest
+        {
+            return Err(self.out_of_range(
+                mean_key(mean),
+                creepages.magnitude(),
+                &format!(
+                    "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
+                     slip there is no slope"
+                ),
+            ));
+        }
         if self.file.contact.response != ContactDynamics::NonSteady {
             let slow = self.physics("contact", QuasiStaticHalfSpace::new(&contact, &state))?;
             return Ok(self.answering(slow, hertz));

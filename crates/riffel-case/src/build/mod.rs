@@ -4,7 +4,7 @@ mod contact;
 mod creep_laws;
 mod general;
 mod track;
-mod validity;
+pub(crate) mod validity;
 mod wheelset;
 
 use std::sync::Arc;
@@ -17,6 +17,7 @@ use riffel::{
 };
 use riffel_keys::{CaseError, Remark};
 
+pub(crate) use contact::mean_key;
 pub use creep_laws::CreepLaws;
 
 use crate::checked_keys::CheckedKeys;

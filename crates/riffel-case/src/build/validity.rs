@@ -79,9 +79,54 @@ pub(crate) fn remarks(
             ]
         }));
     }
+    remarks.extend(of_contact(keys, hertz, wavelength.min()));
+    remarks.extend(unstable(feedback, speed));
+    if let Some(wheelset) = wheelset {
+        remarks.extend(wheelset.beyond_its_modes(highest));
+    }
+    // Outside the frequencies of a measurement there is nothing to look at.
+    let of_track = measurement::range(&*track.receptance);
+    let of_wheelset = wheelset.map_or((0.0, f64::INFINITY), CaseWheelset::frequency_range);
+    let known_from = of_track.0.max(of_wheelset.0);
+    let known_to = of_track.1.min(of_wheelset.1);
+    let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
+    if lowest >= highest {
+        return remarks;
+    }
+    // The force amplitude has one smooth maximum over frequency or few; a coarse look suffices.
+    let worst = (0..=200)
+        .map(|step| lowest * (highest / lowest).powf(f64::from(step) / 200.0))
+        .map(|frequency| {
+            let state = feedback.at(speed.max() / frequency, speed.max());
+            state.normal_force().norm()
+        })
+        .fold(0.0, f64::max)
+        / hertz.normal_force();
+    if worst > 1.0 {
+        let limit = 1e6 * feedback.amplitude() / worst;
+        let amplitude = 1e6 * feedback.amplitude();
+        remarks.push(Remark::of(Sentence::WheelAndRailPart, |_| {
+            vec![
+                ("amplitude", format!("{amplitude:.1}")),
+                ("worst", format!("{worst:.2}")),
+                ("limit", format!("{limit:.1}")),
+            ]
+        }));
+    }
+    remarks
+}
+
+/// Sentences on the validity of the models of the contact, down to the shortest wavelength asked for \[m\].
+pub(crate) fn of_contact(
+    keys: &CheckedKeys,
+    hertz: HertzContact,
+    shortest_asked: f64,
+) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let file = &keys.file;
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
     let resolved = file.contact.response == ContactDynamics::NonSteady;
-    if !resolved && wavelength.min() < shortest {
+    if !resolved && shortest_asked < shortest {
         let shortest = 1e3 * shortest;
         remarks.push(Remark::of(Sentence::NoAverageOverPatch, |_| {
             vec![("shortest", format!("{shortest:.0}"))]
@@ -116,39 +161,6 @@ pub(crate) fn remarks(
                 ]
             },
         ));
-    }
-    remarks.extend(unstable(feedback, speed));
-    if let Some(wheelset) = wheelset {
-        remarks.extend(wheelset.beyond_its_modes(highest));
-    }
-    // Outside the frequencies of a measurement there is nothing to look at.
-    let of_track = measurement::range(&*track.receptance);
-    let of_wheelset = wheelset.map_or((0.0, f64::INFINITY), CaseWheelset::frequency_range);
-    let known_from = of_track.0.max(of_wheelset.0);
-    let known_to = of_track.1.min(of_wheelset.1);
-    let (lowest, highest) = (lowest.max(known_from), highest.min(known_to));
-    if lowest >= highest {
-        return remarks;
-    }
-    // The force amplitude has one smooth maximum over frequency or few; a coarse look suffices.
-    let worst = (0..=200)
-        .map(|step| lowest * (highest / lowest).powf(f64::from(step) / 200.0))
-        .map(|frequency| {
-            let state = feedback.at(speed.max() / frequency, speed.max());
-            state.normal_force().norm()
-        })
-        .fold(0.0, f64::max)
-        / hertz.normal_force();
-    if worst > 1.0 {
-        let limit = 1e6 * feedback.amplitude() / worst;
-        let amplitude = 1e6 * feedback.amplitude();
-        remarks.push(Remark::of(Sentence::WheelAndRailPart, |_| {
-            vec![
-                ("amplitude", format!("{amplitude:.1}")),
-                ("worst", format!("{worst:.2}")),
-                ("limit", format!("{limit:.1}")),
-            ]
-        }));
     }
     remarks
 }

@@ -1,10 +1,11 @@
 //! `riffel contact`, from the command line to the files.
 
+use std::collections::HashMap;
 use std::fs;
 
 use serde_json::Value;
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, root};
 
 /// The ellipse of Hertz and the exact creep law, as in CONTACT.
 const EXACT: &str = "contact cases/nominal.toml --set contact.hertz=exact \
@@ -267,4 +268,204 @@ fn contact_refuses_bad_input() {
         assert!(text.contains(words), "{arguments}\n{text}");
         assert_eq!(sandbox.list("."), ["cases"], "{arguments}");
     }
+}
+
+/// The nominal contact by the exact theory, as CONTACT has it; what is not asked for is asked for once.
+const NON_STEADY: &str = "contact cases/nominal.toml --set contact.hertz=exact \
+                          --set contact.response=non-steady --creepage 0.001 --json";
+
+fn complex(value: &Value) -> [f64; 2] {
+    serde_json::from_value(value.clone()).unwrap()
+}
+
+/// The document of a contact that creeps by a table.
+fn creeping(sandbox: &Sandbox, arguments: &str, table: &str) -> Value {
+    sandbox.json(&format!("{arguments} --set 'contact.creepage={table}'"))
+}
+
+/// Rows of a table of reference numbers, by the names of the columns.
+fn reference(name: &str) -> Vec<HashMap<String, String>> {
+    let path = root().join("validation/reference/contact").join(name);
+    let text = fs::read_to_string(path).unwrap();
+    let cells = |line: &str| line.split(',').map(str::to_owned).collect::<Vec<_>>();
+    let mut lines = text.lines().map(cells);
+    let header = lines.next().unwrap();
+    let row = |cells: Vec<String>| header.iter().cloned().zip(cells).collect();
+    lines.map(row).collect()
+}
+
+/// Creep forces, spin moment and energy per metre of CONTACT: 1 % of Q, the error of its extrapolation.
+#[test]
+fn steady_state_in_any_direction() {
+    let sandbox = Sandbox::new();
+    let rows = reference("creep_forces_vector.csv");
+    assert_eq!(rows.len(), 22);
+    for row in rows {
+        let number = |key: &str| -> f64 { row[key].parse().unwrap() };
+        let table = format!(
+            "{{ longitudinal = {}, lateral = {}, spin = {} }}",
+            row["xi"], row["eta"], row["phi_per_m"]
+        );
+        let document = creeping(&sandbox, &format!("{NON_STEADY} --ratio 50"), &table);
+        let steady = &document["steady"];
+        let [along, across] = complex(&steady["force_n"]).map(|force| force / 20e3);
+        let error = (along - number("Fx_over_muP")).hypot(across - number("Fy_over_muP"));
+        assert!(error < 0.01 * number("Q_over_muP"), "{table}: {error}");
+        let moment = steady["spin_moment_nm"].as_f64().unwrap();
+        let error = moment - number("Mz_Nm");
+        assert!(
+            error.abs() < 0.01 * moment.abs().max(5.0),
+            "{table}: {error} Nm"
+        );
+        let energy = steady["dissipation_j_per_m"].as_f64().unwrap();
+        let error = energy / number("power_per_distance_N") - 1.0;
+        assert!(error.abs() < 0.01, "{table}: {error}");
+        assert!(
+            document["frequency_response"]["spin"].is_object(),
+            "{table}"
+        );
+    }
+}
+
+/// Responses to both creepages about a lateral one as CONTACT has them over time, and the slow one to load as similarity
+/// asks for it. Every response has an estimate of its error.
+#[test]
+fn responses_about_lateral_creepage() {
+    let sandbox = Sandbox::new();
+    let ratios = ["3", "4", "6", "8", "12", "20", "1e6"];
+    let asked = format!("{NON_STEADY} --ratio {}", ratios.join(","));
+    let document = creeping(&sandbox, &asked, "{ lateral = 0.00083 }");
+    let response = &document["frequency_response"];
+    let (slow, creepage, load) = (ratios.len() - 1, 0.00083, 50e3);
+    let mut compared = 0;
+    for row in reference("frequency_response_lateral.csv") {
+        let (input, outputs): (&str, &[_]) = match &*row["input"] {
+            "xi" => ("longitudinal_creepage", &[("HFx", "longitudinal_force")]),
+            "eta" => (
+                "lateral_creepage",
+                &[("HFy", "lateral_force"), ("HW", "dissipation")],
+            ),
+            // They contradict themselves, see the README of the validation.
+            _ => continue,
+        };
+        let index = ratios
+            .iter()
+            .position(|ratio| *ratio == row["L_over_a"])
+            .unwrap();
+        for (column, output) in outputs {
+            let values = &response[input][output];
+            let [re, im] = complex(&values[index]);
+            let [quasi_static, _] = complex(&values[slow]);
+            let expected = ["re", "im"]
+                .map(|part| -> f64 { row[&format!("{column}_{part}")].parse().unwrap() });
+            let error = (re / quasi_static - expected[0]).hypot(im / quasi_static - expected[1]);
+            assert!(error < 0.01, "{input} {output} {}: {error}", ratios[index]);
+            let estimate = response["error"][input][output][index].as_f64().unwrap();
+            assert!(
+                (1e-4..0.05).contains(&(estimate / quasi_static)),
+                "{estimate}"
+            );
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 18);
+    let [_, force] = complex(&document["steady"]["force_n"]);
+    let [slope, _] = complex(&response["lateral_creepage"]["lateral_force"][slow]);
+    let [by_load, _] = complex(&response["load"]["lateral_force"][slow]);
+    let expected = (force - creepage * slope / 3.0) / load;
+    assert!(
+        (by_load / expected - 1.0).abs() < 0.01,
+        "{by_load} {expected}"
+    );
+    // Slowly, what a point of the rail receives is what is dissipated.
+    for input in ["lateral_creepage", "load"] {
+        let [here, _] = complex(&response[input]["dissipation"][slow]);
+        let [there, _] = complex(&response[input]["rail_dissipation"][slow]);
+        assert!((here / there - 1.0).abs() < 1e-3, "{input}: {here} {there}");
+    }
+}
+
+/// A contact that only spins has creep forces and responses, but closes no loop.
+#[test]
+fn spin_alone_is_a_contact_but_no_loop() {
+    let sandbox = Sandbox::new();
+    let table = "{ spin = 0.15 }";
+    let coarse = "contact cases/nominal.toml --set contact.grid=24 --set contact.hertz=exact --ratio 8 --creepage 0.001 \
+                  --json";
+    let exact = creeping(
+        &sandbox,
+        &format!("{coarse} --set contact.creep_law=half-space"),
+        table,
+    );
+    let [along, across] = complex(&exact["steady"]["force_n"]);
+    assert!((across / 20e3 / 0.13568 - 1.0).abs() < 0.02, "{across}");
+    assert!(along.abs() < 1.0, "{along}");
+    // A law that does not tell the moment does not tell what it dissipates.
+    let by_fastsim = creeping(
+        &sandbox,
+        &format!("{coarse} --set contact.creep_law=fastsim"),
+        table,
+    );
+    let steady = &by_fastsim["steady"];
+    assert!((complex(&steady["force_n"])[1] / across - 1.0).abs() < 0.1);
+    assert_eq!(steady["spin_moment_nm"], Value::Null);
+    assert_eq!(steady["dissipation_j_per_m"], Value::Null);
+    assert_eq!(
+        by_fastsim["frequency_response"], exact["frequency_response"],
+        "that of the exact theory at the same creepages"
+    );
+    let outcome = sandbox.riffel(
+        "point cases/nominal.toml --wavelength 0.05 --speed 20 --set contact.creep_law=fastsim \
+         --set 'contact.creepage={ spin = 0.15 }'",
+    );
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    assert!(outcome.text.contains("is spin alone"), "{}", outcome.text);
+}
+
+/// Every law says how it rolls; where the whole patch slips there is no response, and files without one are written.
+#[test]
+fn every_law_rolls_steadily() {
+    let sandbox = Sandbox::new();
+    let coarse =
+        "contact cases/nominal.toml --set contact.grid=24 --ratio 8 --creepage 0.001 --json";
+    for law in LAWS.into_iter().filter(|&law| law != "carter-2d") {
+        let arguments = format!("{coarse} --set contact.creep_law={law}");
+        let table = "{ longitudinal = 0.0005, lateral = -0.0005 }";
+        let document = creeping(&sandbox, &arguments, table);
+        let steady = &document["steady"];
+        let [along, across] = complex(&steady["force_n"]);
+        assert!(along > 0.0 && across < 0.0, "{law}: {along} {across}");
+        let energy = steady["dissipation_j_per_m"].as_f64().unwrap();
+        let work = 0.0005 * (along - across);
+        assert!((energy / work - 1.0).abs() < 1e-9, "{law}: {energy} {work}");
+        assert_eq!(
+            steady["spin_moment_nm"].is_null(),
+            law != "half-space",
+            "{law}"
+        );
+        assert!(document["frequency_response"]["load"].is_object(), "{law}");
+    }
+    let outcome =
+        sandbox.riffel("contact cases/curve.toml --set contact.grid=24 --creepage 0.001 -o out");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(
+        outcome.text.contains("no frequency response"),
+        "{}",
+        outcome.text
+    );
+    assert!(
+        !sandbox
+            .list("out")
+            .contains(&"frequency-response.csv".to_owned())
+    );
+    let given = "--set contact.creep_law=half-space --set contact.response=non-steady -o again";
+    let outcome = sandbox.riffel(&format!(
+        "contact cases/curve.toml --set contact.grid=24 {given}"
+    ));
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let text = outcome.text.replace("\n  │ ", " ");
+    assert!(
+        text.contains("contact.creepage") && text.contains("has no slope"),
+        "{text}"
+    );
 }

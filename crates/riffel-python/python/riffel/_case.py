@@ -433,7 +433,10 @@ class Case:
         return _track.decay_rate(self._case.decay_rate(direction))
 
     def contact(self) -> dict[str, Any]:
-        """The contact patch: the scalars of ``riffel contact --json``."""
+        """The contact patch and steady rolling by the law of the case: the scalars of ``riffel contact --json``.
+
+        A case that only spins closes no loop and is no `Case`; the program answers it.
+        """
         return self._case.contact()
 
     def creep_curve(self, creepage: Quantities | None = None) -> xr.Dataset:
@@ -465,7 +468,7 @@ class Case:
         return _contact.creep_curve(creepages, laws, self.title)
 
     def frequency_response(self, wavelength_over_semi_axis: Quantities | None = None) -> xr.Dataset:
-        """Responses of the exact contact to small oscillations, over those to slow ones.
+        """Responses of the exact contact to small oscillations about its mean state.
 
         Parameters
         ----------
@@ -475,8 +478,11 @@ class Case:
         Returns
         -------
         xarray.Dataset
-            Complex ``response`` over ``input`` (creepage, load), ``output`` (force, dissipation, rail_dissipation) and
-            ``wavelength_over_semi_axis``.
+            Complex ``response`` and what the grid may miss of it, ``error``, over ``input``, ``output`` and
+            ``wavelength_over_semi_axis``. Where the case gives a tractive ratio or a number for its creepage, the inputs are
+            creepage and load, the outputs force, dissipation and rail_dissipation, each over its quasi-static value. About
+            a table of creepages the inputs are longitudinal_creepage, lateral_creepage, spin and load, the outputs
+            longitudinal_force, lateral_force, dissipation and rail_dissipation, in SI per unit of the input.
 
         Raises
         ------
@@ -487,8 +493,8 @@ class Case:
         """
         name = "wavelength_over_semi_axis"
         asked = None if wavelength_over_semi_axis is None else array(wavelength_over_semi_axis, name, "ratio")
-        ratios, responses = self._case.frequency_response(asked)
-        return _contact.frequency_response(ratios, responses, self.title)
+        ratios, responses, normalized = self._case.frequency_response(asked)
+        return _contact.frequency_response(ratios, responses, self.title, normalized=normalized)
 
     def forecast(
         self,

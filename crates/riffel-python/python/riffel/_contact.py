@@ -26,20 +26,26 @@ def creep_curve(creepages: Floats, laws: Sequence[tuple[str, str, Floats]], titl
 
 
 def frequency_response(
-    ratios: Floats, responses: Sequence[tuple[str, str, str, Complexes]], title: str | None
+    ratios: Floats,
+    responses: Sequence[tuple[str, str, str, Complexes, Floats]],
+    title: str | None,
+    *,
+    normalized: bool,
 ) -> xr.Dataset:
     """Responses over input, output and wavelength."""
     name = "wavelength_over_semi_axis"
-    inputs = list(dict.fromkeys(put for put, _, _, _ in responses))
-    outputs = list(dict.fromkeys(output for _, output, _, _ in responses))
-    values = np.array([values for _, _, _, values in responses]).reshape(len(inputs), len(outputs), ratios.size)
+    inputs = list(dict.fromkeys(put for put, *_ in responses))
+    outputs = list(dict.fromkeys(output for _, output, *_ in responses))
+    shape = (len(inputs), len(outputs), ratios.size)
+    values = np.array([values for _, _, _, values, _ in responses]).reshape(shape)
+    errors = np.array([errors for *_, errors in responses]).reshape(shape)
+    long_name = "response over the quasi-static one" if normalized else "response in SI per unit of the input"
+    units = {"units": "1"} if normalized else {}
+    dims = ("input", "output", name)
     return xr.Dataset(
         {
-            "response": (
-                ("input", "output", name),
-                values,
-                {"units": "1", "long_name": "response over the quasi-static one"},
-            )
+            "response": (dims, values, {**units, "long_name": long_name}),
+            "error": (dims, errors, {**units, "long_name": "largest error of the response by the grid of the contact"}),
         },
         {
             "input": ("input", inputs, {"long_name": "what oscillates"}),

@@ -221,7 +221,13 @@ def creep_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def frequency_response(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Modulus of the responses of the contact over wavelength."""
+    """Modulus of the responses of the contact over wavelength, each over its quasi-static value.
+
+    Responses about a table of creepages are in SI and have no common scale: for them there is ``Dataset["response"]``.
+    """
+    if "creepage" not in dataset["input"].values:
+        message = "only responses over quasi-static ones share an axis; plot dataset['response'] input by input"
+        raise ValueError(message)
     ax = _axes(ax)
     colors = {"force": 0, "dissipation": 2, "rail_dissipation": 1}
     for put, style in (("creepage", "-"), ("load", "--")):
