@@ -14,7 +14,7 @@
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
 //! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`]; what
-//! becomes of it under traffic, in [`forecast`]. How a bogie stands in a curve, and the creepages of its contacts, is in
+//! becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the creepages of its contacts, is in
 //! [`curving`]. Large amplitudes, followed through time, are in [`passage`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
@@ -95,6 +95,7 @@ pub mod feedback;
 pub mod forecast;
 mod golden_section;
 pub mod growth;
+pub mod noise;
 pub mod passage;
 mod place_of_wear;
 pub mod receptance;

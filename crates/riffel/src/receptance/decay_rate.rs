@@ -78,20 +78,25 @@ fn decay_rate(track: &dyn CrossReceptance, bay: f64, centre: f64) -> f64 {
             .sum()
     };
     let direct = energy(0.0);
-    let last = BAYS.len() - 1;
-    let sum: f64 = (0..=last)
-        .map(|n| {
-            let before = n.checked_sub(1).map(|before| BAYS[n] - BAYS[before]);
-            let after = BAYS.get(n + 1).map(|after| after - BAYS[n]);
-            let length = match (before, after) {
-                (Some(before), Some(after)) => 0.5 * (before + after),
-                (None, Some(after)) => 0.5 * after,
-                (before, None) => before.unwrap_or(0.0),
-            };
-            energy(BAYS[n]) / direct * length * bay
-        })
+    let sum: f64 = one_sided_places(1.0)
+        .map(|(bays, length)| energy(bays) / direct * length * bay)
         .sum();
     10.0 / LN_10 / sum
+}
+
+/// Places of the response to one side of the force \[m\], with the length of rail \[m\] that each stands for, for bays of
+/// the given length.
+pub(crate) fn one_sided_places(bay: f64) -> impl Iterator<Item = (f64, f64)> {
+    (0..BAYS.len()).map(move |n| {
+        let before = n.checked_sub(1).map(|before| BAYS[n] - BAYS[before]);
+        let after = BAYS.get(n + 1).map(|after| after - BAYS[n]);
+        let length = match (before, after) {
+            (Some(before), Some(after)) => 0.5 * (before + after),
+            (None, Some(after)) => 0.5 * after,
+            (before, None) => before.unwrap_or(0.0),
+        };
+        (BAYS[n] * bay, length * bay)
+    })
 }
 
 #[cfg(test)]

@@ -28,6 +28,7 @@ pub use bar::Bar;
 pub use beam::{Beam, ShearSection};
 pub use continuous::ContinuousTrack;
 pub use decay_rate::DecayRate;
+pub(crate) use decay_rate::one_sided_places;
 pub use euler_bernoulli::EulerBernoulliBeam;
 pub use extremum::Extremum;
 pub use free_beam::FreeBeam;

@@ -145,6 +145,23 @@ impl Support {
         }
     }
 
+    /// Motion of the sleeper over that of the rail above it, k_p/(k_p + k_b − ω²m_s); None without a sleeper.
+    pub fn sleeper_share(&self, angular_frequency: f64) -> Option<Complex64> {
+        let Self::TwoLayer {
+            pad,
+            sleeper_mass,
+            ballast,
+        } = self
+        else {
+            return None;
+        };
+        let s = Complex64::new(0.0, angular_frequency);
+        let pad = pad.dynamic_stiffness(s);
+        let below_pad =
+            ballast.dynamic_stiffness(s) - sleeper_mass * angular_frequency * angular_frequency;
+        Some(pad / (pad + below_pad))
+    }
+
     /// The pad alone.
     pub(super) fn pad(&self) -> &Layer {
         let (Self::OneLayer { pad } | Self::TwoLayer { pad, .. }) = self;

@@ -48,5 +48,6 @@ pub use profile::Profile;
 pub use spectrum::{BandLevel, Spectrum};
 pub use spike::SpikeCriterion;
 pub use synthesis::{ColouredNoise, Dropout, Irregularity, Recipe, Sinusoid};
+pub(crate) use third_octave::NOMINAL_OF_DECADE;
 pub use third_octave::ThirdOctave;
 pub use wavelength_band::WavelengthBand;

@@ -3,7 +3,8 @@
 use crate::Error;
 
 /// Nominal centres of a decade.
-const NOMINAL: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
+pub(crate) const NOMINAL_OF_DECADE: [f64; 10] =
+    [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
 
 /// A base-ten one-third octave: centre 10^(n/10) m, edges 10^(±1/20) about it (EN 15610, Annex C, in
 /// wavenumber; the bands are the same in wavelength).
@@ -74,7 +75,7 @@ impl ThirdOctave {
     /// Nominal centre \[mm\]: 31.5 for 31.623 mm.
     pub fn nominal_millimetres(self) -> f64 {
         let (decade, place) = (self.index.div_euclid(10), self.index.rem_euclid(10));
-        let nominal = NOMINAL[place as usize];
+        let nominal = NOMINAL_OF_DECADE[place as usize];
         // 10⁻¹ and its powers are not exact: divide where the decade is below a millimetre.
         match decade + 3 {
             power @ 0.. => nominal * 10f64.powi(power),

@@ -1,0 +1,37 @@
+//! Rolling noise: from the roughness of rail and wheel to the level beside the track.
+//!
+//! Roughness between wheel and rail makes them vibrate ([`RollingSource`]); rail, sleepers and wheel radiate
+//! ([`OscillatingCylinder`], [`Piston`], [`OscillatingSphere`]); a train of such sources is heard beside the track
+//! ([`PassBy`]). The source model of the European directive, roughness and tables of transfer functions, is
+//! [`TransferModel`].
+//!
+//! Bands are [`FrequencyBand`]s; sound power is in watts, mean square pressure in Pa², roughness as a
+//! [`Spectrum`](crate::roughness::Spectrum).
+//!
+//! Left out: the modes of the wheel's web and tyre, which radiate most of what a wheel does above some 1.6 kHz; rails that
+//! vibrate sideways; sleepers that move together, which matters below some 300 Hz; screening by vehicles and platforms;
+//! noise of engines, of air and of joints; squeal.
+
+mod a_weighting;
+mod air;
+mod cylinder;
+mod excitation;
+mod frequency_band;
+mod level;
+mod pass_by;
+mod piston;
+mod rolling_source;
+mod sphere;
+mod transfer;
+
+pub use a_weighting::a_weighting;
+pub use air::Air;
+pub use cylinder::OscillatingCylinder;
+pub use excitation::Excitation;
+pub use frequency_band::FrequencyBand;
+pub use level::{REFERENCE_POWER, REFERENCE_PRESSURE, power_level, pressure_level};
+pub use pass_by::{PassBy, Surroundings};
+pub use piston::Piston;
+pub use rolling_source::{RailDecay, RollingSource, Sleepers, SoundPower};
+pub use sphere::OscillatingSphere;
+pub use transfer::{TransferFunction, TransferModel};
