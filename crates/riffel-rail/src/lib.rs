@@ -44,6 +44,8 @@ mod rows;
 mod sniff;
 mod spectra;
 mod survey;
+mod transfer_table;
+mod wheel_roughness;
 
 pub use date::{read_date, read_dates};
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
@@ -60,3 +62,5 @@ pub use recipe::{DEFAULT_RECIPE, RecipeFile};
 pub use record::{Record, coarse_sampling};
 pub use roughness_file::RoughnessFile;
 pub use survey::Survey;
+pub use transfer_table::{TransferPart, TransferTable};
+pub use wheel_roughness::WheelRoughness;
