@@ -3,6 +3,7 @@
 //! Each check is one function; the program prints them all, the tests run each under its name.
 
 mod appendix;
+mod classes;
 mod contact;
 mod contact_filter;
 pub mod decay_rate;
@@ -92,6 +93,8 @@ checks! {
         minimum_nearly_constant_over_speed, inertia_bounds, limits_bound_all_speeds,
         growth_with_tractive_ratio, not_monotonic_near_full_slip, growth_falls_with_inertia,
         reduced_inertia, lead_is_not_constant_frequency, growth_without_resonance;
+    classes: class_of_roaring_rails, class_of_rutting, class_of_contact_fatigue, class_of_booted_sleepers,
+        class_of_soft_slabs, class_of_heavy_haul, class_of_light_rail;
     decay_rate: decay_rate_peak_and_dip, decay_rate_residual, decay_rate_within_the_curves;
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,

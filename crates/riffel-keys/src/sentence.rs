@@ -184,6 +184,14 @@ sentences! {
         en: "P2 resonance",
         de: "P2-Resonanz"
     }
+    MechanismWheelsetTorsion {
+        en: "wheelset torsion",
+        de: "Torsion des Radsatzes"
+    }
+    MechanismWheelsetBending {
+        en: "wheelset bending",
+        de: "Biegung des Radsatzes"
+    }
     MechanismFullTrack {
         en: "full-track resonance",
         de: "Resonanz des ganzen Gleises"

@@ -106,7 +106,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 8] = [
+    const PICTURES: [(&[&str], &str, &str); 13] = [
         (
             &[
                 "forecast",
@@ -158,6 +158,31 @@ fn pictures(program: &Path) -> Outcome {
             "bay-map.png",
         ),
         (&["map", "cases/curve.toml"], "map.png", "curve-map.png"),
+        (
+            &["map", "cases/class-roaring-rails.toml"],
+            "map.png",
+            "class-roaring-rails.png",
+        ),
+        (
+            &["map", "cases/class-rutting.toml"],
+            "map.png",
+            "class-rutting.png",
+        ),
+        (
+            &["map", "cases/class-contact-fatigue.toml"],
+            "map.png",
+            "class-contact-fatigue.png",
+        ),
+        (
+            &["map", "cases/class-booted-sleeper.toml"],
+            "map.png",
+            "class-booted-sleeper.png",
+        ),
+        (
+            &["map", "cases/class-soft-slab.toml"],
+            "map.png",
+            "class-soft-slab.png",
+        ),
         (
             &["wheelset", "cases/curve.toml"],
             "modes.png",

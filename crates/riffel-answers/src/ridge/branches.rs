@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
+use riffel::wheelset::ModeName;
 use riffel_case::Case;
 use riffel_keys::{Language, Remark, Sentence};
 use serde::Serialize;
@@ -14,6 +15,8 @@ use serde::Serialize;
 /// Growth is highest where phases have turned, some per cent beside the resonance that turns them; the resonances of one
 /// track lie farther apart than this. The share is a choice: a branch beyond it has no name rather than a wrong one.
 const NEAR: f64 = 0.10;
+/// The same for natural modes of the wheelset, which have little damping and lie closer together.
+const NEAR_MODE: f64 = 0.05;
 /// Branches named in a sentence after the strongest.
 const NAMED: usize = 3;
 
@@ -38,7 +41,8 @@ pub struct BranchDocument {
     /// Only its flank lies in the window: its frequency is that of the edge.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub only_at_edge: bool,
-    /// The resonance of the case that it follows, where one lies within 10 % of its frequency.
+    /// The resonance of the case that it follows, where one lies within 10 % of its frequency, or a natural mode of its
+    /// wheelset within 5 %.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mechanism: Option<&'static str>,
     #[serde(skip)]
@@ -64,7 +68,7 @@ impl BranchDocument {
             |(_, frequency): &(MechanismKind, f64)| (frequency / frequency_hz - 1.0).abs();
         let kind = resonances
             .iter()
-            .filter(|resonance| !only_at_edge && distance(resonance) <= NEAR)
+            .filter(|resonance| !only_at_edge && distance(resonance) <= near(resonance.0))
             .min_by(|a, b| distance(a).total_cmp(&distance(b)))
             .map(|(kind, _)| *kind);
         Self {
@@ -162,21 +166,45 @@ fn share(ratio: f64) -> String {
     }
 }
 
-/// The frequencies of the case that the vertical loop can follow \[Hz\].
+/// How near a branch must be to a resonance that it is named by, as a share of its frequency.
+fn near(kind: MechanismKind) -> f64 {
+    match kind {
+        MechanismKind::WheelsetTorsion | MechanismKind::WheelsetBending => NEAR_MODE,
+        _ => NEAR,
+    }
+}
+
+/// The frequencies of the case that its loop can follow \[Hz\]: those of the track vertically, and those at which its
+/// wheelset twists or bends.
 fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     let vertical = |kind: MechanismKind| kind != MechanismKind::LateralPinnedPinned;
     let (mechanisms, _) = case.mechanisms();
-    mechanisms
+    let of_track = mechanisms
         .iter()
         .filter(|mechanism| vertical(mechanism.kind))
-        .filter_map(|mechanism| Some((mechanism.kind, mechanism.frequency()?)))
-        .collect()
+        .filter_map(|mechanism| Some((mechanism.kind, mechanism.frequency()?)));
+    let highest = case.speed.max() / case.wavelength.min();
+    let modes = case.wheelset.as_deref().map_or_else(Vec::new, |wheelset| {
+        // Where modes cannot be told apart so high, a branch has no name.
+        case.wheelset_modes(wheelset, highest).unwrap_or_default()
+    });
+    let of_wheelset = modes.iter().filter_map(|mode| {
+        let kind = match mode.name {
+            ModeName::Torsion { .. } => MechanismKind::WheelsetTorsion,
+            ModeName::Bending { .. } => MechanismKind::WheelsetBending,
+            _ => return None,
+        };
+        Some((kind, mode.frequency))
+    });
+    of_track.chain(of_wheelset).collect()
 }
 
 /// The name of a mechanism; in English where the catalogue has none.
 fn name(kind: MechanismKind, language: Language) -> &'static str {
     let sentence = match kind {
         MechanismKind::P2 => Sentence::MechanismP2,
+        MechanismKind::WheelsetTorsion => Sentence::MechanismWheelsetTorsion,
+        MechanismKind::WheelsetBending => Sentence::MechanismWheelsetBending,
         MechanismKind::FullTrack => Sentence::MechanismFullTrack,
         MechanismKind::SleeperAntiresonance => Sentence::MechanismSleeperAntiresonance,
         MechanismKind::RailOnPad => Sentence::MechanismRailOnPad,
@@ -199,6 +227,8 @@ mod tests {
     fn mechanisms_have_one_english_name() {
         for kind in [
             MechanismKind::P2,
+            MechanismKind::WheelsetTorsion,
+            MechanismKind::WheelsetBending,
             MechanismKind::FullTrack,
             MechanismKind::SleeperAntiresonance,
             MechanismKind::RailOnPad,

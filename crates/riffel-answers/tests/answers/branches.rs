@@ -20,6 +20,24 @@ fn ridge(case: &Case) -> Ridge {
     Ridge::search(&case.feedback, case.wavelength, case.speed)
 }
 
+/// The case of each class of corrugation by wear is named by what fixes its wavelength; on a soft slab that is no resonance.
+#[rstest]
+#[case(include_str!("../../../../cases/class-roaring-rails.toml"), Some("pinned-pinned, vertical"))]
+#[case(include_str!("../../../../cases/class-rutting.toml"), Some("wheelset torsion"))]
+#[case(include_str!("../../../../cases/class-contact-fatigue.toml"), Some("P2 resonance"))]
+#[case(include_str!("../../../../cases/class-booted-sleeper.toml"), Some("sleeper antiresonance"))]
+#[case(include_str!("../../../../cases/class-soft-slab.toml"), None)]
+#[case(include_str!("../../../../cases/curve.toml"), Some("wheelset bending"))]
+fn classes_are_named_by_their_mechanism(#[case] text: &str, #[case] mechanism: Option<&str>) {
+    let case = case(text, &["map.speed.points=16"]);
+    let branches = BranchDocument::all(&case, &ridge(&case));
+    assert_eq!(
+        branches[0].mechanism, mechanism,
+        "{} Hz",
+        branches[0].frequency_hz
+    );
+}
+
 /// The branch of most points inside the window was once called the frequency of the ridge: 591, 596 and 473 Hz.
 #[rstest]
 #[case(DISCRETE_SUPPORTS, &[], 225.0..226.0, 590.0..592.0)]
