@@ -1,6 +1,7 @@
 //! Case files as users write them.
 
 mod case_file;
+mod closed_forms;
 mod contact;
 mod general_loop;
 mod measured_resonances;

@@ -15,16 +15,16 @@ use riffel::{
     Place, PlaceOfWear, Rail, Receptance, RollingContact,
 };
 
-const AMPLITUDE: f64 = 20e-6;
+pub(crate) const AMPLITUDE: f64 = 20e-6;
 const RADIUS: f64 = 0.46;
 
-fn hertz() -> HertzContact {
+pub(crate) fn hertz() -> HertzContact {
     let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
     HertzContact::new(steel, RADIUS, 0.3, 60e3).unwrap()
 }
 
 /// The paper's law, which is alike in all directions, answering late.
-fn rolling(longitudinal: f64, lateral: f64) -> Arc<dyn RollingContact> {
+pub(crate) fn rolling(longitudinal: f64, lateral: f64) -> Arc<dyn RollingContact> {
     let law = Carter3d::new(hertz(), 0.35).unwrap();
     let mean = MeanState::Creepages(Creepages {
         longitudinal,
@@ -52,7 +52,11 @@ fn wear() -> EnergyWear {
     EnergyWear::new(1e-9, 7850.0, hertz().semi_axis_lateral()).unwrap()
 }
 
-fn contact(along: f64, rolling: Arc<dyn RollingContact>, motion: [Motion<()>; 2]) -> Contact {
+pub(crate) fn contact(
+    along: f64,
+    rolling: Arc<dyn RollingContact>,
+    motion: [Motion<()>; 2],
+) -> Contact {
     Contact {
         along,
         rail: Rail::Right,
@@ -73,7 +77,7 @@ fn vertical(structure: Arc<dyn Receptance>) -> Uncoupled {
     }
 }
 
-fn wheel(mass: f64, inertia: f64) -> Uncoupled {
+pub(crate) fn wheel(mass: f64, inertia: f64) -> Uncoupled {
     Uncoupled {
         longitudinal: Some(Arc::new(RigidInertia::new(inertia, RADIUS).unwrap())),
         lateral: None,
@@ -86,7 +90,7 @@ fn general(wheels: impl Structure + 'static, contacts: Vec<Contact>) -> GeneralL
     GeneralLoop::new(track, Arc::new(wheels), contacts, AMPLITUDE).unwrap()
 }
 
-fn close(got: Complex64, expected: Complex64) {
+pub(crate) fn close(got: Complex64, expected: Complex64) {
     assert!(
         (got - expected).norm() <= 1e-12 * expected.norm(),
         "{got} {expected}"

@@ -1,5 +1,6 @@
 //! Identities and limits over random physical cases.
 
+mod closed_forms;
 mod contact;
 mod forecast;
 mod general_loop;
