@@ -18,6 +18,7 @@ mod points;
 mod receptance;
 mod rolling;
 mod roughness;
+mod time_domain;
 mod transient;
 mod twisting_rail;
 mod wheelset;
@@ -101,6 +102,7 @@ checks! {
         grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
     wheelset: flexible_wheelset_receptance, flexible_wheelset_natural_frequencies;
     general_loop: loop_on_all_axes, several_wheels_on_one_rail, both_rails_and_flexible_wheelsets;
+    time_domain: small_amplitudes, settled_harmonics, loss_of_contact;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 

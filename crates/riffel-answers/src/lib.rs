@@ -33,6 +33,7 @@ pub mod receptance;
 pub mod report;
 pub mod ridge;
 pub mod roughness;
+pub mod simulate;
 pub mod study;
 mod track_in_words;
 pub mod wheelset;

@@ -29,6 +29,7 @@ mod idle_key;
 mod key;
 mod measurement;
 mod mechanisms;
+mod passage;
 mod point;
 mod portable_case;
 mod preset;

@@ -4,6 +4,7 @@ mod asked;
 mod forecast;
 mod number;
 mod roughness;
+mod simulate;
 mod study;
 
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ use crate::staging::add_input;
 pub(crate) use asked::{Asked, within};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use simulate::{Simulate, SinusoidArgument};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
@@ -70,6 +72,8 @@ pub(crate) enum Command {
     Receptance(Receptance),
     /// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
     Wheelset(Wheelset),
+    /// A wheel along a rail in time: large amplitudes, loss of contact.
+    Simulate(Simulate),
     /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
     Contact(Contact),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.

@@ -79,6 +79,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
+        Command::Simulate(arguments) => command::simulate::run(&arguments)?,
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,

@@ -13,6 +13,7 @@ mod reading;
 mod report;
 mod roughness;
 mod sandbox;
+mod simulate;
 mod study;
 mod track;
 mod wheelset;

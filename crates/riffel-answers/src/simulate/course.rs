@@ -1,0 +1,99 @@
+//! Profile, force, creepage and dissipation along the rail.
+
+use std::io::{self, Write};
+
+use riffel::passage::ContactInstant;
+use riffel_plot::{LinePanel, LineStyle, Series};
+use serde::Serialize;
+
+/// What a wheel does along a rail, place by place.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Course {
+    /// Places of the wheel centre \[m\].
+    pub position_m: Vec<f64>,
+    /// Height of the rail there.
+    pub height_m: Vec<f64>,
+    /// Normal force.
+    pub normal_force_n: Vec<f64>,
+    /// Creep force.
+    pub tangential_force_n: Vec<f64>,
+    /// Creepage.
+    pub creepage: Vec<f64>,
+    /// Energy dissipated per metre.
+    pub dissipation_j_per_m: Vec<f64>,
+    /// Approach of wheel and rail; below zero their distance.
+    pub approach_m: Vec<f64>,
+}
+
+impl Course {
+    /// Places \[m\], heights \[m\] and contacts in the same order.
+    pub(super) fn new(places: Vec<f64>, heights: Vec<f64>, contacts: &[ContactInstant]) -> Self {
+        let all = |of: fn(&ContactInstant) -> f64| contacts.iter().map(of).collect();
+        Self {
+            position_m: places,
+            height_m: heights,
+            normal_force_n: all(|contact| contact.normal_force),
+            tangential_force_n: all(|contact| contact.tangential_force),
+            creepage: all(|contact| contact.creepage),
+            dissipation_j_per_m: all(ContactInstant::energy_per_metre),
+            approach_m: all(|contact| contact.approach),
+        }
+    }
+
+    /// One row for each place.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        let columns = [
+            ("position_m", &self.position_m),
+            ("height_m", &self.height_m),
+            ("normal_force_n", &self.normal_force_n),
+            ("tangential_force_n", &self.tangential_force_n),
+            ("creepage", &self.creepage),
+            ("dissipation_j_per_m", &self.dissipation_j_per_m),
+            ("approach_m", &self.approach_m),
+        ];
+        writer.write_record(columns.map(|(name, _)| name))?;
+        for index in 0..self.position_m.len() {
+            writer.serialize(columns.map(|(_, column)| column[index]))?;
+        }
+        writer.flush()
+    }
+
+    /// Strips of all quantities; places without contact are marked at zero force.
+    pub(super) fn panels(&self) -> Vec<LinePanel> {
+        let strip = |y_label: &str, values: &[f64], scale: f64| LinePanel {
+            x_label: "place along the rail x [m]".to_owned(),
+            y_label: y_label.to_owned(),
+            series: vec![Series {
+                x: self.position_m.clone(),
+                y: values.iter().map(|value| scale * value).collect(),
+                ..Series::default()
+            }],
+            ..LinePanel::default()
+        };
+        let mut force = strip("normal force P [kN]", &self.normal_force_n, 1e-3);
+        if self.normal_force_n.contains(&0.0) {
+            let lost = self.normal_force_n.iter().map(|force| match *force {
+                0.0 => 0.0,
+                _ => f64::NAN,
+            });
+            force.series.push(Series {
+                label: "no contact".to_owned(),
+                x: self.position_m.clone(),
+                y: lost.collect(),
+                style: LineStyle::Markers,
+                color: None,
+            });
+        }
+        vec![
+            strip("profile [µm]", &self.height_m, 1e6),
+            force,
+            strip("creep force Q [kN]", &self.tangential_force_n, 1e-3),
+            strip("creepage ξ [%]", &self.creepage, 100.0),
+            strip("dissipation [J/m]", &self.dissipation_j_per_m, 1.0),
+        ]
+    }
+}

@@ -1,0 +1,44 @@
+//! What the reader of a march should know.
+
+use riffel::passage::ImpulseResponse;
+use riffel_keys::Remark;
+
+/// A share above which a reader would see it in a first harmonic: one per cent rms.
+const WORTH_A_REMARK: f64 = 1e-4;
+
+/// That a loss factor was made causal, where that is worth a word.
+pub(super) fn of_track(track: &ImpulseResponse) -> Option<Remark> {
+    let share = track.share_cut();
+    (share > WORTH_A_REMARK).then(|| {
+        let per_cent = 100.0 * share.sqrt();
+        Remark::new(
+            format!(
+                "loss factors are not causal: in time the track is the nearest causal one, {per_cent:.1} % rms off in \
+                 receptance"
+            ),
+            format!(
+                "Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis das nächste kausale, Rezeptanz im Mittel \
+                 {per_cent:.1} % daneben"
+            ),
+        )
+    })
+}
+
+/// That the wheel is too large for the troughs of a sinusoid of amplitude Δ and wavelength λ, Δ > λ²/(4π²R).
+pub(super) fn of_troughs(amplitude: f64, wavelength: f64, rolling_radius: f64) -> Option<Remark> {
+    let wavenumber = std::f64::consts::TAU / wavelength;
+    let largest = 1.0 / (wavenumber * wavenumber * rolling_radius);
+    (amplitude > largest).then(|| {
+        let largest = 1e6 * largest;
+        Remark::new(
+            format!(
+                "a wheel of this radius does not reach the troughs of such waves above {largest:.0} µm: it would touch in \
+                 two places, and here touches in one"
+            ),
+            format!(
+                "ein Rad von diesem Halbmesser erreicht über {largest:.0} µm die Täler solcher Wellen nicht: es berührte an \
+                 zwei Stellen, hier an einer"
+            ),
+        )
+    })
+}

@@ -1,0 +1,131 @@
+//! The settled state over a sinusoid.
+
+use std::f64::consts::TAU;
+
+use riffel::passage::{PassageModel, Settled, Sinusoid};
+use riffel_case::Case;
+use riffel_keys::{CaseError, Remark};
+use riffel_plot::{Arrangement, LineFigure};
+
+use super::{Course, HarmonicDocument, SinusoidDocument, remarks};
+use crate::{AnswerError, parameters};
+
+/// A sinusoid to roll over.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SinusoidRequest {
+    /// \[m/s\].
+    pub speed: f64,
+    /// The profile.
+    pub profile: Sinusoid,
+    /// Steps to a wave.
+    pub steps: usize,
+}
+
+/// The settled state of a case over a sinusoid.
+pub struct SinusoidAnswer {
+    /// What was asked.
+    pub request: SinusoidRequest,
+    /// The model, of which the answer is.
+    pub model: PassageModel,
+    /// The state.
+    pub settled: Settled,
+    /// What the reader should know.
+    pub remarks: Vec<Remark>,
+}
+
+impl SinusoidRequest {
+    /// Steps to a wave where nothing else is asked: the error of a first harmonic is some 10⁻⁴.
+    pub const USUAL_STEPS: usize = 256;
+}
+
+impl SinusoidAnswer {
+    /// A case over a sinusoid.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`Case::passage`] and for a point outside its physical range; [`riffel::Error`] where the motion
+    /// does not settle.
+    pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
+        let SinusoidRequest {
+            speed,
+            profile,
+            steps,
+        } = request;
+        case.check_points([profile.wavelength; 2], [speed; 2])?;
+        let model = case.passage(speed)?;
+        let settled = model
+            .settle(profile, steps)
+            .map_err(|error| CaseError::Physics {
+                input: "--sinusoid".to_owned(),
+                error,
+            })?;
+        let radius = case.hertz.rolling_radius();
+        let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
+        let remarks = remarks::of_track(&model.track).into_iter().chain(troughs);
+        Ok(Self {
+            remarks: remarks.collect(),
+            request,
+            model,
+            settled,
+        })
+    }
+
+    /// The harmonics as data: what `riffel simulate --sinusoid --json` prints.
+    pub fn document(&self) -> SinusoidDocument {
+        let SinusoidRequest {
+            speed,
+            profile,
+            steps,
+        } = self.request;
+        let [least, largest] = self.settled.normal_force;
+        SinusoidDocument {
+            wavelength_m: profile.wavelength,
+            speed_m_per_s: speed,
+            amplitude_m: profile.amplitude,
+            step_m: profile.wavelength / steps as f64,
+            harmonics: self
+                .settled
+                .harmonics
+                .iter()
+                .map(HarmonicDocument::from)
+                .collect(),
+            contact_loss_fraction: self.settled.contact_loss,
+            minimum_normal_force_n: least,
+            maximum_normal_force_n: largest,
+            track_share_cut: self.model.track.share_cut(),
+        }
+    }
+
+    /// One wave, from crest to crest.
+    pub fn course(&self) -> Course {
+        let SinusoidRequest { profile, steps, .. } = self.request;
+        let wave = &self.settled.wave;
+        let crest = wave.last().copied();
+        let contacts: Vec<_> = crest.into_iter().chain(wave.iter().copied()).collect();
+        let share = |step: usize| step as f64 / steps as f64;
+        Course::new(
+            (0..=steps)
+                .map(|step| profile.wavelength * share(step))
+                .collect(),
+            (0..=steps)
+                .map(|step| profile.amplitude * (TAU * share(step)).cos())
+                .collect(),
+            &contacts,
+        )
+    }
+
+    /// One wave as strips.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        let SinusoidRequest { speed, profile, .. } = self.request;
+        LineFigure {
+            title: format!(
+                "A wave of {:.1} mm and {:.1} µm at {:.1} km/h",
+                1e3 * profile.wavelength,
+                1e6 * profile.amplitude,
+                3.6 * speed
+            ),
+            caption: format!("Settled state, wheel centre at x. {}", parameters(case)),
+            panels: self.course().panels(),
+            arrangement: Arrangement::Strips,
+        }
+    }
+}

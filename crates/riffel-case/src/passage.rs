@@ -1,0 +1,142 @@
+//! The wheel of a case in time.
+
+use std::sync::Arc;
+
+use riffel::contact::CreepLaw;
+use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning};
+use riffel_keys::CaseError;
+
+use crate::Case;
+use crate::file::{ContactDynamics, Rotation};
+
+impl Case {
+    /// Wheel, track and contact of the case in time, at a speed \[m/s\].
+    ///
+    /// # Errors
+    /// [`CaseError`] where the case has what is not followed through time: several contacts or axes, supports that pass
+    /// under the wheel, a contact that answers late or is no formula, a wheel or a track that is not a model, a track
+    /// that is not causal.
+    pub fn passage(&self, speed: f64) -> Result<PassageModel, CaseError> {
+        self.check_in_time()?;
+        let (keys, wheel) = (&self.keys, &self.file.wheel);
+        let key = match self.keys.given.track {
+            Some(_) => "receptance of the track",
+            None => "track.model",
+        };
+        let response = ImpulseResponse::of(&*self.track.receptance, speed);
+        let normal_force = self.hertz.normal_force();
+        // The paper's law does without Kalker's coefficients, which have a table that ends.
+        let law = match self.carter {
+            Some(carter) => Some(Arc::new(carter) as Arc<dyn CreepLaw>),
+            None => keys.creep_law(self.hertz, self.steady.friction)?,
+        };
+        let law = law.ok_or_else(|| {
+            let message = "`contact.creep_law` is \"half-space\", but a passage in time takes a law that is a formula";
+            self.refuse("contact.creep_law", message)
+        })?;
+        let mass = keys.required("wheel.mass", wheel.mass)?.si();
+        let inertia = keys.required("wheel.inertia", wheel.inertia)?.si();
+        Ok(PassageModel {
+            track: keys.physics(key, response)?,
+            wheel_mass: mass,
+            spring: keys.physics(
+                "contact",
+                HertzSpring::new(normal_force, self.hertz.stiffness()),
+            )?,
+            law,
+            turning: match wheel.rotation() {
+                Rotation::ConstantCreepage => Turning::Held,
+                _ => Turning::Inertia {
+                    inertia,
+                    rolling_radius: self.hertz.rolling_radius(),
+                },
+            },
+            mean: self.steady,
+            speed,
+        })
+    }
+
+    /// `Ok` if the case is one wheel on an even track, with longitudinal creepage by a formula.
+    fn check_in_time(&self) -> Result<(), CaseError> {
+        let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
+        let file = &self.file;
+        if self.feedback.longitudinal().is_none() {
+            let key = match (&file.wheelset, &file.train) {
+                (Some(_), _) => "wheelset",
+                (None, Some(_)) => "train",
+                (None, None) => "contact.creepage",
+            };
+            let message = format!(
+                "`{key}` makes this a loop on all axes or of several wheels, but a passage in time takes one wheel of \
+                 [wheel] with longitudinal creepage"
+            );
+            return refuse(key, &message);
+        }
+        if self.track.support_spacing().is_some() {
+            let message = format!(
+                "`track.model` is \"{}\", whose supports pass under the wheel, but a passage in time takes a track that is \
+                 the same everywhere along the rail; choose its continuous counterpart",
+                file.track.model.name()
+            );
+            return refuse("track.model", &message);
+        }
+        if self.keys.given.wheel.is_some() {
+            let message = "a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it";
+            return refuse("wheel", message);
+        }
+        if file.contact.response != ContactDynamics::QuasiStatic {
+            let message = "`contact.response` must be \"quasi-static\" for a passage in time: a contact that answers late \
+                           is known for small oscillations only";
+            return refuse("contact.response", message);
+        }
+        if file.wheel.rotation() == Rotation::ConstantTangentialForce {
+            let message = "`wheel.rotation` is \"constant-tangential-force\", but where the wheel leaves the rail no \
+                           creepage keeps the force; choose \"inertia\" or \"constant-creepage\"";
+            return refuse("wheel.rotation", message);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NOMINAL_CASE;
+
+    fn passage(overrides: &[&str]) -> Result<PassageModel, CaseError> {
+        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+        Case::parse("nominal", NOMINAL_CASE, &overrides)?.passage(30.0)
+    }
+
+    #[test]
+    fn what_is_not_followed_through_time_is_refused() {
+        assert!(passage(&[]).is_ok());
+        assert!(
+            passage(&[
+                "wheel.rotation=constant-creepage",
+                "contact.creep_law=polach"
+            ])
+            .is_ok()
+        );
+        for (overrides, words) in [
+            (
+                &["wheel.rotation=constant-tangential-force"][..],
+                "leaves the rail",
+            ),
+            (&["contact.response=spring-dashpot"], "answers late"),
+            (&["contact.creep_law=half-space"], "a formula"),
+            (
+                &[
+                    "contact.creepage={ longitudinal = 0.001, lateral = 0.001 }",
+                    "contact.tractive_ratio=",
+                ],
+                "one wheel",
+            ),
+        ] {
+            let Err(error) = passage(overrides) else {
+                panic!("{overrides:?} was taken");
+            };
+            assert!(error.to_string().contains(words), "{error}");
+        }
+    }
+}
