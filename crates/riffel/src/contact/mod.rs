@@ -4,6 +4,7 @@
 mod ellipse;
 mod half_space;
 mod law;
+mod load_wear;
 mod mean_state;
 mod non_steady;
 mod quasi_static;
@@ -26,6 +27,7 @@ pub use law::{
     Creepages, FallingFriction, Fastsim, ForceLimit, FullSliding, JohnsonVermeulen, LineContact,
     Polach, ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
 };
+pub use load_wear::LoadWear;
 pub use mean_state::{MeanRolling, MeanState};
 pub use non_steady::NonSteady;
 pub use quasi_static::QuasiStatic;

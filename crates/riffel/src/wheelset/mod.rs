@@ -1,6 +1,7 @@
 //! The wheelset at the contact: how it answers the forces there, along the rail, across it and downward.
 //!
-//! One wheel alone is a [`RigidMass`] downward and a [`RigidInertia`] along the rail. A [`Wheelset`] joins two
+//! One wheel alone is a [`RigidMass`] downward and a [`RigidInertia`] along the rail; a [`SprungMass`]
+//! is a vehicle on its spring. A [`Wheelset`] joins two
 //! wheels on both rails: [`RigidWheelset`], [`FlexibleWheelset`], [`ModalWheelset`], [`MeasuredWheelset`].
 
 mod consistency;
@@ -13,6 +14,7 @@ mod rigid;
 mod rigid_inertia;
 mod rigid_mass;
 mod section;
+mod sprung_mass;
 mod suspension;
 
 pub use consistency::{passivity_error, reciprocity_error};
@@ -28,4 +30,5 @@ pub use rigid::{RigidBody, RigidWheelset};
 pub use rigid_inertia::RigidInertia;
 pub use rigid_mass::RigidMass;
 pub use section::ContactGeometry;
+pub use sprung_mass::SprungMass;
 pub use suspension::Suspension;

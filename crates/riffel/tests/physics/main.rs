@@ -5,6 +5,7 @@ mod contact;
 mod forecast;
 mod general_loop;
 mod growth;
+mod load_wear;
 mod passage;
 mod spatial_track;
 mod track;

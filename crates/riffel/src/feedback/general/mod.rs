@@ -168,6 +168,23 @@ impl GeneralLoop {
         self
     }
 
+    /// The loop with other contacts on the same track and wheels.
+    ///
+    /// # Errors
+    /// As of [`new`](Self::new).
+    pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self, Error> {
+        let Self {
+            track,
+            wheels,
+            position,
+            comb,
+            amplitude,
+            ..
+        } = self;
+        let feedback = Self::new(track, wheels, contacts, amplitude)?;
+        Ok(feedback.at_position(position).with_comb(comb))
+    }
+
     /// The contacts, that of the first wheel on the rail under study first.
     pub fn contacts(&self) -> &[Contact] {
         &self.contacts
