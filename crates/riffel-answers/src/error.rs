@@ -29,6 +29,15 @@ pub enum AnswerError {
         rule: String,
     },
 
+    /// A model of the field was named that cannot be read from the case.
+    #[error("{model} is not on this case: {reason}")]
+    NotOnCase {
+        /// The name of the model.
+        model: &'static str,
+        /// What it needs, or what is wrong under it.
+        reason: String,
+    },
+
     /// A forecast was asked for without a spectrum to begin with.
     #[error(
         "a forecast needs a spectrum: one that was measured, or that of a rail that will be ground"

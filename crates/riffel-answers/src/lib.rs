@@ -26,6 +26,7 @@ pub mod diagnose;
 mod error;
 pub mod forecast;
 pub mod map;
+pub mod models;
 pub mod paper;
 mod parameters;
 pub mod point;

@@ -12,8 +12,9 @@ use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
 use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
+use crate::contact_tables::ContactTables;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
-use crate::given::{GivenReceptance, GivenReceptances};
+use crate::given::{Given, GivenReceptance};
 use crate::measurement;
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
@@ -84,14 +85,14 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let mut unfilled = CaseText::parse(name, text)?;
         unfilled.apply(overrides)?;
-        Self::of_text(unfilled, folder, GivenReceptances::default(), Window::Map)
+        Self::of_text(unfilled, folder, Given::default(), Window::Map)
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
     pub(crate) fn of_text(
         unfilled: CaseText,
         folder: Option<&Path>,
-        given: GivenReceptances,
+        given: Given,
         window: Window,
     ) -> Result<Self, CaseError> {
         let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;
@@ -183,6 +184,14 @@ impl Case {
         let mut keys = self.keys.clone();
         keys.given.wheel = Some(wheel);
         Self::of_keys(keys, self.unfilled.clone())
+    }
+
+    /// The case, keeping the tables of its exact contact for all cases that are built from it.
+    #[must_use]
+    pub fn sharing_tables(&self) -> Self {
+        let mut case = self.clone();
+        case.keys.given.tables = ContactTables::shared();
+        case
     }
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that

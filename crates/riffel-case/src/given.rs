@@ -6,6 +6,7 @@ use riffel::Receptance;
 use riffel::receptance::MeasuredReceptance;
 use riffel_keys::{CaseError, Remark};
 
+use crate::contact_tables::ContactTables;
 use crate::measurement::{self, UniversalFunction};
 use crate::track::Origin;
 
@@ -65,9 +66,13 @@ impl GivenReceptance {
     }
 }
 
-/// The receptances that take the place of the models of a case.
+/// What goes with the keys of a case.
 #[derive(Clone, Default)]
-pub(crate) struct GivenReceptances {
+pub(crate) struct Given {
+    /// In place of the model of the track.
     pub(crate) track: Option<GivenReceptance>,
+    /// In place of the wheel.
     pub(crate) wheel: Option<GivenReceptance>,
+    /// Tables of the contact that other cases have, too.
+    pub(crate) tables: ContactTables,
 }

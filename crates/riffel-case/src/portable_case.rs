@@ -6,7 +6,7 @@ use riffel_keys::{CaseError, KeyFile};
 
 use crate::case::Case;
 use crate::case_text::CaseText;
-use crate::given::{GivenReceptance, GivenReceptances};
+use crate::given::{Given, GivenReceptance};
 use crate::window::Window;
 
 /// The keys of a case before presets and defaults, with all that its errors show. Files that the case names stay where
@@ -62,7 +62,11 @@ impl Case {
         Self::of_text(
             CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
             portable.folder.as_deref(),
-            GivenReceptances { track, wheel },
+            Given {
+                track,
+                wheel,
+                ..Given::default()
+            },
             Window::Map,
         )
     }

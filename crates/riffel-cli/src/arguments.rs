@@ -22,7 +22,7 @@ use crate::messages::Verbosity;
 use crate::staging::add_input;
 
 pub(crate) use asked::{Asked, within};
-pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Spectra};
+pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{Simulate, SinusoidArgument};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};

@@ -115,7 +115,17 @@ impl CheckedKeys {
             });
         }
         let rolling = match self.creep_law(hertz, friction)? {
-            None => self.half_space(hertz, friction, mean)?,
+            None => {
+                let key = || {
+                    let contact = &self.file.contact;
+                    format!(
+                        "{hertz:?} {friction:?} {mean:?} {:?} {:?} {:?}",
+                        self.file.map.wavelength, contact.grid, contact.response
+                    )
+                };
+                let tables = &self.given.tables;
+                tables.get(key, || self.half_space(hertz, friction, mean))?
+            }
             Some(law) => {
                 let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
                 self.answering(rolling, hertz)

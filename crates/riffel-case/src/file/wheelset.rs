@@ -50,7 +50,7 @@ pub struct Wheelset {
 }
 
 impl Wheelset {
-    fn default_contact_spacing() -> Quantity<Length> {
+    pub(crate) fn default_contact_spacing() -> Quantity<Length> {
         Quantity::new(1.5)
     }
 }

@@ -11,14 +11,14 @@ use super::*;
 use crate::NOMINAL_CASE;
 use crate::case_text::CaseText;
 use crate::file::{CaseFile, Comb, WheelsetModel};
-use crate::given::GivenReceptances;
+use crate::given::Given;
 use crate::window::Window;
 
 fn keys(text: &str, overrides: &[&str]) -> Result<CheckedKeys, CaseError> {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
     let mut text = CaseText::parse("case.toml", text)?;
     text.apply(&overrides)?;
-    let given = GivenReceptances::default();
+    let given = Given::default();
     CheckedKeys::of_text(text, Some(Path::new("")), given, Window::Map)
 }
 
@@ -74,9 +74,8 @@ fn keys_go_to_another_process() {
         &keys.table().to_string(),
         &keys.overrides(),
     );
-    let [here, there] = [written, CaseText::of(again.unwrap())].map(|text| {
-        CheckedKeys::of_text(text, None, GivenReceptances::default(), Window::Map).unwrap()
-    });
+    let [here, there] = [written, CaseText::of(again.unwrap())]
+        .map(|text| CheckedKeys::of_text(text, None, Given::default(), Window::Map).unwrap());
     assert_eq!(there.file, here.file);
     let general = there.general().unwrap().unwrap();
     assert_eq!(general.wheels, [0.0, 2.5]);
@@ -223,14 +222,7 @@ fn files_are_relative_to_the_case() {
     let folder = Some(Path::new("cases"));
     let mut text = CaseText::parse("case.toml", &text).unwrap();
     text.apply(&sets.map(str::to_owned)).unwrap();
-    let read = |folder| {
-        CheckedKeys::of_text(
-            text.clone(),
-            folder,
-            GivenReceptances::default(),
-            Window::Map,
-        )
-    };
+    let read = |folder| CheckedKeys::of_text(text.clone(), folder, Given::default(), Window::Map);
     let keys = read(folder).unwrap();
     assert_eq!(
         keys.file.wheelset.as_ref().unwrap().model,

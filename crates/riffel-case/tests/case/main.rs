@@ -7,6 +7,7 @@ mod general_loop;
 mod measured_resonances;
 mod measured_tables;
 mod measurement;
+mod models;
 mod remarks;
 mod track;
 mod traffic;

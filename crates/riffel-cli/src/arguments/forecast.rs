@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use jiff::civil::Date;
 use riffel_case::Hold;
+use riffel_case::model::FieldModel;
 use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
@@ -145,21 +146,53 @@ impl From<HoldArgument> for Hold {
     }
 }
 
+/// Models of the field that are named; none for all that fit.
+#[derive(Clone)]
+pub(crate) struct Models(pub(crate) Vec<&'static FieldModel>);
+
+/// Models by name, commas between them, each once.
+fn models(text: &str) -> Result<Models, String> {
+    let mut found: Vec<&'static FieldModel> = Vec::new();
+    if text == "all" {
+        return Ok(Models(found));
+    }
+    for name in text.split(',').map(str::trim) {
+        let Some(model) = FieldModel::find(name) else {
+            let known = FieldModel::ALL.map(|model| model.name).join(", ");
+            return Err(format!("no model has the name \"{name}\"; models: {known}"));
+        };
+        if found.iter().all(|known| known.name != model.name) {
+            found.push(model);
+        }
+    }
+    Ok(Models(found))
+}
+
 #[derive(Args)]
 #[command(
     after_help = "Example: riffel compare case.toml --with soft-pads.toml --with slower.toml --speed \"100 km/h\"\n\n\
         A file of changes has a title and the keys of the case that change, in their tables:\n\n  \
         title = \"soft pads, slower\"\n  [track]\n  pad = { stiffness = \"120 MN/m\" }\n  [speed]\n  factor = 0.8\n\n\
         [speed] takes mean or factor, and standard_deviation. What lasts longest after grinding: \
-        riffel compare case.toml --with soft-pads.toml --traffic traffic.toml --from-limit \"-6 dB\""
+        riffel compare case.toml --with soft-pads.toml --traffic traffic.toml --from-limit \"-6 dB\"\n\n\
+        The same case by the models of the field: riffel compare case.toml --models --speed \"100 km/h\""
 )]
 pub(crate) struct Compare {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
     /// File of changes to the case and its speeds; may be repeated.
-    #[arg(long = "with", value_name = "TOML", required = true)]
+    #[arg(long = "with", value_name = "TOML", required_unless_present = "models")]
     pub(crate) variants: Vec<PathBuf>,
+
+    /// The case by models of the field in place of variants: all that fit, or those named, as in --models
+    /// grassie-johnson-1985,riffel.
+    #[arg(long, value_name = "NAMES", num_args = 0..=1, default_missing_value = "all", value_parser = models,
+        conflicts_with_all = [
+            "variants", "speed_deviation", "traffic", "hold", "spectrum", "ground", "from_limit", "format", "spacing",
+            "height_unit", "position_unit", "rail", "from", "to", "choose", "limit",
+        ])]
+    pub(crate) models: Option<Models>,
 
     /// Speed of the wheel of the case, in m/s or with its unit [default: the middle of map.speed].
     #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]

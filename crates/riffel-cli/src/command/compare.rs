@@ -11,13 +11,16 @@ use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, level_limit, outside};
 use super::roughness::survey;
-use crate::arguments::Compare;
+use crate::arguments::{Compare, Models};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, table};
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
+    if let Some(Models(models)) = &arguments.models {
+        return super::models::run(arguments, models);
+    }
     let survey = match &arguments.spectrum {
         Some(path) => Some(survey(path, &arguments.layout)?),
         None => None,

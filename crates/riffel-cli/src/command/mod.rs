@@ -9,6 +9,7 @@ pub(crate) mod forecast;
 pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod map;
+mod models;
 pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod receptance;

@@ -338,6 +338,7 @@ fn what_if(
     let asked = Compare {
         case: CaseArguments::of(path, &arguments.overrides),
         variants: arguments.variants.clone(),
+        models: None,
         speed: now
             .filter(|_| traffic.is_none())
             .map(|now| Quantity::new(now.speed).into()),

@@ -13,7 +13,7 @@ use super::{ContactDerivative, ContactResponse, MeanRolling, RollingContact};
 /// Then corrugation grows exactly where Re P₁/Δ < 0, the force smallest on the crests: below the resonance of a mass on
 /// a spring, above it the surface is levelled.
 ///
-/// Source: A. D. Carson, K. L. Johnson, *Wear* 17 (1971), for discs on the spring of their contact; J. A. Both,
+/// Source: R. M. Carson, K. L. Johnson, *Wear* 17 (1971), for discs on the spring of their contact; J. A. Both,
 /// D. C. Hong, D. A. Kurtze, *Physica A* 301 (2001), for the road under sprung masses. Range of validity: amplitudes at
 /// which the surface yields on every wave; a threshold of plastic flow is left out.
 #[derive(Clone)]

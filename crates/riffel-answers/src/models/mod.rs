@@ -1,0 +1,247 @@
+//! The same case by the models of the field, side by side.
+
+mod difference;
+mod document;
+mod figure;
+
+use std::f64::consts::LN_2;
+use std::io::{self, Write};
+
+use riffel::{Complex64, Loop};
+use riffel_case::Case;
+use riffel_case::model::{FieldModel, Joints, ModelOnCase};
+use riffel_plot::LineFigure;
+
+pub use difference::Difference;
+pub use document::ModelsDocument;
+
+use crate::AnswerError;
+
+/// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
+const PLANE_POINTS: usize = 801;
+
+/// What is asked of the models of the field.
+pub struct ModelsRequest {
+    /// The models; all where none is named. One that is named must be on the case.
+    pub models: Vec<&'static FieldModel>,
+    /// Speed \[m/s\]; none for the middle of the map.
+    pub speed: Option<f64>,
+}
+
+/// Growth by the models of the field at one speed, over the wavelengths of the map of a case.
+pub struct ModelsAnswer {
+    /// The speed \[m/s\].
+    pub speed: f64,
+    /// The wavelengths \[m\].
+    pub wavelengths: Vec<f64>,
+    /// The models in their order.
+    pub models: Vec<ModelGrowth>,
+}
+
+/// A model, and what it says of a case.
+pub struct ModelGrowth {
+    /// The model.
+    pub model: &'static FieldModel,
+    /// Growth; where the case lacks something, what it needs as the end of a sentence.
+    pub growth: Result<Growth, String>,
+}
+
+/// Growth by one model.
+pub struct Growth {
+    /// Growth rates per passage \[-\] at the wavelengths of the answer.
+    pub rates: Vec<f64>,
+    /// The fastest of the wavelengths; none where nothing grows.
+    pub highest: Option<Highest>,
+    /// By which joints it differs from the case with the exact contact, the one that moves growth most first.
+    pub differs_by: Vec<Difference>,
+    /// Wear in the complex plane, of a model whose papers draw it, on discrete supports.
+    pub complex_plane: Option<ComplexPlane>,
+    /// What its reader should know, beyond what is to be known of the case.
+    pub remarks: Vec<String>,
+}
+
+/// The wavelength that grows fastest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Highest {
+    /// Wavelength \[m\], one of those of the answer.
+    pub wavelength: f64,
+    /// Frequency \[Hz\].
+    pub frequency: f64,
+    /// Growth rate per passage \[-\].
+    pub rate: f64,
+    /// It is the first or the last of the wavelengths: a shorter or longer one may grow faster.
+    pub at_edge: bool,
+}
+
+/// Energy left on a metre of rail over the amplitude of the profile, e₁/Δ \[J/m²\], over frequency: growth in the left
+/// half-plane.
+pub struct ComplexPlane {
+    /// Frequencies \[Hz\], rising.
+    pub frequencies: Vec<f64>,
+    /// With the wheel over a support.
+    pub over_support: Vec<Complex64>,
+    /// With the wheel in mid-span.
+    pub mid_span: Vec<Complex64>,
+}
+
+impl Highest {
+    /// Of rates at wavelengths \[m\] and one speed \[m/s\]; none where none is above zero.
+    fn of(wavelengths: &[f64], rates: &[f64], speed: f64) -> Option<Self> {
+        let rates = rates.iter().enumerate();
+        let (place, &rate) = rates.max_by(|a, b| a.1.total_cmp(b.1))?;
+        let wavelength = *wavelengths.get(place)?;
+        (rate > 0.0).then(|| Self {
+            wavelength,
+            frequency: speed / wavelength,
+            rate,
+            at_edge: place == 0 || place + 1 == wavelengths.len(),
+        })
+    }
+
+    /// Passages in which the amplitude doubles.
+    pub fn doubling_passages(&self) -> f64 {
+        LN_2 / self.rate
+    }
+}
+
+impl ModelsAnswer {
+    /// Growth by each model; `progress` is told of each that is done.
+    ///
+    /// # Errors
+    /// [`AnswerError::Case`] for frequencies at which the case is not known, [`AnswerError::NotOnCase`] for a model that
+    /// is named and cannot be read from the case.
+    pub fn new(
+        case: &Case,
+        request: &ModelsRequest,
+        progress: &dyn Fn(usize),
+    ) -> Result<Self, AnswerError> {
+        let named = !request.models.is_empty();
+        let models = match named {
+            true => request.models.clone(),
+            false => FieldModel::ALL.to_vec(),
+        };
+        let speed = request
+            .speed
+            .unwrap_or(0.5 * (case.speed.min() + case.speed.max()));
+        case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
+        let case = case.sharing_tables();
+        let wavelengths = case.wavelength.values();
+        let growth = |model: &'static FieldModel| {
+            let growth = Growth::of(&case, model, &wavelengths, speed);
+            progress(1);
+            match growth {
+                Err(reason) if named => Err(AnswerError::NotOnCase {
+                    model: model.name,
+                    reason,
+                }),
+                growth => Ok(ModelGrowth { model, growth }),
+            }
+        };
+        let models: Result<Vec<ModelGrowth>, AnswerError> =
+            models.into_iter().map(growth).collect();
+        Ok(Self {
+            speed,
+            models: models?,
+            wavelengths,
+        })
+    }
+
+    /// The models that are on the case, with their growth.
+    pub fn on_case(&self) -> impl Iterator<Item = (&'static FieldModel, &Growth)> {
+        let models = self.models.iter();
+        models.filter_map(|of| Some((of.model, of.growth.as_ref().ok()?)))
+    }
+
+    /// The models as data: what `riffel compare --models --json` prints.
+    pub fn document<'a>(&'a self, case: &'a Case) -> ModelsDocument<'a> {
+        document::document(self, case)
+    }
+
+    /// Growth over wavelength, a line for each model.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        figure::growth(self, case)
+    }
+
+    /// Wear in the complex plane; none where no model of the answer draws it.
+    pub fn complex_plane(&self, case: &Case) -> Option<LineFigure> {
+        figure::complex_plane(self, case)
+    }
+
+    /// One row for each wavelength, a column for each model on the case.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        document::growth_table(self, file)
+    }
+}
+
+impl Growth {
+    fn of(
+        case: &Case,
+        model: &'static FieldModel,
+        wavelengths: &[f64],
+        speed: f64,
+    ) -> Result<Self, String> {
+        let on = on_case(case, model.joints, wavelengths, speed)?;
+        let rates = on.growth_rates(wavelengths, speed);
+        let known = &case.remarks;
+        let remarks = on.case.remarks.iter();
+        let remarks = remarks.filter(|remark| !known.contains(remark));
+        Ok(Self {
+            highest: Highest::of(wavelengths, &rates, speed),
+            differs_by: Difference::all(case, model.joints, wavelengths, &rates, speed),
+            complex_plane: model
+                .has_complex_plane()
+                .then(|| ComplexPlane::of(&on, frequencies(wavelengths, speed), speed))
+                .flatten(),
+            remarks: remarks.map(ToString::to_string).collect(),
+            rates,
+        })
+    }
+}
+
+impl ComplexPlane {
+    /// Over the frequencies \[Hz\] at one speed \[m/s\], both ends included; none where supports are not discrete.
+    fn of(on: &ModelOnCase, [lowest, highest]: [f64; 2], speed: f64) -> Option<Self> {
+        let places = on.over_support_and_mid_span()?;
+        let step = (highest - lowest) / (PLANE_POINTS - 1) as f64;
+        let frequencies = (0..PLANE_POINTS).map(|point| lowest + step * point as f64);
+        let frequencies: Vec<f64> = frequencies.collect();
+        let wear = |feedback: &Loop| -> Vec<Complex64> {
+            let states = frequencies.iter();
+            let states = states.map(|frequency| feedback.at(speed / frequency, speed));
+            states
+                .map(|state| state.dissipation_at_rail() / speed / feedback.amplitude())
+                .collect()
+        };
+        let [over_support, mid_span] = places.each_ref().map(wear);
+        Some(Self {
+            frequencies,
+            over_support,
+            mid_span,
+        })
+    }
+}
+
+/// Lowest and highest frequency \[Hz\] of wavelengths at one speed.
+fn frequencies(wavelengths: &[f64], speed: f64) -> [f64; 2] {
+    let frequencies = wavelengths.iter().map(|wavelength| speed / wavelength);
+    frequencies.fold([f64::INFINITY, 0.0], |[low, high], frequency| {
+        [low.min(frequency), high.max(frequency)]
+    })
+}
+
+/// The case with joints, known at the frequencies that are asked for.
+fn on_case(
+    case: &Case,
+    joints: Joints,
+    wavelengths: &[f64],
+    speed: f64,
+) -> Result<ModelOnCase, String> {
+    let on = ModelOnCase::new(case, joints).map_err(|lacks| lacks.0)?;
+    let [lowest, highest] = frequencies(wavelengths, speed);
+    let known = on.case.check_frequencies(lowest, highest);
+    known.map_err(|error| error.to_string())?;
+    Ok(on)
+}

@@ -1,0 +1,38 @@
+//! Bhaskar, Johnson, Wood & Woodhouse (1997).
+
+use super::FieldModel;
+use super::joints::{
+    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
+};
+
+/// Spring and dashpot at the contact, without inertia of rotation.
+pub(super) static MODEL: FieldModel = FieldModel {
+    name: "bhaskar-1997",
+    title: "Bhaskar et al. 1997",
+    source: "A. Bhaskar, K. L. Johnson, G. D. Wood, J. Woodhouse: Wheel–rail dynamics with closely conformal contact, \
+             parts 1 and 2, Proc. IMechE F 211 (1997)",
+    joints: Joints {
+        track: TrackJoint::Continuous,
+        wheel: WheelJoint::EvenlyTurningWheelset,
+        creepage: CreepageJoint::Own,
+        contact: ContactJoint::SpringDashpot,
+        contact_filter: false,
+        place_of_wear: PlaceOfWearJoint::WheelCentre,
+        wear: WearJoint::Energy,
+    },
+    assumptions: &[
+        "a track on pads, sleepers and ballast spread evenly",
+        "the contact is a spring (Mindlin) and a dashpot (the slope of the steady law) in series in each direction",
+        "the wheelset does not answer in rotation: creepage along the rail oscillates by geometry alone",
+    ],
+    leaves_out: &[
+        "rotational inertia of the wheelset",
+        "discrete supports",
+        "spin",
+        "the exact delay of the contact",
+    ],
+    not_given: &[
+        "profiles of wheel and rail, steady creepages and values of the track: those of the case stand in",
+        "most of its results are with the dashpot alone, which is the quasi-static response",
+    ],
+};

@@ -1,0 +1,476 @@
+//! A model of the field on a case: which keys it replaces, and what the case lacks for it.
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+use riffel::contact::{ContactFilter, LoadWear};
+use riffel::feedback::Contact;
+use riffel::growth::Bay;
+use riffel::receptance::RigidGround;
+use riffel::wheelset::{Motion, SprungMass};
+use riffel::{FeedbackLoop, Loop};
+use riffel_keys::CaseError;
+
+use super::joints::{
+    ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
+};
+use crate::Case;
+use crate::case_text::CaseText;
+use crate::file::CreepLawName;
+use crate::file::{Axle, Rotation, Support, TrackModel, Wheelset, WheelsetModel};
+use crate::given::{Given, GivenReceptance};
+use crate::window::Window;
+
+/// Acceleration of gravity \[m/s²\].
+const GRAVITY: f64 = 9.81;
+
+/// The creep law of a contact beyond saturation.
+const FULL_SLIDING: &str = "full-sliding";
+
+/// Tractive ratio that stands for a contact near saturation.
+const NEAR_SATURATION: f64 = 0.95;
+
+/// A case as a model of the field reads it.
+#[derive(Clone)]
+pub struct ModelOnCase {
+    /// The case with the joints of the model.
+    pub case: Case,
+    filter: Option<ContactFilter>,
+    /// Whether growth is the mean over the bay.
+    mean: bool,
+}
+
+/// Why a model cannot be built on a case, as the end of a sentence: "needs a wheelset with an elastic axle".
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotOnCase(pub String);
+
+impl NotOnCase {
+    fn needs(what: &str) -> Self {
+        Self(format!("needs {what}"))
+    }
+}
+
+impl From<CaseError> for NotOnCase {
+    fn from(error: CaseError) -> Self {
+        Self(match error {
+            // The override is that of the model, not of the reader.
+            CaseError::Override { message, .. } => message,
+            error => error.to_string(),
+        })
+    }
+}
+
+impl ModelOnCase {
+    /// The case with what stands at the joints.
+    ///
+    /// # Errors
+    /// [`NotOnCase`] with the keys that the case lacks, or with what is wrong with a value under these joints.
+    pub fn new(case: &Case, joints: Joints) -> Result<Self, NotOnCase> {
+        let mut keys = ModelKeys {
+            case,
+            text: case.unfilled.clone(),
+            given: case.keys.given.clone(),
+        };
+        keys.track(joints.track)?;
+        keys.wheel(joints.wheel)?;
+        if joints.creepage == CreepageJoint::AcrossTheRail {
+            keys.moves_across()?;
+        }
+        keys.creepage(joints.creepage)?;
+        keys.contact(joints.contact)?;
+        match joints.place_of_wear {
+            PlaceOfWearJoint::Own => {}
+            PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase=lag")?,
+            PlaceOfWearJoint::WheelCentre => keys.set("contact.dissipation_phase=none")?,
+        }
+        let ModelKeys { text, given, .. } = keys;
+        let folder = case.keys.folder.as_deref();
+        let mut built = Case::of_text(text, folder, given, Window::Map)?;
+        let even = joints.wheel == WheelJoint::EvenlyTurningWheelset;
+        built.feedback = adjusted(built.feedback, even, joints.wear == WearJoint::NormalForce)
+            .map_err(|error| NotOnCase(error.to_string()))?;
+        Ok(Self {
+            filter: joints
+                .contact_filter
+                .then(|| ContactFilter::of(&built.hertz)),
+            mean: joints.track == TrackJoint::DiscreteMean,
+            case: built,
+        })
+    }
+
+    /// Growth rates per passage at wavelengths \[m\] and one speed \[m/s\].
+    pub fn growth_rates(&self, wavelengths: &[f64], speed: f64) -> Vec<f64> {
+        let places = match self.mean {
+            true => self.case.places(),
+            false => vec![(self.case.feedback.clone(), 1.0)],
+        };
+        let rate = |&wavelength: &f64| {
+            let rates = places
+                .iter()
+                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate());
+            let filtered = self
+                .filter
+                .map_or(1.0, |filter| filter.amplitude(2.0 * PI / wavelength, 0.0));
+            filtered * rates.sum::<f64>()
+        };
+        wavelengths.par_iter().map(rate).collect()
+    }
+
+    /// The loop over a support and in mid-span; none where supports are not discrete.
+    pub fn over_support_and_mid_span(&self) -> Option<[Loop; 2]> {
+        let structure = self.case.track.structure.clone()?;
+        let bay = Bay::new(&self.case.feedback, structure)?;
+        Some([bay.at(0.0), bay.at(0.5 * bay.spacing())])
+    }
+}
+
+/// The loop with what no key says: creepage along the rail held, and wear by the normal force.
+fn adjusted(feedback: Loop, even: bool, by_force: bool) -> Result<Loop, riffel::Error> {
+    Ok(match feedback {
+        Loop::Longitudinal(feedback) => Loop::Longitudinal(FeedbackLoop {
+            contact: match by_force {
+                true => std::sync::Arc::new(LoadWear::new(feedback.contact)),
+                false => feedback.contact,
+            },
+            rotation: match even {
+                true => Motion::Held,
+                false => feedback.rotation,
+            },
+            ..feedback
+        }),
+        Loop::General(general) if even || by_force => {
+            let contacts = general.contacts().iter().cloned().map(|contact| {
+                let [along, across] = contact.motion;
+                Contact {
+                    motion: [if even { Motion::Held } else { along }, across],
+                    rolling: match by_force {
+                        true => std::sync::Arc::new(LoadWear::new(contact.rolling)),
+                        false => contact.rolling,
+                    },
+                    ..contact
+                }
+            });
+            let contacts = contacts.collect();
+            Loop::General(general.with_contacts(contacts)?)
+        }
+        Loop::General(general) => Loop::General(general),
+    })
+}
+
+/// The keys of a case on their way to those of a model.
+struct ModelKeys<'a> {
+    case: &'a Case,
+    text: CaseText,
+    given: Given,
+}
+
+impl ModelKeys<'_> {
+    fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
+        self.text.apply(&[assignment.to_owned()])
+    }
+
+    fn remove(&mut self, keys: &[&str]) {
+        for key in keys {
+            self.text.keys.remove(key);
+        }
+    }
+
+    fn track(&mut self, joint: TrackJoint) -> Result<(), NotOnCase> {
+        match joint {
+            TrackJoint::Own => {}
+            TrackJoint::FreeBeam => {
+                self.given.track = None;
+                self.set("track.model=free-beam")?;
+                self.set("rail.beam=euler-bernoulli")?;
+                self.remove(&[
+                    "rail.loss_factor",
+                    "rail.torsion_constant",
+                    "track.position",
+                ]);
+            }
+            TrackJoint::Continuous => {
+                let spread = matches!(
+                    self.case.file.track.model,
+                    TrackModel::OneLayer | TrackModel::TwoLayer
+                );
+                if !spread || self.given.track.is_some() {
+                    self.supports("one-layer", "two-layer")?;
+                }
+                self.remove(&["track.position"]);
+            }
+            TrackJoint::Discrete | TrackJoint::DiscreteMean => {
+                if !self.case.file.track.model.is_periodic() || self.given.track.is_some() {
+                    self.supports("one-layer-periodic", "two-layer-periodic")?;
+                }
+            }
+            TrackJoint::Rigid => {
+                let ground = GivenReceptance::new(std::sync::Arc::new(RigidGround));
+                self.given.track = Some(ground);
+            }
+        }
+        Ok(())
+    }
+
+    /// Choose a model with the supports of the case: of one layer where it has no ballast.
+    fn supports(&mut self, one_layer: &str, two_layers: &str) -> Result<(), NotOnCase> {
+        let track = &self.case.file.track;
+        let mut lacks = Vec::new();
+        if track.support_spacing.is_none() {
+            lacks.push("track.support_spacing");
+        }
+        if track.pad.as_ref().is_none_or(|pad| pad.stiffness.is_none()) {
+            lacks.push("track.pad");
+        }
+        if !lacks.is_empty() {
+            return Err(NotOnCase::needs(&format!(
+                "supports of the rail: {} or a track.preset",
+                lacks.join(", ")
+            )));
+        }
+        let ballast = track.ballast.as_ref();
+        let model = match ballast.is_some_and(|ballast| ballast.stiffness.is_some()) {
+            true => two_layers,
+            false => one_layer,
+        };
+        self.given.track = None;
+        Ok(self.set(&format!("track.model={model}"))?)
+    }
+
+    fn wheel(&mut self, joint: WheelJoint) -> Result<(), NotOnCase> {
+        match joint {
+            WheelJoint::Own => {}
+            WheelJoint::Alone(rotation) => {
+                self.alone()?;
+                self.set(match rotation {
+                    Rotation::Inertia => "wheel.rotation=inertia",
+                    Rotation::ConstantCreepage => "wheel.rotation=constant-creepage",
+                    Rotation::ConstantTangentialForce => "wheel.rotation=constant-tangential-force",
+                })?;
+            }
+            WheelJoint::Wheelset | WheelJoint::EvenlyTurningWheelset => {
+                if self.case.file.wheelset.is_none() {
+                    self.pair()?;
+                }
+            }
+            WheelJoint::ElasticWheelset => self.elastic()?,
+            WheelJoint::ElasticWheelsetOnBothRails => {
+                self.elastic()?;
+                if !self.text.keys.has("wheelset.opposite_rail") {
+                    self.set("wheelset.opposite_rail=smooth")?;
+                }
+            }
+            WheelJoint::Sprung => {
+                let suspension = self.case.file.wheelset.as_ref();
+                let suspension = suspension.and_then(|wheelset| wheelset.suspension.as_ref());
+                let Some(suspension) =
+                    suspension.filter(|suspension| suspension.vertical_stiffness.si() > 0.0)
+                else {
+                    return Err(NotOnCase::needs(
+                        "wheelset.suspension with a vertical_stiffness",
+                    ));
+                };
+                let (stiffness, damping) = (
+                    suspension.vertical_stiffness.si(),
+                    suspension.vertical_damping.si(),
+                );
+                let [mass, _] = self.alone()?;
+                let load = self.case.file.contact.normal_load.si();
+                let sprung = SprungMass::new(load / GRAVITY - mass, stiffness, damping)
+                    .map_err(|error| NotOnCase(error.to_string()))?;
+                let sprung = GivenReceptance::new(std::sync::Arc::new(sprung));
+                self.given.wheel = Some(sprung);
+                self.set("wheel.rotation=constant-creepage")?;
+            }
+        }
+        Ok(())
+    }
+
+    /// One wheel in the place of wheelsets and trains: its mass and inertia.
+    fn alone(&mut self) -> Result<[f64; 2], NotOnCase> {
+        let wheel = &self.case.file.wheel;
+        let found = match &self.case.file.wheelset {
+            None => wheel
+                .mass
+                .zip(wheel.inertia)
+                .map(|(mass, inertia)| [mass.si(), inertia.si()]),
+            Some(wheelset) => half(wheelset),
+        };
+        let Some([mass, inertia]) = found else {
+            return Err(NotOnCase::needs(
+                "the mass of the wheelset, which its receptances do not tell",
+            ));
+        };
+        self.remove(&[
+            "wheelset",
+            "opposite_contact",
+            "train",
+            "contact.contact_angle",
+            "contact.lateral_offset",
+            "rail.torsion_constant",
+        ]);
+        if self.case.file.wheelset.is_some() {
+            self.set(&format!("wheel.mass={mass:?}"))?;
+            self.set(&format!("wheel.inertia={inertia:?}"))?;
+        }
+        Ok([mass, inertia])
+    }
+
+    /// Two wheels of the case on a rigid axle without mass: downward each moves as it did alone.
+    fn pair(&mut self) -> Result<(), NotOnCase> {
+        let wheel = &self.case.file.wheel;
+        let (Some(mass), Some(inertia)) = (wheel.mass, wheel.inertia) else {
+            return Err(NotOnCase::needs("wheel.mass"));
+        };
+        if self.given.wheel.is_some() {
+            return Err(NotOnCase::needs(
+                "a wheelset: the receptance given for the wheel is vertical only",
+            ));
+        }
+        let half_spacing = 0.5 * Wheelset::default_contact_spacing().si();
+        let mass = 2.0 * mass.si();
+        self.remove(&["wheel.mass", "wheel.inertia", "wheel.rotation"]);
+        self.set("wheelset.model=rigid")?;
+        self.set(&format!("wheelset.mass={mass:?}"))?;
+        let roll = mass * half_spacing * half_spacing;
+        self.set(&format!("wheelset.roll_inertia={roll:?}"))?;
+        Ok(self.set(&format!("wheelset.spin_inertia={:?}", 2.0 * inertia.si()))?)
+    }
+
+    fn elastic(&self) -> Result<(), NotOnCase> {
+        match self
+            .case
+            .file
+            .wheelset
+            .as_ref()
+            .map(|wheelset| wheelset.model)
+        {
+            None | Some(WheelsetModel::Rigid) => Err(NotOnCase::needs(
+                "a wheelset with an elastic axle: wheelset.model = \"flexible\", \"modal\" or \"measured\"",
+            )),
+            Some(_) => Ok(()),
+        }
+    }
+
+    /// `Ok` if the rail of the case moves across the track where it lies on supports.
+    fn moves_across(&self) -> Result<(), NotOnCase> {
+        let (rail, track) = (&self.case.file.rail, &self.case.file.track);
+        let moves = |support: &Option<Support>| {
+            let support = support.as_ref();
+            support.is_none_or(|support| support.lateral_stiffness.is_some())
+        };
+        let known = [
+            (
+                "rail.lateral_second_moment",
+                rail.lateral_second_moment.is_some(),
+            ),
+            ("track.pad.lateral_stiffness", moves(&track.pad)),
+            ("track.ballast.lateral_stiffness", moves(&track.ballast)),
+        ];
+        let lacks: Vec<&str> = known
+            .iter()
+            .filter_map(|&(key, known)| (!known).then_some(key))
+            .collect();
+        match lacks.is_empty() {
+            true => Ok(()),
+            false => Err(NotOnCase::needs(&format!(
+                "a rail that moves across the track: {}",
+                lacks.join(", ")
+            ))),
+        }
+    }
+
+    fn creepage(&mut self, joint: CreepageJoint) -> Result<(), CaseError> {
+        let steady = self.case.steady.creepages;
+        let size = steady.magnitude();
+        let vector = self.case.file.contact.creepage;
+        match joint {
+            CreepageJoint::Own => Ok(()),
+            CreepageJoint::AlongTheRail => {
+                if vector.is_some_and(|creepage| creepage.is_vector()) {
+                    self.set(&format!("contact.creepage={size:?}"))?;
+                }
+                Ok(())
+            }
+            CreepageJoint::AcrossTheRail => {
+                self.remove(&["opposite_contact.creepage"]);
+                let lateral = size.copysign(if steady.lateral == 0.0 {
+                    1.0
+                } else {
+                    steady.lateral
+                });
+                self.set(&format!("contact.creepage={{ lateral = {lateral:?} }}"))
+            }
+            CreepageJoint::NearSaturation => {
+                self.remove(&["opposite_contact.creepage"]);
+                self.set(&format!("contact.tractive_ratio={NEAR_SATURATION}"))
+            }
+        }
+    }
+
+    fn contact(&mut self, joint: ContactJoint) -> Result<(), CaseError> {
+        match joint {
+            // Beyond saturation the exact theory is full sliding, too.
+            ContactJoint::Exact if self.case.creep_law().name() == FULL_SLIDING => {
+                self.set("contact.response=quasi-static")
+            }
+            ContactJoint::Exact => {
+                self.remove(&["contact.hertz"]);
+                self.set("contact.creep_law=half-space")?;
+                self.set("contact.response=non-steady")
+            }
+            ContactJoint::QuasiStatic => {
+                let law: CreepLawName = self.case.creep_law();
+                self.set(&format!("contact.creep_law={}", law.name()))?;
+                self.set("contact.response=quasi-static")
+            }
+            ContactJoint::Carter | ContactJoint::SpringDashpot => {
+                for table in ["contact", "opposite_contact"] {
+                    self.remove(&[&format!("{table}.creepage.spin")]);
+                }
+                self.set("contact.creep_law=carter-3d")?;
+                self.set("contact.hertz=paper")?;
+                self.set(match joint {
+                    ContactJoint::SpringDashpot => "contact.response=spring-dashpot",
+                    _ => "contact.response=quasi-static",
+                })
+            }
+        }
+    }
+}
+
+/// Mass \[kg\] and inertia about the axle \[kg m²\] of half a wheelset; none of one that is known by its receptances alone.
+fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
+    let [mass, inertia] = match wheelset.model {
+        WheelsetModel::Measured => return None,
+        WheelsetModel::Rigid | WheelsetModel::Modal => {
+            [wheelset.mass?.si(), wheelset.spin_inertia?.si()]
+        }
+        WheelsetModel::Flexible => {
+            let mut sums = axle(wheelset.axle.as_ref()?)?;
+            for disc in &wheelset.discs {
+                sums[0] += disc.mass.si();
+                sums[1] += disc.polar_inertia.si();
+            }
+            sums
+        }
+    };
+    Some([0.5 * mass, 0.5 * inertia])
+}
+
+/// Mass and inertia of an axle, of solid cylinders.
+fn axle(axle: &Axle) -> Option<[f64; 2]> {
+    let pieces: Vec<[f64; 2]> = match &axle.segments {
+        Some(segments) => segments
+            .iter()
+            .map(|segment| [segment.length.si(), segment.diameter.si()])
+            .collect(),
+        None => vec![[axle.length?.si(), axle.diameter?.si()]],
+    };
+    let masses = pieces.iter().map(|[length, diameter]| {
+        let mass = axle.density.si() * length * 0.25 * PI * diameter * diameter;
+        [mass, mass * diameter * diameter / 8.0]
+    });
+    Some(masses.fold([0.0; 2], |sums, piece| {
+        [sums[0] + piece[0], sums[1] + piece[1]]
+    }))
+}

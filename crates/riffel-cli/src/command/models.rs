@@ -1,0 +1,93 @@
+//! `riffel compare --models`
+
+use riffel_answers::models::{ModelsAnswer, ModelsRequest};
+use riffel_case::Case;
+use riffel_case::model::FieldModel;
+
+use crate::arguments::Compare;
+use crate::messages::print_remarks;
+use crate::output::{Progress, json, table};
+use crate::results::Results;
+
+pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette::Result<()> {
+    let speed = match &arguments.speed {
+        Some(speed) => Some(speed.within("--speed")?),
+        None => None,
+    };
+    let case = arguments.case.read()?;
+    let steps = match models.len() {
+        0 => FieldModel::ALL.len(),
+        named => named,
+    };
+    let progress = Progress::new("growth by the models", steps);
+    let request = ModelsRequest {
+        models: models.to_vec(),
+        speed,
+    };
+    let answer = ModelsAnswer::new(&case, &request, &|by| progress.advance(by))?;
+    drop(progress);
+    let results = Results {
+        command: "models",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    let document = || json(&answer.document(&case));
+    results.hand_out(
+        document,
+        |staging| {
+            staging.write_figure("models", &answer.figure(&case))?;
+            if let Some(plane) = answer.complex_plane(&case) {
+                staging.write_figure("complex-plane", &plane)?;
+            }
+            staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+            staging.write("summary.json", document())
+        },
+        || readable(&case, &answer),
+    )?;
+    print_remarks(&case.remarks);
+    Ok(())
+}
+
+/// The models for the terminal.
+fn readable(case: &Case, answer: &ModelsAnswer) -> String {
+    let title = case.file.title.as_deref().unwrap_or("Models of the field");
+    let mut rows = table(&[
+        "",
+        "highest 10⁻⁶ per passage",
+        "mm",
+        "Hz",
+        "passages to double",
+    ]);
+    for (model, growth) in answer.on_case() {
+        let mut row = vec![model.title.to_owned()];
+        match growth.highest {
+            Some(highest) => row.extend([
+                format!("{:+.4}", 1e6 * highest.rate),
+                format!(
+                    "{:.1}{}",
+                    1e3 * highest.wavelength,
+                    if highest.at_edge { " (edge)" } else { "" }
+                ),
+                format!("{:.0}", highest.frequency),
+                format!("{:.2e}", highest.doubling_passages()),
+            ]),
+            None => row.push("no growth".to_owned()),
+        }
+        rows.add_row(row);
+    }
+    let mut text = format!("{title}, {:.1} km/h\n{rows}\n", 3.6 * answer.speed);
+    text += "what moves it most towards the exact contact on this case, one joint at a time\n";
+    for (model, growth) in answer.on_case() {
+        if let Some(difference) = growth.differs_by.first() {
+            let sentence = difference.sentence(growth.highest);
+            text += &format!("  {}: {sentence}\n", model.title);
+        }
+    }
+    for of in &answer.models {
+        if let Err(reason) = &of.growth {
+            text += &format!("not on this case: {}: {reason}\n", of.model.title);
+        }
+    }
+    text
+}
