@@ -14,6 +14,7 @@ mod errors;
 mod forecast;
 mod given;
 mod interrupt;
+mod models;
 mod presets;
 mod program;
 mod quantity;
@@ -35,6 +36,8 @@ mod _riffel {
     use crate::forecast::{compare, fit_wear, forecast};
     #[pymodule_export]
     use crate::given::Universal;
+    #[pymodule_export]
+    use crate::models::compare_models;
     #[pymodule_export]
     use crate::presets::presets;
     #[pymodule_export]

@@ -2,6 +2,7 @@
 
 mod decay_rate;
 mod marked;
+mod models;
 mod place_of_wear;
 mod presets;
 mod ranges;
@@ -56,6 +57,7 @@ pub fn pages(program: &Path) -> Result<Vec<(&'static str, String)>, String> {
         ("docs/src/traffic.schema.json", traffic),
         ("docs/src/study.schema.json", study),
         ("docs/src/decay-rate.md", decay_rate::page()?),
+        ("docs/src/models.md", models::page()?),
         ("docs/src/presets.md", presets::page()),
         ("docs/src/ranges.md", ranges::page()),
         ("docs/src/rolling-contact.md", place_of_wear::page()?),
@@ -106,7 +108,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 13] = [
+    const PICTURES: [(&[&str], &str, &str); 15] = [
         (
             &[
                 "forecast",
@@ -187,6 +189,21 @@ fn pictures(program: &Path) -> Outcome {
             &["wheelset", "cases/curve.toml"],
             "modes.png",
             "curve-modes.png",
+        ),
+        (
+            &["compare", "cases/wheelset-coach.toml", "--models"],
+            "models.png",
+            "models.png",
+        ),
+        (
+            &[
+                "compare",
+                "cases/wheelset-coach.toml",
+                "--models",
+                "frederick-1987",
+            ],
+            "complex-plane.png",
+            "complex-plane.png",
         ),
         (
             &["receptance", "cases/discrete-supports.toml"],

@@ -21,6 +21,13 @@ mod valdivia_1988;
 pub use joints::{Joint, Joints};
 pub use on_case::{ModelOnCase, NotOnCase};
 
+use thiserror::Error;
+
+/// No model has this name.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("no model has the name \"{0}\"; models: {models}", models = FieldModel::ALL.map(|model| model.name).join(", "))]
+pub struct UnknownModel(pub String);
+
 /// A model of the field.
 #[derive(Debug, Clone, Copy)]
 #[non_exhaustive]
@@ -64,6 +71,23 @@ impl FieldModel {
     /// The model of this name.
     pub fn find(name: &str) -> Option<&'static Self> {
         Self::ALL.into_iter().find(|model| model.name == name)
+    }
+
+    /// The models of these names, each once.
+    ///
+    /// # Errors
+    /// [`UnknownModel`] with the first name that no model has.
+    pub fn named<'a>(
+        names: impl IntoIterator<Item = &'a str>,
+    ) -> Result<Vec<&'static Self>, UnknownModel> {
+        let mut models: Vec<&'static Self> = Vec::new();
+        for name in names {
+            let model = Self::find(name).ok_or_else(|| UnknownModel(name.to_owned()))?;
+            if models.iter().all(|known| known.name != model.name) {
+                models.push(model);
+            }
+        }
+        Ok(models)
     }
 
     /// Whether its papers draw wear in the complex plane over frequency, over a support and in mid-span.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use jiff::civil::Date;
 use riffel_case::Hold;
-use riffel_case::model::FieldModel;
+use riffel_case::model::{FieldModel, UnknownModel};
 use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
@@ -150,22 +150,12 @@ impl From<HoldArgument> for Hold {
 #[derive(Clone)]
 pub(crate) struct Models(pub(crate) Vec<&'static FieldModel>);
 
-/// Models by name, commas between them, each once.
-fn models(text: &str) -> Result<Models, String> {
-    let mut found: Vec<&'static FieldModel> = Vec::new();
-    if text == "all" {
-        return Ok(Models(found));
+/// Models by name, commas between them.
+fn models(text: &str) -> Result<Models, UnknownModel> {
+    match text {
+        "all" => Ok(Models(Vec::new())),
+        names => FieldModel::named(names.split(',').map(str::trim)).map(Models),
     }
-    for name in text.split(',').map(str::trim) {
-        let Some(model) = FieldModel::find(name) else {
-            let known = FieldModel::ALL.map(|model| model.name).join(", ");
-            return Err(format!("no model has the name \"{name}\"; models: {known}"));
-        };
-        if found.iter().all(|known| known.name != model.name) {
-            found.push(model);
-        }
-    }
-    Ok(Models(found))
 }
 
 #[derive(Args)]

@@ -7,6 +7,7 @@ mod documentation;
 mod files;
 mod forecast;
 mod habits;
+mod models;
 mod pictures;
 mod rails;
 mod reading;

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from riffel import roughness
     from riffel._case import Case
     from riffel._matlab import to_matlab
+    from riffel._models import compare_models
     from riffel._receptance import receptance_from_uff
     from riffel._riffel import VERSION as __version__
     from riffel._riffel import ConvergenceError, ReceptanceError, presets
@@ -33,6 +34,7 @@ __all__ = [
     "ReceptanceError",
     "Study",
     "__version__",
+    "compare_models",
     "merge_studies",
     "open_results",
     "presets",
@@ -49,6 +51,7 @@ _HOMES = {
     "ConvergenceError": "riffel._riffel",
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
+    "compare_models": "riffel._models",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
     "presets": "riffel._riffel",

@@ -124,6 +124,7 @@ def compare(
     hold: str | None,
     limit: str,
 ) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
+def compare_models(case: Case, models: Sequence[str] | None, speed: float | None) -> dict[str, Any]: ...
 def diagnose(
     case: Case,
     rail: _Record,

@@ -1,0 +1,82 @@
+"""A case by the models of the field."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+
+from riffel import _datasets, _riffel
+from riffel._case import Case
+from riffel._quantities import Quantity, scalar
+
+
+def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Quantity | None = None) -> xr.Dataset:
+    """The same case by the models of the field, side by side.
+
+    Parameters
+    ----------
+    case : Case
+        The case. What a model fixes takes the place of its keys.
+    models : sequence of str, optional
+        Names of models; by default all, those that cannot be read from the case without growth.
+    speed : quantity, optional
+        Speed of the vehicle; by default the middle of ``map.speed``.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``model``: ``growth_rate`` by ``wavelength``, NaN where the model is not on the case; ``fastest_wavelength``,
+        ``fastest_growth_rate`` and ``fastest_frequency``, NaN where nothing grows; ``title``, ``source``, ``applies``,
+        ``not_on_this_case`` (what the case lacks) and ``differs_by`` (the joint that moves growth most towards the exact
+        contact). Attribute ``models``: all that ``riffel compare --models --json`` says of each.
+
+    Raises
+    ------
+    ValueError
+        For a name that no model has, or a model named that cannot be read from the case.
+
+    Examples
+    --------
+    >>> named = ["grassie-johnson-1985", "afferrante-ciavarella-2009"]
+    >>> growth = riffel.compare_models(case, named, speed="30 m/s")
+    >>> (growth["growth_rate"] > 0).mean("wavelength").round(1).values.tolist()
+    [0.2, 0.8]
+    """
+    if isinstance(models, str):
+        raise ValueError(f"models is {models!r}, but must be a sequence of names")
+    given = None if speed is None else scalar(speed, "speed", "speed")
+    found = _riffel.compare_models(case._case, None if models is None else list(models), given)
+    described = found["models"]
+    wavelengths = found["wavelength_m"]
+
+    def fastest(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:
+        values = [np.nan if model["highest"] is None else model["highest"][key] for model in described]
+        return "model", values, {"units": units, "long_name": name}
+
+    def words(key: str, name: str) -> tuple[str, list[str], dict[str, str]]:
+        return "model", [model[key] or "" for model in described], {"long_name": name}
+
+    none = np.full(len(wavelengths), np.nan)
+    rates = [none if model["growth_rate_per_passage"] is None else model["growth_rate_per_passage"] for model in described]
+    differs = [model["differs_by"][0]["joint"] if model["differs_by"] else "" for model in described]
+    return xr.Dataset(
+        {
+            "growth_rate": (("model", "wavelength"), np.array(rates), _datasets.GROWTH_RATE),
+            "fastest_wavelength": fastest("wavelength_m", "m", "wavelength that grows fastest"),
+            "fastest_growth_rate": fastest("growth_rate_per_passage", "1", "its growth rate per passage"),
+            "fastest_frequency": fastest("frequency_hz", "Hz", "its frequency"),
+            "title": words("title", "authors and year"),
+            "source": words("source", "where it was published"),
+            "applies": ("model", [model["applies"] for model in described], {"long_name": "whether it is on the case"}),
+            "not_on_this_case": words("not_on_this_case", "what the case lacks"),
+            "differs_by": ("model", differs, {"long_name": "joint that moves growth most towards the exact contact"}),
+        },
+        {
+            "model": ("model", [model["name"] for model in described], {"long_name": "model of the field"}),
+            "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
+            "speed": ((), found["speed_m_per_s"], _datasets.SPEED),
+        },
+        {**_datasets.attributes(case.title), "models": described},
+    )
