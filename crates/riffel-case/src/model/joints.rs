@@ -229,9 +229,7 @@ impl Joints {
                 CreepageJoint::NearSaturation => "longitudinal, at the tractive ratio 0.95",
             },
             Joint::Contact => match self.contact {
-                ContactJoint::Exact => {
-                    "half-space, non-steady (exact); full sliding where the case has that"
-                }
+                ContactJoint::Exact => "half-space, non-steady (exact)",
                 ContactJoint::QuasiStatic => "creep law of the case, quasi-static",
                 ContactJoint::Carter => "Carter in three dimensions, quasi-static",
                 ContactJoint::SpringDashpot => {
