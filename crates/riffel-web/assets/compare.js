@@ -1,21 +1,19 @@
 // Compare: a variant that was kept beside the case at hand.
 
-import { get } from './keys.js';
+import { element } from './elements.js';
+import { get, si } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed } from './server.js';
-import { nameOf, number, passages, power, t, translate, written } from './words.js';
+import { labelOf, number, passages, power, speed, t, translate, written } from './words.js';
 
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
+/** How long an answer may take before what is shown pales [ms]. */
+const PATIENCE = 150;
 
 /** Keys with their values, dotted. */
 const flat = (table, path = '') =>
   Object.entries(table ?? {}).flatMap(([key, value]) => (value !== null && typeof value === 'object' ? flat(value, `${path}${key}.`) : [[path + key, value]]));
 
-export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
+export function startCompare({ state, traffic, listen, complain, record }) {
   const place = document.getElementById('view-compare');
   const line = new Line('/api/compare', framed);
   let shown = null;
@@ -41,12 +39,12 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
 
   keep.addEventListener('click', () => {
     state.kept = structuredClone(state.keys);
-    saveAddress();
+    record();
     ask();
   });
   drop.addEventListener('click', () => {
     state.kept = null;
-    saveAddress();
+    record();
     ask();
   });
 
@@ -57,11 +55,24 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
     }
     if (!state.kept || state.view !== 'compare') return;
     drop.hidden = false;
+    stale(true);
     line.ask({ kept: { keys: state.kept }, case: { keys: structuredClone(state.keys) } }, (answer) => {
       shown = answer;
-      trouble('');
+      stale(line.pending);
       show();
-    }, refuse);
+    }, (fault) => {
+      // What the case at hand is refused for stands at its field.
+      if (!fault.key) complain(fault, { until: 'case' });
+    });
+  }
+
+  /** What is shown is no longer, or again, that of the case. */
+  let paling;
+  function stale(is) {
+    clearTimeout(paling);
+    const pale = () => place.querySelectorAll('article').forEach((panel) => panel.classList.toggle('stale', is));
+    if (is) paling = setTimeout(pale, PATIENCE);
+    else pale();
   }
 
   function show() {
@@ -92,11 +103,17 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
 
   function rows(before, after) {
     const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
+    const doubling = ({ highest, complete }) => {
+      if (!highest) return ['–', '–', '–'];
+      const count = Math.LN2 / highest.growth_rate_per_passage;
+      const { time, mass } = traffic.words(count, si(complete, 'contact.normal_load'));
+      return [passages(count), time, mass];
+    };
     const columns = (head) => {
       const high = head.highest;
       return [
-        of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => `${number(1e3 * v)} mm`), of(high?.speed_m_per_s, (v) => `${number(3.6 * v)} km/h`),
-        of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`), of(high?.growth_rate_per_passage, (v) => passages(Math.LN2 / v)),
+        of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => `${number(1e3 * v)} mm`), of(high?.speed_m_per_s, speed),
+        of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`), ...doubling(head),
         `${number(100 * head.derived.creepage)} %`, `${number(1e-6 * head.derived.contact_stiffness_n_per_m)} MN/m`,
       ];
     };
@@ -107,13 +124,15 @@ export function startCompare({ state, listen, refuse, trouble, saveAddress }) {
     const row = (name, one, other) => element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: one }), element('td', { textContent: other }));
     const head = element('thead', {}, element('tr', {}, element('td'), ...['kept', 'now'].map((name) => element('th', { scope: 'col', textContent: t(name) }))));
     const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, left[k], right[k])));
-    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${nameOf(key)} (${key})`, given(state.kept, a, key), given(state.keys, b, key))));
+    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${labelOf(key)} (${key})`, given(state.kept, a, key), given(state.keys, b, key))));
     table.replaceChildren(head, body, changes);
   }
 
   listen((what) => {
     if (what === 'words') {
       translate(place);
+      if (shown) show();
+    } else if (what === 'traffic') {
       if (shown) show();
     } else if (what === 'case' || what === 'view') ask();
   });

@@ -1,7 +1,10 @@
 // The form of a case, made from its JSON schema: a section for each table, a row for each key.
 
+import { element } from './elements.js';
+import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
-import { nameOf, number, t, written as worded } from './words.js';
+import { askWhich, readNumber } from './numbers.js';
+import { labelOf, nameOf, number, t, written as worded } from './words.js';
 
 /** A file cannot come over the page, and the page has one wheel that creeps along one rail. */
 const NOT_HERE = [
@@ -20,11 +23,8 @@ const ONE_OF = [['contact.tractive_ratio', 'contact.creepage']];
 /** A model needs supports: the preset that stands in until others are chosen. */
 const FIRST_PRESET = { 'one-layer': 'slab-direct', 'one-layer-periodic': 'slab-direct', 'two-layer': 'br-stiff', 'two-layer-periodic': 'br-stiff' };
 
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
+/** A value so many times what it was before may be a slip of the hand. */
+const FAR = 100;
 const idOf = (key) => `key-${key.replaceAll('.', '-')}`;
 
 /** What a schema says of a key, references and null left aside. */
@@ -42,8 +42,9 @@ function resolve(schema, node) {
 }
 
 export class Form {
-  constructor({ place, handles, vocabulary, onChange, speed }) {
-    Object.assign(this, { place, handles, onChange, speed, schema: vocabulary.schema, presets: vocabulary.presets, fields: new Map(), sliders: new Map() });
+  /** `onChange` is told the gesture that goes on, `onAsk` that a field asks what was meant, or no longer does. */
+  constructor({ place, handles, vocabulary, onChange, onAsk }) {
+    Object.assign(this, { place, handles, onChange, onAsk, schema: vocabulary.schema, presets: vocabulary.presets, fields: new Map(), sliders: new Map() });
     this.#build();
   }
 
@@ -97,6 +98,7 @@ export class Form {
     label.dataset.name = key;
     const unit = element('span', { className: 'unit', id: `${id}-unit` });
     const fault = element('p', { className: 'fault', lang: 'en', id: `${id}-fault`, hidden: true });
+    const echo = element('p', { className: 'echo', id: `${id}-echo`, hidden: true });
     const presets = this.presets.filter((preset) => preset.key === key);
     const choices = node.oneOf?.map((choice) => [choice.const, choice.description]) ?? node.enum?.map((name) => [name, '']);
     let input;
@@ -110,10 +112,12 @@ export class Form {
       }
     }
     input.id = id;
-    input.setAttribute('aria-describedby', `${unit.id} ${fault.id}`);
-    const field = { key, node, input, unit, fault, presets, shown: shownUnit(key, node.unit) };
+    input.setAttribute('aria-describedby', `${unit.id} ${fault.id} ${echo.id}`);
+    // `typed` is what stands in the field by hand, with the value that it was read as; `asks` what waits for an answer.
+    const field = { key, node, input, unit, fault, echo, presets, shown: shownUnit(key, node.unit), typed: null, asks: null };
+    unit.textContent = presets.length ? '' : field.shown[0];
     input.addEventListener('change', () => this.#read(field));
-    const row = element('div', { className: 'row' }, label, input, presets.length ? this.#sources(field) : unit, fault);
+    const row = element('div', { className: 'row' }, label, input, presets.length ? this.#sources(field) : unit, fault, echo);
     this.fields.set(key, field);
     return row;
   }
@@ -172,7 +176,7 @@ export class Form {
     input.addEventListener('input', () => {
       const [unit, factor] = this.fields.get(key).shown;
       const value = short(Number((slider.value() / factor).toPrecision(3)));
-      this.#change(key, unit ? `${value} ${unit}` : Number(value));
+      this.#change(key, unit ? `${value} ${unit}` : Number(value), `slide ${key}`);
     });
     this.handles.append(element('div', { className: 'handle' }, label, output, input, note));
     this.sliders.set(key, slider);
@@ -181,14 +185,17 @@ export class Form {
   // Showing a case -----------------------------------------------------------------------------------
 
   /** Show the keys that are written and, pale, what presets and defaults give for the others. */
-  show(keys, complete) {
+  show(keys, complete, current = Boolean(complete)) {
     this.keys = keys;
     if (complete) this.complete = complete;
+    // Whether what the program answered is that of these keys.
+    this.current = current;
     for (const field of this.fields.values()) this.#showField(field);
     for (const [key, slider] of this.sliders) this.#showSlider(key, slider);
   }
 
-  #showField({ key, node, input, unit, shown }) {
+  #showField(field) {
+    const { key, node, input, echo, shown } = field;
     const written = get(this.keys, key);
     const whole = this.complete && get(this.complete, key);
     if (input.tagName === 'SELECT') {
@@ -201,19 +208,36 @@ export class Form {
       }
       return;
     }
-    const quantity = node.unit !== undefined;
-    if (!quantity) {
-      if (document.activeElement !== input || written !== undefined) input.value = written ?? '';
+    if (field.asks) return;
+    if (field.typed && field.typed.value !== written) field.typed = null;
+    echo.hidden = true;
+    if (node.unit === undefined) {
+      if (document.activeElement !== input || written !== undefined) input.value = field.typed?.text ?? written ?? '';
       input.placeholder = whole ?? '';
       return;
     }
     const parts = written === undefined ? null : split(written, node.unit);
-    input.value = written === undefined ? '' : worded(parts?.text ?? written);
-    unit.textContent = parts?.unit ?? shown[0];
+    const plain = parts?.unit === shown[0];
+    // The unit beside the field is that of a bare number: another one stands with its number, in the field.
+    input.value = field.typed?.text ?? worded(written === undefined ? '' : plain ? parts.text : parts && typeof written === 'number' ? `${parts.text} ${parts.unit}` : written);
     const inherited = whole === undefined || whole === null ? null : Number.parseFloat(whole) / shown[1];
     input.placeholder = written === undefined && inherited !== null ? worded(short(inherited)) : '';
     if (input.placeholder) input.title = t('from_preset');
     else input.removeAttribute('title');
+    this.#echo(field, parts && !plain);
+  }
+
+  /** What the program read, where it was not written in the unit of the field or is far from what it was. */
+  #echo({ key, typed, echo, shown: [unit, factor] }, foreign) {
+    const value = this.current && si(this.complete, key);
+    if (value === undefined || value === null || !Number.isFinite(value)) return;
+    const inUnit = (value) => `${number(value / factor, 4)}${unit ? ` ${unit}` : ''}`;
+    const times = Math.abs(value / typed?.before);
+    const far = times >= FAR || times <= 1 / FAR;
+    if (!foreign && !typed?.odd && !far) return;
+    echo.textContent = far ? t('far_off', { now: inUnit(value), before: inUnit(typed.before) }) : t('read_as', inUnit(value));
+    echo.classList.toggle('far', far);
+    echo.hidden = false;
   }
 
   #showSlider(key, { input, output, note, place }) {
@@ -240,17 +264,53 @@ export class Form {
 
   // Changing it --------------------------------------------------------------------------------------
 
-  #read({ key, node, input, unit }) {
+  #read(field) {
+    const { key, node, input, shown } = field;
+    this.#answered(field);
     const text = input.value.trim();
     if (text === '') return this.#change(key, undefined);
-    if (input.tagName === 'SELECT' || (node.unit === undefined && !node.type?.includes?.('integer'))) return this.#change(key, text);
-    const plain = /^[+-]?[\d.,]+([eE][+-]?\d+)?$/.test(text) ? text.replace(',', '.') : null;
-    if (node.unit === undefined) return this.#change(key, plain === null ? text : Number(plain));
-    if (plain === null) return this.#change(key, text.replace(/^([+-]?\d+),(\d+)/, '$1.$2'));
-    this.#change(key, unit.textContent ? `${plain} ${unit.textContent}` : Number(plain));
+    const count = node.type?.includes?.('integer');
+    if (input.tagName === 'SELECT' || (node.unit === undefined && !count)) return this.#change(key, text);
+    const read = readNumber(text);
+    if (read?.choices) return this.#ask(field, text, read);
+    const value = this.#value(read, text, count, shown[0]);
+    field.typed = { text: input.value, value, odd: read?.odd, before: this.complete && si(this.complete, key) };
+    this.#change(key, value);
   }
 
-  #change(key, value) {
+  /** A value as the case file has it; what is no number goes to the program as it is, which says so. */
+  #value(read, text, count, unit) {
+    if (!read) return text;
+    if (count) return read.rest ? text : Number(read.number);
+    if (read.rest) return `${read.number} ${read.rest}`;
+    return unit ? `${read.number} ${unit}` : Number(read.number);
+  }
+
+  /** Nothing changes before the field has its answer. */
+  #ask(field, text, read) {
+    const count = field.node.type?.includes?.('integer');
+    askWhich(field.fault, text, read, field.shown[0], (number) => {
+      this.#answered(field);
+      const value = this.#value({ number, rest: read.rest }, number, count, field.shown[0]);
+      field.typed = null;
+      this.#change(field.key, value);
+      field.input.focus();
+    });
+    field.asks = text;
+    this.#wrong(field);
+    this.onAsk();
+  }
+
+  #answered(field) {
+    if (!field.asks) return;
+    field.asks = null;
+    this.#right(field);
+    this.onAsk();
+  }
+
+  #change(key, value, gesture = null) {
+    const field = this.fields.get(key);
+    if (gesture) this.#answered(field);
     set(this.keys, key, value);
     const other = ONE_OF.find((pair) => pair.includes(key))?.find((other) => other !== key);
     if (other && value !== undefined) set(this.keys, other, undefined);
@@ -260,36 +320,76 @@ export class Form {
     if (key === 'track.preset') for (const part of ['pad', 'sleeper', 'ballast']) set(this.keys, `track.${part}`, undefined);
     const track = this.keys.track ?? {};
     if (key === 'track.model' && FIRST_PRESET[value] && !track.preset && !track.pad) set(this.keys, 'track.preset', FIRST_PRESET[value]);
-    this.onChange(this.keys);
+    this.onChange(gesture);
   }
 
   // Errors -------------------------------------------------------------------------------------------
 
-  /** Show a fault at its field, or at the table that it stands in; true if there is a place for it. */
-  refuse(fault, show = false) {
-    this.clear();
+  /** The field of a key, or one of the table that the key is or stands in. */
+  #fieldOf(fault) {
     let key = fault.key ?? '';
     while (key && !this.fields.has(key)) {
       const inside = [...this.fields.keys()].find((other) => other.startsWith(`${key}.`));
       key = inside ?? (key.includes('.') ? key.slice(0, key.lastIndexOf('.')) : '');
     }
-    const field = this.fields.get(key);
-    if (!field) return false;
-    field.fault.textContent = fault.help ? `${fault.message} (${fault.help})` : fault.message;
-    field.fault.hidden = false;
-    field.input.setAttribute('aria-invalid', 'true');
-    field.input.closest('details').open = true;
-    field.input.closest('.row').classList.add('wrong');
-    if (show) field.input.closest('.row').scrollIntoView({ block: 'center' });
-    return true;
+    return this.fields.get(key);
+  }
+
+  /** Show faults at their fields; those that have none come back. */
+  refuse(faults) {
+    this.clear();
+    return faults.filter((fault) => {
+      const field = this.#fieldOf(fault);
+      if (!field) return true;
+      const { text, language } = wording(fault, this);
+      Object.assign(field.fault, { textContent: text, lang: language });
+      this.#wrong(field);
+      return false;
+    });
+  }
+
+  #wrong({ input, fault }) {
+    fault.hidden = false;
+    input.setAttribute('aria-invalid', 'true');
+    input.closest('.row').classList.add('wrong');
+  }
+
+  #right({ input, fault }) {
+    fault.hidden = true;
+    input.removeAttribute('aria-invalid');
+    input.closest('.row').classList.remove('wrong');
+  }
+
+  /** The fields that are not accepted or ask, as the page lists them. */
+  get troubles() {
+    return [...this.fields.values()].filter(({ fault }) => !fault.hidden).map((field) => ({ label: labelOf(field.key), input: field.input }));
   }
 
   clear() {
-    for (const { input, fault } of this.fields.values()) {
-      if (fault.hidden) continue;
-      fault.hidden = true;
-      input.removeAttribute('aria-invalid');
-      input.closest('.row').classList.remove('wrong');
+    for (const field of this.fields.values()) if (!field.fault.hidden && !field.asks) this.#right(field);
+  }
+
+  /** Another case is open: what was typed into this one is over. */
+  forget() {
+    for (const field of this.fields.values()) {
+      field.typed = null;
+      if (field.asks) this.#answered(field);
     }
+  }
+
+  /** Another unit of speeds: that of a bare number changes with it, and a value keeps the one it was written in. */
+  reunit() {
+    for (const field of this.fields.values()) {
+      if (field.node.unit !== 'm/s') continue;
+      field.shown = shownUnit(field.key, field.node.unit);
+      field.unit.textContent = field.shown[0];
+      // Another question than the one that was asked.
+      this.#answered(field);
+    }
+  }
+
+  /** Words of another language: what was typed is shown as the program has it. */
+  reword() {
+    for (const field of this.fields.values()) if (field.fault.hidden) field.typed = null;
   }
 }

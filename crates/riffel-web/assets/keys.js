@@ -1,5 +1,7 @@
 // The keys of a case: one object with the tables of the case file in it, quantities as "50 kN".
 
+import { unitOfSpeed } from './words.js';
+
 export const get = (keys, path) => path.split('.').reduce((table, part) => table?.[part], keys);
 
 /** Set a key, or remove it with the tables that it leaves empty. */
@@ -21,7 +23,7 @@ export function set(keys, path, value) {
 /** Units in which a quantity is shown where the case does not write it: schema unit → unit and factor. */
 const SHOWN = {
   m: ['mm', 1e-3], Pa: ['GPa', 1e9], m4: ['cm⁴', 1e-8], m2: ['cm²', 1e-4], N: ['kN', 1e3], 'N/m': ['MN/m', 1e6],
-  'N s/m': ['kN s/m', 1e3], 'm/s': ['km/h', 1 / 3.6],
+  'N s/m': ['kN s/m', 1e3],
 };
 const SHOWN_KEY = {
   'track.support_spacing': ['m', 1], 'track.position': ['m', 1], 'corrugation.amplitude': ['µm', 1e-6],
@@ -31,7 +33,7 @@ const SHOWN_KEY = {
 const raised = (unit = '') => unit.replace(/([a-z])([2-4])(?!\d)/gi, (_, letter, power) => letter + '⁰¹²³⁴'[power]);
 
 /** Unit and factor to SI in which a key is shown. */
-export const shownUnit = (key, unit) => SHOWN_KEY[key] ?? SHOWN[unit] ?? [raised(unit), 1];
+export const shownUnit = (key, unit) => (unit === 'm/s' ? unitOfSpeed() : null) ?? SHOWN_KEY[key] ?? SHOWN[unit] ?? [raised(unit), 1];
 
 /** Number and unit of a written quantity; a bare number is in SI. */
 export function split(value, unit) {
@@ -48,16 +50,28 @@ export function si(complete, key) {
   return value === undefined ? undefined : Number.parseFloat(value);
 }
 
-// The address bar holds the case and where one looks: JSON as base64 of the alphabet for addresses.
+// The address bar holds the case and where one looks: JSON as base64 of the alphabet for addresses, and after a point a sum
+// that tells a damaged link from a whole one. Links of before have no sum.
 
 export function pack(state) {
   const bytes = new TextEncoder().encode(JSON.stringify(state));
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
-  return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  const packed = btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  return `${packed}.${sum(packed)}`;
 }
 
-export function unpack(text) {
-  const bytes = Uint8Array.from(atob(text.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
+/** Throws for a link that is not whole. */
+export function unpack(link) {
+  const [packed, given] = link.split('.');
+  if (given !== undefined && given !== sum(packed)) throw new Error('damaged');
+  const bytes = Uint8Array.from(atob(packed.replaceAll('-', '+').replaceAll('_', '/')), (c) => c.charCodeAt(0));
   return JSON.parse(new TextDecoder().decode(bytes));
+}
+
+/** 32 bits of FNV-1a (Fowler, Noll & Vo), in digits and letters. */
+function sum(text) {
+  let hash = 0x811c9dc5;
+  for (const letter of text) hash = Math.imul(hash ^ letter.charCodeAt(0), 0x01000193) >>> 0;
+  return hash.toString(36);
 }

@@ -1,24 +1,38 @@
 // The page: one case, one cursor, and everything that follows from them.
 
+import { Banner } from './banner.js';
 import { theme } from './colors.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance } from './curves.js';
+import { furtherFaults, inLabels, wording } from './faults.js';
 import { Form } from './form.js';
-import { get, pack, unpack } from './keys.js';
+import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
-import { Fault, Line, framed, json, traffic } from './server.js';
+import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
+import { Steps } from './steps.js';
 import { save, startTakeAway } from './take-away.js';
-import { chooseLanguage, currentLanguage, nameOf, number, passages, power, t, translate } from './words.js';
+import { Traffic, readTraffic } from './traffic.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
-/** What the page shows. `point` is the cursor in m and m/s, `kept` the variant to compare with. */
-const state = { keys: null, kept: null, point: null, view: 'explore', map: null, head: null, at: null, vocabulary: null };
+/**
+ * What the page shows. `point` is the cursor in m and m/s, `kept` the variant to compare with, `accepted` the keys of the
+ * last case without an error; `current` is true while what is shown is that of `keys`.
+ */
+const state = { keys: null, kept: null, point: null, view: 'explore', map: null, head: null, at: null, accepted: null, current: false, vocabulary: null };
 
-const vocabulary = await fetch('/api/vocabulary').then((response) => response.json());
+const banner = new Banner($('trouble'), $('notice'));
+const trouble = (words, more) => banner.say(words, more);
+translate();
+
+const vocabulary = await fetch('/api/vocabulary').then((response) => (response.ok ? response.json() : Promise.reject(response.status))).catch((fault) => {
+  trouble(() => t('gone'), { until: 'closed', ways: [['reload', () => location.reload()]] });
+  throw fault;
+});
 state.vocabulary = vocabulary;
 
 // Light and dark -------------------------------------------------------------------------------------
@@ -38,28 +52,52 @@ $('theme').addEventListener('click', () => {
 // The map and the loop -------------------------------------------------------------------------------
 
 const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point, pinned) });
+view.onZoom = (zoomed) => ($('whole-map').hidden = !zoomed);
+$('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
 const points = new Line('/api/point', json);
+
+maps.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+
+/** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
+const PATIENCE = 150;
+const waiting = new Map();
+function stale(what, at = PATIENCE) {
+  clearTimeout(waiting.get(what));
+  waiting.set(what, setTimeout(() => $('view-explore').querySelectorAll(`.of-${what}`).forEach((panel) => panel.classList.add('stale')), at));
+}
+function fresh(what) {
+  clearTimeout(waiting.get(what));
+  for (const panel of $('view-explore').querySelectorAll(`.of-${what}`)) panel.classList.remove('stale');
+}
 
 /** Ask for everything anew after a change of the case. */
 function caseChanged() {
   const keys = structuredClone(state.keys);
-  maps.ask({ case: { keys } }, showMap, refuse);
+  state.current = false;
+  stale('map');
+  stale('point');
+  maps.ask({ case: { keys } }, (answer) => showMap(answer, keys), (fault) => refuseCase(fault, keys));
   for (const listener of listeners) listener('case');
   saveAddress();
 }
 
-function showMap({ head, values }) {
+function showMap({ head, values }, keys) {
   state.head = head;
   state.map = toMap(head, values);
+  state.accepted = keys;
   form.clear();
-  trouble('');
-  $('map').classList.remove('stale');
-  form.show(state.keys, head.complete);
+  banner.clear('case');
+  showTroubles();
+  fresh('map');
+  state.current = !maps.pending;
+  if (maps.pending) stale('map');
+  form.show(state.keys, head.complete, state.current);
   const { wavelength, speed, highest } = state.map;
   const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
   if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
   view.point = state.point;
+  view.band = band();
   view.show(state.map);
   speedHandle();
   mapWords();
@@ -73,7 +111,7 @@ function mapWords() {
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
   const high = head.highest;
-  const place = high && { lambda: number(1e3 * high.wavelength_m), kmh: number(3.6 * high.speed_m_per_s), hertz: number(high.frequency_hz), n: passages(Math.LN2 / high.growth_rate_per_passage) };
+  const place = high && { lambda: number(1e3 * high.wavelength_m), speed: inUnit(high.speed_m_per_s), hertz: number(high.frequency_hz), n: inWords(Math.LN2 / high.growth_rate_per_passage) };
   const sentences = high ? [t(high.at_edge ? 'highest_edge' : 'highest', place)] : [t('no_growth')];
   if (head.branches.length) sentences.push(sentence(head.branches_in_words[currentLanguage()]));
   $('verdict').textContent = sentences.join(' ');
@@ -82,13 +120,18 @@ function mapWords() {
   $('notes-panel').hidden = !head.remarks.length;
 }
 
+/** Passages with the time and the gross tonnes that they take. */
+const inWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
+
 /** Words with a capital at the beginning and a full stop. */
 function sentence(words) {
   return `${words[0].toUpperCase()}${words.slice(1)}.`;
 }
 
+let moved = false;
 function movePoint(point, pinned) {
   state.point = point;
+  moved = pinned;
   view.following = pinned ? false : view.following;
   view.moveTo(point);
   speedHandle();
@@ -98,17 +141,23 @@ function movePoint(point, pinned) {
 
 function askPoint() {
   const { wavelength, speed } = state.point;
-  view.label = t('map_label', `${number(1e3 * wavelength)} mm, ${number(3.6 * speed)} km/h`);
-  points.ask({ case: { keys: structuredClone(state.keys) }, wavelength_m: wavelength, speed_m_per_s: speed }, showPoint);
+  view.label = t('map_label', `${number(1e3 * wavelength)} mm, ${inUnit(speed)}`);
+  points.ask({ case: { keys: state.accepted }, wavelength_m: wavelength, speed_m_per_s: speed }, (at) => {
+    if (state.current) fresh('point');
+    showPoint(at);
+    // A cursor that was moved by hand or key is told of.
+    if (moved) announce($('why').textContent);
+    moved = false;
+  }, (fault) => complain(fault, { until: 'case' }));
 }
 
 function showPoint(at) {
   state.at = at;
-  drawPhasors($('phasors'), $('amplitudes'), at.state);
+  drawPhasors($('phasors'), $('amplitudes'), at.state, inWords);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
-  $('why').textContent = words(at.state) + (parts ? ` ${t('parts')}` : '');
+  $('why').textContent = words(at.state, inWords) + (parts ? ` ${t('parts')}` : '');
   $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
-  for (const place of document.querySelectorAll('.at-speed')) place.textContent = `${number(3.6 * at.state.speed_m_per_s)} km/h`;
+  for (const place of document.querySelectorAll('.at-speed')) place.textContent = inUnit(at.state.speed_m_per_s);
   curves();
 }
 
@@ -142,8 +191,38 @@ $('hold').addEventListener('click', (event) => {
 
 // The case -------------------------------------------------------------------------------------------
 
-const form = new Form({ place: $('keys'), handles: $('handles'), vocabulary, onChange: () => (form.show(state.keys), caseChanged()) });
+const form = new Form({
+  place: $('keys'), handles: $('handles'), vocabulary, onAsk: () => showTroubles(),
+  onChange: (gesture) => {
+    form.show(state.keys);
+    record(gesture);
+    caseChanged();
+  },
+});
 $('case').addEventListener('submit', (event) => event.preventDefault());
+// A drag of a slider is one step, which ends where it is let go.
+$('handles').addEventListener('change', () => steps.settle());
+
+const traffic = new Traffic($('traffic'), {
+  onTrouble: () => showTroubles(),
+  onChange: () => {
+    record();
+    trafficChanged();
+  },
+});
+
+/** The speeds of the traffic on the map. */
+const band = () => ({ from: traffic.values.from_km_per_h / 3.6, to: traffic.values.to_km_per_h / 3.6, label: t(traffic.given ? 'band' : 'band_default') });
+
+/** Words and forecasts of another traffic. */
+function trafficChanged() {
+  view.band = band();
+  view.draw();
+  if (state.map) mapWords();
+  if (state.at) showPoint(state.at);
+  for (const listener of listeners) listener('traffic');
+  saveAddress();
+}
 
 /** The slider of the speed moves the cursor. */
 const speedSlider = (() => {
@@ -153,6 +232,7 @@ const speedSlider = (() => {
   const output = Object.assign(document.createElement('output'), { htmlFor: 'slide-speed' });
   const input = Object.assign(document.createElement('input'), { type: 'range', id: 'slide-speed', min: 0, max: 1000, step: 1 });
   input.addEventListener('input', () => {
+    if (!state.map) return;
     const { min, max } = state.map.speed;
     movePoint({ ...state.point, speed: min + ((max - min) * input.value) / 1000 }, true);
   });
@@ -164,25 +244,53 @@ const speedSlider = (() => {
 function speedHandle() {
   const { min, max } = state.map.speed;
   speedSlider.input.value = Math.round((1000 * (state.point.speed - min)) / (max - min));
-  speedSlider.output.textContent = `${number(3.6 * state.point.speed)} km/h`;
+  speedSlider.output.textContent = inUnit(state.point.speed);
   speedSlider.input.setAttribute('aria-valuetext', speedSlider.output.textContent);
 }
 
-/** A fault stands at its field; one without a field, or of a file that was to be opened, above the map. */
-function refuse(fault, ofFile = false) {
-  const placed = form.refuse(fault, ofFile);
-  const message = fault.status === 0 ? t('gone') : fault.help ? `${fault.message}\n${fault.help}` : fault.message;
-  // Sentences of the program are in English.
-  const language = fault.status === 0 ? '' : 'en';
-  trouble(placed && !ofFile ? '' : message, language);
-  announce(message, language);
-  $('map').classList.toggle('stale', !ofFile);
+/** A case that is not accepted: each fault at its field, what has no field above the view. */
+async function refuseCase(fault, keys) {
+  stale('map', 0);
+  stale('point', 0);
+  if (fault.status !== 422 || !fault.key) return complain(fault, { until: 'case' });
+  const show = (faults) => {
+    const rest = form.refuse(faults);
+    showTroubles();
+    if (rest.length) complain(rest[0], { until: 'case' });
+    const { text, language } = wording(fault, form);
+    announce(text, language);
+  };
+  show([fault]);
+  const all = await furtherFaults(keys, fault, state.accepted);
+  // Meanwhile the case may have changed.
+  if (all.length > 1 && maps.idle && JSON.stringify(keys) === JSON.stringify(state.keys)) show(all);
 }
 
-function trouble(message, language = '') {
-  $('trouble').textContent = message;
-  $('trouble').lang = language || currentLanguage();
-  $('trouble').hidden = !message;
+/** What failed, said above the view; `what` was to be done. */
+function complain(fault, { what = '', until = 'success' } = {}) {
+  if (cancelled(fault)) return trouble(() => t('stopped_once'));
+  if (!(fault instanceof Fault)) {
+    trouble(() => `${what}${fault.message ?? fault}`, { language: 'en' });
+    throw fault;
+  }
+  const { text, language } = wording(fault, form);
+  const lost = fault.status === 0 || fault.status >= 500;
+  // In the language of the page, but for sentences of the program.
+  trouble(() => what + wording(fault, form).text, { language: fault.status ? language : undefined, until: lost ? 'case' : until, ways: lost ? [['again', caseChanged], ['reload', () => location.reload()]] : [] });
+  announce(what + text, language);
+}
+
+/** The fields that are not accepted, with the way to each. */
+function showTroubles() {
+  banner.setFields([...form.troubles, ...traffic.troubles].map(({ label, input }) => ({ label, go: () => leadTo(input) })));
+}
+
+/** Show a field and put the cursor into it, from any view. */
+function leadTo(input) {
+  if (state.view === 'paper') showView('explore');
+  input.closest('details').open = true;
+  input.closest('.row').scrollIntoView({ block: 'center' });
+  input.focus();
 }
 
 /** Tell a screen reader, but not every step of a slider. */
@@ -192,47 +300,140 @@ function announce(message, language = '') {
   telling = setTimeout(() => Object.assign($('live'), { textContent: message, lang: language || currentLanguage() }), 600);
 }
 
-// The address bar ------------------------------------------------------------------------------------
+// What is under way ----------------------------------------------------------------------------------
 
-let saving;
-let saved = '';
-function saveAddress() {
-  clearTimeout(saving);
-  saving = setTimeout(() => {
-    const { point, view: tab, kept } = state;
-    saved = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(kept && { kept }) })}`;
-    history.replaceState(null, '', saved);
-  }, 250);
+/** A sign of work that takes longer than this [ms], with a way to stop it. */
+const SIGN_AFTER = 500;
+let sign;
+work.onChange = (running) => {
+  if (!running) {
+    clearTimeout(sign);
+    sign = undefined;
+    $('working').hidden = true;
+  } else {
+    sign ??= setTimeout(() => ($('working').hidden = false), SIGN_AFTER);
+  }
+};
+$('stop-work').addEventListener('click', () => work.cancel());
+
+// Steps back and forth -------------------------------------------------------------------------------
+
+const steps = new Steps(({ undo, redo }) => {
+  $('undo').disabled = !undo;
+  $('redo').disabled = !redo;
+});
+const snapshot = () => ({ case: state.keys, kept: state.kept, traffic: traffic.given });
+
+/** The case has changed by hand: a step to undo, and one for the browser to go back. */
+function record(gesture) {
+  if (steps.record(snapshot(), gesture)) saveAddress(true);
 }
 
-/** The state of a link; the nominal case where there is none, or none that reads. */
-function fromAddress() {
-  const nominal = { case: structuredClone(vocabulary.nominal), kept: null, point: null, tab: 'explore' };
-  const isCase = (keys) => typeof keys === 'object' && keys !== null;
-  if (location.hash.length < 2) return nominal;
+function step(to) {
+  if (to) open({ ...to, point: state.point, tab: state.view });
+}
+$('undo').addEventListener('click', () => step(steps.undo()));
+$('redo').addEventListener('click', () => step(steps.redo()));
+addEventListener('keydown', (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const key = event.key.toLowerCase();
+  const redo = key === 'y' || (key === 'z' && event.shiftKey);
+  if (!redo && key !== 'z') return;
+  // Within a text that is being written the browser undoes letters.
+  if (writing) return;
+  event.preventDefault();
+  step(redo ? steps.redo() : steps.undo());
+});
+let writing = false;
+addEventListener('input', ({ target }) => target.type === 'text' && (writing = true));
+for (const end of ['change', 'focusout']) addEventListener(end, () => (writing = false));
+
+// The address bar ------------------------------------------------------------------------------------
+
+/** Where the last state is kept, for a visit without a link. */
+const LAST = 'riffel-last';
+let saving;
+let saved = '';
+
+/** Put what is shown into the address; as a step for the browser to go back, or in place of the address at hand. */
+function saveAddress(asStep = false) {
+  clearTimeout(saving);
+  const write = () => {
+    const { point, view: tab, kept } = state;
+    const address = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(kept && { kept }), ...(traffic.given && { traffic: traffic.given }) })}`;
+    if (address === saved) return;
+    saved = address;
+    if (asStep) history.pushState(null, '', saved);
+    else history.replaceState(null, '', saved);
+    try {
+      localStorage.setItem(LAST, saved);
+    } catch {
+      // The link in the address bar holds it all the same.
+    }
+  };
+  if (asStep) write();
+  else saving = setTimeout(write, 250);
+}
+
+const isCase = (keys) => typeof keys === 'object' && keys !== null && !Array.isArray(keys);
+const nominal = () => ({ case: structuredClone(vocabulary.nominal), kept: null, point: null, tab: 'explore', traffic: null });
+
+/** The state of a link; null where it cannot be read. */
+function readLink(link) {
   try {
-    const { case: keys, kept, point, tab } = unpack(location.hash.slice(1));
-    if (!isCase(keys)) return nominal;
+    const { case: keys, kept, point, tab, traffic } = unpack(link.slice(1));
+    if (!isCase(keys)) return null;
     const place = Array.isArray(point) && point.every(Number.isFinite) ? { wavelength: point[0], speed: point[1] } : null;
-    return { case: keys, kept: isCase(kept) ? kept : null, point: place, tab: $(`tab-${tab}`) ? tab : 'explore' };
+    return { case: keys, kept: isCase(kept) ? kept : null, point: place, tab: $(`tab-${tab}`) ? tab : 'explore', traffic: readTraffic(traffic) };
   } catch {
-    return nominal;
+    return null;
   }
 }
 
-/** Show a case; the variant that is kept stays unless another comes with it. */
-function open({ case: keys, kept = state.kept, point, tab }) {
+/** The last state of a visit before; null where there was none. */
+function lastState() {
+  try {
+    return readLink(localStorage.getItem(LAST) ?? '');
+  } catch {
+    return null;
+  }
+}
+
+/** Show a case; the variant that is kept and the traffic stay unless others come with it. */
+function open({ case: keys, kept = state.kept, point, tab, traffic: given = traffic.given }, { asStep = true } = {}) {
   Object.assign(state, { keys, kept, point });
+  form.forget();
   form.show(keys);
+  traffic.show(given);
   showView(tab);
+  steps.record(snapshot());
+  if (asStep) saveAddress(true);
+  for (const listener of listeners) listener('traffic');
   caseChanged();
 }
-addEventListener('hashchange', () => location.hash !== saved && open(fromAddress()));
+
+/** Open a case in place of the one at hand, and say so with the way back. */
+function replace(given, text) {
+  open(given);
+  banner.notice(text, () => step(steps.undo()));
+}
+
+addEventListener('hashchange', () => {
+  if (location.hash === saved) return;
+  const given = location.hash.length > 1 ? readLink(location.hash) : nominal();
+  if (!given) {
+    trouble(() => t('damaged'), { until: 'closed' });
+    history.replaceState(null, '', saved);
+    return;
+  }
+  saved = location.hash;
+  open(given, { asStep: false });
+});
 
 // Views ----------------------------------------------------------------------------------------------
 
 const tabs = [...document.querySelectorAll('[role=tab]')];
-function showView(name) {
+function showView(name, asStep = false) {
   state.view = name;
   for (const tab of tabs) {
     const chosen = tab.id === `tab-${name}`;
@@ -242,10 +443,10 @@ function showView(name) {
   }
   for (const listener of listeners) listener('view');
   if (name === 'explore' && state.at) curves();
-  saveAddress();
+  saveAddress(asStep);
 }
 for (const tab of tabs) {
-  tab.addEventListener('click', () => showView(tab.id.slice(4)));
+  tab.addEventListener('click', () => state.view !== tab.id.slice(4) && showView(tab.id.slice(4), true));
   tab.addEventListener('keydown', (event) => {
     const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!by) return;
@@ -258,11 +459,16 @@ for (const tab of tabs) {
 // Words ----------------------------------------------------------------------------------------------
 
 function redraw() {
-  if (!state.map) return;
-  view.draw();
-  mapWords();
-  speedHandle();
-  form.show(state.keys);
+  form.reword();
+  form.show(state.keys, state.head?.complete, state.current);
+  traffic.show(traffic.given);
+  banner.render();
+  if (state.map) {
+    view.band = band();
+    view.draw();
+    mapWords();
+    speedHandle();
+  }
   if (state.at) showPoint(state.at);
   for (const listener of listeners) listener('words');
 }
@@ -272,20 +478,35 @@ $('language').addEventListener('change', (event) => {
   redraw();
 });
 
-/** What the other views need. They are told 'case', 'map', 'view' or 'words' when that has changed. */
+$('speed-unit').value = unitOfSpeed()[0];
+$('speed-unit').addEventListener('change', (event) => {
+  chooseSpeedUnit(event.target.value);
+  form.reunit();
+  redraw();
+});
+
+/** What the other views need. They are told 'case', 'map', 'view', 'traffic' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, form, open, refuse, trouble, announce, nameOf, get, saveAddress,
+  state, traffic, labels: (text) => inLabels(text, form), complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
-  save,
 };
 startCompare(shared);
-const { saveReport } = startMeasure(shared);
+const measure = startMeasure(shared);
 startPaper(shared);
-startTakeAway({ ...shared, saveReport });
+startTakeAway({ ...shared, measure });
 translate();
-open(fromAddress());
+
+const link = location.hash.length > 1 ? readLink(location.hash) : null;
+const last = lastState();
+const first = link ?? last ?? nominal();
+Object.assign(state, { keys: first.case, kept: first.kept });
+traffic.show(first.traffic);
+steps.begin(snapshot());
+open(first, { asStep: false });
+if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
+else if (!link && last && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic, state, idle: () => maps.idle && points.idle && !drawing };
+window.riffel = { traffic: requests, state, gaps, idle: () => maps.idle && points.idle && !drawing };
 export { Fault };

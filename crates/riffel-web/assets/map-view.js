@@ -3,13 +3,17 @@
 
 import { css, differenceSteps, growthSteps, letterSize, theme } from './colors.js';
 import { MapNames, overlap } from './map-names.js';
-import { number, power, t } from './words.js';
+import { number, power, speed as inUnit, t, unitOfSpeed } from './words.js';
 
 /** Margins around the map in letters, which grow with the screen; and the size of letters in the same measure. */
 const MARGIN = { left: 4, right: 1.1, top: 0.8, bottom: 3.1 };
 const LETTERS = 0.85;
 /** Pixels coloured at most: beyond, the picture is stretched a little. */
 const MOST_PIXELS = 1.6e6;
+/** Strongest zoom, that of a step of the keys, and that of a pixel of the wheel. */
+const MOST_ZOOM = 20;
+const ZOOM_STEP = 1.5;
+const ZOOM_PIXEL = 0.002;
 /** Branches named by their frequency, the strongest among them. */
 const NAMED_BRANCHES = 4;
 
@@ -28,7 +32,7 @@ export class MapView {
   constructor(place, { onPoint, label, kind = 'growth' } = {}) {
     // An element of the page knows its map.
     place.view = this;
-    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], names: [], taken: [], held: null, following: true });
+    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], names: [], taken: [], held: null, following: true, window: null, band: null, hover: null, dragged: null });
     this.field = document.createElement('canvas');
     this.marksOver = document.createElement('canvas');
     this.marksOver.tabIndex = onPoint ? 0 : -1;
@@ -43,7 +47,51 @@ export class MapView {
   /** Show a map: axes in SI and growth rates, one row of wavelengths for each speed. */
   show(map) {
     this.map = map;
+    const inside = (axis) => this.window?.[axis].min >= map[axis].min && this.window?.[axis].max <= map[axis].max;
+    if (this.window && !(inside('wavelength') && inside('speed'))) this.#zoomTo(null);
+    else this.draw();
+  }
+
+  /** The part of the map that is shown. */
+  get frame() {
+    return this.window ?? this.map;
+  }
+
+  /** Show the whole map. */
+  zoomOut() {
+    this.#zoomTo(null);
+  }
+
+  #zoomTo(window) {
+    this.window = window;
+    this.onZoom?.(Boolean(window));
     this.draw();
+  }
+
+  /** Zoom about a point, which keeps its place. */
+  #zoomBy(factor, point) {
+    const window = {};
+    for (const axis of ['wavelength', 'speed']) {
+      const [whole, shown] = [this.map[axis], this.frame[axis]];
+      const span = Math.max((whole.max - whole.min) / MOST_ZOOM, (shown.max - shown.min) / factor);
+      if (span >= whole.max - whole.min) return this.#zoomTo(null);
+      const share = (point[axis] - shown.min) / (shown.max - shown.min);
+      const min = Math.min(whole.max - span, Math.max(whole.min, point[axis] - share * span));
+      window[axis] = { min, max: min + span };
+    }
+    this.#zoomTo(window);
+  }
+
+  /** Move the window, if there is one, so that a point lies in it. */
+  #bringIn(point) {
+    if (!this.window) return;
+    const window = structuredClone(this.window);
+    for (const axis of ['wavelength', 'speed']) {
+      const { min, max } = window[axis];
+      const by = Math.min(0, point[axis] - min) + Math.max(0, point[axis] - max);
+      window[axis] = { min: min + by, max: max + by };
+    }
+    if (JSON.stringify(window) !== JSON.stringify(this.window)) this.#zoomTo(window);
   }
 
   set label(words) {
@@ -53,6 +101,7 @@ export class MapView {
   /** Move the cursor to a wavelength [m] and speed [m/s]. */
   moveTo(point) {
     this.point = point;
+    this.#bringIn(point);
     this.#drawOver();
   }
 
@@ -120,19 +169,21 @@ export class MapView {
     const count = more.length;
     const perBand = this.scale > 0 ? count / this.scale : 0;
     const { columns, rows, values } = map;
+    // Place in the grid of a share of what is shown.
+    const along = (axis, share, points) => ((this.frame[axis].min + share * (this.frame[axis].max - this.frame[axis].min) - map[axis].min) / (map[axis].max - map[axis].min)) * (points - 1);
     // Places of the pixels in the grid, once for all rows.
     const left = new Uint16Array(width);
     const share = new Float32Array(width);
     for (let x = 0; x < width; x++) {
-      const place = ((x + 0.5) / width) * (columns - 1);
-      left[x] = Math.min(columns - 2, Math.floor(place));
+      const place = along('wavelength', (x + 0.5) / width, columns);
+      left[x] = Math.min(columns - 2, Math.max(0, Math.floor(place)));
       share[x] = place - left[x];
     }
     const row = new Float32Array(columns);
     const above = new Uint8Array(width);
     for (let y = 0; y < height; y++) {
-      const place = (1 - (y + 0.5) / height) * (rows - 1);
-      const lower = Math.min(rows - 2, Math.floor(place));
+      const place = along('speed', 1 - (y + 0.5) / height, rows);
+      const lower = Math.min(rows - 2, Math.max(0, Math.floor(place)));
       const part = place - lower;
       const from = lower * columns;
       for (let i = 0; i < columns; i++) row[i] = values[from + i] * (1 - part) + values[from + columns + i] * part;
@@ -158,17 +209,18 @@ export class MapView {
   // Lines --------------------------------------------------------------------------------------------
 
   x(wavelength) {
-    const { min, max } = this.map.wavelength;
+    const { min, max } = this.frame.wavelength;
     return this.box.left + (this.box.width * (wavelength - min)) / (max - min);
   }
 
   y(speed) {
-    const { min, max } = this.map.speed;
+    const { min, max } = this.frame.speed;
     return this.box.top + this.box.height * (1 - (speed - min) / (max - min));
   }
 
   #drawAxes(context, colors) {
-    const { box, map } = this;
+    const { box, frame } = this;
+    const [unit, size] = unitOfSpeed();
     context.font = `${this.font}px ${colors.font}`;
     context.lineWidth = 1;
     context.strokeStyle = colors.soft;
@@ -177,19 +229,19 @@ export class MapView {
     context.textAlign = 'center';
     context.textBaseline = 'top';
     const bottom = box.top + box.height;
-    for (const mm of ticks(1e3 * map.wavelength.min, 1e3 * map.wavelength.max, box.width / (6.4 * this.font))) {
+    for (const mm of ticks(1e3 * frame.wavelength.min, 1e3 * frame.wavelength.max, box.width / (6.4 * this.font))) {
       const x = Math.round(this.x(mm / 1e3)) + 0.5;
       line(context, x, bottom, x, bottom - 5);
       line(context, x, box.top, x, box.top + 5);
-      context.fillText(number(mm, 3), x, bottom + 5);
+      context.fillText(number(mm, 4), x, bottom + 5);
     }
     context.textAlign = 'right';
     context.textBaseline = 'middle';
-    for (const kmh of ticks(3.6 * map.speed.min, 3.6 * map.speed.max, box.height / (3.8 * this.font))) {
-      const y = Math.round(this.y(kmh / 3.6)) + 0.5;
+    for (const tick of ticks(frame.speed.min / size, frame.speed.max / size, box.height / (3.8 * this.font))) {
+      const y = Math.round(this.y(tick * size)) + 0.5;
       line(context, box.left, y, box.left + 5, y);
       line(context, box.left + box.width, y, box.left + box.width - 5, y);
-      context.fillText(number(kmh, 3), box.left - 6, y);
+      context.fillText(number(tick, 4), box.left - 6, y);
     }
     context.fillStyle = colors.ink;
     context.textAlign = 'center';
@@ -199,7 +251,7 @@ export class MapView {
     context.translate(4, box.top + box.height / 2);
     context.rotate(-Math.PI / 2);
     context.textBaseline = 'top';
-    context.fillText(`${t('speed')} V [km/h]`, 0, 0);
+    context.fillText(`${t('speed')} V [${unit}]`, 0, 0);
     context.restore();
   }
 
@@ -288,7 +340,11 @@ export class MapView {
     const ridge = this.map.ridge;
     if (!ridge) return;
     const step = Math.max(1, Math.round(ridge.speed_m_per_s.length / 55));
+    const { wavelength, speed } = this.frame;
+    const shown = (value, { min, max }) => value >= min && value <= max;
     for (let k = 0; k < ridge.speed_m_per_s.length; k += step) {
+      // A mark outside the window is none at its edge.
+      if (!shown(ridge.wavelength_m[k], wavelength) || !shown(ridge.speed_m_per_s[k], speed)) continue;
       const [x, y] = [this.x(ridge.wavelength_m[k]), this.y(ridge.speed_m_per_s[k])];
       context.beginPath();
       context.arc(x, y, 0.22 * this.font, 0, 2 * Math.PI);
@@ -313,7 +369,9 @@ export class MapView {
     context.clearRect(0, 0, this.marksOver.width, this.marksOver.height);
     const taken = [...this.names];
     this.#within(context, () => {
+      this.#drawBand(context, colors, taken);
       for (const { wavelength, label } of this.marks) {
+        if (wavelength < this.frame.wavelength.min || wavelength > this.frame.wavelength.max) continue;
         const x = Math.round(this.x(wavelength)) + 0.5;
         context.strokeStyle = colors.warm;
         context.lineWidth = 1.5;
@@ -335,7 +393,80 @@ export class MapView {
       }
     });
     this.taken = taken;
+    this.#drawCursor(context, colors);
+    this.#drawDragged(context, colors);
+    this.#drawReadout(context, colors);
+  }
+
+  /** The speeds of the traffic: a line at each end, and its name. */
+  #drawBand(context, colors, taken) {
+    if (!this.band) return;
+    const { box } = this;
+    const ends = [this.y(this.band.from), this.y(this.band.to)].map((y) => Math.round(y) + 0.5);
+    context.strokeStyle = context.fillStyle = colors.accent;
+    context.lineWidth = 1;
+    context.setLineDash([2, 4]);
+    for (const y of ends) line(context, box.left, y, box.left + box.width, y);
+    context.setLineDash([]);
+    context.fillRect(box.left, ends[1], 4, ends[0] - ends[1]);
+    context.font = `${this.font}px ${colors.font}`;
+    const width = context.measureText(this.band.label).width + 6;
+    // Along the left edge, as low as there is room beside the names of the map.
+    const at = (bottom) => ({ words: this.band.label, left: box.left + 6, right: box.left + 6 + width, top: bottom - 1.5 * this.font, bottom });
+    let spot = at(Math.min(ends[0], box.top + box.height) - 1);
+    while (taken.some((other) => overlap(spot, other)) && spot.top > box.top) spot = at(spot.bottom - 0.5 * this.font);
+    if (spot.top <= box.top || spot.top > ends[0]) return;
+    taken.push(spot);
+    context.fillStyle = colors.dark ? 'rgba(27,31,36,.82)' : 'rgba(255,255,255,.85)';
+    context.fillRect(spot.left, spot.top, width, 1.5 * this.font);
+    context.fillStyle = colors.accent;
+    context.textAlign = 'left';
+    context.textBaseline = 'middle';
+    context.fillText(this.band.label, spot.left + 3, spot.top + 0.75 * this.font + 0.5);
+  }
+
+  /** What the map says under the pointer. */
+  get readout() {
+    if (!this.hover) return [];
+    const { wavelength, speed } = this.hover;
+    const rate = valueAt(this.map, this.hover);
+    return [`${number(1e3 * wavelength)} mm, ${inUnit(speed)}, ${number(speed / wavelength)} Hz`, `${power(rate, 3)} ${t('per_passage')}`];
+  }
+
+  #drawReadout(context, colors) {
+    const lines = this.readout;
+    if (!lines.length) return;
+    const { box } = this;
+    context.font = `${this.font}px ${colors.font}`;
+    const width = Math.max(...lines.map((text) => context.measureText(text).width)) + 12;
+    const height = (1.4 * lines.length + 0.5) * this.font;
+    const [x, y] = [this.x(this.hover.wavelength), this.y(this.hover.speed)];
+    // Beside the pointer, on the side where there is room.
+    const left = x + 14 + width > box.left + box.width ? x - 14 - width : x + 14;
+    const top = y - 14 - height < box.top ? y + 14 : y - 14 - height;
+    context.fillStyle = colors.dark ? 'rgba(27,31,36,.92)' : 'rgba(255,255,255,.94)';
+    context.strokeStyle = colors.soft;
+    context.lineWidth = 1;
+    context.fillRect(left, top, width, height);
+    context.strokeRect(Math.round(left) + 0.5, Math.round(top) + 0.5, Math.round(width), Math.round(height));
+    context.fillStyle = colors.ink;
+    context.textAlign = 'left';
+    context.textBaseline = 'top';
+    lines.forEach((text, k) => context.fillText(text, left + 6, top + (0.4 + 1.4 * k) * this.font));
+  }
+
+  /** The frame that is drawn to zoom into it. */
+  #drawDragged(context, colors) {
+    if (!this.dragged) return;
+    const [{ wavelength: l1, speed: v1 }, { wavelength: l2, speed: v2 }] = this.dragged;
+    context.strokeStyle = colors.accent;
+    context.lineWidth = 1.5;
+    context.strokeRect(this.x(l1), this.y(v1), this.x(l2) - this.x(l1), this.y(v2) - this.y(v1));
+  }
+
+  #drawCursor(context, colors) {
     if (!this.point) return;
+    const { box } = this;
     const [x, y] = [this.x(this.point.wavelength), this.y(this.point.speed)];
     if (x < box.left - 1 || x > box.left + box.width + 1 || y < box.top - 1 || y > box.top + box.height + 1) return;
     for (const [style, width] of [[colors.dark ? '#000' : '#fff', 4], [colors.ink, 1]]) {
@@ -357,40 +488,83 @@ export class MapView {
   /** Wavelength and speed under a place of the page. */
   #at(event) {
     const frame = this.marksOver.getBoundingClientRect();
-    const { box, map } = this;
+    const { box, frame: shown } = this;
     const right = (event.clientX - frame.left - box.left) / box.width;
     const up = 1 - (event.clientY - frame.top - box.top) / box.height;
     if (right < -0.02 || right > 1.02 || up < -0.03 || up > 1.03) return null;
     const on = ({ min, max }, share) => min + (max - min) * Math.min(1, Math.max(0, share));
-    return { wavelength: on(map.wavelength, right), speed: on(map.speed, up) };
+    return { wavelength: on(shown.wavelength, right), speed: on(shown.speed, up) };
   }
 
   #listen() {
     const over = this.marksOver;
+    // Fingers or buttons that are down, by where they are on the map.
+    const down = new Map();
     over.addEventListener('pointermove', (event) => {
-      if (!this.map || !(this.following || event.buttons)) return;
+      if (!this.map) return;
       const point = this.#at(event);
-      if (point) this.onPoint(point, false);
+      this.hover = event.pointerType === 'mouse' ? point : null;
+      if (down.size === 2 && down.has(event.pointerId)) {
+        const apart = spread(down);
+        down.set(event.pointerId, event);
+        const [one, other] = [...down.values()].map((finger) => this.#at(finger));
+        if (one && other) this.#zoomBy(spread(down) / apart, { wavelength: (one.wavelength + other.wavelength) / 2, speed: (one.speed + other.speed) / 2 });
+        return;
+      }
+      if (this.dragged && point) this.dragged[1] = point;
+      else if (point && (this.following || event.buttons)) return this.onPoint(point, Boolean(event.buttons));
+      this.#drawOver();
+    });
+    over.addEventListener('pointerleave', () => {
+      this.hover = null;
+      this.#drawOver();
     });
     over.addEventListener('pointerdown', (event) => {
       if (!this.map) return;
       const point = this.#at(event);
       if (!point) return;
       over.setPointerCapture(event.pointerId);
-      this.onPoint(point, true);
+      down.set(event.pointerId, event);
+      if (event.shiftKey) this.dragged = [point, point];
+      else if (down.size === 1) this.onPoint(point, true);
     });
+    for (const end of ['pointerup', 'pointercancel']) {
+      over.addEventListener(end, (event) => {
+        down.delete(event.pointerId);
+        if (!this.dragged) return;
+        const [one, other] = this.dragged;
+        this.dragged = null;
+        const range = (axis) => ({ min: Math.min(one[axis], other[axis]), max: Math.max(one[axis], other[axis]) });
+        const large = (axis) => range(axis).max - range(axis).min >= (this.map[axis].max - this.map[axis].min) / MOST_ZOOM;
+        if (end === 'pointerup' && large('wavelength') && large('speed')) this.#zoomTo({ wavelength: range('wavelength'), speed: range('speed') });
+        else this.#drawOver();
+      });
+    }
+    // The wheel scrolls the page where it cannot zoom: down on the whole map, and up on the way back to the head of the page.
+    over.addEventListener('wheel', (event) => {
+      const point = this.map && this.#at(event);
+      if (!point || !(this.window || event.ctrlKey || (event.deltaY < 0 && scrollY === 0))) return;
+      event.preventDefault();
+      this.#zoomBy(Math.exp(-ZOOM_PIXEL * event.deltaY), point);
+    }, { passive: false });
+    over.addEventListener('dblclick', () => this.zoomOut());
     // Arrows step by a fortieth of the window, with Shift by a grid point; Home goes to the highest growth.
     over.addEventListener('keydown', (event) => {
       if (!this.map || !this.point) return;
       const { wavelength, speed, highest } = this.map;
       const share = event.shiftKey ? 1 / 240 : 1 / 40;
       const by = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+      const span = (axis) => this.frame[axis].max - this.frame[axis].min;
       const keep = (value, { min, max }) => Math.min(max, Math.max(min, value));
       if (by) {
         this.onPoint({
-          wavelength: keep(this.point.wavelength + by[0] * share * (wavelength.max - wavelength.min), wavelength),
-          speed: keep(this.point.speed + by[1] * share * (speed.max - speed.min), speed),
+          wavelength: keep(this.point.wavelength + by[0] * share * span('wavelength'), wavelength),
+          speed: keep(this.point.speed + by[1] * share * span('speed'), speed),
         }, true);
+      } else if (event.key === '+' || event.key === '-') {
+        this.#zoomBy(event.key === '+' ? ZOOM_STEP : 1 / ZOOM_STEP, this.point);
+      } else if (event.key === '0') {
+        this.zoomOut();
       } else if (event.key === 'Home' && highest) {
         this.onPoint({ wavelength: highest.wavelength_m, speed: highest.speed_m_per_s }, true);
       } else return;
@@ -426,6 +600,12 @@ export function drawBar(place, view, title) {
     return;
   }
   place.append(word(title, 'name'), word(view.kind === 'growth' ? '0' : ends(-strongest), 'end'), steps, word(ends(strongest), 'end'));
+}
+
+/** Distance of two pointers [px]. */
+function spread(down) {
+  const [one, other] = [...down.values()];
+  return Math.max(1, Math.hypot(one.clientX - other.clientX, one.clientY - other.clientY));
 }
 
 function line(context, x1, y1, x2, y2) {

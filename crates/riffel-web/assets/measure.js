@@ -2,25 +2,18 @@
 
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
+import { element, worded } from './elements.js';
 import { MapView, drawBar } from './map-view.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { currentLanguage, number, t, translate } from './words.js';
 
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
-const worded = (tag, word, properties = {}) => {
-  const made = element(tag, properties);
-  made.dataset.t = word;
-  return made;
-};
+/** Where a reload finds the name of the record that the program keeps for this page. */
+const RECORD = 'riffel-record';
 
-export function startMeasure({ state, listen, refuse, trouble, announce, save }) {
+export function startMeasure({ state, traffic, labels, listen, complain, banner, announce, save, showView, leadTo }) {
   const place = document.getElementById('view-measure');
   const line = new Line('/api/measure', json);
-  let file = null;
+  let file = keptRecord();
   let coming = null;
   let answer = null;
 
@@ -28,23 +21,16 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
 
   const input = element('input', { type: 'file', id: 'record', className: 'away', accept: '.csv,.txt,.tsv,.dat,.asc,text/plain,text/csv' });
   const choose = worded('label', 'choose', { htmlFor: 'record', className: 'plain' });
-  const hint = worded('span', 'drop_file', { className: 'drop-hint' });
+  const hint = worded('span', 'forgetFilefile', { className: 'drop-hint' });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
   const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
   const status = element('span', { className: 'aside', id: 'record-state' });
-  const field = (id, word, value, unit) => {
-    const made = element('input', { type: 'text', inputMode: 'decimal', id, value, className: 'figure', size: 6, autocomplete: 'off' });
-    made.addEventListener('change', ask);
-    return [made, element('span', { className: 'setting' }, worded('label', word, { htmlFor: id }), made, element('span', { className: 'unit', textContent: unit }))];
-  };
-  const [from, fromRow] = field('traffic-from', 'speed_from', '60', 'km/h');
-  const [to, toRow] = field('traffic-to', 'speed_to', '100', 'km/h');
-  const [daily, dailyRow] = field('traffic-daily', 'passages_daily', '6000', '1/d');
-  const [months, monthsRow] = field('traffic-months', 'months_ahead', '12', '');
+  const traffics = element('button', { type: 'button', className: 'plain', id: 'to-traffic' });
+  traffics.addEventListener('click', () => leadTo(document.getElementById('traffic-daily')));
   const report = worded('button', 'save_report', { type: 'button', className: 'plain', hidden: true, id: 'report' });
   const drop = element('div', { className: 'panel wide drop', id: 'drop' },
     element('div', { className: 'buttons' }, input, choose, hint, bar, stop, status),
-    element('div', { className: 'settings' }, fromRow, toRow, dailyRow, monthsRow, report));
+    element('div', { className: 'settings' }, traffics, report));
 
   // What is answered -----------------------------------------------------------------------------------
 
@@ -67,6 +53,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
 
   function take(chosen) {
     coming?.abort();
+    const before = file;
     file = chosen;
     answer = null;
     show();
@@ -79,48 +66,89 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     });
     coming.done.then(() => {
       coming = null;
-      status.textContent = `${chosen.name}, ${number(chosen.size / 1e6, 3)} MB`;
+      keepRecord(chosen);
+      tellFile();
+      // The file itself is at hand unless the page was loaded anew meanwhile.
+      if (before) banner.notice(t('record_taken', chosen.name), before instanceof File ? () => take(before) : undefined);
       ask();
     }, (fault) => {
       coming = null;
-      file = null;
-      status.textContent = '';
-      hint.hidden = false;
-      if (fault instanceof Fault) refuse(fault);
+      forgetFile();
+      if (fault instanceof Fault) complain(fault, { what: `${chosen.name}: ` });
     }).finally(() => (bar.hidden = stop.hidden = true));
   }
+
+  function forgetFile() {
+    file = null;
+    keepRecord(null);
+    tellFile();
+  }
+
+  function tellFile(more = '') {
+    hint.hidden = Boolean(file);
+    status.textContent = file ? `${file.name}, ${more || `${number(file.size / 1e6, 3)} MB`}` : '';
+  }
+
+  function keptRecord() {
+    try {
+      return JSON.parse(sessionStorage.getItem(RECORD));
+    } catch {
+      return null;
+    }
+  }
+
+  function keepRecord(record) {
+    try {
+      if (record) sessionStorage.setItem(RECORD, JSON.stringify({ name: record.name, size: record.size }));
+      else sessionStorage.removeItem(RECORD);
+    } catch {
+      // Then a reload asks for the file again.
+    }
+  }
+
   stop.addEventListener('click', () => coming?.abort());
   input.addEventListener('change', () => {
     if (input.files[0]) take(input.files[0]);
     input.value = '';
   });
-  addEventListener('drop', (event) => {
-    const dropped = [...(event.dataTransfer?.files ?? [])].find((file) => !file.name.endsWith('.toml'));
-    if (dropped && state.view === 'measure') take(dropped);
-  });
   addEventListener('dragover', () => drop.classList.add('over'));
   for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => drop.classList.remove('over'));
 
-  const value = (input) => Number(input.value.replace(',', '.'));
-  const question = () => ({
-    case: { keys: structuredClone(state.keys) }, name: file.name, slowest_m_per_s: value(from) / 3.6, fastest_m_per_s: value(to) / 3.6,
-    passages_per_day: value(daily), months: value(months),
-  });
+  const question = () => {
+    const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months } = traffic.values;
+    return { case: { keys: state.accepted }, name: file.name, slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6, passages_per_day: daily, months };
+  };
 
   function ask() {
-    if (!file || coming || state.view !== 'measure') return;
-    status.textContent = `${file.name}, ${t('computing')}`;
+    if (!file || coming || !state.accepted || state.view !== 'measure') return;
+    tellFile(t('computing'));
+    stale(true);
     line.ask(question(), (given) => {
       answer = given;
-      trouble('');
-      status.textContent = `${file.name}, ${number(file.size / 1e6, 3)} MB`;
+      banner.clear('success');
+      tellFile();
+      stale(line.pending || !state.current);
       show();
       announce(answer.roughness.verdicts.map(({ sentence }) => sentence).join(' '), 'en');
     }, (fault) => {
-      status.textContent = file.name;
-      refuse(fault);
+      const { name } = file;
+      tellFile();
+      // After a restart the program has no record of this page.
+      if (fault.status !== 410) return complain(fault, { what: `${name}: ` });
+      answer = null;
+      forgetFile();
+      show();
+      banner.say(() => t('record_gone', name), { until: 'closed' });
     });
   }
+  line.onCancel = () => {
+    tellFile();
+    banner.say(() => t('stopped'), { ways: [['again', ask]] });
+  };
+
+  /** What is shown is no longer, or again, that of the case and the traffic. */
+  const stale = (is) => panels.forEach((panel) => panel.classList.toggle('stale', is));
+
   /** Hand out the page to print; false where no rail is measured. */
   async function saveReport() {
     if (!answer) return false;
@@ -132,11 +160,11 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     }
     return true;
   }
-  report.addEventListener('click', () => saveReport().catch((fault) => refuse(fault)));
+  report.addEventListener('click', () => saveReport().catch((fault) => complain(fault, { what: `${t('save_report')}: ` })));
 
   // Showing it -----------------------------------------------------------------------------------------
 
-  const item = (text, className = '') => element('li', { textContent: text, className });
+  const item = (text, className = '') => element('li', { textContent: labels(text), className });
 
   function show() {
     for (const one of panels) one.hidden = !answer;
@@ -144,7 +172,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     if (!answer) return;
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
-    dominant.replaceChildren(...(diagnosis.fault ? [element('p', { textContent: diagnosis.fault.message })] : diagnosis.dominant_wavelengths.map(finding)));
+    dominant.replaceChildren(...(diagnosis.fault ? [element('p', { textContent: labels(diagnosis.fault.message) })] : diagnosis.dominant_wavelengths.map(finding)));
     if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
     outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : forecast.findings.map((sentence) => item(sentence))));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
@@ -162,7 +190,7 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
       return row;
     });
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
-    return element('section', {}, heading, ...where, element('p', { textContent: one.summary.replace(/^./, (c) => c.toUpperCase()) }), ...shares);
+    return element('section', {}, heading, ...where, element('p', { textContent: labels(one.summary).replace(/^./, (c) => c.toUpperCase()) }), ...shares);
   }
 
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
@@ -204,18 +232,34 @@ export function startMeasure({ state, listen, refuse, trouble, announce, save })
     drawBar(legend, view, t('growth_rate'));
   }
 
+  const tellTraffic = () => (traffics.textContent = `${t('traffic')}: ${t(traffic.given ? 'traffic_given' : 'traffic_default', number(traffic.values.passages_per_day, 4))}`);
   listen((what) => {
     if (what === 'words') {
       translate(place);
+      tellTraffic();
       show();
     } else if (what === 'view') {
       if (answer) show();
       else ask();
+    } else if (what === 'case') {
+      if (answer) stale(true);
+    } else if (what === 'traffic') {
+      tellTraffic();
+      ask();
     } else if (what === 'map') {
       // The case has no error.
       drawMap();
       ask();
     }
   });
-  return { saveReport };
+  tellTraffic();
+  tellFile();
+  return {
+    saveReport,
+    /** Take a file from any view. */
+    take(chosen) {
+      if (state.view !== 'measure') showView('measure', true);
+      take(chosen);
+    },
+  };
 }

@@ -2,18 +2,14 @@
 
 import { letterSize } from './colors.js';
 import { axis, decades, draw, layout, palette } from './curves.js';
+import { element } from './elements.js';
 import { MapView, drawBar } from './map-view.js';
 import { askOnce } from './server.js';
 import { currentLanguage, translate } from './words.js';
 
 const NUMBERS = [2, 3, 4, 5, 6, 7, 8];
-const element = (tag, properties = {}, ...children) => {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-};
 
-export function startPaper({ state, listen, refuse }) {
+export function startPaper({ state, listen, complain }) {
   const place = document.getElementById('view-paper');
   const choice = element('select', { id: 'paper-contact' });
   for (const [value, word] of [['quasi-static', 'quasi'], ['spring-dashpot', 'dashpot'], ['non-steady', 'non_steady']]) {
@@ -68,7 +64,8 @@ export function startPaper({ state, listen, refuse }) {
       await drawFigure(figure);
     } catch (fault) {
       figure.shown = null;
-      refuse(fault);
+      figure.waiting.hidden = true;
+      complain(fault);
     }
   }
 

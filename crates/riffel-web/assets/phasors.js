@@ -1,7 +1,7 @@
 // The loop as arrows: which way each oscillation points, with the profile to the right. What points to the
 // left of the upright line is in antiphase with the profile; where that is the dissipation, corrugation grows.
 
-import { number, passages, power, t } from './words.js';
+import { number, speed, t } from './words.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 const RADIUS = 100;
@@ -25,8 +25,9 @@ function node(name, attributes, text) {
   return made;
 }
 
-export function drawPhasors(place, table, state) {
-  const svg = node('svg', { viewBox: '-132 -122 264 244', role: 'img', 'aria-label': words(state) });
+/** `inWords` says how long a count of passages is. */
+export function drawPhasors(place, table, state, inWords) {
+  const svg = node('svg', { viewBox: '-132 -122 264 244', role: 'img', 'aria-label': words(state, inWords) });
   svg.append(
     node('path', { d: `M0 ${-RADIUS - 12} A${RADIUS + 12} ${RADIUS + 12} 0 0 0 0 ${RADIUS + 12} Z`, class: 'half' }),
     node('circle', { r: RADIUS, class: 'ring' }), node('circle', { r: RADIUS / 2, class: 'ring faint' }),
@@ -74,13 +75,13 @@ export function drawPhasors(place, table, state) {
 }
 
 /** The same in words. */
-export function words(state) {
+export function words(state, inWords) {
   const force = Math.round(degrees(state.normal_force_n));
   const lag = Math.abs(Math.round(degrees(state.dissipation_lag_w)));
   const rate = state.growth_rate_per_passage;
-  const count = passages(Math.LN2 / Math.abs(rate));
+  const count = inWords(Math.LN2 / Math.abs(rate));
   return t('sentence', {
-    lambda: number(1e3 * state.wavelength_m, 3), kmh: number(3.6 * state.speed_m_per_s, 3), hertz: number(state.frequency_hz, 3),
+    lambda: number(1e3 * state.wavelength_m, 3), speed: speed(state.speed_m_per_s), hertz: number(state.frequency_hz, 3),
     force: Math.abs(force) < 2 ? t('inphase') : force > 0 ? t('leads', force) : t('lags', -force),
     where: lag > 90 ? t('troughs', lag) : t('crests', lag),
     verdict: rate > 0 ? t('doubles', count) : t('halves', count),

@@ -1,7 +1,38 @@
 // Questions to the program. Of each kind only the newest is wanted: an older one that is still under way
 // gives up its place, here by AbortController and there by the name of this page.
 
-const page = crypto.randomUUID?.() ?? Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16)).join('');
+const NAME = 'riffel-page';
+/** How long a reload may take to give back the name of the page [ms]. */
+const HANDING_OVER = 400;
+
+/** The name of this page. A reload keeps it, and with it the file that was sent; a copy of the tab gets another. */
+async function ownName() {
+  const fresh = crypto.randomUUID?.() ?? Array.from(crypto.getRandomValues(new Uint8Array(8)), (byte) => byte.toString(16)).join('');
+  try {
+    const before = sessionStorage.getItem(NAME);
+    if (before && (await holds(before))) return before;
+    sessionStorage.setItem(NAME, fresh);
+  } catch {
+    // Without storage a reload begins anew.
+  }
+  holds(fresh);
+  return fresh;
+}
+
+/** Hold the lock of a name as long as the page lives; false if another page has it. */
+function holds(name) {
+  // There are locks on this machine alone, or over https.
+  if (!navigator.locks) return Promise.resolve(false);
+  return new Promise((got) => {
+    const signal = AbortSignal.timeout(HANDING_OVER);
+    navigator.locks.request(name, { signal }, () => {
+      got(true);
+      return new Promise(() => {});
+    }).catch(() => got(false));
+  });
+}
+
+const page = await ownName();
 
 /** An error of the case or of the program: a sentence, the key it is about, what would be right. */
 export class Fault extends Error {
@@ -13,6 +44,26 @@ export class Fault extends Error {
 
 /** Counts of what happened to questions, for who wants to watch. */
 export const traffic = { asked: 0, answered: 0, superseded: 0, retried: 0 };
+
+/** What is under way, so that it can be shown and broken off. `onChange` is told when that begins and ends. */
+export const work = {
+  running: new Set(),
+  onChange: () => {},
+  begin(abort) {
+    this.running.add(abort);
+    this.onChange(this.running.size);
+  },
+  end(abort) {
+    this.running.delete(abort);
+    this.onChange(this.running.size);
+  },
+  cancel() {
+    for (const abort of this.running) abort.abort('cancelled');
+  },
+};
+
+/** True for what `work.cancel` broke off. */
+export const cancelled = (error) => error === 'cancelled';
 
 /** Ask once, and again where the program is busy. */
 async function ask(path, body, signal, headers = {}) {
@@ -38,7 +89,7 @@ async function ask(path, body, signal, headers = {}) {
       traffic.retried++;
       const seconds = Number(response.headers.get('Retry-After')) || 1;
       await new Promise((done) => setTimeout(done, 1000 * seconds * (0.5 + Math.random())));
-      if (signal?.aborted) throw new DOMException('superseded', 'AbortError');
+      signal?.throwIfAborted();
       continue;
     }
     const fault = await response.json().catch(() => ({ message: `${response.status} ${response.statusText}` }));
@@ -47,7 +98,15 @@ async function ask(path, body, signal, headers = {}) {
 }
 
 /** A question on its own: its whole answer. */
-export const askOnce = (path, body, headers) => ask(path, body, undefined, headers);
+export async function askOnce(path, body, headers) {
+  const abort = new AbortController();
+  work.begin(abort);
+  try {
+    return await ask(path, body, abort.signal, headers);
+  } finally {
+    work.end(abort);
+  }
+}
 
 /** How long a question may be under way before a newer one breaks it off [ms]. */
 const PATIENCE = 250;
@@ -73,20 +132,30 @@ export class Line {
     return !this.running && !this.next;
   }
 
+  /** Whether a newer question waits for the one that is under way. */
+  get pending() {
+    return Boolean(this.next);
+  }
+
   async #run() {
     const { body, show, refuse } = this.next;
     this.next = null;
     const abort = new AbortController();
     this.running = { abort, since: performance.now() };
+    work.begin(abort);
     try {
       const answer = await this.read(await ask(this.path, body, abort.signal));
       show(answer);
     } catch (error) {
-      if (abort.signal.aborted) traffic.superseded++;
+      if (cancelled(abort.signal.reason)) {
+        this.next = null;
+        this.onCancel?.();
+      } else if (abort.signal.aborted) traffic.superseded++;
       else if (error instanceof Fault) refuse(error);
       else throw error;
     } finally {
       this.running = null;
+      work.end(abort);
       if (this.next) this.#run();
     }
   }

@@ -11,7 +11,7 @@ export function save(blob, name) {
 
 const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
 
-export function startTakeAway({ state, open, refuse, announce, saveReport }) {
+export function startTakeAway({ state, banner, complain, replace, measure }) {
   const menu = document.getElementById('take-away');
   const actions = {
     link: async (button) => {
@@ -29,21 +29,30 @@ export function startTakeAway({ state, open, refuse, announce, saveReport }) {
     }])),
     // Of the measured rail if there is one, else of the case alone.
     report: async () => {
-      if (await saveReport()) return;
+      if (await measure.saveReport()) return;
       const answer = await askOnce('/api/report/case', { case: { keys: state.keys } });
       save(await answer.blob(), `${fileName(state)}-report.html`);
     },
-    nominal: async () => open({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }),
+    nominal: async () => replace({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }, t('started_over')),
   };
+  const running = new Set();
   menu.addEventListener('click', async (event) => {
     const button = event.target.closest('[data-take]');
     if (!button) return;
+    const { take } = button.dataset;
+    // A second click while the first is under way would give the file twice.
+    if (running.has(take)) return;
+    running.add(take);
+    const what = button.firstChild.textContent;
     try {
-      await actions[button.dataset.take](button);
+      await actions[take](button);
+      banner.clear('success');
     } catch (fault) {
-      refuse(fault);
+      complain(fault, { what: `${t('not_done', what)} `, until: fault.key ? 'case' : 'success' });
+    } finally {
+      running.delete(take);
     }
-    if (button.dataset.take !== 'link') menu.hidePopover();
+    if (take !== 'link') menu.hidePopover();
   });
 
   document.getElementById('open-toml').addEventListener('change', async (event) => {
@@ -57,18 +66,19 @@ export function startTakeAway({ state, open, refuse, announce, saveReport }) {
   async function openFile(file) {
     try {
       const answer = await (await askOnce('/api/case', { case: { toml: await file.text() } })).json();
-      open({ case: answer.keys, point: null, tab: state.view });
-      announce(t('comments_gone', file.name));
+      replace({ case: answer.keys, point: null, tab: state.view }, t('comments_gone', file.name));
+      banner.clear();
     } catch (fault) {
-      fault.message = t2('file_fault', file.name, fault.line) + fault.message;
-      refuse(fault, true);
+      complain(fault, { what: t2('file_fault', file.name, fault.line) });
     }
   }
 
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    const file = [...(event.dataTransfer?.files ?? [])].find((file) => file.name.endsWith('.toml'));
-    if (file) openFile(file);
+    const files = [...(event.dataTransfer?.files ?? [])];
+    const [toml, record] = [files.find(({ name }) => name.endsWith('.toml')), files.find(({ name }) => !name.endsWith('.toml'))];
+    if (toml) openFile(toml);
+    if (record) measure.take(record);
   });
 }

@@ -15,33 +15,45 @@ const WORDS = {
     dissipation: 'dissipation W₁ at the rail', amplitude: 'amplitude', phase: 'phase', quantity: 'oscillation',
     direction_only: 'directions are true, lengths are not; amplitudes in the table',
     parts: 'Wheel and rail part: |P₁| exceeds P₀ at this amplitude. Signs and rates hold for small amplitudes.',
-    sentence: (p) => `${p.lambda} mm at ${p.kmh} km/h is ${p.hertz} Hz. The normal force ${p.force}. The rail dissipates ${p.where}, so ${p.verdict}`,
+    sentence: (p) => `${p.lambda} mm at ${p.speed} is ${p.hertz} Hz. The normal force ${p.force}. The rail dissipates ${p.where}, so ${p.verdict}`,
     leads: (d) => `leads the profile by ${d}°`, lags: (d) => `lags the profile by ${d}°`, inphase: 'is in phase with the profile',
     troughs: (d) => `mostly in the troughs (${d}° from the crests)`, crests: (d) => `mostly on the crests (${d}° from them)`,
-    doubles: (n) => `the troughs deepen: corrugation grows and doubles in ${n} passages.`,
-    halves: (n) => `the crests wear off: corrugation decays and halves in ${n} passages.`,
-    highest: (p) => `Highest growth at ${p.lambda} mm and ${p.kmh} km/h, ${p.hertz} Hz: doubles in ${p.n} passages.`,
-    highest_edge: (p) => `Growth is highest at the edge of the window, ${p.lambda} mm and ${p.kmh} km/h.`,
+    doubles: (n) => `the troughs deepen: corrugation grows and doubles in ${n}.`,
+    halves: (n) => `the crests wear off: corrugation decays and halves in ${n}.`,
+    highest: (p) => `Highest growth at ${p.lambda} mm and ${p.speed}, ${p.hertz} Hz: doubles in ${p.n}.`,
+    highest_edge: (p) => `Growth is highest at the edge of the window, ${p.lambda} mm and ${p.speed}.`,
     no_growth: 'Nothing grows in this window.', notes: 'Notes', stale: 'the map is that of the last case without an error',
     gone: 'The program does not answer. Is riffel serve still running?',
     no_pads: 'this track model has no pads', no_turning: 'not used: the wheel turns in a limit',
     from_preset: 'from preset or default', none: '—', sources: 'Sources', measured: 'measured', typical: 'typical', assumed: 'assumed',
     keep: 'Keep this variant', drop: 'Drop it', kept: 'Kept', now: 'Now', difference: 'Difference, now − kept',
     nothing_kept: 'Keep a variant, then change the case: both maps, their difference and a table appear here.',
-    compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the strongest branch', 'passages to double', 'creepage', 'contact stiffness'],
+    compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the strongest branch', 'passages to double', 'time to double', 'gross tonnes to double', 'creepage', 'contact stiffness'],
     less: 'less growth', more: 'more growth',
     copy_link: 'Copy link', copied: 'copied', save_toml: 'Case as TOML', save_csv: 'Map as CSV', save_png: 'Map as PNG', save_svg: 'Map as SVG', save_html: 'Map as page (HTML)',
     save_report: 'Report (HTML)', report_of: 'with the measured rail, if there is one', open_toml: 'Open a case file…', start_over: 'Start over with the nominal case',
     file_fault: (name, line) => (line ? `${name}, line ${line}: ` : `${name}: `), comments_gone: (name) => `${name} is open.`,
     paper_intro: 'Figures 2–8 of Afferrante & Ciavarella (2009), computed now.', contact_model: 'Contact', quasi: 'quasi-static, as printed', dashpot: 'spring and dashpot', non_steady: 'non-steady',
     computing: 'computing…', skip: 'Skip to the map',
-    map_label: (p) => `Growth map over wavelength and speed. Cursor at ${p}. Arrow keys move it, Home goes to the highest growth.`,
+    map_label: (p) => `Growth map over wavelength and speed. Cursor at ${p}. Arrow keys move it, Home goes to the highest growth, plus and minus zoom, 0 shows the whole map.`,
 
     drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
     over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
 
-    speed_from: 'traffic from', speed_to: 'to', passages_daily: 'axle passages', months_ahead: 'months ahead', in_months: (n) => `in ${n} months`, excess: 'above the trend',
+    speed_from: 'speeds from', speed_to: 'speeds to', passages_daily: 'axle passages a day', months_ahead: 'forecast, months ahead', in_months: (n) => `in ${n} months`, excess: 'above the trend',
     nothing_dominant: 'No wavelength stands out.', all_along: 'all along', level_axis: 'level [dB re 1 µm]',
+
+    two_ways: (text) => `“${text}” can be read two ways. Which is meant?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; before it was ${p.before}. Is that meant?`,
+    not_accepted: (n) => `${n === 1 ? 'One field is' : `${n} fields are`} not accepted; what is shown is the last case without an error. Go to:`,
+    no_number: (text) => `“${text}” is not a number.`, must_lie: (p) => `${p.label}: ${p.value}, but must be ${p.low} to ${p.high}.`, must_rise: 'The highest speed must not be below the lowest.',
+    undo: 'Undo', redo: 'Redo', undo_keys: 'Undo (Ctrl+Z)', redo_keys: 'Redo (Ctrl+Shift+Z)', close: 'Close', again: 'Try again', reload: 'Reload the page',
+    stopped: 'Stopped. What is shown belongs to an earlier case.', stopped_once: 'Stopped: nothing was saved.', not_done: (what) => `${what}: not done.`,
+    damaged: 'This link is damaged or cut short, and no case can be read from it. What was open is still open: ask for the link again.',
+    damaged_first: 'This link is damaged or cut short, and no case can be read from it. Shown is the case that was open here last, or the nominal case: ask for the link again.',
+    went_on: 'This is the case that was open here last.', started_over: 'The nominal case is open.', record_taken: (name) => `${name} took the place of the record before.`,
+    record_gone: (name) => `${name} is no longer kept by the program: choose it once more.`,
+    traffic: 'Traffic', traffic_default: (n) => `default: ${n} axle passages a day`, traffic_given: (n) => `${n} axle passages a day`, traffic_is_default: 'This traffic is a default: put in that of the line.',
+    passages_word: 'passages', speed_unit: 'Unit of speeds', whole_map: 'Whole map', band: 'traffic', band_default: 'default traffic', gross_tonnes: (n) => `${n} MGT`, growth_time: (p) => `${p.time} or ${p.mass}${p.isDefault ? ' with the default traffic' : ''}`, time_months: (n) => `${n} months`, time_days: (n) => `${n} days`, time_years: (n) => `${n} years`,
   },
   de: {
     explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
@@ -57,33 +69,45 @@ const WORDS = {
     dissipation: 'Dissipation W₁ an der Schiene', amplitude: 'Amplitude', phase: 'Phase', quantity: 'Schwingung',
     direction_only: 'Richtungen sind wahr, Längen nicht; Amplituden in der Tabelle',
     parts: 'Rad und Schiene trennen sich: |P₁| übersteigt P₀ bei dieser Amplitude. Vorzeichen und Raten gelten für kleine Amplituden.',
-    sentence: (p) => `${p.lambda} mm bei ${p.kmh} km/h sind ${p.hertz} Hz. Die Normalkraft ${p.force}. Die Schiene dissipiert ${p.where}: ${p.verdict}`,
+    sentence: (p) => `${p.lambda} mm bei ${p.speed} sind ${p.hertz} Hz. Die Normalkraft ${p.force}. Die Schiene dissipiert ${p.where}: ${p.verdict}`,
     leads: (d) => `eilt dem Profil um ${d}° vor`, lags: (d) => `eilt dem Profil um ${d}° nach`, inphase: 'ist in Phase mit dem Profil',
     troughs: (d) => `vor allem in den Tälern (${d}° von den Bergen)`, crests: (d) => `vor allem auf den Bergen (${d}° von ihnen)`,
-    doubles: (n) => `Die Täler werden tiefer, die Riffel wächst und verdoppelt sich in ${n} Überrollungen.`,
-    halves: (n) => `Die Berge verschleißen, die Riffel klingt ab und halbiert sich in ${n} Überrollungen.`,
-    highest: (p) => `Stärkstes Wachstum bei ${p.lambda} mm und ${p.kmh} km/h, ${p.hertz} Hz: verdoppelt sich in ${p.n} Überrollungen.`,
-    highest_edge: (p) => `Am stärksten ist das Wachstum am Rand des Fensters, bei ${p.lambda} mm und ${p.kmh} km/h.`,
+    doubles: (n) => `Die Täler werden tiefer, die Riffel wächst und verdoppelt sich in ${n}.`,
+    halves: (n) => `Die Berge verschleißen, die Riffel klingt ab und halbiert sich in ${n}.`,
+    highest: (p) => `Stärkstes Wachstum bei ${p.lambda} mm und ${p.speed}, ${p.hertz} Hz: verdoppelt sich in ${p.n}.`,
+    highest_edge: (p) => `Am stärksten ist das Wachstum am Rand des Fensters, bei ${p.lambda} mm und ${p.speed}.`,
     no_growth: 'In diesem Fenster wächst nichts.', notes: 'Hinweise', stale: 'die Karte ist die des letzten Falls ohne Fehler',
     gone: 'Das Programm antwortet nicht. Läuft riffel serve noch?',
     no_pads: 'dieses Gleismodell hat keine Zwischenlagen', no_turning: 'ohne Wirkung: das Rad dreht in einem Grenzfall',
     from_preset: 'aus Vorgabe', none: '—', sources: 'Quellen', measured: 'gemessen', typical: 'typisch', assumed: 'angenommen',
     keep: 'Diese Variante merken', drop: 'Verwerfen', kept: 'Gemerkt', now: 'Jetzt', difference: 'Unterschied, jetzt − gemerkt',
     nothing_kept: 'Eine Variante merken und den Fall ändern: hier erscheinen beide Karten, ihr Unterschied und eine Tabelle.',
-    compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des stärksten Astes', 'Überrollungen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
+    compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des stärksten Astes', 'Überrollungen bis zur Verdopplung', 'Zeit bis zur Verdopplung', 'Tonnen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
     less: 'weniger Wachstum', more: 'mehr Wachstum',
     copy_link: 'Link kopieren', copied: 'kopiert', save_toml: 'Fall als TOML', save_csv: 'Karte als CSV', save_png: 'Karte als PNG', save_svg: 'Karte als SVG', save_html: 'Karte als Seite (HTML)',
     save_report: 'Bericht (HTML)', report_of: 'mit der gemessenen Schiene, wenn es eine gibt', open_toml: 'Falldatei öffnen…', start_over: 'Neu beginnen mit dem Nennfall',
     file_fault: (name, line) => (line ? `${name}, Zeile ${line}: ` : `${name}: `), comments_gone: (name) => `${name} ist geöffnet.`,
     paper_intro: 'Bilder 2–8 aus Afferrante & Ciavarella (2009), jetzt berechnet.', contact_model: 'Kontakt', quasi: 'quasistatisch, wie gedruckt', dashpot: 'Feder und Dämpfer', non_steady: 'instationär',
     computing: 'rechnet…', skip: 'Zur Karte springen',
-    map_label: (p) => `Wachstumskarte über Wellenlänge und Geschwindigkeit. Zeiger bei ${p}. Pfeiltasten bewegen ihn, Pos1 geht zum stärksten Wachstum.`,
+    map_label: (p) => `Wachstumskarte über Wellenlänge und Geschwindigkeit. Zeiger bei ${p}. Pfeiltasten bewegen ihn, Pos1 geht zum stärksten Wachstum, Plus und Minus vergrößern und verkleinern, 0 zeigt die ganze Karte.`,
 
     drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
     over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
 
-    speed_from: 'Verkehr von', speed_to: 'bis', passages_daily: 'Achsüberrollungen', months_ahead: 'Monate voraus', in_months: (n) => `in ${n} Monaten`, excess: 'über dem Trend',
+    speed_from: 'Geschwindigkeiten von', speed_to: 'Geschwindigkeiten bis', passages_daily: 'Achsüberrollungen am Tag', months_ahead: 'Prognose, Monate voraus', in_months: (n) => `in ${n} Monaten`, excess: 'über dem Trend',
     nothing_dominant: 'Keine Wellenlänge ragt heraus.', all_along: 'durchgehend', level_axis: 'Pegel [dB re 1 µm]',
+
+    two_ways: (text) => `„${text}“ lässt sich auf zwei Arten lesen. Was ist gemeint?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; vorher waren es ${p.before}. Ist das gemeint?`,
+    not_accepted: (n) => `${n === 1 ? 'Ein Feld gilt' : `${n} Felder gelten`} nicht; gezeigt ist der letzte Fall ohne Fehler. Hin zu:`,
+    no_number: (text) => `„${text}“ ist keine Zahl.`, must_lie: (p) => `${p.label}: ${p.value}, aber erlaubt ist ${p.low} bis ${p.high}.`, must_rise: 'Die höchste Geschwindigkeit darf nicht unter der niedrigsten liegen.',
+    undo: 'Rückgängig', redo: 'Wiederholen', undo_keys: 'Rückgängig (Strg+Z)', redo_keys: 'Wiederholen (Strg+Umschalt+Z)', close: 'Schließen', again: 'Noch einmal', reload: 'Seite neu laden',
+    stopped: 'Abgebrochen. Was zu sehen ist, gehört zu einem früheren Fall.', stopped_once: 'Abgebrochen: nichts wurde gesichert.', not_done: (what) => `${what}: nicht geschehen.`,
+    damaged: 'Dieser Link ist beschädigt oder abgeschnitten, und kein Fall lässt sich daraus lesen. Was offen war, ist noch offen: den Link noch einmal anfordern.',
+    damaged_first: 'Dieser Link ist beschädigt oder abgeschnitten, und kein Fall lässt sich daraus lesen. Gezeigt ist der Fall, der hier zuletzt offen war, oder der Nennfall: den Link noch einmal anfordern.',
+    went_on: 'Dies ist der Fall, der hier zuletzt offen war.', started_over: 'Der Nennfall ist geöffnet.', record_taken: (name) => `${name} steht an der Stelle der früheren Messung.`,
+    record_gone: (name) => `${name} ist dem Programm nicht mehr bekannt: noch einmal wählen.`,
+    traffic: 'Verkehr', traffic_default: (n) => `Annahme: ${n} Achsüberrollungen am Tag`, traffic_given: (n) => `${n} Achsüberrollungen am Tag`, traffic_is_default: 'Dieser Verkehr ist eine Annahme: hier steht besser der der Strecke.',
+    passages_word: 'Überrollungen', speed_unit: 'Einheit der Geschwindigkeiten', whole_map: 'Ganze Karte', band: 'Verkehr', band_default: 'angenommener Verkehr', gross_tonnes: (n) => `${n} Mio. t`, growth_time: (p) => `${p.time} oder ${p.mass}${p.isDefault ? ' beim angenommenen Verkehr' : ''}`, time_months: (n) => `${n} Monate`, time_days: (n) => `${n} Tage`, time_years: (n) => `${n} Jahre`,
   },
 };
 
@@ -118,6 +142,9 @@ const NAMES = {
   min: ['from', 'von'], max: ['to', 'bis'], points: ['points', 'Punkte'],
 };
 
+/** Names that several groups have. */
+const GENERAL = new Set(['preset', 'model', 'section', 'beam', 'density', 'loss_factor', 'area', 'grid', 'rotation', 'response', 'hertz', 'mass_per_length']);
+
 const known = (language) => language in WORDS;
 let language = [localStorage.getItem('riffel-language'), navigator.language?.slice(0, 2)].find((name) => name && known(name)) ?? 'en';
 
@@ -145,6 +172,16 @@ export function nameOf(key) {
   return names ? names[language === 'de' ? 1 : 0] : key.split('.').at(-1).replaceAll('_', ' ');
 }
 
+/** A key as a sentence names it: with its group where the name alone would not tell, as in "Wavelengths, points". */
+export function labelOf(key) {
+  const parts = key.split('.');
+  const alone = NAMES[key] && !GENERAL.has(parts.at(-1));
+  return alone || parts.length < 2 ? nameOf(key) : `${nameOf(parts.slice(0, -1).join('.'))}, ${nameOf(key)}`;
+}
+
+/** Keys that are in one language and not in the other. */
+export const gaps = () => Object.keys({ ...WORDS.en, ...WORDS.de }).filter((key) => !(key in WORDS.en && key in WORDS.de) || typeof WORDS.en[key] !== typeof WORDS.de[key]);
+
 /** Put the words of the present language into the page: data-t for text, data-t-label for labels. */
 export function translate(root = document) {
   document.documentElement.lang = language;
@@ -163,6 +200,22 @@ export function number(value, digits = 3) {
   const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
   return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
+
+/** Units of speed with their size in m/s. */
+export const SPEED_UNITS = { 'km/h': 1 / 3.6, 'm/s': 1, mph: 0.44704 };
+let speedUnit = 'km/h';
+export function chooseSpeedUnit(name) {
+  if (!(name in SPEED_UNITS)) return;
+  speedUnit = name;
+  localStorage.setItem('riffel-speed', name);
+}
+chooseSpeedUnit(localStorage.getItem('riffel-speed'));
+
+/** Unit of speeds and its size in m/s. */
+export const unitOfSpeed = () => [speedUnit, SPEED_UNITS[speedUnit]];
+
+/** A speed [m/s] in that unit. */
+export const speed = (value) => `${number(value / SPEED_UNITS[speedUnit])} ${speedUnit}`;
 
 /** A number as it stands in a case, with the comma of the language. */
 export const written = (text) => (language === 'de' ? String(text).replace(/(\d)\.(\d)/g, '$1,$2') : String(text));

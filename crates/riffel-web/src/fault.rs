@@ -26,6 +26,9 @@ pub(crate) struct Fault {
     /// Line of the text that was sent, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<usize>,
+    /// What a developer of the page wants to know, and nobody else.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    detail: Option<String>,
 }
 
 impl Fault {
@@ -38,6 +41,7 @@ impl Fault {
             message,
             help: (!help.is_empty()).then(|| help.to_owned()),
             line: None,
+            detail: None,
         }
     }
 
@@ -64,6 +68,18 @@ impl Fault {
     /// A request that cannot be read, or cannot be answered as it stands.
     pub(crate) fn bad(message: impl Into<String>) -> Self {
         Self::refused(StatusCode::UNPROCESSABLE_ENTITY, message.into(), "")
+    }
+
+    /// A request in another form than that of this program's page.
+    pub(crate) fn misunderstood(detail: String) -> Self {
+        Self {
+            detail: Some(detail),
+            ..Self::refused(
+                StatusCode::UNPROCESSABLE_ENTITY,
+                "the page and the program do not understand each other".to_owned(),
+                "reload the page: it may be older than the program",
+            )
+        }
     }
 
     /// The same fault of something that the form does not show.
@@ -119,6 +135,7 @@ impl From<CaseError> for Fault {
             message: error.to_string(),
             help,
             line,
+            detail: None,
         }
     }
 }

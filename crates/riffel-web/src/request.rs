@@ -91,7 +91,7 @@ impl<S: Sync, T: DeserializeOwned> FromRequest<S> for Asked<T> {
             })??;
         serde_json::from_slice(&bytes)
             .map(Self)
-            .map_err(|error| Fault::bad(format!("the request cannot be read: {error}")))
+            .map_err(|error| Fault::misunderstood(error.to_string()))
     }
 }
 
@@ -146,7 +146,7 @@ impl CaseText {
                 format!(
                     "`map`: {points} points are more than the {MOST_MAP_POINTS} that the page computes"
                 ),
-                "lower map.wavelength.points or map.speed.points, or use `riffel map`",
+                "lower map.wavelength.points or map.speed.points; the program itself computes larger maps",
             ));
         }
         Ok(case)
@@ -175,7 +175,7 @@ fn check_grid(text: &str) -> Result<(), Fault> {
                     "`contact.grid` is {}, but the page goes up to {FINEST_GRID} with a non-steady response",
                     contact.grid
                 ),
-                "use `riffel map`",
+                "the program itself goes further",
             ))
         }
         _ => Ok(()),
