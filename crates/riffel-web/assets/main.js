@@ -15,7 +15,7 @@ import { Fault, Line, cancelled, framed, json, traffic as requests, work } from 
 import { Steps } from './steps.js';
 import { save, startTakeAway } from './take-away.js';
 import { Traffic, readTraffic } from './traffic.js';
-import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, t, translate, unitOfSpeed } from './words.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -113,7 +113,7 @@ function mapWords() {
   const high = head.highest;
   const place = high && { lambda: number(1e3 * high.wavelength_m), speed: inUnit(high.speed_m_per_s), hertz: number(high.frequency_hz), n: inWords(Math.LN2 / high.growth_rate_per_passage) };
   const sentences = high ? [t(high.at_edge ? 'highest_edge' : 'highest', place)] : [t('no_growth')];
-  if (head.branches.length) sentences.push(sentence(head.branches_in_words[currentLanguage()]));
+  if (head.branches.length) sentences.push(sentence(speedsIn(head.branches_in_words[currentLanguage()])));
   $('verdict').textContent = sentences.join(' ');
   announce(sentences.join(' '));
   $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
@@ -302,17 +302,14 @@ function announce(message, language = '') {
 
 // What is under way ----------------------------------------------------------------------------------
 
-/** A sign of work that takes longer than this [ms], with a way to stop it. */
+/** A sign of a question that takes longer than this [ms], with a way to stop it. */
 const SIGN_AFTER = 500;
 let sign;
-work.onChange = (running) => {
-  if (!running) {
-    clearTimeout(sign);
-    sign = undefined;
-    $('working').hidden = true;
-  } else {
-    sign ??= setTimeout(() => ($('working').hidden = false), SIGN_AFTER);
-  }
+work.onChange = () => {
+  clearTimeout(sign);
+  const show = () => ($('working').hidden = !work.running.size || work.age < SIGN_AFTER);
+  show();
+  if (work.running.size) sign = setTimeout(show, SIGN_AFTER - work.age + 1);
 };
 $('stop-work').addEventListener('click', () => work.cancel());
 

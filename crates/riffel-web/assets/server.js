@@ -47,18 +47,22 @@ export const traffic = { asked: 0, answered: 0, superseded: 0, retried: 0 };
 
 /** What is under way, so that it can be shown and broken off. `onChange` is told when that begins and ends. */
 export const work = {
-  running: new Set(),
+  running: new Map(),
   onChange: () => {},
   begin(abort) {
-    this.running.add(abort);
-    this.onChange(this.running.size);
+    this.running.set(abort, performance.now());
+    this.onChange();
   },
   end(abort) {
     this.running.delete(abort);
-    this.onChange(this.running.size);
+    this.onChange();
+  },
+  /** How long the oldest has been under way [ms]; 0 if nothing is. */
+  get age() {
+    return this.running.size ? performance.now() - Math.min(...this.running.values()) : 0;
   },
   cancel() {
-    for (const abort of this.running) abort.abort('cancelled');
+    for (const abort of this.running.keys()) abort.abort('cancelled');
   },
 };
 

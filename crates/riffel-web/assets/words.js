@@ -217,6 +217,12 @@ export const unitOfSpeed = () => [speedUnit, SPEED_UNITS[speedUnit]];
 /** A speed [m/s] in that unit. */
 export const speed = (value) => `${number(value / SPEED_UNITS[speedUnit])} ${speedUnit}`;
 
+/** A sentence of the program, which has km/h, with its speeds in that unit. */
+export const speedsIn = (sentence) => (speedUnit === 'km/h' ? sentence : sentence.replace(/([\d.,]+)(?:–([\d.,]+))? km\/h/g, (_, ...ends) => {
+  const converted = ends.slice(0, 2).filter(Boolean).map((end) => number(Number(end.replace(',', '.')) / 3.6 / SPEED_UNITS[speedUnit]));
+  return `${converted.join('–')} ${speedUnit}`;
+}));
+
 /** A number as it stands in a case, with the comma of the language. */
 export const written = (text) => (language === 'de' ? String(text).replace(/(\d)\.(\d)/g, '$1,$2') : String(text));
 
