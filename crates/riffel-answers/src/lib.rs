@@ -27,6 +27,7 @@ mod error;
 pub mod forecast;
 pub mod map;
 pub mod models;
+pub mod noise;
 pub mod paper;
 mod parameters;
 pub mod point;

@@ -2,6 +2,7 @@
 
 mod asked;
 mod forecast;
+mod noise;
 mod number;
 mod roughness;
 mod simulate;
@@ -23,6 +24,7 @@ use crate::staging::add_input;
 
 pub(crate) use asked::{Asked, within};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
+pub(crate) use noise::Noise;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{Simulate, SinusoidArgument};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
@@ -86,6 +88,8 @@ pub(crate) enum Command {
     Forecast(Forecast),
     /// What would help: growth on a case and on variants of it, side by side.
     Compare(Compare),
+    /// How loud a train is on a rough rail, and what would make it quieter.
+    Noise(Noise),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.

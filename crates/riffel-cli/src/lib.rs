@@ -78,6 +78,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Point(arguments) => command::point::run(&arguments)?,
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
+        Command::Noise(arguments) => command::noise::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
         Command::Simulate(arguments) => command::simulate::run(&arguments)?,
         Command::Contact(arguments) => command::contact::run(&arguments)?,

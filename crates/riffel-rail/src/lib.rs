@@ -19,6 +19,7 @@
 
 mod chainage;
 mod date;
+mod decay_rate_file;
 mod format;
 mod ground;
 mod heading;
@@ -48,6 +49,7 @@ mod transfer_table;
 mod wheel_roughness;
 
 pub use date::{read_date, read_dates};
+pub use decay_rate_file::read_decay_rates;
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};
 pub use ground::GroundRail;
 pub use labelled_spectrum::LabelledSpectrum;

@@ -10,6 +10,7 @@ pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod map;
 mod models;
+pub(crate) mod noise;
 pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod receptance;

@@ -44,8 +44,6 @@ pub struct PassBy {
     distance: f64,
     /// Height of the receiver over the rail head \[m\].
     height: f64,
-    /// Distance of the rails from each other \[m\].
-    gauge: f64,
     /// Wheelsets per length of train \[1/m\].
     wheelsets_per_metre: f64,
     surroundings: Surroundings,
@@ -54,6 +52,9 @@ pub struct PassBy {
 impl PassBy {
     /// Distance of the rails between their contacts \[m\].
     const GAUGE: f64 = 1.5;
+
+    /// Distance of the rails from the middle of the track \[m\], beyond which a receiver is.
+    pub const NEAREST: f64 = 0.5 * Self::GAUGE;
 
     /// A receiver at a distance from the middle of the track and a height over the rail head \[m\], beside a train of some
     /// wheelsets and some length \[m\].
@@ -67,7 +68,7 @@ impl PassBy {
         train_length: f64,
         surroundings: Surroundings,
     ) -> Result<Self, Error> {
-        if !(distance > 0.5 * Self::GAUGE && distance.is_finite()) {
+        if !(distance > Self::NEAREST && distance.is_finite()) {
             return Err(Error::OutOfRange {
                 quantity: "distance of the receiver from the middle of the track",
                 value: distance,
@@ -81,7 +82,6 @@ impl PassBy {
         Ok(Self {
             distance,
             height,
-            gauge: Self::GAUGE,
             wheelsets_per_metre: wheelsets / train_length,
             surroundings,
         })
@@ -90,8 +90,7 @@ impl PassBy {
     /// Mean square pressure \[Pa²\] over the time the train takes to pass, where each wheel with the rail under it has a
     /// sound power \[W\].
     pub fn of_wheels(&self, air: &Air, power: f64) -> f64 {
-        let half = 0.5 * self.gauge;
-        let rails = [self.distance - half, self.distance + half];
+        let rails = [self.distance - Self::NEAREST, self.distance + Self::NEAREST];
         let sum: f64 = rails
             .iter()
             .map(|across| across.hypot(self.height).recip())

@@ -3,9 +3,9 @@
 use std::f64::consts::{LN_10, TAU};
 
 use super::{Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston};
-use crate::Error;
 use crate::feedback::Loop;
 use crate::receptance::{CrossReceptance, Support, one_sided_places};
+use crate::{Complex64, Error};
 
 /// Frequencies in a band, evenly spaced in their logarithm.
 const LINES: u32 = 8;
@@ -19,8 +19,13 @@ const NOMINAL_BAY: f64 = 0.6;
 pub enum RailDecay<'a> {
     /// As the model of the track says.
     Track(&'a dyn CrossReceptance),
-    /// From what it does under the wheel, at measured decay rates \[dB/m\] by band.
-    Rates(Vec<(FrequencyBand, f64)>),
+    /// From what it does under the wheel, at measured decay rates.
+    Rates {
+        /// Decay rates \[dB/m\] by band.
+        rates: Vec<(FrequencyBand, f64)>,
+        /// What the rail does under the wheel at any place; none where it is known at that of the loop alone.
+        track: Option<&'a dyn CrossReceptance>,
+    },
 }
 
 /// The sleepers under one rail.
@@ -94,7 +99,7 @@ pub struct RollingSource<'a> {
 
 /// Receptance under the wheel \[m/N\] and the integral ∫|H|²dx along the rail \[m³/N²\].
 struct RailAt {
-    direct: crate::Complex64,
+    direct: Complex64,
     integral: f64,
 }
 
@@ -110,10 +115,12 @@ impl RollingSource<'_> {
     ) -> Result<Option<SoundPower>, Error> {
         let rate = match &self.decay {
             RailDecay::Track(_) => None,
-            RailDecay::Rates(rates) => match rates.iter().find(|(other, _)| *other == band) {
-                Some((_, rate)) => Some(*rate),
-                None => return Ok(None),
-            },
+            RailDecay::Rates { rates, .. } => {
+                match rates.iter().find(|(other, _)| *other == band) {
+                    Some((_, rate)) => Some(*rate),
+                    None => return Ok(None),
+                }
+            }
         };
         if !excitation.covers(band) {
             return Ok(None);
@@ -169,16 +176,16 @@ impl RollingSource<'_> {
     }
 
     /// The rail with the wheel at each place of the mean.
-    fn places(&self, w: f64, under_wheel: crate::Complex64, rate: Option<f64>) -> Vec<RailAt> {
-        let track = match (&self.decay, rate) {
-            (RailDecay::Track(track), _) => *track,
-            (RailDecay::Rates(_), rate) => {
-                let reach = rate.map_or(0.0, |rate| 20.0 / LN_10 / rate);
-                return vec![RailAt {
-                    direct: under_wheel,
-                    integral: under_wheel.norm_sqr() * reach,
-                }];
-            }
+    fn places(&self, w: f64, under_wheel: Complex64, rate: Option<f64>) -> Vec<RailAt> {
+        let reach = rate.map(|rate| 20.0 / LN_10 / rate);
+        let at = |direct: Complex64, integral: f64| RailAt { direct, integral };
+        let track = match &self.decay {
+            RailDecay::Track(track) => Some(*track),
+            RailDecay::Rates { track, .. } => *track,
+        };
+        let Some(track) = track else {
+            let integral = under_wheel.norm_sqr() * reach.unwrap_or(0.0);
+            return vec![at(under_wheel, integral)];
         };
         let (bay, places) = match track.support_spacing() {
             Some(bay) => (bay, PLACES),
@@ -187,6 +194,10 @@ impl RollingSource<'_> {
         (0..places)
             .map(|place| {
                 let from = 0.5 * bay * (f64::from(place) + 0.5) / f64::from(places);
+                let direct = track.cross_receptance(w, from, from);
+                if let Some(reach) = reach {
+                    return at(direct, direct.norm_sqr() * reach);
+                }
                 let integral = one_sided_places(bay)
                     .map(|(away, length)| {
                         let sides = [from - away, from + away];
@@ -194,10 +205,7 @@ impl RollingSource<'_> {
                         (energy[0] + energy[1]) * length
                     })
                     .sum();
-                RailAt {
-                    direct: track.cross_receptance(w, from, from),
-                    integral,
-                }
+                at(direct, integral)
             })
             .collect()
     }

@@ -128,7 +128,14 @@ fn decay_rates_stand_for_the_track() {
     let rates = crate::receptance::DecayRate::of_track(&track);
     let rates = FrequencyBand::all().zip(rates.iter().map(|rate| rate.decay_rate));
     let by_rates = powers(
-        &source(&feedback, RailDecay::Rates(rates.collect()), 300e6),
+        &source(
+            &feedback,
+            RailDecay::Rates {
+                rates: rates.collect(),
+                track: None,
+            },
+            300e6,
+        ),
         0.0,
     );
     for (track, rates) in by_track.iter().zip(by_rates) {
@@ -184,7 +191,10 @@ fn bands_without_roughness_or_decay_are_left_out() {
     let feedback = feedback(Arc::new(even_track(300e6)));
     let one = source(
         &feedback,
-        RailDecay::Rates(vec![(FrequencyBand::new(30), 1.0)]),
+        RailDecay::Rates {
+            rates: vec![(FrequencyBand::new(30), 1.0)],
+            track: None,
+        },
         300e6,
     );
     assert_eq!(powers(&one, 0.0).len(), 1);

@@ -1,0 +1,335 @@
+//! Rolling noise of a train on a rough rail, and what would make it quieter.
+
+mod course;
+mod document;
+mod figure;
+mod levels;
+mod measure;
+
+use std::io::{self, Write};
+
+use riffel::contact::ContactFilter;
+use riffel::noise::{
+    Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, PassBy, Piston,
+    RailDecay, RollingSource, Sleepers, Surroundings,
+};
+use riffel::roughness::{LevelLimit, Spectrum};
+use riffel_case::Case;
+use riffel_case::traffic::Traffic;
+use riffel_plot::LineFigure;
+use riffel_rail::{LimitTable, TransferTable};
+
+pub use course::Course;
+pub use document::NoiseDocument;
+pub use levels::{BandPressure, Part, PassByLevels};
+pub use measure::Measure;
+
+use crate::AnswerError;
+
+/// Width of a wheel across its tread \[m\], that of the profiles of EN 13715.
+const WHEEL_WIDTH: f64 = 0.135;
+/// Area of the 60E1 section \[m²\], for a rail of which nothing is known but its receptance.
+const RAIL_AREA: f64 = 76.7e-4;
+/// Density of rail steel \[kg/m³\].
+const RAIL_DENSITY: f64 = 7850.0;
+/// Distance of sleepers \[m\] where a model has them spread evenly.
+const SLEEPER_SPACING: f64 = 0.6;
+
+/// A train past a receiver.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Train {
+    /// Wheels on one rail.
+    pub wheels: u32,
+    /// Length \[m\].
+    pub length: f64,
+    /// Distance of the receiver from the middle of the track \[m\].
+    pub distance: f64,
+    /// Height of the receiver over the rail head \[m\].
+    pub height: f64,
+    /// What is around it.
+    pub surroundings: Surroundings,
+}
+
+impl Train {
+    /// `Ok` for a receiver beside the track.
+    fn check(&self) -> Result<(), AnswerError> {
+        let wrong = |argument, value: f64, rule: &str| {
+            Err(AnswerError::Argument {
+                argument,
+                value: format!("{value} m"),
+                rule: rule.to_owned(),
+            })
+        };
+        if self.distance <= PassBy::NEAREST {
+            return wrong("--distance", self.distance, "beyond the rail, 0.75 m");
+        }
+        if self.height < 0.0 {
+            return wrong("--height", self.height, "zero or greater");
+        }
+        Ok(())
+    }
+}
+
+/// The rail in months to come.
+pub struct Future {
+    /// The traffic.
+    pub traffic: Traffic,
+    /// How far to look ahead \[months\].
+    pub months: f64,
+    /// Highest level that is allowed \[dB(A)\].
+    pub limit: Option<f64>,
+}
+
+/// What is asked.
+pub struct NoiseRequest {
+    /// Speed of the train \[m/s\].
+    pub speed: f64,
+    /// Roughness of the rail.
+    pub roughness: Spectrum,
+    /// Roughness of the wheels, with its name; none for smooth ones.
+    pub wheels: Option<(String, Spectrum)>,
+    /// Measured decay rates of the track \[dB/m\], in place of those of the model.
+    pub decay: Option<Vec<(FrequencyBand, f64)>>,
+    /// Transfer functions of track and vehicle, for the level by the directive beside that by the model.
+    pub transfer: Option<[TransferTable; 2]>,
+    /// What the rail may be ground to.
+    pub limit: (LimitTable, LevelLimit),
+    /// The train.
+    pub train: Train,
+    /// Breadth of the rail foot \[m\].
+    pub rail_foot: f64,
+    /// Face of a sleeper that belongs to one rail \[m²\].
+    pub sleeper_area: f64,
+    /// What becomes of the rail.
+    pub future: Option<Future>,
+}
+
+/// Levels beside the track, and what would lower them.
+pub struct NoiseAnswer {
+    /// What was asked.
+    pub request: NoiseRequest,
+    /// Levels now.
+    pub levels: PassByLevels,
+    /// Levels by the transfer functions of the directive.
+    pub by_transfer: Option<PassByLevels>,
+    /// What would help, each by itself.
+    pub measures: Vec<Measure>,
+    /// The level in months to come.
+    pub course: Option<Course>,
+    /// Bands of 100–5000 Hz in which roughness, decay or receptance is not known.
+    pub left_out: Vec<FrequencyBand>,
+    /// What the reader should know.
+    pub remarks: Vec<String>,
+}
+
+impl NoiseAnswer {
+    /// Levels on a case; `progress` is told of each vehicle of the traffic.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] where a number is outside its range, no band is known, or the track has no decay;
+    /// [`AnswerError::Case`] with the key at fault.
+    pub fn new(
+        case: &Case,
+        request: NoiseRequest,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, AnswerError> {
+        if case.track.structure.is_none() && request.decay.is_none() {
+            return Err(AnswerError::Argument {
+                argument: "--decay-rate",
+                value: "left out".to_owned(),
+                rule: format!(
+                    "given: track.model = \"{}\" says what the rail does under the wheel alone",
+                    case.file.track.model.name()
+                ),
+            });
+        }
+        request.train.check()?;
+        let levels = levels_of(case, &request, &request.roughness, request.speed)?;
+        let left_out: Vec<FrequencyBand> = FrequencyBand::all()
+            .filter(|band| levels.bands().iter().all(|level| level.band != *band))
+            .collect();
+        if levels.bands().is_empty() {
+            return Err(AnswerError::Argument {
+                argument: "--speed",
+                value: format!("{:.1} km/h", 3.6 * request.speed),
+                rule: "one at which the wavelengths of the roughness fill a one-third octave \
+                       between 100 Hz and 5 kHz"
+                    .to_owned(),
+            });
+        }
+        let by_transfer = match &request.transfer {
+            Some(tables) => Some(levels_by_transfer(case, &request, tables)?),
+            None => None,
+        };
+        let measures = measure::measures(case, &request, &levels)?;
+        let course = match &request.future {
+            Some(future) => Some(Course::new(case, &request, future, progress)?),
+            None => None,
+        };
+        Ok(Self {
+            remarks: remarks(&request, &left_out),
+            request,
+            levels,
+            by_transfer,
+            measures,
+            course,
+            left_out,
+        })
+    }
+
+    /// Levels by band, and what each measure does.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        figure::figure(self, case)
+    }
+
+    /// The answer as data: what `riffel noise --json` prints.
+    pub fn document(&self) -> NoiseDocument<'_> {
+        document::document(self)
+    }
+
+    /// One row for each band.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        document::bands_csv(self, file)
+    }
+
+    /// Time that the train takes to pass \[s\].
+    pub fn duration(&self) -> f64 {
+        self.request.train.length / self.request.speed
+    }
+
+    /// Sound exposure level of the passage \[dB(A) re (20 µPa)² s\].
+    pub fn exposure_level(&self) -> f64 {
+        self.levels.a_weighted(Part::Total) + 10.0 * self.duration().log10()
+    }
+}
+
+/// Levels of a case with some roughness of the rail at some speed.
+pub(crate) fn levels_of(
+    case: &Case,
+    request: &NoiseRequest,
+    roughness: &Spectrum,
+    speed: f64,
+) -> Result<PassByLevels, AnswerError> {
+    let excitation = excitation(case, request, roughness, speed)?;
+    let file = &case.file;
+    let area = match (file.rail.area, case.track.rail_mass) {
+        (Some(area), _) => area.si(),
+        (None, Some(mass)) => mass / file.rail.density.map_or(RAIL_DENSITY, |rho| rho.si()),
+        (None, None) => RAIL_AREA,
+    };
+    let spacing = file.track.support_spacing.map(|spacing| spacing.si());
+    let face = Piston::new(request.sleeper_area)?;
+    let source = RollingSource {
+        feedback: &case.feedback,
+        decay: match (&request.decay, case.track.structure.as_deref()) {
+            (None, Some(track)) => RailDecay::Track(track),
+            (rates, track) => RailDecay::Rates {
+                rates: rates.clone().unwrap_or_default(),
+                track,
+            },
+        },
+        rail: OscillatingCylinder::of_rail(request.rail_foot, area)?,
+        sleepers: case.track.support.map(|support| Sleepers {
+            support,
+            face,
+            spacing: spacing.unwrap_or(SLEEPER_SPACING),
+        }),
+        wheel: OscillatingSphere::of_wheel(case.hertz.rolling_radius(), WHEEL_WIDTH)?,
+        air: Air::default(),
+    };
+    let (lowest, highest) = case.known_frequencies();
+    let pass = pass_by(request)?;
+    let mut bands = Vec::new();
+    for band in FrequencyBand::all() {
+        let (low, high) = band.range();
+        if low < lowest || high > highest {
+            continue;
+        }
+        if let Some(power) = source.power(&excitation, band)? {
+            let heard = |power: f64| pass.of_wheels(&source.air, power);
+            bands.push(BandPressure {
+                band,
+                rail: heard(power.rail),
+                sleepers: heard(power.sleepers),
+                wheel: heard(power.wheel),
+            });
+        }
+    }
+    Ok(PassByLevels::new(bands))
+}
+
+/// Levels by transfer functions: those of the track are the rail's, those of the vehicle the wheel's.
+fn levels_by_transfer(
+    case: &Case,
+    request: &NoiseRequest,
+    [track, vehicle]: &[TransferTable; 2],
+) -> Result<PassByLevels, AnswerError> {
+    let excitation = excitation(case, request, &request.roughness, request.speed)?;
+    let (air, pass) = (Air::default(), pass_by(request)?);
+    let mut bands = Vec::new();
+    for band in FrequencyBand::all().filter(|band| excitation.covers(*band)) {
+        let (low, high) = band.range();
+        let roughness = excitation.mean_square(low, high)?;
+        let powers = [track, vehicle].map(|table| table.function.power(band, roughness));
+        if let [Some(track), Some(vehicle)] = powers {
+            bands.push(BandPressure {
+                band,
+                rail: pass.of_wheelsets(&air, track),
+                sleepers: 0.0,
+                wheel: pass.of_wheelsets(&air, vehicle),
+            });
+        }
+    }
+    Ok(PassByLevels::new(bands))
+}
+
+fn excitation(
+    case: &Case,
+    request: &NoiseRequest,
+    roughness: &Spectrum,
+    speed: f64,
+) -> Result<Excitation, AnswerError> {
+    let wheel = request.wheels.as_ref().map(|(_, spectrum)| spectrum);
+    let filter = ContactFilter::of(&case.hertz);
+    Ok(Excitation::new(roughness, wheel, filter, speed)?)
+}
+
+fn pass_by(request: &NoiseRequest) -> Result<PassBy, AnswerError> {
+    let train = &request.train;
+    Ok(PassBy::new(
+        train.distance,
+        train.height,
+        f64::from(train.wheels),
+        train.length,
+        train.surroundings,
+    )?)
+}
+
+fn remarks(request: &NoiseRequest, left_out: &[FrequencyBand]) -> Vec<String> {
+    let mut remarks = vec![
+        "the wheel is a rigid body here: above some 1.6 kHz the modes of its web and tyre, which are left out, \
+         radiate as much as the rail and more"
+            .to_owned(),
+    ];
+    if request.wheels.is_none() {
+        remarks.push(
+            "the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what \
+             grinding saves"
+                .to_owned(),
+        );
+    }
+    if !left_out.is_empty() {
+        let names: Vec<String> = left_out
+            .iter()
+            .map(|band| format!("{}", band.nominal()))
+            .collect();
+        remarks.push(format!(
+            "left out of every level, for want of roughness, decay or receptance there: {} Hz",
+            names.join(", ")
+        ));
+    }
+    remarks
+}
