@@ -108,7 +108,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 15] = [
+    const PICTURES: [(&[&str], &str, &str); 16] = [
         (
             &[
                 "forecast",
@@ -152,6 +152,26 @@ fn pictures(program: &Path) -> Outcome {
             ],
             "roughness.png",
             "niederwangen.png",
+        ),
+        (
+            &[
+                "noise",
+                "cases/main-line.toml",
+                "--roughness",
+                "validation/reference/sbb-track-noise/rail_roughness.csv",
+                "--where",
+                "laboratory=MBBM",
+                "--speed",
+                "136 km/h",
+                "--wheel-roughness",
+                "cnossos-disc-brakes",
+                "--track-transfer",
+                "cnossos-monobloc-hard-pads",
+                "--vehicle-transfer",
+                "cnossos-wheel-920",
+            ],
+            "noise.png",
+            "noise.png",
         ),
         (&["map", "cases/nominal.toml"], "map.png", "nominal-map.png"),
         (

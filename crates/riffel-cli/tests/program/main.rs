@@ -8,6 +8,7 @@ mod files;
 mod forecast;
 mod habits;
 mod models;
+mod noise;
 mod pictures;
 mod rails;
 mod reading;

@@ -1,0 +1,112 @@
+//! Rolling noise, from the command line to the files.
+
+use serde_json::Value;
+
+use crate::sandbox::{Sandbox, number};
+
+const CASE: &str = "noise cases/main-line.toml --speed \"136 km/h\"";
+const MEASURED: &str =
+    "--roughness validation/reference/sbb-track-noise/rail_roughness.csv --where laboratory=MBBM";
+
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/reference/sbb-track-noise");
+    sandbox
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    serde_json::from_value(value.clone()).unwrap()
+}
+
+/// Levels of the parts add up to the total, and a rail 10 dB rougher than its wheels is 10 dB louder.
+#[test]
+fn levels_add_up_and_follow_the_roughness() {
+    let sandbox = sandbox();
+    let document = sandbox.json(&format!("{CASE} {MEASURED} --json"));
+    let level = &document["level"];
+    let parts = ["rail_db", "sleepers_db", "wheel_db"].map(|part| numbers(&level[part]));
+    for (place, total) in numbers(&level["total_db"]).iter().enumerate() {
+        let sum: f64 = parts.iter().map(|part| 10f64.powf(0.1 * part[place])).sum();
+        assert!((10.0 * sum.log10() - total).abs() < 1e-9);
+    }
+    assert_eq!(numbers(&document["left_out_hz"]), [100.0]);
+
+    let table = |level: f64| -> String {
+        let rows: Vec<String> = (5..=25)
+            .map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth))))
+            .collect();
+        format!("wavelength_mm,level_db\n{}\n", rows.join("\n"))
+    };
+    let of = |level: f64| {
+        std::fs::write(sandbox.path("flat.csv"), table(level)).unwrap();
+        let document = sandbox.json(&format!("{CASE} --roughness flat.csv --json"));
+        number(&document["level"]["total_dba"])
+    };
+    assert!((of(5.0) - of(-5.0) - 10.0).abs() < 1e-6);
+}
+
+/// Grinding a rail that is everywhere above the limit by as much saves as much; dampers save 3 dB of the track.
+#[test]
+fn measures_save_what_they_change() {
+    let sandbox = sandbox();
+    let limit = std::fs::read_to_string(
+        crate::sandbox::root().join("crates/riffel-rail/limits/iso-3095-2013.toml"),
+    )
+    .unwrap();
+    let mut rows = "wavelength_mm,level_db\n".to_owned();
+    let mut wavelength = "";
+    for line in limit.lines() {
+        if let Some(rest) = line.strip_prefix("wavelength = \"") {
+            wavelength = rest.strip_suffix(" mm\"").unwrap();
+        }
+        if let Some(level) = line.strip_prefix("level_db = ") {
+            let level: f64 = level.parse().unwrap();
+            rows += &format!("{wavelength},{}\n", level + 7.0);
+        }
+    }
+    std::fs::write(sandbox.path("rough.csv"), rows).unwrap();
+    let document = sandbox.json(&format!("{CASE} --roughness rough.csv --json"));
+    let saved = |word: &str| {
+        let measures = document["measures"].as_array().unwrap().iter();
+        let mut found =
+            measures.filter(|measure| measure["title"].as_str().unwrap().contains(word));
+        number(&found.next().unwrap()["saved_db"])
+    };
+    assert!((saved("ground to") - 7.0).abs() < 1e-9);
+    // The wheel stays.
+    assert!((2.9..3.011).contains(&saved("dampers")));
+    assert!(saved("109 km/h") > 0.0);
+}
+
+/// Measured decay rates take the place of the model's, and the course of a level ends where it began without growth.
+#[test]
+fn decay_rates_and_traffic_are_read() {
+    let sandbox = sandbox();
+    let rates: Vec<String> = (20..=37)
+        .map(|index| format!("{:.1},30", 10f64.powf(0.1 * f64::from(index))))
+        .collect();
+    let rates = format!("frequency_hz,decay_rate_db_per_m\n{}\n", rates.join("\n"));
+    std::fs::write(sandbox.path("decay.csv"), rates).unwrap();
+    let by_model = sandbox.json(&format!("{CASE} {MEASURED} --json"));
+    let damped = sandbox.json(&format!("{CASE} {MEASURED} --decay-rate decay.csv --json"));
+    let level = |document: &Value| number(&document["level"]["rail_dba"]);
+    assert!(level(&damped) < level(&by_model) - 3.0);
+
+    let written = sandbox.riffel(&format!(
+        "{CASE} {MEASURED} --traffic cases/traffic.toml --months 6 --limit-dba 20 -o out"
+    ));
+    assert_eq!(written.status, Some(0), "{}", written.text);
+    assert!(
+        written.text.contains("20 dB(A) are reached now"),
+        "{}",
+        written.text
+    );
+    let text = std::fs::read_to_string(sandbox.path("out/summary.json")).unwrap();
+    let document: Value = serde_json::from_str(&text).unwrap();
+    let months = numbers(&document["course"]["month"]);
+    assert_eq!((months[0], months[24]), (0.0, 6.0));
+    let first = numbers(&document["course"]["total_dba"])[0];
+    assert!((first - number(&document["level"]["total_dba"])).abs() < 1e-9);
+    let bands = std::fs::read_to_string(sandbox.path("out/bands.csv")).unwrap();
+    assert_eq!(bands.lines().count(), 18);
+}
