@@ -30,8 +30,18 @@ struct Section {
     roughness: Vec<Spectrum>,
     /// Vertical decay rates \[dB/m\], one list a band.
     decay: Vec<(FrequencyBand, Vec<f64>)>,
-    /// Measured A-weighted levels of intercity trains by number of the passage: of all bands, then by band.
-    measured: Vec<(u32, f64, Vec<(FrequencyBand, f64)>)>,
+    /// Measured intercity trains.
+    measured: Vec<Passage>,
+}
+
+/// A train as it was measured; levels are A-weighted.
+struct Passage {
+    /// Its number, the same at all sections.
+    number: u32,
+    /// Level of all bands \[dB(A)\].
+    total: f64,
+    /// Levels by band \[dB\].
+    bands: Vec<(FrequencyBand, f64)>,
 }
 
 /// The section without dampers.
@@ -114,11 +124,11 @@ impl Section {
 
     /// Measured levels of a band.
     fn levels(&self, band: FrequencyBand) -> Vec<f64> {
-        let levels = self
-            .measured
-            .iter()
-            .filter_map(|(_, _, levels)| levels.iter().find(|(other, _)| *other == band));
-        levels.map(|(_, level)| *level).collect()
+        let bands = self.measured.iter().flat_map(|passage| &passage.bands);
+        bands
+            .filter(|(other, _)| *other == band)
+            .map(|(_, level)| *level)
+            .collect()
     }
 
     /// Computed less measured A-weighted level of a band, with the standard deviation that trains, roughness spectra and
@@ -150,7 +160,7 @@ impl Section {
 
     /// Measured levels of all bands \[dB(A)\].
     fn totals(&self) -> Vec<f64> {
-        self.measured.iter().map(|(_, total, _)| *total).collect()
+        self.measured.iter().map(|passage| passage.total).collect()
     }
 }
 
@@ -193,15 +203,18 @@ fn decay(section: &str) -> Vec<(FrequencyBand, Vec<f64>)> {
     bands
 }
 
-fn measured(section: &str) -> Vec<(u32, f64, Vec<(FrequencyBand, f64)>)> {
+fn measured(section: &str) -> Vec<Passage> {
     let trains =
         rows(PASS_BYS).filter(|row| row("section") == section && row("train_type") == "IC");
     trains
         .map(|row| {
             let bands = FrequencyBand::all();
             let levels = bands.map(|band| (band, number(&row(&format!("leq.{}", band.nominal())))));
-            let passage = row("passby").parse().expect("a number");
-            (passage, number(&row("leq.tot")), levels.collect())
+            Passage {
+                number: row("passby").parse().expect("a number"),
+                total: number(&row("leq.tot")),
+                bands: levels.collect(),
+            }
         })
         .collect()
 }
@@ -298,9 +311,10 @@ pub(crate) fn dampers_save_no_more_than_computed() -> Row {
         let savings: Vec<f64> = section
             .measured
             .iter()
-            .filter_map(|(passage, total, _)| {
-                let mut same = B5.measured.iter().filter(|other| other.0 == *passage);
-                same.next().map(|other| other.1 - total)
+            .filter_map(|passage| {
+                let mut trains = B5.measured.iter();
+                let same = trains.find(|other| other.number == passage.number)?;
+                Some(same.total - passage.total)
             })
             .collect();
         let (measured, spread) = (mean(&savings), deviation(&savings));
