@@ -85,6 +85,7 @@ impl Case {
             let of_twist = [
                 "polar_second_moment",
                 "warping_constant",
+                "centroid_height",
                 "head_height",
                 "foot_depth",
                 "foot_width",

@@ -9,7 +9,7 @@ import { labelOf, nameOf, number, t, written as worded } from './words.js';
 /** A file cannot come over the page, and the page has one wheel that creeps along one rail. */
 const NOT_HERE = [
   'track.measurement', 'wheelset', 'train', 'opposite_contact', 'contact.contact_angle', 'contact.lateral_offset', 'rail.torsion_constant',
-  'rail.polar_second_moment', 'rail.warping_constant', 'rail.head_height', 'rail.foot_depth', 'rail.foot_width',
+  'rail.polar_second_moment', 'rail.warping_constant', 'rail.centroid_height', 'rail.head_height', 'rail.foot_depth', 'rail.foot_width',
 ];
 
 /** Ranges of the sliders in SI, and whether they are logarithmic. */

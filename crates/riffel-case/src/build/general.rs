@@ -298,8 +298,7 @@ impl CheckedKeys {
             torsion_constant: keys.torsion_constant,
             polar_second_moment: keys.polar_second_moment,
             warping_constant: keys.warping_constant,
-            // The mass is at the shear centre.
-            centroid_height: 0.0,
+            centroid_height: keys.centroid_height,
             foot_depth,
             foot_width,
             shear_modulus: rail

@@ -53,6 +53,9 @@ pub struct Rail {
     /// Warping constant I_ω of the stiffness EI_ω; left out, none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub warping_constant: Option<Quantity<WarpingConstant>>,
+    /// Height c of the centroid, where the mass is, above the shear centre, for a rail that twists; left out, none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub centroid_height: Option<Quantity<Length>>,
     /// Height h of the running surface above the shear centre, for a rail that twists.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub head_height: Option<Quantity<Length>>,

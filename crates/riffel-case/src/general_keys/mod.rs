@@ -85,6 +85,8 @@ pub(crate) struct TwistKeys {
     pub(crate) polar_second_moment: f64,
     /// I_ω \[m⁶\].
     pub(crate) warping_constant: f64,
+    /// c \[m\].
+    pub(crate) centroid_height: f64,
     /// h \[m\].
     pub(crate) head_height: f64,
     /// Depth d \[m\] and width B \[m\] of the foot; none for a rail without supports.
@@ -316,6 +318,7 @@ impl CheckedKeys {
             torsion_constant: torsion_constant.si(),
             polar_second_moment,
             warping_constant: or(rail.warping_constant, 0.0),
+            centroid_height: or(rail.centroid_height, 0.0),
             head_height,
             foot,
         }))

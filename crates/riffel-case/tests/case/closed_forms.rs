@@ -152,3 +152,31 @@ fn two_wheels_of_the_paper() {
         }
     }
 }
+
+/// Lateral receptance of the head of 60E1 on pads of 120 and 40 MN/m, with its mass at the centroid and at the shear centre:
+/// modulus \[m/N\] and phase as in the book, to its digits.
+#[rstest]
+#[case("33 mm", 1.53e-7, -45.0)]
+#[case("0", 9.74e-8, -18.0)]
+fn the_centroid_is_where_the_mass_is(
+    #[case] height: &str,
+    #[case] modulus: f64,
+    #[case] degrees: f64,
+) {
+    let height = format!("rail.centroid_height={height}");
+    let text = include_str!("../../cases/curve.toml");
+    let case = case(text, &["steel.youngs_modulus=210 GPa", &height]);
+    let general = case.feedback.general().unwrap();
+    let [track, _] = general.receptances(std::f64::consts::TAU * 100.0, 10.0);
+    let lateral = track[1][1];
+    assert!((lateral.norm() / modulus - 1.0).abs() < 5e-3, "{lateral}");
+    assert!(
+        (lateral.arg().to_degrees() - degrees).abs() < 0.5,
+        "{lateral}"
+    );
+    assert!(
+        case.remarks
+            .iter()
+            .all(|remark| !remark.to_string().contains("usual"))
+    );
+}

@@ -146,6 +146,12 @@ pub static RANGES: &[PhysicalRange] = &[
         "None where sections stay plane; 60E1 has 2e-8 m6.",
     ),
     row::<Length>(
+        &["rail.centroid_height"],
+        [-10.0, 10.0],
+        [0.0, 0.06],
+        "60E1 has 33 mm: the foot draws the shear centre down; none puts the mass at the shear centre.",
+    ),
+    row::<Length>(
         &["rail.head_height", "rail.foot_depth"],
         [0.0, 10.0],
         [0.01, 0.2],
