@@ -36,6 +36,7 @@ pub mod report;
 pub mod ridge;
 pub mod roughness;
 pub mod simulate;
+mod stability;
 pub mod study;
 mod track_in_words;
 pub mod wheelset;

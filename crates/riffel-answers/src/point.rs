@@ -5,6 +5,8 @@ use riffel_case::{Case, Point, Sensitivity};
 use riffel_keys::CaseError;
 use serde::Serialize;
 
+use crate::stability::StabilityDocument;
+
 /// What is asked of one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointRequest {
@@ -25,6 +27,9 @@ pub struct PointAnswer {
     /// Every quantity with its key.
     #[serde(flatten)]
     pub quantities: Point,
+    /// Whether the loop oscillates without any profile at the speed; none for one wheel and one axis.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stability: Option<StabilityDocument>,
     /// What growth answers to, the strongest first; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity: Option<Vec<Sensitivity>>,
@@ -47,6 +52,7 @@ impl PointAnswer {
         Ok(Self {
             quantities: Point::new(case, &state),
             state,
+            stability: case.stability(speed).map(StabilityDocument::from),
             sensitivity,
         })
     }

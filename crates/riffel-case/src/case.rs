@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
+use riffel::receptance::ResonanceKind;
 use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
@@ -40,6 +41,9 @@ pub struct Case {
     pub carter: Option<Carter3d>,
     /// The wheelset; none for a lone wheel.
     pub wheelset: Option<Arc<CaseWheelset>>,
+    /// Named angular frequencies \[rad/s\] of the rail across the track, undamped, lowest first: cut-on of lateral motion
+    /// and of roll, pinned-pinned. Empty where the rail does not move so in the loop.
+    pub lateral_resonances: Vec<(ResonanceKind, f64)>,
     /// Wavelengths of the map \[m\].
     pub wavelength: Axis,
     /// Speeds of the map \[m/s\].
@@ -107,6 +111,7 @@ impl Case {
             steady,
             carter,
             wheelset,
+            lateral_resonances,
             wavelength,
             speed,
             remarks,
@@ -121,6 +126,7 @@ impl Case {
             steady,
             carter,
             wheelset,
+            lateral_resonances,
             wavelength,
             speed,
             remarks,

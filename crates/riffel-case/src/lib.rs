@@ -37,6 +37,7 @@ mod portable_case;
 mod preset;
 mod resonances;
 mod sensitivity;
+mod stability;
 mod track;
 pub mod traffic;
 mod variant;

@@ -13,6 +13,7 @@ use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
 use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
+use crate::stability::StabilityAtSpeed;
 
 pub use bay::{BayDocument, BayGrowth};
 pub use panel::{Shown, map_figure, panel};
@@ -77,6 +78,9 @@ pub struct MapDocument<'a> {
     inputs: &'a CaseFile,
     derived: DerivedDocument,
     ridge: RidgeSummary<'a>,
+    /// At the speeds judged; none for one wheel and one axis.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    stability: Vec<StabilityAtSpeed>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bay: Option<BayDocument>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -164,6 +168,9 @@ impl MapAnswer {
                 speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
                 speeds: ridge.points.len(),
             },
+            stability: (case.stability_over_the_map().into_iter())
+                .map(StabilityAtSpeed::from)
+                .collect(),
             bay: self.bay.as_ref().map(BayGrowth::summary),
             observations: self.observations,
             remarks: &case.remarks,

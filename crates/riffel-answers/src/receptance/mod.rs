@@ -37,6 +37,8 @@ pub struct ReceptanceAnswer {
     pub curves: ReceptanceCurves,
     /// The resonances, lowest first.
     pub resonances: Vec<Resonance>,
+    /// Named frequencies \[Hz\] of the rail across the track, where it moves so in the loop.
+    pub lateral_resonances: Vec<(ResonanceKind, f64)>,
     speed: f64,
     direction: Direction,
 }
@@ -50,8 +52,18 @@ fn pairs(values: &[Complex64]) -> Vec<[f64; 2]> {
 pub struct ReceptanceDocument {
     frequency_hz: Vec<f64>,
     resonances: Vec<ResonanceDocument>,
+    /// Across the track, where the rail moves so.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lateral_resonances: Vec<LateralResonance>,
     #[serde(flatten)]
     joints: serde_json::Map<String, serde_json::Value>,
+}
+
+/// One that is known by its frequency alone, without damping.
+#[derive(Serialize)]
+struct LateralResonance {
+    resonance: String,
+    frequency_hz: f64,
 }
 
 /// One resonance; damping and resolution where the receptance has no model.
@@ -101,6 +113,9 @@ impl ReceptanceAnswer {
             track,
             curves,
             resonances,
+            lateral_resonances: (case.lateral_resonances.iter())
+                .map(|(kind, w)| (*kind, w / TAU))
+                .collect(),
             speed,
             direction,
         })
@@ -123,6 +138,12 @@ impl ReceptanceAnswer {
         ReceptanceDocument {
             frequency_hz: self.curves.frequencies.clone(),
             resonances: self.resonances.iter().map(ResonanceDocument::new).collect(),
+            lateral_resonances: (self.lateral_resonances.iter())
+                .map(|(kind, frequency_hz)| LateralResonance {
+                    resonance: kind.to_string(),
+                    frequency_hz: *frequency_hz,
+                })
+                .collect(),
             joints: joints.collect(),
         }
     }

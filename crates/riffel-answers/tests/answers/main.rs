@@ -1,5 +1,6 @@
 //! What answers say.
 
+mod all_axes;
 mod branches;
 mod comparison;
 mod forecast;

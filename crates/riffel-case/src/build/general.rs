@@ -54,7 +54,16 @@ impl CheckedKeys {
                 ..side.clone()
             }));
         }
-        let track = self.spatial_track(keys, steel, vertical, &points, &mut remarks)?;
+        let spatial = self.spatial_track(keys, steel, &points, &mut remarks)?;
+        let lateral_resonances = spatial.as_ref().map(SpatialTrack::lateral_resonances);
+        let track: Arc<dyn Structure> = match spatial {
+            Some(spatial) => Arc::new(spatial),
+            None => Arc::new(Uncoupled {
+                longitudinal: None,
+                lateral: None,
+                vertical: Some(vertical.receptance.clone()),
+            }),
+        };
         let wheelset = keys.wheelset.as_ref();
         let wheelset = wheelset.map(|wheelset| {
             let radius = hertz.rolling_radius();
@@ -81,6 +90,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            lateral_resonances: lateral_resonances.unwrap_or_default(),
             remarks,
         })
     }
@@ -160,14 +170,14 @@ impl CheckedKeys {
     }
 
     /// The track along all axes it has: without wheelsets and without twist downward alone, as in the loop of one axis.
+    /// None for one whose model knows its vertical receptance under the load alone.
     fn spatial_track(
         &self,
         keys: &GeneralKeys,
         steel: ElasticMaterial,
-        vertical: &Track,
         points: &[(Rail, f64)],
         remarks: &mut Vec<Remark>,
-    ) -> Result<Arc<dyn Structure>, CaseError> {
+    ) -> Result<Option<SpatialTrack>, CaseError> {
         let model = self.file.track.model;
         let modelled = self.given.track.is_none()
             && !matches!(model, TrackModel::MovingBeam | TrackModel::Measured);
@@ -188,11 +198,7 @@ impl CheckedKeys {
                     "dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr",
                 ));
             }
-            return Ok(Arc::new(Uncoupled {
-                longitudinal: None,
-                lateral: None,
-                vertical: Some(vertical.receptance.clone()),
-            }));
+            return Ok(None);
         }
         let on_supports = model != TrackModel::FreeBeam;
         let all_axes = keys.wheelset.is_some() || keys.twist.is_some();
@@ -287,7 +293,7 @@ impl CheckedKeys {
             };
             track.with_contact(rail, point)
         });
-        Ok(Arc::new(track))
+        Ok(Some(track))
     }
 
     fn twist_of(&self, keys: &TwistKeys, steel: ElasticMaterial) -> Result<Twist, CaseError> {

@@ -10,6 +10,7 @@ mod wheelset;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
+use riffel::receptance::ResonanceKind;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact, Loop,
@@ -33,6 +34,7 @@ pub(crate) struct BuiltCase {
     pub(crate) steady: MeanRolling,
     pub(crate) carter: Option<Carter3d>,
     pub(crate) wheelset: Option<Arc<CaseWheelset>>,
+    pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
     pub(crate) remarks: Vec<Remark>,
@@ -45,6 +47,7 @@ struct ClosedLoop {
     steady: MeanRolling,
     carter: Option<Carter3d>,
     wheelset: Option<Arc<CaseWheelset>>,
+    lateral_resonances: Vec<(ResonanceKind, f64)>,
     remarks: Vec<Remark>,
 }
 
@@ -64,6 +67,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            lateral_resonances,
             remarks: of_loop,
         } = closed;
         let mut remarks = self.text.remarks.clone();
@@ -85,6 +89,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            lateral_resonances,
             wavelength,
             speed,
             remarks,
@@ -118,6 +123,7 @@ impl CheckedKeys {
             steady,
             carter: contact.carter,
             wheelset: None,
+            lateral_resonances: Vec::new(),
             remarks,
         })
     }

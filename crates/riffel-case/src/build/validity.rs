@@ -6,6 +6,7 @@ use riffel_keys::{Remark, Sentence};
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
 use crate::measurement;
+use crate::stability;
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
 
@@ -169,14 +170,8 @@ pub(crate) fn of_contact(
 ///
 /// A loop whose phase cannot be followed, for want of any loss or of measured frequencies, is not judged.
 fn unstable(feedback: &Loop, speed: Axis) -> Option<Remark> {
-    /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
-    const BAND: (f64, f64) = (1.0, 10e3);
-    let general = feedback.general()?;
-    let speeds = [speed.min(), 0.5 * (speed.min() + speed.max()), speed.max()];
-    let (speed, frequency) = speeds.into_iter().find_map(|speed| {
-        let stability = general.stability(speed, BAND.0, BAND.1).ok()?;
-        Some((speed, stability.frequency?))
-    })?;
+    let (speed, frequency) = stability::over(feedback, speed)
+        .find_map(|(speed, stability)| Some((speed, stability.frequency?)))?;
     let values = [format!("{:.0}", 3.6 * speed), format!("{frequency:.0}")];
     let [speed, frequency] = values;
     Some(Remark::new(

@@ -172,6 +172,16 @@ fn readable(case: &Case, answer: &ReceptanceAnswer, decay: Option<&[DecayRate]>)
         }
         text.push_str(&format!("{rows}\n"));
     }
+    if !answer.lateral_resonances.is_empty() {
+        let named = answer.lateral_resonances.iter();
+        let named: Vec<String> = named
+            .map(|(kind, frequency)| format!("{kind} {frequency:.1} Hz"))
+            .collect();
+        text.push_str(&format!(
+            "across the track, undamped: {}\n",
+            named.join(", ")
+        ));
+    }
     if let Some(rates) = decay {
         let list: Vec<String> = rates
             .iter()

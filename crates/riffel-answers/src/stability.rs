@@ -1,0 +1,39 @@
+//! Whether the loop oscillates without any profile, as data.
+
+use riffel::feedback::Stability;
+use serde::Serialize;
+
+/// Oscillations that grow by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct StabilityDocument {
+    /// Two for each such oscillation; zero where the loop is stable.
+    unstable_roots: usize,
+    /// That of the highest; none where the loop is stable.
+    frequency_hz: Option<f64>,
+}
+
+/// The same at one of several speeds.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct StabilityAtSpeed {
+    speed_m_per_s: f64,
+    #[serde(flatten)]
+    stability: StabilityDocument,
+}
+
+impl From<Stability> for StabilityDocument {
+    fn from(stability: Stability) -> Self {
+        Self {
+            unstable_roots: stability.unstable_roots,
+            frequency_hz: stability.frequency,
+        }
+    }
+}
+
+impl From<(f64, Stability)> for StabilityAtSpeed {
+    fn from((speed_m_per_s, stability): (f64, Stability)) -> Self {
+        Self {
+            speed_m_per_s,
+            stability: stability.into(),
+        }
+    }
+}
