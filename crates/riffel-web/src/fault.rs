@@ -28,7 +28,7 @@ pub(crate) struct Fault {
     line: Option<usize>,
     /// What a developer of the page wants to know, and nobody else.
     #[serde(skip_serializing_if = "Option::is_none")]
-    detail: Option<String>,
+    detail: Option<Box<str>>,
 }
 
 impl Fault {
@@ -71,9 +71,9 @@ impl Fault {
     }
 
     /// A request in another form than that of this program's page.
-    pub(crate) fn misunderstood(detail: String) -> Self {
+    pub(crate) fn misunderstood(detail: &str) -> Self {
         Self {
-            detail: Some(detail),
+            detail: Some(detail.into()),
             ..Self::refused(
                 StatusCode::UNPROCESSABLE_ENTITY,
                 "the page and the program do not understand each other".to_owned(),

@@ -91,7 +91,7 @@ impl<S: Sync, T: DeserializeOwned> FromRequest<S> for Asked<T> {
             })??;
         serde_json::from_slice(&bytes)
             .map(Self)
-            .map_err(|error| Fault::misunderstood(error.to_string()))
+            .map_err(|error| Fault::misunderstood(&error.to_string()))
     }
 }
 

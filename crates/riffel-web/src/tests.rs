@@ -564,3 +564,15 @@ fn sliders_stay_within_what_is_usual() {
     }
     assert_eq!(seen, 5);
 }
+
+#[tokio::test]
+async fn a_request_of_another_form_keeps_its_insides_for_developers() {
+    let answer = ask("/api/map", &json!({ "case": { "keys": null } })).await;
+    assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
+    let fault = answer.json();
+    let inside = |key: &str| fault[key].as_str().unwrap().contains("invalid type");
+    assert!(
+        inside("detail") && !inside("message") && !inside("help"),
+        "{fault}"
+    );
+}
