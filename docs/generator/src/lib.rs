@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "init",
     "point",
     "map",
@@ -25,6 +25,7 @@ const COMMANDS: [&str; 18] = [
     "report",
     "forecast",
     "compare",
+    "noise",
     "study",
     "figures",
     "serve",
