@@ -23,13 +23,14 @@ pub(super) static MODEL: FieldModel = FieldModel {
     assumptions: &[
         "a track on pads, sleepers and ballast spread evenly",
         "the contact is a spring (Mindlin) and a dashpot (the slope of the steady law) in series in each direction",
-        "the wheelset does not answer in rotation: creepage along the rail oscillates by geometry alone",
+        "the wheelset does not answer in rotation: creepage along the rail would oscillate by geometry alone",
     ],
     leaves_out: &[
         "rotational inertia of the wheelset",
         "discrete supports",
         "spin",
         "the exact delay of the contact",
+        "conformity, its cause of oscillating creepage: a case tells neither both profiles nor the cross slope of the ripple",
     ],
     not_given: &[
         "profiles of wheel and rail, steady creepages and values of the track: those of the case stand in",

@@ -1,6 +1,7 @@
 //! Wheel–rail contact: its size and stiffness, the steady creep laws, and the response of creep
 //! force and dissipation to small oscillations of load and creepage.
 
+mod conformity;
 mod ellipse;
 mod half_space;
 mod law;
@@ -13,6 +14,7 @@ mod response;
 mod rolling;
 mod spring_dashpot;
 
+pub use conformity::Conformity;
 pub use ellipse::{
     ContactBody, ContactFilter, EllipticContact, EllipticIntegrals, HertzContact,
     KalkerCoefficients, creep_coefficient,
