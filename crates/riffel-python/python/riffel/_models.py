@@ -42,7 +42,7 @@ def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Qu
     >>> named = ["grassie-johnson-1985", "afferrante-ciavarella-2009"]
     >>> growth = riffel.compare_models(case, named, speed="30 m/s")
     >>> (growth["growth_rate"] > 0).mean("wavelength").round(1).values.tolist()
-    [0.2, 0.8]
+    [0.3, 0.7]
     """
     if isinstance(models, str):
         raise ValueError(f"models is {models!r}, but must be a sequence of names")
