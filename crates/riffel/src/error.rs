@@ -117,6 +117,17 @@ pub enum Error {
         change: f64,
     },
 
+    /// A profile that ends before the motion has forgotten its beginning.
+    #[error(
+        "the profile is {length:.3} m long, but the motion remembers {memory:.3} m of rail; give a longer one"
+    )]
+    ProfileTooShort {
+        /// Length of the profile \[m\].
+        length: f64,
+        /// Distance after which a step of the rail is forgotten \[m\].
+        memory: f64,
+    },
+
     /// A wheel that hops instead of rolling.
     #[error(
         "a sinusoid of {:.1} um and {:.1} mm keeps the wheel in the air for {:.0} % of a wave; choose a smaller amplitude",

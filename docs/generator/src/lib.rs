@@ -14,11 +14,13 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 19] = [
+const COMMANDS: [&str; 21] = [
     "init",
     "point",
     "map",
     "receptance",
+    "wheelset",
+    "simulate",
     "contact",
     "roughness",
     "diagnose",

@@ -1,10 +1,12 @@
 //! A wheel of a case along a rail, in time.
 
+mod along_rail;
 mod course;
 mod document;
 mod remarks;
 mod sinusoid;
 
+pub use along_rail::{PassageAnswer, PassageRequest};
 pub use course::Course;
-pub use document::{HarmonicDocument, SinusoidDocument};
+pub use document::{HarmonicDocument, PassageDocument, SinusoidDocument};
 pub use sinusoid::{SinusoidAnswer, SinusoidRequest};

@@ -51,6 +51,20 @@ pub(crate) struct Part {
     pub(crate) to: Option<Quantity<Length>>,
 }
 
+impl Layout {
+    /// The first argument given.
+    pub(crate) fn given(&self) -> Option<&'static str> {
+        let given = [
+            ("--format", self.format.is_some()),
+            ("--spacing", self.spacing.is_some()),
+            ("--height-unit", self.height_unit.is_some()),
+            ("--position-unit", self.position_unit.is_some()),
+        ];
+        let first = given.into_iter().find(|(_, is)| *is);
+        first.map(|(name, _)| name).or_else(|| self.part.given())
+    }
+}
+
 impl Part {
     /// The first argument given.
     fn given(&self) -> Option<&'static str> {

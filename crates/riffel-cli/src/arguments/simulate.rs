@@ -7,13 +7,13 @@ use clap::{ArgGroup, Args};
 use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
-use super::{Asked, CaseArguments};
+use super::{Asked, CaseArguments, Layout};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 
 #[derive(Args)]
 #[command(
-    group = ArgGroup::new("rail").required(true),
+    group = ArgGroup::new("surface").required(true),
     after_help = "Example: riffel simulate case.toml --speed \"108 km/h\" --sinusoid 20um,55mm"
 )]
 pub(crate) struct Simulate {
@@ -28,12 +28,23 @@ pub(crate) struct Simulate {
     #[arg(
         long,
         value_name = "AMPLITUDE,WAVELENGTH",
-        group = "rail",
+        group = "surface",
         allow_hyphen_values = true
     )]
     pub(crate) sinusoid: Option<SinusoidArgument>,
 
-    /// Largest distance between two steps [default: 1/256 of a sinusoid's wavelength].
+    /// Roll along the profile of a file, such as a trolley's.
+    #[arg(long, value_name = "FILE", group = "surface")]
+    pub(crate) profile: Option<PathBuf>,
+
+    /// Take this much of the profile [default: all].
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) length: Option<Quantity<Length>>,
+
+    #[command(flatten)]
+    pub(crate) layout: Layout,
+
+    /// Largest distance between two steps [default: 1/256 of a sinusoid's wavelength, 0.5 mm along a profile].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) step: Option<Quantity<Length>>,
 

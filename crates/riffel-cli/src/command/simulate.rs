@@ -1,12 +1,18 @@
 //! `riffel simulate`
 
-use riffel::passage::Sinusoid;
-use riffel_answers::simulate::{SinusoidAnswer, SinusoidRequest};
-use riffel_case::Case;
+use std::path::Path;
 
+use riffel::passage::Sinusoid;
+use riffel::roughness::Profile;
+use riffel_answers::simulate::{PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest};
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_rail::RoughnessFile;
+
+use super::roughness::read;
 use crate::arguments::{Simulate, SinusoidArgument, positive};
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{print_remarks, say};
 use crate::output::{json, table};
 use crate::results::Results;
 
@@ -17,10 +23,138 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
         .step
         .map(|step| positive("--step", step))
         .transpose()?;
-    if let Some(sinusoid) = &arguments.sinusoid {
-        over_sinusoid(arguments, &case, speed, step, sinusoid)?;
+    match (&arguments.sinusoid, &arguments.profile) {
+        (Some(sinusoid), _) => {
+            let length = arguments.length.map(|_| "--length");
+            if let Some(argument) = arguments.layout.given().or(length) {
+                Err(CliError::Argument {
+                    argument,
+                    value: "given".to_owned(),
+                    rule: "left out: it is for --profile".to_owned(),
+                })?;
+            }
+            over_sinusoid(arguments, &case, speed, step, sinusoid)?;
+        }
+        // The parser asks for one of them.
+        (None, path) => {
+            let path = path.as_deref().unwrap_or_else(|| Path::new(""));
+            let profile = profile(path, arguments)?;
+            along_profile(arguments, &case, speed, step, profile)?;
+        }
     }
     Ok(())
+}
+
+/// The profile asked for: one rail, its longest stretch without a gap.
+fn profile(path: &Path, arguments: &Simulate) -> miette::Result<Profile> {
+    let length = arguments
+        .length
+        .map(|length| positive("--length", length))
+        .transpose()?;
+    let refuse = |message: String| CaseError::data(path, message);
+    let RoughnessFile::Profile(record) = read(path, &arguments.layout)? else {
+        Err(refuse(
+            "the file is a table of levels, but a wheel rolls along a profile".to_owned(),
+        ))?
+    };
+    let rail = match &record.rails[..] {
+        [rail] => rail,
+        rails => {
+            let names: Vec<&str> = rails.iter().map(|rail| rail.name.as_str()).collect();
+            Err(refuse(format!(
+                "the file has the rails {}; choose one by --rail",
+                names.join(", ")
+            )))?
+        }
+    };
+    let longest = rail
+        .stretches
+        .iter()
+        .max_by(|one, other| one.length().total_cmp(&other.length()));
+    let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
+    if rail.stretches.len() > 1 {
+        say(format_args!(
+            "of {} stretches without a gap the longest is taken, from {:.3} m on",
+            rail.stretches.len(),
+            profile.start()
+        ));
+    }
+    for warning in &record.warnings {
+        say(warning);
+    }
+    let Some(length) = length else {
+        return Ok(profile.clone());
+    };
+    let start = profile.start();
+    let part = profile.between(start, start + length);
+    Ok(part.ok_or_else(|| refuse(format!("--length is {length} m, less than two samples")))?)
+}
+
+fn along_profile(
+    arguments: &Simulate,
+    case: &Case,
+    speed: f64,
+    step: Option<f64>,
+    profile: Profile,
+) -> Result<(), CliError> {
+    let request = PassageRequest {
+        speed,
+        profile,
+        largest_step: step.unwrap_or(PassageRequest::USUAL_STEP),
+    };
+    let answer = PassageAnswer::new(case, request)?;
+    results(arguments).hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("passage", &answer.figure(case))?;
+            staging.write_with("passage.csv", |file| answer.course().csv(file))?;
+            staging.write("passage.json", json(&answer.document()))
+        },
+        || readable_passage(case, &answer),
+    )?;
+    print_remarks(&case.remarks);
+    print_remarks(&answer.remarks);
+    Ok(())
+}
+
+fn results(arguments: &Simulate) -> Results<'_> {
+    Results {
+        command: "simulate",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    }
+}
+
+/// What a passage was like, for the terminal.
+fn readable_passage(case: &Case, answer: &PassageAnswer) -> String {
+    let document = answer.document();
+    let profile = &answer.request.profile;
+    format!(
+        "{}\n{:.2} m from {:.3} m on at {:.1} km/h, a run-in of {:.2} m before, steps of {:.3} mm\n\
+         normal force {:.2} to {:.2} kN; {}\nmean creepage {:.4} %, mean dissipation {:.4} J/m\n",
+        case.file
+            .title
+            .as_deref()
+            .unwrap_or("Wheel along a profile"),
+        profile.length(),
+        profile.start(),
+        3.6 * document.speed_m_per_s,
+        document.run_in_m,
+        1e3 * document.step_m,
+        1e-3 * document.minimum_normal_force_n,
+        1e-3 * document.maximum_normal_force_n,
+        without_contact(document.contact_loss_fraction),
+        100.0 * document.mean_creepage,
+        document.mean_dissipation_j_per_m,
+    )
+}
+
+fn without_contact(share: f64) -> String {
+    match share {
+        0.0 => "always in contact".to_owned(),
+        share => format!("no contact for {:.1} % of the time", 100.0 * share),
+    }
 }
 
 fn over_sinusoid(
@@ -44,18 +178,12 @@ fn over_sinusoid(
         steps,
     };
     let answer = SinusoidAnswer::new(case, request)?;
-    let results = Results {
-        command: "simulate",
-        case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
-    };
-    results.hand_out(
+    results(arguments).hand_out(
         || json(&answer.document()),
         |staging| {
             staging.write_figure("wave", &answer.figure(case))?;
             staging.write_with("wave.csv", |file| answer.course().csv(file))?;
-            staging.write("harmonics.json", json(&answer.document()).as_bytes())
+            staging.write("harmonics.json", json(&answer.document()))
         },
         || readable(case, &answer),
     )?;
@@ -126,9 +254,6 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
         speed / profile.wavelength,
         1e-3 * least,
         1e-3 * largest,
-        match settled.contact_loss {
-            0.0 => "always in contact".to_owned(),
-            share => format!("no contact for {:.1} % of the time", 100.0 * share),
-        },
+        without_contact(settled.contact_loss),
     )
 }

@@ -56,3 +56,70 @@ fn a_high_wave_is_drawn() {
     assert_eq!(table.lines().count(), 1 + 257);
     assert!(table.starts_with("position_m,height_m,normal_force_n,"));
 }
+
+/// A profile of a sinusoid has the largest force of the sinusoid; what is no profile, too short or too coarse is refused.
+#[test]
+fn a_profile_is_rolled_over() {
+    let sandbox = Sandbox::new();
+    let write = |name: &str, spacing: f64, length: f64| {
+        let mut text = String::from("position_m,height_um\n");
+        for index in 0..(length / spacing) as usize {
+            let x = spacing * index as f64;
+            text += &format!(
+                "{x:.4},{:.6}\n",
+                20.0 * (std::f64::consts::TAU * x / 0.055).cos()
+            );
+        }
+        std::fs::write(sandbox.path(name), text).unwrap();
+    };
+    write("long.csv", 1e-3, 60.0);
+    write("short.csv", 1e-3, 1.2);
+    write("coarse.csv", 8e-3, 60.0);
+    let settled = sandbox.json(&format!(
+        "simulate {CASE} --speed 30 --sinusoid 20um,55mm --json"
+    ));
+    let passage = sandbox.json(&format!(
+        "simulate {CASE} --speed 30 --profile long.csv --length \"50 m\" --json"
+    ));
+    assert_eq!(passage["position_m"].as_array().unwrap().len(), 50_000);
+    let forces = passage["normal_force_n"].as_array().unwrap();
+    // The second half, since the beginning is still remembered.
+    let largest = forces[25_000..]
+        .iter()
+        .filter_map(Value::as_f64)
+        .fold(0.0, f64::max);
+    let expected = settled["maximum_normal_force_n"].as_f64().unwrap();
+    assert!(
+        (largest / expected - 1.0).abs() < 2e-3,
+        "{largest} {expected}"
+    );
+    let written = sandbox.riffel(&format!(
+        "simulate {CASE} --speed 30 --profile long.csv -o out"
+    ));
+    assert_eq!(written.status, Some(0), "{}", written.text);
+    let table = std::fs::read_to_string(sandbox.path("out/passage.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 60_000);
+    for (arguments, words) in [
+        ("--speed 80 --profile short.csv", "remembers"),
+        ("--speed 30 --profile coarse.csv", "sampled every 8.000 mm"),
+        (
+            "--speed 30 --profile long.csv --length 0",
+            "greater than zero",
+        ),
+        (
+            "--speed 30 --sinusoid 20um,55mm --spacing 1mm",
+            "it is for --profile",
+        ),
+        ("--speed 30 --sinusoid 20um,55mm --length 1", "--profile"),
+    ] {
+        let refused = sandbox.riffel(&format!("simulate {CASE} {arguments}"));
+        assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
+        let text = refused
+            .text
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .replace("│ ", "");
+        assert!(text.contains(words), "{arguments}: {text}");
+    }
+}

@@ -8,6 +8,8 @@
 //! [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
 //! and [`Settled`] the state over a sinusoid that repeats itself with every wave.
 
+mod along_profile;
+mod evolution;
 mod hertz_spring;
 mod impulse_response;
 mod least_squares;
@@ -17,6 +19,8 @@ mod settled;
 mod track_motion;
 mod vector_fitting;
 
+pub use along_profile::Passage;
+pub use evolution::{Evolution, PassageExtremes, WearOfPassages};
 pub use hertz_spring::HertzSpring;
 pub use impulse_response::ImpulseResponse;
 pub use march::{ContactInstant, March};

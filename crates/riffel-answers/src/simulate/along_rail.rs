@@ -1,0 +1,123 @@
+//! A wheel along a measured profile.
+
+use riffel::passage::{Passage, PassageModel};
+use riffel::roughness::Profile;
+use riffel_case::Case;
+use riffel_keys::{CaseError, Remark};
+use riffel_plot::{Arrangement, LineFigure};
+
+use super::{Course, PassageDocument, remarks};
+use crate::{AnswerError, parameters};
+
+/// A profile to roll over.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassageRequest {
+    /// \[m/s\].
+    pub speed: f64,
+    /// The profile.
+    pub profile: Profile,
+    /// Longest step of the march \[m\].
+    pub largest_step: f64,
+}
+
+impl PassageRequest {
+    /// Longest step where nothing else is asked \[m\].
+    pub const USUAL_STEP: f64 = 5e-4;
+}
+
+/// One passage of a case along a profile.
+pub struct PassageAnswer {
+    /// What was asked.
+    pub request: PassageRequest,
+    /// The passage.
+    pub passage: Passage,
+    /// The model, of which the answer is.
+    pub model: PassageModel,
+    /// What the reader should know.
+    pub remarks: Vec<Remark>,
+}
+
+impl PassageAnswer {
+    /// A case along a profile.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`Case::passage`], for a profile coarser than the patch is long, and for one shorter than the
+    /// motion remembers.
+    pub fn new(case: &Case, request: PassageRequest) -> Result<Self, AnswerError> {
+        let profile = &request.profile;
+        check_sampling(case, profile)?;
+        let model = case.passage(request.speed)?;
+        let passage = model.pass(profile, request.largest_step).map_err(refused)?;
+        Ok(Self {
+            remarks: remarks::of_track(&model.track).into_iter().collect(),
+            request,
+            passage,
+            model,
+        })
+    }
+
+    /// The passage as data: what `riffel simulate --profile --json` prints.
+    pub fn document(&self) -> PassageDocument {
+        let [least, largest] = self.passage.normal_force;
+        let course = self.course();
+        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+        PassageDocument {
+            speed_m_per_s: self.request.speed,
+            step_m: self.passage.step,
+            run_in_m: self.passage.run_in,
+            mean_dissipation_j_per_m: mean(&course.dissipation_j_per_m),
+            mean_creepage: mean(&course.creepage),
+            contact_loss_fraction: self.passage.contact_loss,
+            minimum_normal_force_n: least,
+            maximum_normal_force_n: largest,
+            track_share_cut: self.model.track.share_cut(),
+            course,
+        }
+    }
+
+    /// The passage, height by height.
+    pub fn course(&self) -> Course {
+        let profile = &self.request.profile;
+        Course::new(
+            (0..profile.heights().len())
+                .map(|index| profile.position(index))
+                .collect(),
+            profile.heights().to_vec(),
+            &self.passage.contacts,
+        )
+    }
+
+    /// The passage as strips.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        LineFigure {
+            title: format!("A passage at {:.1} km/h", 3.6 * self.request.speed),
+            caption: format!("Wheel centre at x. {}", parameters(case)),
+            panels: self.course().panels(),
+            arrangement: Arrangement::Strips,
+        }
+    }
+}
+
+/// `Ok` if a profile is sampled at least once in a semi-axis of the contact.
+pub(super) fn check_sampling(case: &Case, profile: &Profile) -> Result<(), AnswerError> {
+    let largest = case.hertz.semi_axis_longitudinal();
+    if profile.spacing() <= largest {
+        return Ok(());
+    }
+    Err(AnswerError::Argument {
+        argument: "--profile",
+        value: format!("sampled every {:.3} mm", 1e3 * profile.spacing()),
+        rule: format!(
+            "sampled at least every {:.3} mm, the semi-axis of the contact along the rail",
+            1e3 * largest
+        ),
+    })
+}
+
+/// A refusal of the physics, of the profile.
+pub(super) fn refused(error: riffel::Error) -> CaseError {
+    CaseError::Physics {
+        input: "--profile".to_owned(),
+        error,
+    }
+}

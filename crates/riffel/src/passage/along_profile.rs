@@ -1,0 +1,217 @@
+//! A wheel along a given profile.
+
+use super::{ContactInstant, March, PassageModel};
+use crate::Error;
+use crate::roughness::Profile;
+
+/// What a wheel did along a profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passage {
+    /// The contact at every height of the profile.
+    pub contacts: Vec<ContactInstant>,
+    /// Share of the time without contact \[-\].
+    pub contact_loss: f64,
+    /// Least and largest normal force at any step \[N\].
+    pub normal_force: [f64; 2],
+    /// Step of the march \[m\].
+    pub step: f64,
+    /// Length of the run-in before the profile \[m\].
+    pub run_in: f64,
+}
+
+impl PassageModel {
+    /// Distance \[m\] after which a step of the rail is forgotten: the normal force stays within 10⁻⁴ of its largest
+    /// change, which is that of the contact's spring, ten times that of the wheel on the track.
+    ///
+    /// # Errors
+    /// [`Error::NotSettled`] where two seconds of rolling do not suffice.
+    pub fn memory(&self) -> Result<f64, Error> {
+        /// \[s\]: a fiftieth of the period of the contact's own oscillations.
+        const STEP: f64 = 2e-5;
+        /// \[s\]
+        const PATIENCE: f64 = 2.0;
+        const FORGOTTEN: f64 = 1e-4;
+        /// Small beside any approach \[m\].
+        const HEIGHT: f64 = 1e-8;
+        let load = self.spring.normal_force();
+        let mut march = self.march(STEP * self.speed)?;
+        let steps = (PATIENCE / STEP) as usize;
+        let mut change = || (march.advance(HEIGHT).normal_force - load).abs();
+        let changes: Vec<f64> = (0..steps).map(|_| change()).collect();
+        let largest = changes.iter().copied().fold(0.0, f64::max);
+        let remembered = |change: &f64| *change > FORGOTTEN * largest;
+        let last = changes.iter().rposition(remembered).unwrap_or(0);
+        if last + 1 == steps {
+            return Err(Error::NotSettled {
+                seconds: PATIENCE,
+                change: changes[last] / largest,
+            });
+        }
+        Ok((last + 2) as f64 * STEP * self.speed)
+    }
+
+    /// The wheel along a profile, in steps of at most the length given \[m\]; heights between samples are those of cubics
+    /// through four of them.
+    ///
+    /// The wheel comes from a smooth rail: before the profile lies its own beginning, mirrored on the straight line
+    /// through it and faded in over [`memory`](Self::memory), so that the motion is that of a rail which was rough before.
+    ///
+    /// # Errors
+    /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
+    pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
+        let heights = profile.heights();
+        let spacing = profile.spacing();
+        let memory = self.memory()?;
+        let run_in = (memory / spacing).ceil() as usize;
+        if run_in + 1 >= heights.len() {
+            return Err(Error::ProfileTooShort {
+                length: profile.length(),
+                memory,
+            });
+        }
+        let trend = Line::through(&heights[..=run_in]);
+        let rail = |index: isize| match usize::try_from(index) {
+            // Past the end the last height goes on, which only the cubic before it sees.
+            Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
+            Err(_) => {
+                let before = index.unsigned_abs().min(run_in);
+                let rough = heights[before] - trend.at(before as f64);
+                let share = 1.0 - before as f64 / run_in as f64;
+                (trend.slope * index as f64 + rough) * faded(share)
+            }
+        };
+        let substeps = (spacing / largest_step).ceil().max(1.0);
+        let mut march = self.march(spacing / substeps)?;
+        let mut roll = Roll::new(&mut march, substeps as usize);
+        roll.along(rail, -(run_in as isize), 0, |_| ());
+        roll.begin_to_count();
+        let mut contacts = Vec::with_capacity(heights.len());
+        contacts.push(roll.march.now());
+        roll.along(rail, 0, heights.len() as isize - 1, |contact| {
+            contacts.push(contact)
+        });
+        Ok(Passage {
+            contacts,
+            contact_loss: roll.lost as f64 / roll.steps as f64,
+            normal_force: roll.normal_force,
+            step: spacing / substeps,
+            run_in: run_in as f64 * spacing,
+        })
+    }
+}
+
+/// A straight line over the number of a height.
+struct Line {
+    mean: f64,
+    middle: f64,
+    slope: f64,
+}
+
+impl Line {
+    /// That of least squares.
+    fn through(heights: &[f64]) -> Self {
+        let count = heights.len() as f64;
+        let mean = heights.iter().sum::<f64>() / count;
+        let middle = 0.5 * (count - 1.0);
+        let numbered = heights.iter().enumerate();
+        let moment: f64 = numbered
+            .map(|(index, height)| (index as f64 - middle) * (height - mean))
+            .sum();
+        Self {
+            mean,
+            middle,
+            slope: moment * 12.0 / (count * (count * count - 1.0)),
+        }
+    }
+
+    fn at(&self, index: f64) -> f64 {
+        self.mean + self.slope * (index - self.middle)
+    }
+}
+
+/// From zero at or below zero to one at or above one, without a kink.
+pub(super) fn faded(share: f64) -> f64 {
+    let share = share.clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
+/// A march along heights at equal distances, with steps between them, and what is counted of it.
+pub(super) struct Roll<'a, 'b> {
+    pub(super) march: &'a mut March<'b>,
+    substeps: usize,
+    pub(super) steps: usize,
+    pub(super) lost: usize,
+    pub(super) normal_force: [f64; 2],
+}
+
+impl<'a, 'b> Roll<'a, 'b> {
+    pub(super) fn new(march: &'a mut March<'b>, substeps: usize) -> Self {
+        Self {
+            march,
+            substeps,
+            steps: 0,
+            lost: 0,
+            normal_force: [f64::INFINITY, f64::NEG_INFINITY],
+        }
+    }
+
+    /// Forget what was counted so far.
+    pub(super) fn begin_to_count(&mut self) {
+        self.steps = 0;
+        self.lost = 0;
+        self.normal_force = [f64::INFINITY, f64::NEG_INFINITY];
+    }
+
+    /// On from one height to another; `visit` is shown the contact at each height after the first.
+    pub(super) fn along(
+        &mut self,
+        heights: impl Fn(isize) -> f64,
+        from: isize,
+        to: isize,
+        mut visit: impl FnMut(ContactInstant),
+    ) {
+        for index in from..to {
+            let around = [-1, 0, 1, 2].map(|by| heights(index + by));
+            for step in 1..=self.substeps {
+                let height = cubic(around, step as f64 / self.substeps as f64);
+                let contact = self.march.advance(height);
+                let [least, largest] = &mut self.normal_force;
+                *least = least.min(contact.normal_force);
+                *largest = largest.max(contact.normal_force);
+                self.steps += 1;
+                self.lost += usize::from(contact.normal_force <= 0.0);
+            }
+            visit(self.march.now());
+        }
+    }
+}
+
+/// The cubic through four equidistant values (Lagrange), a share of the way from the second to the third.
+fn cubic(values: [f64; 4], share: f64) -> f64 {
+    let [a, b, c, d] = values;
+    let t = share;
+    let third = (d - a) / 6.0 + (b - c) / 2.0;
+    let second = (a + c) / 2.0 - b;
+    let first = c - b / 2.0 - a / 3.0 - d / 6.0;
+    b + t * (first + t * (second + t * third))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_found() {
+        let line = Line::through(&[1.0, 3.5, 6.0, 8.5]);
+        assert!((line.at(0.0) - 1.0).abs() < 1e-14 && (line.slope - 2.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn cubics_are_exact() {
+        let at = |x: f64| 2.0 - 3.0 * x + 0.5 * x * x - 0.25 * x * x * x;
+        for share in [0.0, 0.3, 0.5, 1.0] {
+            let got = cubic([at(-1.0), at(0.0), at(1.0), at(2.0)], share);
+            assert!((got - at(share)).abs() < 1e-14, "{share}");
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! A profile that wears under many passages.
+
+use num_complex::Complex64;
+use realfft::RealFftPlanner;
+
+use super::PassageModel;
+use super::along_profile::{Roll, faded};
+use crate::roughness::Profile;
+use crate::{EnergyWear, Error, PlaceOfWear};
+
+/// How a profile is worn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WearOfPassages {
+    /// Depth by energy.
+    pub wear: EnergyWear,
+    /// Where the energy of the wheel is left: [`PlaceOfWear`] of the linear loop, for which it is a pure shift.
+    pub place: PlaceOfWear,
+    /// Waves shorter than this do not wear \[m\]: the patch, 2a, covers them.
+    pub shortest: f64,
+    /// Share by which no band of the profile changes at once \[-\].
+    pub share: f64,
+    /// Longest step of a march \[m\].
+    pub largest_step: f64,
+}
+
+impl WearOfPassages {
+    /// A share of change at once that leaves a part of 10⁻³ of a growth rate: its square over six.
+    pub const USUAL_SHARE: f64 = 0.08;
+}
+
+/// A rail under one wheel after another.
+///
+/// The profile is a ring: the wheel that leaves its end comes to its beginning. So it has no ends to be tapered, and its
+/// waves are those of a Fourier series. The energy e(x) = Qξ of a passage lowers it by k_w/(ρ 2b) times the part that
+/// oscillates; the mean is only counted, as [`mean_depth`](Self::mean_depth). Many passages are taken at once, by Heun's
+/// method, as many as change no third-octave band by more than a share, or one at least. A band below a hundredth of
+/// the profile's rms counts as that.
+///
+/// The state is the profile and its number of passages alone: every march begins anew, with a run-in around the ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evolution {
+    heights: Vec<f64>,
+    spacing: f64,
+    passages: u64,
+    mean_depth: f64,
+}
+
+/// Loss of contact and forces of a passage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassageExtremes {
+    /// Share of the time without contact \[-\].
+    pub contact_loss: f64,
+    /// Least and largest normal force \[N\].
+    pub normal_force: [f64; 2],
+}
+
+impl Evolution {
+    /// A rail before any wheel. The profile is taken as one turn of the ring.
+    pub fn new(profile: &Profile) -> Self {
+        Self::resumed(profile, 0, 0.0)
+    }
+
+    /// A rail that a number of wheels have passed, which wore the mean depth given \[m\].
+    pub fn resumed(profile: &Profile, passages: u64, mean_depth: f64) -> Self {
+        let heights = profile.heights();
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        Self {
+            heights: match passages {
+                0 => heights.iter().map(|height| height - mean).collect(),
+                // To the last digit as it was.
+                _ => heights.to_vec(),
+            },
+            spacing: profile.spacing(),
+            passages,
+            mean_depth,
+        }
+    }
+
+    /// Heights \[m\].
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Distance of the heights \[m\].
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Wheels so far.
+    pub fn passages(&self) -> u64 {
+        self.passages
+    }
+
+    /// Depth worn off everywhere \[m\].
+    pub fn mean_depth(&self) -> f64 {
+        self.mean_depth
+    }
+
+    /// Wavelengths \[m\] and amplitudes \[m\] of the Fourier series, longest first, without the mean.
+    pub fn amplitudes(&self) -> Vec<(f64, f64)> {
+        let length = self.heights.len() as f64 * self.spacing;
+        let scale = 2.0 / self.heights.len() as f64;
+        let waves = spectrum(&self.heights).into_iter().enumerate().skip(1);
+        waves
+            .map(|(n, value)| (length / n as f64, scale * value.norm()))
+            .collect()
+    }
+
+    /// On by as many passages as the share of change allows, at most `most`; returns what the first of them was like.
+    ///
+    /// # Errors
+    /// Those of a march; [`Error::Airborne`] is not among them: a wheel may fly.
+    pub fn advance(
+        &mut self,
+        model: &PassageModel,
+        wear: &WearOfPassages,
+        memory: f64,
+        most: u64,
+    ) -> Result<PassageExtremes, Error> {
+        let (rate, depth, extremes) = self.rate(&self.heights, model, wear, memory)?;
+        let passages = self
+            .at_once(&rate, wear.share)
+            .clamp(1.0, most.max(1) as f64);
+        let moved = |by: &[f64]| -> Vec<f64> {
+            self.heights
+                .iter()
+                .zip(by)
+                .map(|(height, rate)| height + passages * rate)
+                .collect()
+        };
+        let (rate_after, depth_after, _) = self.rate(&moved(&rate), model, wear, memory)?;
+        let mean: Vec<f64> = rate
+            .iter()
+            .zip(&rate_after)
+            .map(|(one, other)| 0.5 * (one + other))
+            .collect();
+        self.heights = moved(&mean);
+        self.mean_depth += 0.5 * passages * (depth + depth_after);
+        self.passages += passages as u64;
+        Ok(extremes)
+    }
+
+    /// Change of the profile by one passage \[m\], its mean depth \[m\], and what the passage was like.
+    fn rate(
+        &self,
+        heights: &[f64],
+        model: &PassageModel,
+        wear: &WearOfPassages,
+        memory: f64,
+    ) -> Result<(Vec<f64>, f64, PassageExtremes), Error> {
+        let count = heights.len() as isize;
+        let run_in = (memory / self.spacing).ceil();
+        let ring = |index: isize| heights[index.rem_euclid(count) as usize];
+        let substeps = (self.spacing / wear.largest_step).ceil().max(1.0);
+        let mut march = model.march(self.spacing / substeps)?;
+        let mut roll = Roll::new(&mut march, substeps as usize);
+        let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
+        roll.along(fading, -(run_in as isize), 0, |_| ());
+        roll.begin_to_count();
+        let mut energies = vec![0.0; heights.len()];
+        let mut index = 0;
+        roll.along(ring, 0, count, |contact| {
+            // The wheel is now at the next height; the last is the first.
+            index = (index + 1) % heights.len();
+            energies[index] = contact.energy_per_metre();
+        });
+        let per_energy = wear.wear.depth_per_energy();
+        let length = heights.len() as f64 * self.spacing;
+        let mut waves = spectrum(&energies);
+        let mean = waves[0].re / heights.len() as f64;
+        for (n, wave) in waves.iter_mut().enumerate() {
+            let wavelength = length / n as f64;
+            *wave = match n == 0 || wavelength < wear.shortest {
+                true => Complex64::ZERO,
+                false => {
+                    -per_energy * *wave * Complex64::from_polar(1.0, -wear.place.lag(wavelength))
+                }
+            };
+        }
+        let extremes = PassageExtremes {
+            contact_loss: roll.lost as f64 / roll.steps as f64,
+            normal_force: roll.normal_force,
+        };
+        Ok((series(waves, heights.len()), per_energy * mean, extremes))
+    }
+
+    /// Passages after which the first third-octave band has changed by a share.
+    fn at_once(&self, rate: &[f64], share: f64) -> f64 {
+        let bands = |values: &[f64]| {
+            let mut bands: Vec<f64> = Vec::new();
+            for (n, wave) in spectrum(values).into_iter().enumerate().skip(1) {
+                let band = (10.0 * (n as f64).log10()).round() as usize;
+                bands.resize(bands.len().max(band + 1), 0.0);
+                bands[band] += wave.norm_sqr();
+            }
+            bands.into_iter().map(f64::sqrt).collect::<Vec<f64>>()
+        };
+        let (of_heights, of_rate) = (bands(&self.heights), bands(rate));
+        let whole = of_heights
+            .iter()
+            .map(|band| band * band)
+            .sum::<f64>()
+            .sqrt();
+        let pairs = of_heights.iter().zip(&of_rate);
+        pairs
+            .map(|(height, rate)| share * height.max(0.01 * whole) / rate)
+            .fold(f64::INFINITY, f64::min)
+            .floor()
+    }
+}
+
+/// Coefficients of the Fourier series, not scaled.
+fn spectrum(values: &[f64]) -> Vec<Complex64> {
+    let transform = RealFftPlanner::new().plan_fft_forward(values.len());
+    let mut values = values.to_vec();
+    let mut waves = transform.make_output_vec();
+    // Lengths are those of the plan.
+    let _ = transform.process(&mut values, &mut waves);
+    waves
+}
+
+/// The values of a series.
+fn series(mut waves: Vec<Complex64>, count: usize) -> Vec<f64> {
+    let transform = RealFftPlanner::new().plan_fft_inverse(count);
+    let mut values = transform.make_output_vec();
+    if count.is_multiple_of(2)
+        && let Some(last) = waves.last_mut()
+    {
+        last.im = 0.0;
+    }
+    let _ = transform.process(&mut waves, &mut values);
+    values.iter().map(|value| value / count as f64).collect()
+}
