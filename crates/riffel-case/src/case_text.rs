@@ -8,6 +8,7 @@ use toml::{Table, Value};
 
 use crate::CaseKey;
 use crate::file::CaseFile;
+use crate::general_keys::REPLACED_BY_WHEELSET;
 use crate::preset::PresetKind;
 
 /// The file of keys of a case, with what its reader should know.
@@ -53,9 +54,10 @@ impl CaseText {
     }
 
     /// Apply overrides `key=value` in their order. One of two keys that exclude each other replaces the
-    /// other, unless the overrides give both.
+    /// other, unless the overrides give both; a wheelset replaces the wheel of a file without one.
     pub(crate) fn apply(&mut self, assignments: &[String]) -> Result<(), CaseError> {
         let mut set = Vec::new();
+        let has_wheelset = self.keys.has("wheelset");
         for assignment in assignments {
             let key = overridden_key(assignment);
             let takes_a_name = PresetKind::ALL.iter().any(|kind| kind.key() == key);
@@ -68,6 +70,10 @@ impl CaseText {
             (true, false) => self.keys.remove(creepage),
             (false, true) => self.keys.remove(ratio),
             _ => {}
+        }
+        if !has_wheelset && sets("wheelset") {
+            let replaced = REPLACED_BY_WHEELSET.iter().filter(|key| !sets(key));
+            replaced.for_each(|key| self.keys.remove(key));
         }
         Ok(())
     }

@@ -57,15 +57,13 @@ impl Held {
                 steady.forces.longitudinal / limit
             ),
             Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => match vector {
-                Some(Creepage::Vector(creepage)) => format!(
-                    "contact.creepage={{ longitudinal = {:e}, lateral = {:e}, spin = {:e} }}",
-                    creepage.longitudinal.si(),
-                    creepage.lateral.si(),
-                    creepage.spin.si()
-                ),
-                _ => format!("contact.creepage={:e}", steady.creepages.longitudinal),
-            },
+            Hold::Creepage => {
+                let creepage = match vector {
+                    Some(vector) => vector.in_override(),
+                    None => format!("{:e}", steady.creepages.longitudinal),
+                };
+                format!("contact.creepage={creepage}")
+            }
         });
         Ok(Some(Self {
             hold,

@@ -47,6 +47,21 @@ impl Creepage {
         matches!(self, Self::Vector(_))
     }
 
+    /// As the value of an override.
+    pub(crate) fn in_override(&self) -> String {
+        let Creepages {
+            longitudinal,
+            lateral,
+            spin,
+        } = self.components();
+        match self {
+            Self::Longitudinal(_) => format!("{longitudinal:e}"),
+            Self::Vector(_) => format!(
+                "{{ longitudinal = {longitudinal:e}, lateral = {lateral:e}, spin = {spin:e} }}"
+            ),
+        }
+    }
+
     /// Its components.
     pub fn components(&self) -> Creepages {
         match self {

@@ -200,10 +200,15 @@ impl Traffic {
 /// Overrides of the case by a vehicle, each with the key of the vehicle that it comes from.
 fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
     let mut found = Vec::new();
-    let mut add = |key: &str, path: &str, value: Option<f64>| {
+    let mut write = |key: &str, path: &str, value: Option<String>| {
         if let Some(value) = value {
-            found.push((key.to_owned(), format!("{path}={value:e}")));
+            found.push((key.to_owned(), format!("{path}={value}")));
         }
+    };
+    let creepage = vehicle.creepage.map(|creepage| creepage.in_override());
+    write("creepage", "contact.creepage", creepage);
+    let mut add = |key: &str, path: &str, value: Option<f64>| {
+        write(key, path, value.map(|value| format!("{value:e}")));
     };
     let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
     let si = |force: Quantity<Force>| force.si();
@@ -231,11 +236,6 @@ fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
         "tractive_ratio",
         "contact.tractive_ratio",
         vehicle.tractive_ratio.map(|ratio| ratio.si()),
-    );
-    add(
-        "creepage",
-        "contact.creepage",
-        vehicle.creepage.map(|creepage| creepage.si()),
     );
     for assignment in assignments(&vehicle.set) {
         found.push((format!("set.{}", overridden_key(&assignment)), assignment));

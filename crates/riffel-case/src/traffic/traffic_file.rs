@@ -4,6 +4,8 @@ use riffel_keys::quantity::{Force, Length, Mass, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
+use crate::file::Creepage;
+
 /// Riffel traffic: the vehicles that run on a line, in shares of the axle passages.
 ///
 /// Every quantity is a bare number in SI or a string with its unit. What a vehicle does not say is that of
@@ -48,7 +50,8 @@ pub struct Vehicle {
     /// Normal load of a wheel P₀, in place of the axle load.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wheel_load: Option<Quantity<Force>>,
-    /// Unsprung mass per wheel; its rotational inertia follows unless `set` gives it.
+    /// Unsprung mass per wheel; its rotational inertia follows unless `set` gives it. Not for a wheelset: that is
+    /// `set.wheelset`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wheel_mass: Option<Quantity<Mass>>,
     /// Rolling radius of the wheel.
@@ -63,14 +66,15 @@ pub struct Vehicle {
     /// Tractive ratio τ = Q₀/μP₀ in the mean.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tractive_ratio: Option<Quantity<Ratio>>,
-    /// Creepage ξ₀, in place of the tractive ratio.
+    /// Creepage ξ₀, in place of the tractive ratio: a number, or a table of `longitudinal`, `lateral` and `spin`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub creepage: Option<Quantity<Ratio>>,
+    pub creepage: Option<Creepage>,
     /// Share of its axles under this traction, from 0 to 1, in the mean over the trains; the others roll free and
     /// let nothing grow. Left out, all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub traction_share: Option<Quantity<Ratio>>,
-    /// Any other keys of the case that are different for this vehicle, as tables of the case file.
+    /// Any other keys of the case that are different for this vehicle, as tables of the case file. A `wheelset` takes
+    /// the place of the wheel of the case.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(schema_with = "any_table")]
     pub set: toml::Table,

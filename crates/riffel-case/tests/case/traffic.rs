@@ -338,3 +338,77 @@ fn a_traffic_file_is_no_file_of_changes() {
     let error = Variant::parse("t.toml", text).err().unwrap().to_string();
     assert!(error.starts_with("this is a traffic file"), "{error}");
 }
+
+const WHEELSET: &str = "model = \"rigid\"\nmass = 1200\nroll_inertia = 620\nspin_inertia = 55\n";
+
+/// A vehicle with a wheelset and a table of creepages is the case that has both, and the wheel of the case is gone.
+#[test]
+fn a_vehicle_brings_its_wheelset() -> Result<(), CaseError> {
+    let law = "contact.creep_law=fastsim".to_owned();
+    let case = Case::parse("case.toml", NOMINAL_CASE, std::slice::from_ref(&law))?;
+    let text = format!(
+        "{VEHICLE}creepage = {{ lateral = \"0.2 %\", longitudinal = \"0.1 %\" }}\n{SPEED}[vehicle.set.wheelset]\n{WHEELSET}"
+    );
+    let traffic = Traffic::parse("t.toml", &text)?;
+    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+
+    let alone = NOMINAL_CASE.replacen("mass = \"350 kg\"", "", 1).replacen(
+        "tractive_ratio = 0.1",
+        "creepage = { lateral = 0.002, longitudinal = 0.001 }",
+        1,
+    );
+    let alone = Case::parse(
+        "alone.toml",
+        &format!("{alone}\n[wheelset]\n{WHEELSET}"),
+        &[law],
+    )?;
+    let wavelength = on.growth.wavelengths()[50];
+    let expected = alone.feedback.at(wavelength, 30.0).growth_rate();
+    assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
+    let before = case.feedback.at(wavelength, 30.0).growth_rate();
+    assert!((expected / before - 1.0).abs() > 0.1, "{expected} {before}");
+    Ok(())
+}
+
+/// What goes with a wheelset, or with full sliding, is said at the key of the vehicle.
+#[rstest]
+#[case(
+    "wheel_mass = 500\n",
+    "",
+    "`vehicle[0].wheel_mass`: `wheel.mass` and `wheelset` exclude each other"
+)]
+#[case(
+    "tractive_ratio = 0.3\n",
+    "contact.creep_law=full-sliding",
+    "is no mean state of a law of full sliding"
+)]
+#[case("creepage = { sideways = 0.01 }\n", "", "vehicle[0].creepage.sideways")]
+#[case(
+    "creepage = { lateral = 0.01 }\n",
+    "contact.creep_law=carter-2d",
+    "`vehicle[0].creepage`: `contact.creepage.lateral` is 0.01"
+)]
+fn what_a_vehicle_cannot_bring(
+    #[case] key: &str,
+    #[case] law: &str,
+    #[case] expected: &str,
+) -> Result<(), CaseError> {
+    let wheelset =
+        "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }"
+            .to_owned();
+    let overrides: Vec<String> = std::iter::once(wheelset)
+        .chain((!law.is_empty()).then(|| law.to_owned()))
+        // The case itself has a mean state that every law knows.
+        .chain(["contact.creepage={ longitudinal = 0.001 }".to_owned()])
+        .collect();
+    let case = Case::parse("case.toml", NOMINAL_CASE, &overrides)?;
+    let error = match Traffic::parse("t.toml", &format!("{VEHICLE}{key}{SPEED}")) {
+        Err(error) => error,
+        Ok(traffic) => traffic
+            .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
+            .unwrap_err(),
+    };
+    let words = format!("{error} {}", error.in_words());
+    assert!(words.contains(expected), "{words}");
+    Ok(())
+}

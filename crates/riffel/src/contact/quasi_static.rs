@@ -98,6 +98,12 @@ fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64
                     .longitudinal
                     / most,
             },
+            ForceLimit::FullSlip(0.0) => Error::OutOfRange {
+                quantity: "tractive ratio",
+                value: ratio,
+                unit: "",
+                rule: "is no mean state of a law of full sliding, whose force is friction times load: give a creepage",
+            },
             _ => Error::OutOfRange {
                 quantity: "tractive ratio",
                 value: ratio,
