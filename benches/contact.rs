@@ -21,6 +21,7 @@ const ACROSS: usize = 40;
 const RESPONSE_ACROSS: usize = 48;
 const CELLS: usize = 50;
 const WAVELENGTHS: usize = 30;
+const TABLE: usize = 64;
 /// Mean milliseconds a case of CONTACT on 40 × 40 elements, tolerance 1e-5, measured on another machine of
 /// two processors: `validation/reference/contact/timing.csv`.
 const CONTACT_STEADY: [f64; 2] = [45.41, 89.36];
@@ -40,6 +41,7 @@ pub(crate) fn task(name: &str, across: usize) -> Result<(f64, f64), Failure> {
         "steady" => steady(across),
         "step" => steps(across),
         "response" => response(across),
+        "table" => table(across),
         "one-wavelength" => one_wavelength(across),
         "followed" => followed(across),
         "fastsim" => fastsim(across),
@@ -90,6 +92,26 @@ fn response(across: usize) -> Result<(f64, f64), Failure> {
     let mut sum = 0.0;
     for index in 0..WAVELENGTHS {
         let share = index as f64 / (WAVELENGTHS - 1) as f64;
+        let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
+        sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
+    }
+    Ok((begun.elapsed().as_secs_f64(), sum))
+}
+
+/// Sixty-four wavelengths and all four inputs about creepage in any direction, the steady state at hand.
+fn table(across: usize) -> Result<(f64, f64), Failure> {
+    let hertz = hertz(LOAD)?;
+    let a = hertz.semi_axis_longitudinal();
+    let contact = HalfSpace::new(hertz, FRICTION, across)?;
+    let state = contact.roll_with(Creepages {
+        longitudinal: 6e-4,
+        lateral: 6e-4,
+        spin: 0.3,
+    })?;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for index in 0..TABLE {
+        let share = index as f64 / (TABLE - 1) as f64;
         let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
         sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
     }
@@ -153,6 +175,7 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         ("steady", ACROSS),
         ("step", ACROSS),
         ("response", RESPONSE_ACROSS),
+        ("table", RESPONSE_ACROSS),
         ("one-wavelength", RESPONSE_ACROSS),
         ("followed", RESPONSE_ACROSS),
         ("fastsim", CELLS),
@@ -163,7 +186,8 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
             times.push(riffel.time(&format!("contact {name}"), *across)?.0);
         }
     }
-    let [steady, step, response, one, followed, fastsim] = times.map(|times| 1e3 * median(times));
+    let [steady, step, response, table, one, followed, fastsim] =
+        times.map(|times| 1e3 * median(times));
     writeln!(
         text,
         "\n## Rolling contact, half-space theory, one thread\n"
@@ -192,6 +216,11 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         text,
         "| frequency response, {WAVELENGTHS} wavelengths, load, both creepages and spin, {RESPONSE_ACROSS} × {RESPONSE_ACROSS} and a \
          quarter of it | {response:.0} ms | | |"
+    )?;
+    writeln!(
+        text,
+        "| the same, {TABLE} wavelengths, about creepage along and across the rail with spin, the steady state at hand | \
+         {table:.0} ms | | |"
     )?;
     writeln!(
         text,

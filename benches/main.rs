@@ -6,6 +6,7 @@
 mod contact;
 mod contestant;
 mod first_build;
+mod general;
 mod python;
 mod roughness;
 mod study;
@@ -39,6 +40,9 @@ pub(crate) const CONTESTANT: &str = "--contestant";
 /// The argument that prints the section on Python alone and writes nothing.
 const PYTHON: &str = "--python";
 
+/// The argument that prints one section alone, by its name, and writes nothing.
+const SECTION: &str = "--section";
+
 /// The argument that records the first build alone.
 const BUILD: &str = "--build";
 
@@ -55,6 +59,18 @@ fn main() -> Result<(), Failure> {
     }
     if std::env::args().any(|argument| argument == BUILD) {
         return first_build::record(folder);
+    }
+    let mut arguments = std::env::args().skip_while(|argument| argument != SECTION);
+    if let Some(section) = arguments.nth(1) {
+        let mut text = String::new();
+        let (mut one, mut two) = (Contestant::riffel(1)?, Contestant::riffel(2)?);
+        match &*section {
+            "general" => general::report(&mut text, folder, &mut one, &mut two)?,
+            "contact" => contact::report(&mut text, &mut one)?,
+            _ => return Err("sections are general and contact".into()),
+        }
+        println!("{text}");
+        return Ok(());
     }
     let report = report(folder)? + &first_build::recorded(folder);
     println!("{report}");
@@ -96,6 +112,7 @@ fn contest() -> Result<(), Failure> {
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
+            "general" => general::task(track, points.parse()?)?,
             "study" => study::contest(points.parse()?)?,
             _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
@@ -269,6 +286,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     python::report(&mut text, folder)?;
     report_receptances(&mut text, folder, &mut one)?;
     report_tracks(&mut text, &mut one)?;
+    general::report(&mut text, folder, &mut one, &mut two)?;
     contact::report(&mut text, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
     study::report(&mut text, folder, &mut one, &mut two)?;
