@@ -3,14 +3,16 @@
 import { element } from './elements.js';
 import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
+import * as lists from './lists.js';
 import { askWhich, readNumber } from './numbers.js';
 import { labelOf, nameOf, number, t, written as worded } from './words.js';
 
-/** A file cannot come over the page, and the page has one wheel that creeps along one rail. */
-const NOT_HERE = [
-  'track.measurement', 'wheelset', 'train', 'opposite_contact', 'contact.contact_angle', 'contact.lateral_offset', 'rail.torsion_constant',
-  'rail.polar_second_moment', 'rail.warping_constant', 'rail.centroid_height', 'rail.head_height', 'rail.foot_depth', 'rail.foot_width',
-];
+/** A file cannot come over the page. */
+const NOT_HERE = ['track.measurement', 'wheelset.file'];
+/** Choices that need one. */
+const OF_FILES = ['measured', 'modal'];
+/** Keys of the wheel that a wheelset replaces. */
+const OF_A_WHEEL = ['wheel.mass', 'wheel.inertia', 'wheel.rotation'];
 
 /** Ranges of the sliders in SI, and whether they are logarithmic. */
 const SLIDERS = {
@@ -40,6 +42,15 @@ function resolve(schema, node) {
   }
   return node;
 }
+
+/** The table that may stand in the place of a number; undefined where there is none. */
+function tableOf(schema, node) {
+  const tables = (node.anyOf ?? []).map((choice) => tableOf(schema, choice));
+  return tables.find(Boolean) ?? (node.$ref && schema.$defs[node.$ref.split('/').at(-1)].properties ? resolve(schema, node) : undefined);
+}
+
+/** What a field shows of a value: not the table in its place. */
+const bare = (value) => (value === null || Array.isArray(value) || typeof value !== 'object' ? value : undefined);
 
 export class Form {
   /** `onChange` is told the gesture that goes on, `onAsk` that a field asks what was meant, or no longer does. */
@@ -78,17 +89,16 @@ export class Form {
       const key = `${parent}.${name}`;
       if (NOT_HERE.includes(key)) continue;
       const resolved = resolve(this.schema, child);
-      if (resolved.properties) {
-        const heading = element('h4', {});
-        heading.dataset.name = key;
-        const group = element('div', { className: 'subgroup', role: 'group' }, heading);
-        heading.id = `${idOf(key)}-heading`;
-        group.setAttribute('aria-labelledby', heading.id);
-        this.#rows(group, key, resolved);
-        place.append(group);
-      } else {
-        place.append(this.#row(key, resolved));
-      }
+      const table = resolved.properties ? resolved : tableOf(this.schema, child);
+      if (!resolved.properties) place.append(this.#row(key, resolved));
+      if (!table) continue;
+      const heading = element('h4', {});
+      heading.dataset.name = resolved.properties ? key : `${key}/table`;
+      const group = element('div', { className: 'subgroup', role: 'group' }, heading);
+      heading.id = `${idOf(key)}-heading`;
+      group.setAttribute('aria-labelledby', heading.id);
+      this.#rows(group, key, table);
+      place.append(group);
     }
   }
 
@@ -103,8 +113,13 @@ export class Form {
     const choices = node.oneOf?.map((choice) => [choice.const, choice.description]) ?? node.enum?.map((name) => [name, '']);
     let input;
     if (presets.length) input = this.#menu(presets.map((preset) => [preset.name, preset.title]), true);
-    else if (choices) input = this.#menu(choices.filter(([name]) => name !== 'measured'), node.default === undefined && key !== 'track.model');
-    else {
+    else if (choices) {
+      // A table that a case may do without is left out with its last key.
+      const optional = !this.schema.required.includes(key.split('.')[0]);
+      input = this.#menu(choices.filter(([name]) => !OF_FILES.includes(name)), optional || (node.default === undefined && key !== 'track.model'));
+    } else if (node.type?.includes?.('array')) {
+      input = element('textarea', { rows: node.items.$ref ? 3 : 1, spellcheck: false });
+    } else {
       input = element('input', { type: 'text', autocomplete: 'off', spellcheck: false });
       if (node.unit !== undefined || node.type?.includes?.('integer')) {
         input.inputMode = 'decimal';
@@ -196,8 +211,13 @@ export class Form {
 
   #showField(field) {
     const { key, node, input, echo, shown } = field;
-    const written = get(this.keys, key);
-    const whole = this.complete && get(this.complete, key);
+    const written = bare(get(this.keys, key));
+    const whole = this.complete && bare(get(this.complete, key));
+    if (input.tagName === 'TEXTAREA') {
+      input.value = Array.isArray(written) ? lists.written(written) : (written ?? '');
+      input.placeholder = whole ? lists.written(whole) : '';
+      return;
+    }
     if (input.tagName === 'SELECT') {
       const name = written ?? '';
       // A name that no menu holds stays visible: the error beside it speaks of it.
@@ -243,7 +263,7 @@ export class Form {
   #showSlider(key, { input, output, note, place }) {
     const [unit, factor] = this.fields.get(key).shown;
     // What was written last goes before what the program last answered: it may be a step behind.
-    const written = get(this.keys, key);
+    const written = bare(get(this.keys, key));
     const parts = written === undefined ? null : split(written, '');
     const own = parts && (parts.unit === unit ? parts.number * factor : parts.unit === '' ? parts.number : undefined);
     const value = own ?? (this.complete && si(this.complete, key));
@@ -269,6 +289,7 @@ export class Form {
     this.#answered(field);
     const text = input.value.trim();
     if (text === '') return this.#change(key, undefined);
+    if (input.tagName === 'TEXTAREA') return this.#change(key, lists.read(text));
     const count = node.type?.includes?.('integer');
     if (input.tagName === 'SELECT' || (node.unit === undefined && !count)) return this.#change(key, text);
     const read = readNumber(text);
@@ -312,11 +333,13 @@ export class Form {
     const field = this.fields.get(key);
     if (gesture) this.#answered(field);
     set(this.keys, key, value);
-    const other = ONE_OF.find((pair) => pair.includes(key))?.find((other) => other !== key);
+    const within = (table) => key === table || key.startsWith(`${table}.`);
+    const other = ONE_OF.find((pair) => pair.some(within))?.find((other) => !within(other));
     if (other && value !== undefined) set(this.keys, other, undefined);
+    if (within('wheelset') && value !== undefined) for (const replaced of OF_A_WHEEL) set(this.keys, replaced, undefined);
     // A preset is chosen for its values: they go before those that were written.
     const preset = this.presets.find((preset) => preset.key === key && preset.name === value);
-    for (const { key: given } of preset?.values ?? []) set(this.keys, given, undefined);
+    for (const { key: given } of preset?.values ?? []) set(this.keys, given.replace(/\[.*/, ''), undefined);
     if (key === 'track.preset') for (const part of ['pad', 'sleeper', 'ballast']) set(this.keys, `track.${part}`, undefined);
     const track = this.keys.track ?? {};
     if (key === 'track.model' && FIRST_PRESET[value] && !track.preset && !track.pad) set(this.keys, 'track.preset', FIRST_PRESET[value]);
@@ -327,7 +350,7 @@ export class Form {
 
   /** The field of a key, or one of the table that the key is or stands in. */
   #fieldOf(fault) {
-    let key = fault.key ?? '';
+    let key = (fault.key ?? '').replace(/\[.*/, '');
     while (key && !this.fields.has(key)) {
       const inside = [...this.fields.keys()].find((other) => other.startsWith(`${key}.`));
       key = inside ?? (key.includes('.') ? key.slice(0, key.lastIndexOf('.')) : '');

@@ -26,7 +26,8 @@ const SHOWN = {
   'N s/m': ['kN s/m', 1e3],
 };
 const SHOWN_KEY = {
-  'track.support_spacing': ['m', 1], 'track.position': ['m', 1], 'corrugation.amplitude': ['µm', 1e-6],
+  'track.support_spacing': ['m', 1], 'track.position': ['m', 1], 'corrugation.amplitude': ['µm', 1e-6], 'wheelset.contact_spacing': ['m', 1],
+  'wheelset.suspension.spacing': ['m', 1], 'wheelset.axle.length': ['m', 1],
 };
 
 /** A unit with its powers raised: kg m². The reader of a case takes them so. */

@@ -6,11 +6,12 @@ import { number, speed, t } from './words.js';
 const SVG = 'http://www.w3.org/2000/svg';
 const RADIUS = 100;
 
-/** Name, colour, length of the arrow, value and unit of the table. */
+/** Name, colour, length of the arrow, value and unit of the table; a loop on all axes has a lateral force and no one angular velocity. */
 const ARROWS = [
   ['profile', 'Δ', 'ink', 1, (s) => [s.amplitude_m, 0], 1e6, 'µm'],
   ['normal', 'P₁', 'phasor-p', 0.9, (s) => s.normal_force_n, 1e-3, 'kN'],
   ['tangential', 'Q₁', 'phasor-q', 0.78, (s) => s.tangential_force_n, 1, 'N'],
+  ['lateral_force', 'Q_y', 'phasor-o', 0.66, (s) => s.lateral_force_n, 1, 'N'],
   ['angular', 'Ω₁', 'phasor-o', 0.66, (s) => s.angular_velocity_rad_per_s, 1e3, 'mrad/s'],
   ['dissipation', 'W₁', 'phasor-w', 1, (s) => s.dissipation_lag_w, 1, 'W'],
 ];
@@ -41,7 +42,8 @@ export function drawPhasors(place, table, state, inWords) {
     svg.append(node('line', { x1: 96 * c, y1: 96 * s, x2: 100 * c, y2: 100 * s, class: 'ring' }));
   }
   const taken = [];
-  for (const [name, symbol, color, length, value] of ARROWS) {
+  const arrows = ARROWS.filter(([, , , , value]) => value(state));
+  for (const [name, symbol, color, length, value] of arrows) {
     const pair = value(state);
     if (!(modulus(pair) > 0)) continue;
     const angle = (-degrees(pair) * Math.PI) / 180;
@@ -61,7 +63,7 @@ export function drawPhasors(place, table, state, inWords) {
   }
   place.replaceChildren(svg);
 
-  table.replaceChildren(...ARROWS.map(([name, , color, , value, factor, unit]) => {
+  table.replaceChildren(...arrows.map(([name, , color, , value, factor, unit]) => {
     const pair = value(state);
     const row = document.createElement('tr');
     const cell = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });

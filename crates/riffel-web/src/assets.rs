@@ -27,6 +27,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "faults.js": "text/javascript; charset=utf-8",
     "form.js": "text/javascript; charset=utf-8",
     "keys.js": "text/javascript; charset=utf-8",
+    "lists.js": "text/javascript; charset=utf-8",
     "main.js": "text/javascript; charset=utf-8",
     "map-names.js": "text/javascript; charset=utf-8",
     "map-view.js": "text/javascript; charset=utf-8",

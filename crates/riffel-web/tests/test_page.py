@@ -206,6 +206,51 @@ def test_a_case_file_fills_the_form(page):
     assert page.page.locator("#key-title").input_value() != "BR main line, tangent track"
 
 
+def test_a_wheelset_is_shown_and_edited(open_page):
+    page = open_page()
+    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    value = lambda key: page.page.locator(f"#key-{key}").input_value()
+    page.until(lambda: value("wheelset-model") == "flexible")
+    page.settle()
+    assert value("wheelset-axle-diameter") == "160"
+    assert value("contact-creepage-lateral") == "1.7"
+    assert value("contact-creepage") == ""
+    assert value("wheelset-discs").count("polar_inertia") == 4
+    assert value("wheel-mass") == ""
+    # The loop at the cursor is that of the map, with a lateral force and no one angular velocity.
+    assert "lateral force" in page.text("#amplitudes")
+    assert "angular velocity" not in page.text("#amplitudes")
+    before = page.map()
+    page.page.evaluate("() => document.querySelectorAll('details.group').forEach((group) => (group.open = true))")
+    page.keep("wheelset", whole=True)
+    page.set("wheelset.discs", value("wheelset-discs").replace("350 kg", "500 kg"))
+    page.set("wheelset.opposite_rail", "in-phase")
+    page.settle()
+    assert page.map() != before
+    # A list that cannot be is refused at its field.
+    page.set("train.wheels", "0 m, 2.5 m, 2.5 m")
+    fault = page.page.locator("#key-train-wheels-fault")
+    page.until(fault.is_visible)
+    assert "two wheels must not be at one place" in fault.inner_text()
+    page.set("train.wheels", "0 m, 2.5 m")
+    page.until(lambda: not fault.is_visible())
+    # A number takes the place of the table, and the table that of the number.
+    page.set("contact.creepage", "0.1 %")
+    page.settle()
+    assert value("contact-creepage-lateral") == ""
+    page.set("contact.creepage.lateral", "0.3 %")
+    page.settle()
+    assert value("contact-creepage") == ""
+    page.close(complaints=1)
+
+
+def test_a_preset_of_a_wheelset_takes_the_place_of_the_wheel(page):
+    page.set("wheelset.preset", "metro-trailer")
+    page.settle()
+    assert page.page.locator("#key-wheel-mass").input_value() == ""
+    assert page.page.locator("#key-wheelset-discs").get_attribute("placeholder").count("polar_inertia") > 1
+
+
 def test_a_link_opens_what_was_seen(page, open_page):
     page.set("contact.friction", "0.27")
     page.set("track.model", "two-layer")
