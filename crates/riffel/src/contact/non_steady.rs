@@ -110,11 +110,16 @@ impl NonSteady {
         let resolved = contact.shortest_wavelength();
         let below = (shortest / resolved).log2().floor();
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
-        let mut octaves = Vec::new();
+        let mut octaves: Vec<Octave> = Vec::new();
         for octave in below as i32..above as i32 {
-            let node = |t: f64| {
-                let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
-                contact.response(state, wavelength).map(Node::new)
+            // The shortest wavelength is the longest of the octave before.
+            let known = octaves.last().and_then(|before| before.0.first().copied());
+            let node = |t: f64| match known.filter(|_| t == -1.0) {
+                Some(node) => Ok(node),
+                None => {
+                    let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
+                    contact.response(state, wavelength).map(Node::new)
+                }
             };
             octaves.push(Octave::new(node, steady.creepages.magnitude(), tolerance)?);
         }

@@ -114,9 +114,19 @@ fn scaled<T: Scalar>(values: &[T], factor: f64) -> Vec<T> {
     values.iter().map(|&value| value * T::of(factor)).collect()
 }
 
+/// In several sums, so that one addition need not wait for the one before.
 fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
-    let terms = a.iter().zip(b).map(|(&a, &b)| a.conj() * b);
-    terms.fold(T::zero(), |sum, term| sum + term)
+    const SUMS: usize = 4;
+    let mut sums = [T::zero(); SUMS];
+    let (a, b) = (a.chunks_exact(SUMS), b.chunks_exact(SUMS));
+    let rest = a.remainder().iter().zip(b.remainder());
+    let rest = rest.fold(T::zero(), |sum, (&a, &b)| sum + a.conj() * b);
+    for (a, b) in a.zip(b) {
+        for (sum, (&a, &b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = *sum + a.conj() * b;
+        }
+    }
+    sums.into_iter().fold(rest, |whole, sum| whole + sum)
 }
 
 pub(super) fn norm<T: Scalar>(a: &[T]) -> f64 {
