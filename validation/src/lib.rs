@@ -6,6 +6,7 @@ mod appendix;
 mod classes;
 mod contact;
 mod contact_filter;
+mod curving;
 pub mod decay_rate;
 mod fastsim;
 mod forecast;
@@ -106,6 +107,7 @@ checks! {
     wheelset: flexible_wheelset_receptance, flexible_wheelset_natural_frequencies;
     general_loop: loop_on_all_axes, several_wheels_on_one_rail, both_rails_and_flexible_wheelsets;
     time_domain: small_amplitudes, settled_harmonics, loss_of_contact;
+    curving: closed_forms_of_curving, linear_steering, saturated_curving, curving_on_flanges;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 

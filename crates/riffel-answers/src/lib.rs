@@ -22,6 +22,7 @@ mod capital;
 mod column;
 pub mod compare;
 pub mod contact;
+pub mod curve;
 pub mod diagnose;
 mod error;
 pub mod forecast;

@@ -58,11 +58,16 @@ impl CaseKey {
 
 /// Every key outside lists, and every one inside.
 static KEYS: LazyLock<(Vec<CaseKey>, Vec<CaseKey>)> = LazyLock::new(|| {
-    let schema = schemars::schema_for!(CaseFile).to_value();
-    let mut keys = Vec::new();
-    collect("", "", &schema, &mut keys);
+    let keys = keys_of(&schemars::schema_for!(CaseFile).to_value());
     keys.into_iter().partition(|key| !key.key.contains("[]"))
 });
+
+/// The keys of a file of this schema.
+pub(crate) fn keys_of(schema: &Value) -> Vec<CaseKey> {
+    let mut keys = Vec::new();
+    collect("", "", schema, &mut keys);
+    keys
+}
 
 /// The keys below the schema of a table, which stands at a pointer; those of the items of a list `discs` are called
 /// `discs[]`.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_case::file::CaseFile;
-use riffel_case::{Case, CaseContact};
+use riffel_case::{Case, CaseContact, CurvingCase};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;
@@ -78,6 +78,8 @@ pub(crate) enum Command {
     Simulate(Simulate),
     /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
     Contact(Contact),
+    /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
+    Curve(Curve),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
     /// Dominant wavelengths of a measured rail, and what may have made them.
@@ -141,6 +143,11 @@ impl CaseArguments {
         let contact = CaseContact::read(&self.path, &self.overrides)?;
         protect(&self.path, &contact.file);
         Ok(contact)
+    }
+
+    /// The tables of curving of the case.
+    pub(crate) fn read_curving(&self) -> miette::Result<CurvingCase> {
+        Ok(CurvingCase::read(&self.path, &self.overrides)?)
     }
 
     /// The case with the wheel at another place of the bay.
@@ -437,6 +444,21 @@ pub(crate) struct Contact {
     pub(crate) ratio: Vec<Quantity<Ratio>>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel curve case.toml --set \"curve.radius=300 m\"")]
+pub(crate) struct Curve {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Folder for the results, made if need be [default: CASE-curve].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -3,6 +3,7 @@
 mod contact;
 mod creep_law_name;
 mod creepage;
+mod curving;
 mod map;
 mod measurement;
 mod opposite_contact;
@@ -19,6 +20,11 @@ use serde::{Deserialize, Serialize};
 pub use contact::{Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters};
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
+pub use curving::{
+    Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
+    CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, Profiles,
+    RailFriction, RailProfiles, RailProfilesByRail,
+};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use opposite_contact::OppositeContact;
@@ -72,6 +78,15 @@ pub struct CaseFile {
     /// Window of a growth map.
     #[serde(default)]
     pub map: Map,
+    /// The curve of `riffel curve`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<Curve>,
+    /// The bogie of `riffel curve`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bogie: Option<Bogie>,
+    /// The profiles of `riffel curve` and `riffel profile`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profiles: Option<Profiles>,
 }
 
 /// Material of wheel and rail.

@@ -42,6 +42,8 @@ dimensions! {
     Mass = "a mass", "kg", "350 kg";
     /// Force.
     Force = "a force", "N", "50 kN";
+    /// Moment of a force, torque.
+    Moment = "a moment", "N m", "22 kN m";
     /// Moment of inertia.
     Inertia = "a moment of inertia", "kg m2", "27.77 kg m2";
     /// Elastic modulus.

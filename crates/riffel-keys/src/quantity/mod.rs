@@ -248,6 +248,7 @@ mod tests {
             check::<Frequency>(),
             check::<Mass>(),
             check::<Force>(),
+            check::<Moment>(),
             check::<Inertia>(),
             check::<Modulus>(),
             check::<Area>(),

@@ -3,7 +3,7 @@
 use super::PhysicalRange;
 use crate::quantity::{
     Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
-    Length, Mass, MassPerLength, Modulus, Ratio, SecondMoment, Speed, Spin, Stiffness,
+    Length, Mass, MassPerLength, Modulus, Moment, Ratio, SecondMoment, Speed, Spin, Stiffness,
     TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant, WearCoefficient,
 };
 
@@ -58,7 +58,11 @@ pub static RANGES: &[PhysicalRange] = &[
         "An isotropic solid is stable between -1 and 0.5; steels have 0.27 to 0.31.",
     ),
     row::<Length>(
-        &["wheel.rolling_radius", "vehicle.rolling_radius"],
+        &[
+            "wheel.rolling_radius",
+            "wheel.left_rolling_radius",
+            "vehicle.rolling_radius",
+        ],
         [0.005, 5.0],
         [0.15, 0.70],
         "Twin discs begin at 10 mm; wheels in service have 165 mm (rolling highway) to 625 mm (locomotives).",
@@ -242,7 +246,12 @@ pub static RANGES: &[PhysicalRange] = &[
         "Twin discs press with 10 N to some kN; wheels with 15 kN (light rail) to 200 kN (40 t axles).",
     ),
     row::<Ratio>(
-        &["contact.friction", "opposite_contact.friction"],
+        &[
+            "contact.friction",
+            "contact.friction.left",
+            "contact.friction.right",
+            "opposite_contact.friction",
+        ],
         [0.001, 1.5],
         [0.02, 0.8],
         "Leaves and ice have 0.02 to 0.05, dry rails 0.3 to 0.6, clean ones in vacuum more than 1.",
@@ -416,6 +425,147 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.0, 1e4],
         [0.0, 1000.0],
         "Bogies have 1.6 to 3 m between their wheels, passenger trains up to 400 m in all.",
+    ),
+    row::<Length>(
+        &["curve.radius"],
+        [-1e7, 1e7],
+        [-1e5, 1e5],
+        "Above zero to the right, below to the left: trams turn on 15 m, main lines on 300 m to 10 km.",
+    ),
+    row::<Length>(
+        &["curve.cant"],
+        [0.0, 1.0],
+        [0.0, 0.2],
+        "Railways allow 150 to 180 mm, 200 mm in some countries.",
+    ),
+    PhysicalRange {
+        bare_up_to: BARE_SPEED,
+        ..row::<Speed>(
+            &["curve.speed"],
+            [0.001, 200.0],
+            [1.0, 100.0],
+            "Trains in service run at up to 350 km/h, 97 m/s.",
+        )
+    },
+    row::<Length>(
+        &["bogie.wheelbase"],
+        [0.05, 50.0],
+        [1.2, 10.0],
+        "Bogies have 1.6 to 3 m between their axles, wagons of two axles 5 to 10 m.",
+    ),
+    row::<Length>(
+        &["bogie.primary_spacing"],
+        [0.01, 10.0],
+        [0.5, 3.0],
+        "Axle boxes lie 1.1 m (inside the wheels) to 2.2 m apart.",
+    ),
+    row::<Stiffness>(
+        &[
+            "bogie.primary_longitudinal_stiffness",
+            "bogie.primary_lateral_stiffness",
+        ],
+        [1e-3, 1e13],
+        [1e3, 1e9],
+        "Per axle box: 0.3 MN/m (steering) to 60 MN/m (stiff).",
+    ),
+    row::<Mass>(
+        &["bogie.mass_per_axle"],
+        [0.1, 4e5],
+        [2e3, 5e4],
+        "The axle load as a mass: 3 t (light rail) to 40 t (ore lines).",
+    ),
+    row::<Length>(
+        &["bogie.centre_of_mass_height"],
+        [0.0, 20.0],
+        [0.3, 3.0],
+        "Vehicles have 1 m (low-floor) to 2.5 m (high loads).",
+    ),
+    row::<Moment>(
+        &["bogie.frame_yaw_moment"],
+        [-1e8, 1e8],
+        [-1e5, 1e5],
+        "Yaw dampers and bolsters turn frames back with some kN m.",
+    ),
+    row::<Moment>(
+        &["bogie.drive_torque"],
+        [-1e7, 1e7],
+        [-1e5, 1e5],
+        "At the limit of adhesion a locomotive has 35 kN m per wheelset.",
+    ),
+    row::<Length>(
+        &["profiles.gauge"],
+        [0.05, 5.0],
+        [0.55, 1.75],
+        "600 mm to 1676 mm; standard gauge is 1435 mm.",
+    ),
+    row::<Length>(
+        &["profiles.gauge_height"],
+        [1e-3, 0.05],
+        [0.005, 0.02],
+        "14 mm below the crown in Europe, 16 mm (5/8 in) in America.",
+    ),
+    row::<Length>(
+        &["profiles.flange_back_distance"],
+        [0.05, 5.0],
+        [0.5, 1.7],
+        "1360 mm at standard gauge, a few millimetres more or less.",
+    ),
+    row::<Length>(
+        &["profiles.flange_back_position"],
+        [-0.2, 0.0],
+        [-0.1, -0.03],
+        "In the coordinates of the wheel, whose origin is the datum circle of the tread: -70 mm.",
+    ),
+    row::<Ratio>(
+        &["profiles.conicity"],
+        [1e-6, 2.0],
+        [0.01, 0.5],
+        "Cones have 1:40 to 1:20, worn wheels up to 0.4.",
+    ),
+    row::<Length>(
+        &["profiles.flange.clearance", "profiles.flange.shift"],
+        [1e-4, 0.1],
+        [2e-3, 0.02],
+        "Wheelsets have 5 to 10 mm of free play to either side.",
+    ),
+    row::<Stiffness>(
+        &["profiles.flange.stiffness"],
+        [1.0, 1e12],
+        [1e6, 1e9],
+        "A rail gives way laterally with 10 to 100 MN/m.",
+    ),
+    row::<Ratio>(
+        &["profiles.flange.slope"],
+        [1e-3, 20.0],
+        [1.0, 5.0],
+        "The tangent of the flange angle: 1.7 (60 degrees) to 2.75 (70 degrees).",
+    ),
+    row::<Length>(
+        &["profiles.flange.width"],
+        [1e-6, 0.05],
+        [1e-4, 2e-3],
+        "How gradually the contact climbs the flange: some tenths of a millimetre.",
+    ),
+    row::<Force>(
+        &[
+            "contact.creep_coefficients.longitudinal",
+            "contact.creep_coefficients.lateral",
+        ],
+        [1e-3, 1e12],
+        [1e5, 1e9],
+        "Kalker's linear theory has 5 to 15 MN for wheels under 50 to 100 kN.",
+    ),
+    row::<Moment>(
+        &["contact.creep_coefficients.spin"],
+        [0.0, 1e9],
+        [0.0, 1e6],
+        "Kalker's linear theory has 5 to 40 kN m.",
+    ),
+    row::<Force>(
+        &["contact.creep_coefficients.load"],
+        [1e-3, 1e7],
+        [1e4, 250e3],
+        "The load of a wheel.",
     ),
     row::<Length>(
         &["corrugation.amplitude"],

@@ -1,0 +1,161 @@
+//! A bogie in its curve as data.
+
+use riffel::Rail;
+use riffel::curving::{BogieState, WheelState, WheelsetState};
+use serde::Serialize;
+
+/// What `riffel curve --json` prints.
+#[derive(Serialize)]
+pub struct CurveDocument {
+    wheelsets: Vec<Wheelset>,
+    wheels: Vec<Wheel>,
+    frame: Frame,
+    uncompensated_lateral_acceleration_m_s2: f64,
+    normal_acceleration_m_s2: f64,
+    frictional_power_w: f64,
+    drive_power_w: f64,
+    curving_resistance_n: f64,
+    residual: f64,
+    continuation: Vec<Step>,
+    other_equilibria: Vec<Other>,
+}
+
+#[derive(Serialize)]
+struct Wheelset {
+    wheelset: usize,
+    lateral_shift_m: f64,
+    yaw_rad: f64,
+    angle_of_attack_rad: f64,
+    rotation_ratio: f64,
+    flange_force_n: f64,
+    suspension_lateral_force_n: f64,
+    suspension_yaw_moment_nm: f64,
+    contact_yaw_moment_nm: f64,
+    inertial_lateral_force_n: f64,
+}
+
+#[derive(Serialize)]
+struct Wheel {
+    wheelset: usize,
+    rail: &'static str,
+    longitudinal_creepage: f64,
+    lateral_creepage: f64,
+    spin_1_per_m: f64,
+    contact_angle_rad: f64,
+    rolling_radius_m: f64,
+    vertical_load_n: f64,
+    normal_force_n: f64,
+    longitudinal_force_n: f64,
+    lateral_force_n: f64,
+    track_lateral_force_n: f64,
+    tractive_ratio: f64,
+    t_gamma_n: f64,
+}
+
+#[derive(Serialize)]
+struct Frame {
+    lateral_shift_m: f64,
+    yaw_rad: f64,
+    inertial_lateral_force_n: f64,
+}
+
+/// A step of the way from straight track.
+#[derive(Serialize)]
+struct Step {
+    fraction: f64,
+    residual: f64,
+    iterations: usize,
+}
+
+/// Where the wheelsets stand in another equilibrium.
+#[derive(Serialize)]
+struct Other {
+    lateral_shift_m: [f64; 2],
+    yaw_rad: [f64; 2],
+    residual: f64,
+}
+
+/// A rail in documents and tables.
+pub(crate) fn rail_name(rail: Rail) -> &'static str {
+    match rail {
+        Rail::Left => "left",
+        Rail::Right => "right",
+    }
+}
+
+impl CurveDocument {
+    pub(super) fn new(state: &BogieState, others: &[BogieState], speed: f64) -> Self {
+        let wheelsets = state.wheelsets.iter().enumerate();
+        let steps = state.continuation.iter();
+        Self {
+            wheelsets: wheelsets
+                .map(|(index, wheelset)| Wheelset::new(index + 1, wheelset))
+                .collect(),
+            wheels: state.wheels.iter().map(Wheel::new).collect(),
+            frame: Frame {
+                lateral_shift_m: state.frame.lateral_shift,
+                yaw_rad: state.frame.yaw,
+                inertial_lateral_force_n: state.frame.inertial_lateral_force,
+            },
+            uncompensated_lateral_acceleration_m_s2: state.uncompensated_acceleration,
+            normal_acceleration_m_s2: state.normal_acceleration,
+            frictional_power_w: state.frictional_power,
+            drive_power_w: state.drive_power,
+            curving_resistance_n: state.curving_resistance(speed),
+            residual: state.residual,
+            continuation: steps
+                .map(|step| Step {
+                    fraction: step.fraction,
+                    residual: step.residual,
+                    iterations: step.iterations,
+                })
+                .collect(),
+            other_equilibria: others
+                .iter()
+                .map(|other| Other {
+                    lateral_shift_m: other.wheelsets.map(|wheelset| wheelset.lateral_shift),
+                    yaw_rad: other.wheelsets.map(|wheelset| wheelset.yaw),
+                    residual: other.residual,
+                })
+                .collect(),
+        }
+    }
+}
+
+impl Wheelset {
+    fn new(wheelset: usize, state: &WheelsetState) -> Self {
+        Self {
+            wheelset,
+            lateral_shift_m: state.lateral_shift,
+            yaw_rad: state.yaw,
+            angle_of_attack_rad: state.angle_of_attack,
+            rotation_ratio: state.rotation_ratio,
+            flange_force_n: state.flange_force,
+            suspension_lateral_force_n: state.suspension_lateral_force,
+            suspension_yaw_moment_nm: state.suspension_yaw_moment,
+            contact_yaw_moment_nm: state.contact_yaw_moment,
+            inertial_lateral_force_n: state.inertial_lateral_force,
+        }
+    }
+}
+
+impl Wheel {
+    fn new(state: &WheelState) -> Self {
+        Self {
+            wheelset: state.wheelset,
+            rail: rail_name(state.rail),
+            longitudinal_creepage: state.creepages.longitudinal,
+            lateral_creepage: state.creepages.lateral,
+            spin_1_per_m: state.creepages.spin,
+            contact_angle_rad: state.contact_angle,
+            rolling_radius_m: state.rolling_radius,
+            vertical_load_n: state.vertical_load,
+            normal_force_n: state.normal_force,
+            longitudinal_force_n: state.creep_forces.longitudinal,
+            lateral_force_n: state.creep_forces.lateral,
+            track_lateral_force_n: state.track_lateral_force,
+            tractive_ratio: state.tractive_ratio,
+            t_gamma_n: state.t_gamma,
+        }
+    }
+}

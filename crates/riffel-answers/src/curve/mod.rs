@@ -1,0 +1,47 @@
+//! A bogie in its curve: shifts, angles of attack, creepages, forces and wear number of each wheel.
+
+mod document;
+mod over_radius;
+
+use riffel::curving::{BogieInCurve, BogieState};
+use riffel_case::CurvingCase;
+use riffel_keys::CaseError;
+
+pub use document::CurveDocument;
+pub use over_radius::OverRadius;
+
+/// The equilibrium of the bogie of a case.
+pub struct CurveAnswer {
+    bogie: BogieInCurve,
+    /// The equilibrium that straight track leads to.
+    pub state: BogieState,
+    /// Further ones that were found.
+    pub others: Vec<BogieState>,
+}
+
+impl CurveAnswer {
+    /// The bogie of a case in its curve.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a key that is missing or has a value that is not allowed, and where no equilibrium is found.
+    pub fn new(case: &CurvingCase) -> Result<Self, CaseError> {
+        let bogie = case.bogie_in_curve()?;
+        let mut states = case.equilibria(&bogie)?.into_iter();
+        let state = states.next().expect("at least one equilibrium");
+        Ok(Self {
+            bogie,
+            state,
+            others: states.collect(),
+        })
+    }
+
+    /// The bogie in curves of other radii.
+    pub fn over_radius(&self) -> OverRadius {
+        OverRadius::new(&self.bogie)
+    }
+
+    /// What `riffel curve --json` prints.
+    pub fn document(&self) -> CurveDocument {
+        CurveDocument::new(&self.state, &self.others, self.bogie.curve.speed)
+    }
+}

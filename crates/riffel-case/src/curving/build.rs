@@ -1,0 +1,281 @@
+//! The bogie in the curve from its keys.
+
+use std::sync::Arc;
+
+use riffel::ElasticMaterial;
+use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
+use riffel::curving::{
+    Bogie, BogieInCurve, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring,
+    Kinematics, RunningSurfaces, STANDARD_GRAVITY,
+};
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Dimension, Quantity};
+
+use super::CurvingCase;
+use crate::file::{self, CurvingContact, CurvingLaw, CurvingTheory, Profiles};
+
+impl CurvingCase {
+    pub(super) fn build_bogie(&self) -> Result<BogieInCurve, CaseError> {
+        let curve = self.table("curve", &self.file.curve, "radius and speed")?;
+        let bogie = self.table(
+            "bogie",
+            &self.file.bogie,
+            "wheelbase, primary_spacing, both primary stiffnesses, mass_per_axle and centre_of_mass_height",
+        )?;
+        let profiles = self.profiles()?;
+        let contact = self.table("contact", &self.file.contact, "friction")?;
+        if curve.radius.si().abs() < bogie.wheelbase.si() {
+            let rule = format!(
+                "is {}, but must be larger than the wheelbase of {}",
+                curve.radius, bogie.wheelbase
+            );
+            return Err(self.text.keys.invalid("curve.radius", &rule, ""));
+        }
+        let kinematics = self.kinematics(curve.theory, profiles)?;
+        let right = self.file.wheel.rolling_radius.si();
+        let left = self
+            .file
+            .wheel
+            .left_rolling_radius
+            .map_or(right, |radius| radius.si());
+        let wheelset = &self.file.wheelset;
+        let built = Bogie {
+            wheelbase: bogie.wheelbase.si(),
+            primary_spacing: bogie.primary_spacing.si(),
+            primary_longitudinal_stiffness: bogie.primary_longitudinal_stiffness.si(),
+            primary_lateral_stiffness: bogie.primary_lateral_stiffness.si(),
+            mass_per_axle: bogie.mass_per_axle.si(),
+            wheelset_mass: self.required("wheelset.mass", wheelset.mass)?,
+            rolling_radii: [left, right],
+            contact_spacing: self.contact_spacing(profiles)?,
+            centre_of_mass_height: bogie.centre_of_mass_height.si(),
+            frame_yaw_moment: bogie.frame_yaw_moment.si(),
+            drive_torque: bogie.drive_torque.map(|torque| torque.si()),
+        };
+        Ok(BogieInCurve {
+            curve: Curve {
+                radius: curve.radius.si(),
+                cant: curve.cant.si(),
+                speed: curve.speed.si(),
+            },
+            kinematics,
+            creep: self.creep(curve.theory, profiles, contact, &built)?,
+            bogie: built,
+        })
+    }
+
+    fn table<'a, T>(
+        &self,
+        key: &str,
+        table: &'a Option<T>,
+        needs: &str,
+    ) -> Result<&'a T, CaseError> {
+        let help = format!("give [{key}] with {needs}");
+        table
+            .as_ref()
+            .ok_or_else(|| self.text.keys.missing(key, &help))
+    }
+
+    pub(super) fn profiles(&self) -> Result<&Profiles, CaseError> {
+        self.table(
+            "profiles",
+            &self.file.profiles,
+            "wheel and rail, or wheel = \"cone\" and conicity",
+        )
+    }
+
+    fn required<D: Dimension>(
+        &self,
+        key: &str,
+        value: Option<Quantity<D>>,
+    ) -> Result<f64, CaseError> {
+        let value = value.ok_or_else(|| self.text.keys.missing(key, ""))?;
+        Ok(value.si())
+    }
+
+    fn contact_spacing(&self, profiles: &Profiles) -> Result<f64, CaseError> {
+        if let Some(spacing) = self.file.wheelset.contact_spacing {
+            return Ok(spacing.si());
+        }
+        if is_cone(profiles) {
+            let help = "cones need it: the distance of the contacts, 1.5 m at standard gauge";
+            return Err(self.text.keys.missing("wheelset.contact_spacing", help));
+        }
+        Ok(profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si())
+    }
+
+    fn kinematics(
+        &self,
+        theory: CurvingTheory,
+        profiles: &Profiles,
+    ) -> Result<Kinematics, CaseError> {
+        let keys = &self.text.keys;
+        let plane = match (profiles.contact_plane, profiles.contact_shift_moment) {
+            (file::ContactPlane::Horizontal, Some(true)) => {
+                let rule = "is true, but belongs to profiles.contact_plane = \"tilted\"";
+                return Err(keys.invalid("profiles.contact_shift_moment", rule, ""));
+            }
+            (file::ContactPlane::Horizontal, _) => ContactPlane::Horizontal,
+            (file::ContactPlane::Tilted, shift_moment) => ContactPlane::Tilted {
+                shift_moment: shift_moment.unwrap_or(is_cone(profiles)),
+            },
+        };
+        if !is_cone(profiles) {
+            return self.on_profiles(theory, profiles, plane);
+        }
+        let conicity = profiles.conicity.ok_or_else(|| {
+            keys.missing("profiles.conicity", "profiles.wheel = \"cone\" needs it")
+        })?;
+        let conicity = conicity.si();
+        if theory == CurvingTheory::Linear {
+            return match profiles.flange {
+                None => Ok(Kinematics::Linear { conicity }),
+                Some(_) => Err(keys.invalid(
+                    "profiles.flange",
+                    "is set, but curve.theory = \"linear\" knows no flange",
+                    "leave it out, or choose curve.theory = \"nonlinear\"",
+                )),
+            };
+        }
+        let key = |name: &str| format!("profiles.flange.{name}");
+        let mut spring = None;
+        let mut surfaces: Arc<dyn RunningSurfaces> = Arc::new(Cone { conicity });
+        if let Some(flange) = profiles.flange {
+            let is_spring = profiles.contact_plane == file::ContactPlane::Horizontal;
+            let (needed, foreign, name) = match is_spring {
+                true => (
+                    &["clearance", "stiffness"][..],
+                    &["slope", "shift", "width"][..],
+                    "horizontal",
+                ),
+                false => (
+                    &["slope", "shift", "width"][..],
+                    &["clearance", "stiffness"][..],
+                    "tilted",
+                ),
+            };
+            if let Some(wrong) = foreign.iter().find(|name| keys.has(&key(name))) {
+                let rule = format!(
+                    "is set, but profiles.contact_plane = \"{name}\" takes a flange of {}",
+                    needed.join(", ")
+                );
+                return Err(keys.invalid(&key(wrong), &rule, ""));
+            }
+            if is_spring {
+                spring = Some(FlangeSpring {
+                    clearance: self.required(&key("clearance"), flange.clearance)?,
+                    stiffness: self.required(&key("stiffness"), flange.stiffness)?,
+                });
+            } else {
+                surfaces = Arc::new(ConeWithFlangePlane {
+                    conicity,
+                    slope: self.required(&key("slope"), flange.slope)?,
+                    shift: self.required(&key("shift"), flange.shift)?,
+                    width: self.required(&key("width"), flange.width)?,
+                });
+            }
+        }
+        Ok(Kinematics::Nonlinear {
+            surfaces,
+            contact_plane: plane,
+            flange: spring,
+        })
+    }
+
+    fn on_profiles(
+        &self,
+        _theory: CurvingTheory,
+        _profiles: &Profiles,
+        _plane: ContactPlane,
+    ) -> Result<Kinematics, CaseError> {
+        let rule = "is no \"cone\", the only wheel that runs through curves";
+        Err(self.text.keys.invalid("profiles.wheel", rule, ""))
+    }
+
+    /// Creep on both rails.
+    fn creep(
+        &self,
+        theory: CurvingTheory,
+        profiles: &Profiles,
+        contact: &CurvingContact,
+        bogie: &Bogie,
+    ) -> Result<[Creep; 2], CaseError> {
+        let keys = &self.text.keys;
+        let usual = match theory {
+            CurvingTheory::Linear => CurvingLaw::Linear,
+            CurvingTheory::Nonlinear => CurvingLaw::ShenHedrickElkins,
+        };
+        let law = contact.creep_law.unwrap_or(usual);
+        if theory == CurvingTheory::Linear && law != CurvingLaw::Linear {
+            let rule = "is not \"linear\", the law of curve.theory = \"linear\"";
+            return Err(keys.invalid("contact.creep_law", rule, ""));
+        }
+        let material = || {
+            let steel = &self.file.steel;
+            ElasticMaterial::new(steel.youngs_modulus.si(), steel.poisson_ratio.si())
+                .map_err(|error| self.physics("steel", error))
+        };
+        let physics = |error| self.physics("contact", error);
+        let transverse_radius = || {
+            let help = "the ellipse of cones needs it; or give contact.creep_coefficients";
+            contact
+                .transverse_radius
+                .map(|radius| radius.si())
+                .ok_or_else(|| keys.missing("contact.transverse_radius", help))
+        };
+        let ellipse = match contact.creep_coefficients {
+            Some(given) => Some(
+                CreepEllipse::of_coefficients(
+                    given.longitudinal.si(),
+                    given.lateral.si(),
+                    given.spin.si(),
+                    given.load.si(),
+                )
+                .map_err(physics)?,
+            ),
+            None if law == CurvingLaw::Linear => {
+                let radius = self.file.wheel.rolling_radius.si();
+                let load = 0.5 * bogie.mass_per_axle * STANDARD_GRAVITY;
+                let material = material()?;
+                let across = match is_cone(profiles) {
+                    true => transverse_radius()?,
+                    false => {
+                        let help = "creep_law = \"linear\" on profiles needs it";
+                        return Err(keys.missing("contact.creep_coefficients", help));
+                    }
+                };
+                let hertz = HertzContact::exact(material, radius, across, load).map_err(physics)?;
+                let ratio = hertz.semi_axis_longitudinal() / hertz.semi_axis_lateral();
+                let kalker =
+                    KalkerCoefficients::new(material.poisson_ratio(), ratio).map_err(physics)?;
+                Some(CreepEllipse::new(hertz, kalker))
+            }
+            None => None,
+        };
+        let [left, right] = contact
+            .friction
+            .of_rails()
+            .map(|friction| match (law, ellipse) {
+                (CurvingLaw::Linear, Some(ellipse)) => Ok(Creep::Linear { ellipse, friction }),
+                (_, Some(ellipse)) => ShenHedrickElkins::new(ellipse, friction)
+                    .map(|law| Creep::Law(Arc::new(law)))
+                    .map_err(physics),
+                (_, None) => Ok(Creep::Local {
+                    material: material()?,
+                    rolling_radius: self.file.wheel.rolling_radius.si(),
+                    lateral_curvature: match is_cone(profiles) {
+                        true => transverse_radius()?.recip(),
+                        // Profiles tell theirs.
+                        false => f64::NAN,
+                    },
+                    friction,
+                }),
+            });
+        Ok([left?, right?])
+    }
+}
+
+/// True for wheels that are cones.
+pub(super) fn is_cone(profiles: &Profiles) -> bool {
+    profiles.wheel == "cone"
+}

@@ -1,0 +1,106 @@
+//! Cases of curving: a file of which only the tables of curve, bogie, profiles, wheels and contacts are read.
+
+mod build;
+mod keys;
+
+use std::path::{Path, PathBuf};
+
+use riffel::curving::{BogieInCurve, BogieState};
+use riffel_keys::{CaseError, Remark, text_file};
+
+use crate::case_text::CaseText;
+use crate::file::CurvingFile;
+
+/// A case of curving, its keys checked. What is built of them is built where it is asked for: a wheelset on its track
+/// needs no bogie.
+#[derive(Clone)]
+pub struct CurvingCase {
+    pub(super) text: CaseText,
+    /// Folder to which file names are relative.
+    pub(super) folder: PathBuf,
+    /// The keys with their values.
+    pub file: CurvingFile,
+    /// What is to be asked about values that are not usual.
+    pub remarks: Vec<Remark>,
+}
+
+impl CurvingCase {
+    /// Read a case file, or standard input for the path `-`, and apply overrides `key=value` in their order.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key, the value and the rule.
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        let text = text_file::read_keys(path, "case file")?;
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        Self::build(&path.display().to_string(), folder, &text, overrides)
+    }
+
+    /// Read a case from TOML; `name` is the one shown in errors. Files that the case names are relative to the present
+    /// folder.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::build(name, Path::new(""), text, overrides)
+    }
+
+    fn build(
+        name: &str,
+        folder: &Path,
+        text: &str,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
+        let mut text = CaseText::parse(name, text)?;
+        text.apply(overrides)?;
+        Self::of_text(text, folder)
+    }
+
+    fn of_text(mut text: CaseText, folder: &Path) -> Result<Self, CaseError> {
+        text.fill_in()?;
+        keys::refuse_unknown(&text.keys)?;
+        let file = text.keys.deserialize()?;
+        let remarks = keys::judge(&text.keys)?;
+        Ok(Self {
+            text,
+            folder: folder.to_owned(),
+            file,
+            remarks,
+        })
+    }
+
+    /// The case with one more override `key=value`.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn with(&self, assignment: &str) -> Result<Self, CaseError> {
+        let mut text = self.text.clone();
+        text.apply(&[assignment.to_owned()])?;
+        Self::of_text(text, &self.folder)
+    }
+
+    /// The bogie of the case in its curve.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a key that is missing or has a value that is not allowed, and for profiles that do not touch.
+    pub fn bogie_in_curve(&self) -> Result<BogieInCurve, CaseError> {
+        self.build_bogie()
+    }
+
+    /// The equilibrium of a bogie of this case.
+    ///
+    /// # Errors
+    /// [`CaseError`] where none is found.
+    pub fn equilibria(&self, bogie: &BogieInCurve) -> Result<Vec<BogieState>, CaseError> {
+        bogie
+            .equilibria()
+            .map_err(|error| self.physics("curve", error))
+    }
+
+    pub(super) fn physics(&self, key: &str, error: riffel::Error) -> CaseError {
+        let invalid = self.text.keys.invalid(key, &error.to_string(), "");
+        match error {
+            riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
+            _ => invalid,
+        }
+    }
+}

@@ -1,0 +1,459 @@
+//! The keys of curving: curve, bogie, profiles, and what curving takes of the other tables.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use riffel_keys::quantity::{Force, Length, Mass, Moment, Quantity, Ratio, Speed, Stiffness};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::MapAccessDeserializer;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+
+use super::Steel;
+
+/// What `riffel curve` and `riffel profile` take of a file. Every other key of a case may stand beside these.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[schemars(title = "Riffel case file of curving")]
+pub struct CurvingFile {
+    /// What the case is, for titles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Material of wheel and rail.
+    #[serde(default)]
+    pub steel: Steel,
+    /// The wheels.
+    pub wheel: CurvingWheel,
+    /// The wheelsets.
+    #[serde(default)]
+    pub wheelset: CurvingWheelset,
+    /// The curve.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<Curve>,
+    /// The bogie.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bogie: Option<Bogie>,
+    /// The profiles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profiles: Option<Profiles>,
+    /// The contacts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<CurvingContact>,
+}
+
+/// What curving takes of the wheel.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CurvingWheel {
+    /// Rolling radius r₀ on the datum circle.
+    pub rolling_radius: Quantity<Length>,
+    /// That of the left wheels, where it differs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_rolling_radius: Option<Quantity<Length>>,
+}
+
+/// What curving takes of the wheelset.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct CurvingWheelset {
+    /// Distance 2s of the contacts on the two rails; left out, that of the placed profiles.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_spacing: Option<Quantity<Length>>,
+    /// Mass M.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass: Option<Quantity<Mass>>,
+}
+
+/// A circular curve.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Curve {
+    /// How the wheels roll.
+    #[serde(default)]
+    pub theory: CurvingTheory,
+    /// Radius R, above zero to the right, below to the left.
+    pub radius: Quantity<Length>,
+    /// Height of the outer rail above the inner one, over the spacing of the contacts.
+    #[serde(default = "Curve::no_cant")]
+    pub cant: Quantity<Length>,
+    /// Speed V.
+    pub speed: Quantity<Speed>,
+}
+
+impl Curve {
+    fn no_cant() -> Quantity<Length> {
+        Quantity::new(0.0)
+    }
+}
+
+/// How the wheels roll through the curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurvingTheory {
+    /// Any profile, yaw and rotation as they are, contacts that saturate.
+    #[default]
+    Nonlinear,
+    /// Linear steering theory: cones, small angles, linear creep, no flange.
+    Linear,
+}
+
+/// A bogie of two wheelsets in a rigid frame.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Bogie {
+    /// Distance of the axles 2a.
+    pub wheelbase: Quantity<Length>,
+    /// Distance of the axle boxes of a wheelset 2b.
+    pub primary_spacing: Quantity<Length>,
+    /// Stiffness of the primary suspension along the track, per axle box.
+    pub primary_longitudinal_stiffness: Quantity<Stiffness>,
+    /// Stiffness of the primary suspension across the track, per axle box.
+    pub primary_lateral_stiffness: Quantity<Stiffness>,
+    /// Everything an axle carries, the wheelset and its share of frame and body included.
+    pub mass_per_axle: Quantity<Mass>,
+    /// Height of its centre of mass above the rails.
+    pub centre_of_mass_height: Quantity<Length>,
+    /// Moment on the frame about the vertical, above zero where it turns the nose to the right.
+    #[serde(default = "Bogie::no_moment")]
+    pub frame_yaw_moment: Quantity<Moment>,
+    /// Torque on each wheelset, above zero where it drives forward.
+    #[serde(default = "Bogie::no_torque")]
+    pub drive_torque: [Quantity<Moment>; 2],
+}
+
+impl Bogie {
+    fn no_moment() -> Quantity<Moment> {
+        Quantity::new(0.0)
+    }
+
+    fn no_torque() -> [Quantity<Moment>; 2] {
+        [Quantity::new(0.0); 2]
+    }
+}
+
+/// Wheels and rails, and how they lie to each other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Profiles {
+    /// Profile of the wheels: a nominal name, a file, or "cone".
+    pub wheel: String,
+    /// Profile of the rails: a nominal name, a file, or a table of `left` and `right`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rail: Option<RailProfiles>,
+    /// Gauge.
+    #[serde(default = "Profiles::standard_gauge")]
+    pub gauge: Quantity<Length>,
+    /// How far below the crown of the placed rail the gauge is measured.
+    #[serde(default = "Profiles::european_gauge_height")]
+    pub gauge_height: Quantity<Length>,
+    /// Inclination of the rails, as in "1:40"; "none" where the coordinates are inclined.
+    #[serde(default)]
+    pub inclination: Inclination,
+    /// Distance of the flange backs.
+    #[serde(default = "Profiles::usual_flange_back_distance")]
+    pub flange_back_distance: Quantity<Length>,
+    /// Where the flange back lies in the coordinates of the wheel.
+    #[serde(default = "Profiles::usual_flange_back_position")]
+    pub flange_back_position: Quantity<Length>,
+    /// Conicity λ, for wheel = "cone".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conicity: Option<Quantity<Ratio>>,
+    /// Flange of cones: `clearance` and `stiffness` with a horizontal plane, `slope`, `shift` and `width` with a
+    /// tilted one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flange: Option<Flange>,
+    /// In which plane the contact forces act.
+    #[serde(default)]
+    pub contact_plane: ContactPlane,
+    /// Whether contacts ahead of the axle have a yaw moment; only with a tilted plane.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_shift_moment: Option<bool>,
+}
+
+impl Profiles {
+    fn standard_gauge() -> Quantity<Length> {
+        Quantity::new(1.435)
+    }
+
+    fn european_gauge_height() -> Quantity<Length> {
+        Quantity::new(0.014)
+    }
+
+    fn usual_flange_back_distance() -> Quantity<Length> {
+        Quantity::new(1.36)
+    }
+
+    fn usual_flange_back_position() -> Quantity<Length> {
+        Quantity::new(-0.07)
+    }
+}
+
+/// In which plane the contact forces act.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactPlane {
+    /// Under the contact angle.
+    #[default]
+    Tilted,
+    /// In the plane of the track.
+    Horizontal,
+}
+
+/// The flange of a conical wheel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Flange {
+    /// Lateral shift that a spring leaves free.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance: Option<Quantity<Length>>,
+    /// Stiffness of the spring.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Quantity<Stiffness>>,
+    /// Tangent of the flange angle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slope: Option<Quantity<Ratio>>,
+    /// Lateral shift in the middle of the rise of the contact angle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shift: Option<Quantity<Length>>,
+    /// Width of the rise.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<Quantity<Length>>,
+}
+
+/// What curving takes of the contact.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CurvingContact {
+    /// Creep law; left out, `linear` in linear theory, else `shen-hedrick-elkins`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creep_law: Option<CurvingLaw>,
+    /// Creep coefficients at one load; left out, those of Hertz and Kalker.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub creep_coefficients: Option<CreepCoefficients>,
+    /// Coefficient of friction μ: a number, or a table of `left` and `right`.
+    pub friction: RailFriction,
+    /// Relative transverse radius of wheel and rail R_r, for the ellipse of cones without `creep_coefficients`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub transverse_radius: Option<Quantity<Length>>,
+}
+
+/// A creep law of curving, which knows lateral creepage and spin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurvingLaw {
+    /// Kalker's linear theory, without friction.
+    Linear,
+    /// Shen, Hedrick & Elkins (1983).
+    ShenHedrickElkins,
+}
+
+/// Creep coefficients at a normal force P: f₁₁, f₂₂ ∝ P^(2/3), f₂₃ ∝ P.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CreepCoefficients {
+    /// f₁₁.
+    pub longitudinal: Quantity<Force>,
+    /// f₂₂.
+    pub lateral: Quantity<Force>,
+    /// f₂₃.
+    pub spin: Quantity<Moment>,
+    /// The normal force.
+    pub load: Quantity<Force>,
+}
+
+/// Coefficient of friction of both rails: one number, or one for each.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum RailFriction {
+    /// The same on both.
+    Both(Quantity<Ratio>),
+    /// One for each.
+    Each(FrictionOfRails),
+}
+
+/// A coefficient of friction for each rail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FrictionOfRails {
+    /// On the left rail.
+    pub left: Quantity<Ratio>,
+    /// On the right rail.
+    pub right: Quantity<Ratio>,
+}
+
+impl RailFriction {
+    /// Left, right.
+    pub fn of_rails(self) -> [f64; 2] {
+        match self {
+            Self::Both(friction) => [friction.si(); 2],
+            Self::Each(friction) => [friction.left.si(), friction.right.si()],
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for RailFriction {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = RailFriction;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a ratio such as 0.4, or a table of left and right")
+            }
+
+            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
+                Quantity::deserialize(de::value::F64Deserializer::new(value))
+                    .map(RailFriction::Both)
+            }
+
+            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
+                self.visit_f64(value as f64)
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                text.parse().map(RailFriction::Both).map_err(E::custom)
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                FrictionOfRails::deserialize(MapAccessDeserializer::new(map))
+                    .map(RailFriction::Each)
+            }
+        }
+
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl JsonSchema for RailFriction {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "RailFriction".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "unit": "",
+            "anyOf": [
+                generator.subschema_for::<Quantity<Ratio>>(),
+                generator.subschema_for::<FrictionOfRails>(),
+            ],
+        })
+    }
+}
+
+/// Profiles of both rails: one for both, or one for each.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum RailProfiles {
+    /// The same, turned over, on the left.
+    Both(String),
+    /// One for each.
+    Each(RailProfilesByRail),
+}
+
+/// A profile for each rail, both drawn as right rails: x above zero on the field side.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RailProfilesByRail {
+    /// The left one.
+    pub left: String,
+    /// The right one.
+    pub right: String,
+}
+
+impl<'de> Deserialize<'de> for RailProfiles {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = RailProfiles;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("the name of a profile, a file, or a table of left and right")
+            }
+
+            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
+                Ok(RailProfiles::Both(text.to_owned()))
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                RailProfilesByRail::deserialize(MapAccessDeserializer::new(map))
+                    .map(RailProfiles::Each)
+            }
+        }
+
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+impl JsonSchema for RailProfiles {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "RailProfiles".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "anyOf": [
+                { "type": "string" },
+                generator.subschema_for::<RailProfilesByRail>(),
+            ],
+        })
+    }
+}
+
+/// Inclination of the rails towards each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inclination {
+    /// Tangent of the angle; 0 for rails that stand upright or whose coordinates are inclined.
+    pub slope: f64,
+}
+
+impl Default for Inclination {
+    fn default() -> Self {
+        Self { slope: 1.0 / 40.0 }
+    }
+}
+
+impl Serialize for Inclination {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.slope {
+            0.0 => serializer.serialize_str("none"),
+            slope => serializer.collect_str(&format_args!("1:{}", 1.0 / slope)),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Inclination {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = Cow::<str>::deserialize(deserializer)?;
+        if text == "none" {
+            return Ok(Self { slope: 0.0 });
+        }
+        let run = text
+            .strip_prefix("1:")
+            .and_then(|run| run.trim().parse::<f64>().ok());
+        match run.filter(|run| run.abs() >= 5.0) {
+            Some(run) => Ok(Self { slope: 1.0 / run }),
+            None => Err(de::Error::custom(format!(
+                "is \"{text}\", but must be \"none\" or as in \"1:40\", 1:5 at the steepest"
+            ))),
+        }
+    }
+}
+
+impl JsonSchema for Inclination {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Inclination".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string", "pattern": "^(none|1:-?[0-9.]+)$", "examples": ["1:40"] })
+    }
+}
