@@ -17,6 +17,7 @@ mod linear_theory;
 mod noise;
 pub mod place_of_wear;
 mod points;
+mod profile;
 mod receptance;
 mod rolling;
 mod roughness;
@@ -108,6 +109,8 @@ checks! {
     general_loop: loop_on_all_axes, several_wheels_on_one_rail, both_rails_and_flexible_wheelsets;
     time_domain: small_amplitudes, settled_harmonics, loss_of_contact;
     curving: closed_forms_of_curving, linear_steering, saturated_curving, curving_on_flanges;
+    profile: wheelset_on_nominal_rails, wheelset_on_measured_rails, conicity_of_a_cubic, equivalent_conicity,
+        curving_on_profiles;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 

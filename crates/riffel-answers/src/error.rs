@@ -18,6 +18,10 @@ pub enum AnswerError {
     #[error("{0}")]
     Physics(#[from] riffel::Error),
 
+    /// Wheels and rails that do not touch.
+    #[error("{0}")]
+    Profile(String),
+
     /// What was asked is out of the question; the name is that of the argument of the program.
     #[error("{argument} is {value}, but must be {rule}")]
     Argument {

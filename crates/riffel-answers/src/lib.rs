@@ -32,6 +32,7 @@ pub mod noise;
 pub mod paper;
 mod parameters;
 pub mod point;
+pub mod profile;
 pub mod receptance;
 pub mod report;
 pub mod ridge;

@@ -11,6 +11,14 @@ use crate::file::CaseFile;
 use crate::general_keys::REPLACED_BY_WHEELSET;
 use crate::preset::PresetKind;
 
+/// Keys that take the name of a profile.
+const PROFILES: [&str; 4] = [
+    "profiles.wheel",
+    "profiles.rail",
+    "profiles.rail.left",
+    "profiles.rail.right",
+];
+
 /// The file of keys of a case, with what its reader should know.
 #[derive(Clone)]
 pub(crate) struct CaseText {
@@ -60,7 +68,8 @@ impl CaseText {
         let has_wheelset = self.keys.has("wheelset");
         for assignment in assignments {
             let key = overridden_key(assignment);
-            let takes_a_name = PresetKind::ALL.iter().any(|kind| kind.key() == key);
+            let takes_a_name =
+                PresetKind::ALL.iter().any(|kind| kind.key() == key) || PROFILES.contains(&key);
             set.push(self.keys.set(assignment, takes_a_name)?);
             spread_axes(&mut self.keys);
         }

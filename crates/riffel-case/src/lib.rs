@@ -49,7 +49,7 @@ pub use build::CreepLaws;
 pub use case::Case;
 pub use case_text::case_keys;
 pub use contact::{CaseContact, SteadyContact};
-pub use curving::CurvingCase;
+pub use curving::{CurvingCase, profile_of, read_profile};
 pub use given::GivenReceptance;
 pub use hold::Hold;
 pub use key::CaseKey;

@@ -15,7 +15,7 @@ use riffel_answers::paper::Model;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CaseContact, CurvingCase};
 use riffel_keys::CaseError;
-use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
+use riffel_keys::quantity::{Angle, Dimension, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;
 
 use crate::error::CliError;
@@ -78,6 +78,8 @@ pub(crate) enum Command {
     Simulate(Simulate),
     /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
     Contact(Contact),
+    /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.
+    Profile(Profile),
     /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
     Curve(Curve),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
@@ -444,6 +446,51 @@ pub(crate) struct Contact {
     pub(crate) ratio: Vec<Quantity<Ratio>>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\""
+)]
+pub(crate) struct Profile {
+    /// Nominal names or files of two columns x, y; with --wheelset a case file.
+    #[arg(value_name = "FILE", required = true)]
+    pub(crate) files: Vec<PathBuf>,
+
+    /// Where the wheelset of a case touches its track, and its equivalent conicity.
+    #[arg(long)]
+    pub(crate) wheelset: bool,
+
+    /// Yaw of the wheelset, in rad or with its unit.
+    #[arg(
+        long,
+        value_name = "ANGLE",
+        requires = "wheelset",
+        allow_hyphen_values = true
+    )]
+    pub(crate) yaw: Option<Quantity<Angle>>,
+
+    /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm every 0.1 mm].
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        requires = "wheelset",
+        allow_hyphen_values = true
+    )]
+    pub(crate) lateral_shift: Vec<Quantity<Length>>,
+
+    /// Override a value of the case, as in --set "profiles.gauge=1432 mm"; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE", requires = "wheelset")]
+    pub(crate) overrides: Vec<String>,
+
+    /// Folder for the results, made if need be [default: FILE-profile].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document; files are written only with --output.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -14,8 +14,9 @@
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
 //! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`]; what
-//! becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the creepages of its contacts, is in
-//! [`curving`]. Large amplitudes, followed through time, are in [`passage`].
+//! becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the
+//! creepages of its contacts, is in [`curving`]; where wheels touch rails, in [`profile`]. Large amplitudes, followed
+//! through time, are in [`passage`].
 //!
 //! Conventions: time factor exp(+iωt); receptances positive downward, Im H ≤ 0 for passive
 //! structures; braking positive, ξ = 1 − ΩR/V > 0; SI units throughout. Growth ⇔ Re Ŵ₁ < 0; a
@@ -98,6 +99,7 @@ pub mod growth;
 pub mod noise;
 pub mod passage;
 mod place_of_wear;
+pub mod profile;
 pub mod receptance;
 pub mod roughness;
 mod simultaneous_roots;

@@ -209,6 +209,16 @@ fn pictures(program: &Path) -> Outcome {
             "class-soft-slab.png",
         ),
         (
+            &["curve", "cases/bogie.toml"],
+            "curve.png",
+            "bogie-curve.png",
+        ),
+        (
+            &["profile", "cases/profiles.toml", "--wheelset"],
+            "wheelset.png",
+            "contact-geometry.png",
+        ),
+        (
             &["wheelset", "cases/curve.toml"],
             "modes.png",
             "curve-modes.png",

@@ -32,12 +32,6 @@ impl CurvingCase {
             return Err(self.text.keys.invalid("curve.radius", &rule, ""));
         }
         let kinematics = self.kinematics(curve.theory, profiles)?;
-        let right = self.file.wheel.rolling_radius.si();
-        let left = self
-            .file
-            .wheel
-            .left_rolling_radius
-            .map_or(right, |radius| radius.si());
         let wheelset = &self.file.wheelset;
         let built = Bogie {
             wheelbase: bogie.wheelbase.si(),
@@ -46,7 +40,7 @@ impl CurvingCase {
             primary_lateral_stiffness: bogie.primary_lateral_stiffness.si(),
             mass_per_axle: bogie.mass_per_axle.si(),
             wheelset_mass: self.required("wheelset.mass", wheelset.mass)?,
-            rolling_radii: [left, right],
+            rolling_radii: self.rolling_radii(),
             contact_spacing: self.contact_spacing(profiles)?,
             centre_of_mass_height: bogie.centre_of_mass_height.si(),
             frame_yaw_moment: bogie.frame_yaw_moment.si(),
@@ -180,16 +174,6 @@ impl CurvingCase {
             contact_plane: plane,
             flange: spring,
         })
-    }
-
-    fn on_profiles(
-        &self,
-        _theory: CurvingTheory,
-        _profiles: &Profiles,
-        _plane: ContactPlane,
-    ) -> Result<Kinematics, CaseError> {
-        let rule = "is no \"cone\", the only wheel that runs through curves";
-        Err(self.text.keys.invalid("profiles.wheel", rule, ""))
     }
 
     /// Creep on both rails.

@@ -2,6 +2,10 @@
 
 mod build;
 mod keys;
+mod profile_file;
+mod wheelset;
+
+pub use profile_file::{profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
 

@@ -62,10 +62,7 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
     ];
     let mut wheels = table(&head);
     for wheel in &state.wheels {
-        let rail = match wheel.rail {
-            Rail::Left => "left",
-            Rail::Right => "right",
-        };
+        let rail = rail_name(wheel.rail);
         let creepages = wheel.creepages;
         wheels.add_row([
             format!("{} {rail}", wheel.wheelset),
@@ -88,6 +85,13 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         0 => "; straight track does not lead here, other starts do\n".to_owned(),
         steps => format!(", in {steps} steps from straight track\n"),
     };
+    for wheel in state.wheels.iter().filter(|wheel| wheel.on_two_points) {
+        let rail = rail_name(wheel.rail);
+        text += &format!(
+            "wheelset {} stands on two points of the {rail} wheel: one contact between them stands for both\n",
+            wheel.wheelset
+        );
+    }
     text += &match &answer.others[..] {
         [] => "no other equilibrium found\n".to_owned(),
         others => {
@@ -103,4 +107,11 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         }
     };
     text
+}
+
+fn rail_name(rail: Rail) -> &'static str {
+    match rail {
+        Rail::Left => "left",
+        Rail::Right => "right",
+    }
 }

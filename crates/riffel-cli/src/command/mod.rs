@@ -14,6 +14,7 @@ mod models;
 pub(crate) mod noise;
 pub(crate) mod point;
 pub(crate) mod presets;
+pub(crate) mod profile;
 pub(crate) mod receptance;
 pub(crate) mod report;
 pub(crate) mod roughness;

@@ -2,6 +2,7 @@
 
 mod book;
 mod contact;
+mod curving;
 mod diagnose;
 mod documentation;
 mod files;

@@ -11,6 +11,8 @@ pub struct RollingPosition {
     pub contact_angle: f64,
     /// Curvature of wheel and rail together across the track \[1/m\], where it is known.
     pub lateral_curvature: Option<f64>,
+    /// Whether the wheel stands on two points, between which radius and angle are a mean.
+    pub on_two_points: bool,
 }
 
 /// The running surfaces of a wheelset on its track, without yaw.
@@ -33,6 +35,7 @@ impl RunningSurfaces for Cone {
             radius_change: self.conicity * rail.sign() * lateral_shift,
             contact_angle: self.conicity.atan(),
             lateral_curvature: None,
+            on_two_points: false,
         })
     }
 }
@@ -63,6 +66,7 @@ impl RunningSurfaces for ConeWithFlangePlane {
             radius_change: self.conicity * y + rise * climb,
             contact_angle: (self.conicity + rise * (1.0 + reduced.tanh())).atan(),
             lateral_curvature: None,
+            on_two_points: false,
         })
     }
 }

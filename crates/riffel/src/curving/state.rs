@@ -41,6 +41,8 @@ pub struct WheelState {
     pub contact_angle: f64,
     /// Rolling radius r \[m\].
     pub rolling_radius: f64,
+    /// Whether the wheel stands on two points: this contact lies between them and stands for both.
+    pub on_two_points: bool,
     /// Vertical load W \[N\].
     pub vertical_load: f64,
     /// Normal force P \[N\].

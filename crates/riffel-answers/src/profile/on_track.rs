@@ -1,0 +1,232 @@
+//! Where a wheelset touches its track over its lateral shift, and its equivalent conicity.
+
+use std::io::{self, Write};
+
+use riffel::profile::{ContactTable, EquivalentConicity, ProfileContact, WheelsetContact};
+use riffel_case::CurvingCase;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
+use serde::Serialize;
+
+use crate::AnswerError;
+
+/// Amplitudes of the equivalent conicity \[mm\].
+const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+
+/// A wheelset on its track.
+pub struct OnTrackAnswer {
+    /// By lateral shift.
+    pub contacts: Vec<WheelsetContact>,
+    /// Amplitude \[m\] and conicity, without yaw; amplitudes that no motion has are left out.
+    pub conicities: Vec<(f64, EquivalentConicity)>,
+}
+
+/// What `riffel profile CASE --wheelset --json` prints: lists over the lateral shift, in SI.
+#[derive(Serialize)]
+pub struct OnTrackDocument {
+    lateral_shift: Vec<f64>,
+    yaw: Vec<f64>,
+    roll: Vec<f64>,
+    centre_z: Vec<f64>,
+    #[serde(flatten)]
+    right: Right,
+    #[serde(flatten)]
+    left: Left,
+    rolling_radius_difference: Vec<f64>,
+    equivalent_conicity: Conicities,
+}
+
+#[derive(Serialize)]
+struct Conicities {
+    amplitude_m: Vec<f64>,
+    klingel: Vec<f64>,
+    harmonic: Vec<f64>,
+    regression: Vec<f64>,
+}
+
+macro_rules! side {
+    ($name:ident, $index:literal: $($field:ident = $value:expr, $column:literal, $factor:literal;)+) => {
+        #[derive(Serialize)]
+        struct $name {
+            $($field: Vec<Option<f64>>),+
+        }
+
+        impl $name {
+            /// Names of the columns, with the factor from SI to their unit.
+            const COLUMNS: &[(&str, f64)] = &[$(($column, $factor)),+];
+
+            fn new(contacts: &[WheelsetContact]) -> Self {
+                let of = |value: fn(&ProfileContact) -> Option<f64>| {
+                    contacts.iter().map(|contact| value(&contact.contacts[$index])).collect()
+                };
+                Self { $($field: of($value)),+ }
+            }
+
+            fn columns(&self) -> Vec<&[Option<f64>]> {
+                vec![$(&self.$field),+]
+            }
+        }
+    };
+}
+
+side! { Right, 1:
+    right_rolling_radius = |on| Some(on.rolling_radius), "right_rolling_radius_mm", 1e3;
+    right_contact_angle = |on| Some(on.contact_angle), "right_contact_angle_rad", 1.0;
+    right_y_wheel = |on| Some(on.x_wheel), "right_y_wheel_mm", 1e3;
+    right_y_track = |on| Some(on.on_track[1]), "right_y_track_mm", 1e3;
+    right_z_track = |on| Some(on.on_track[2]), "right_z_track_mm", 1e3;
+    right_x_track = |on| Some(on.on_track[0]), "right_x_track_mm", 1e3;
+    right_rail_curvature = |on| Some(on.rail_curvature), "right_rail_curvature_1_per_mm", 1e-3;
+    right_wheel_curvature = |on| Some(on.wheel_curvature), "right_wheel_curvature_1_per_mm", 1e-3;
+    right_second_gap = |on| on.second.map(|second| second.0), "right_second_gap_mm", 1e3;
+    right_second_y_wheel = |on| on.second.map(|second| second.1), "right_second_y_wheel_mm", 1e3;
+}
+
+side! { Left, 0:
+    left_rolling_radius = |on| Some(on.rolling_radius), "left_rolling_radius_mm", 1e3;
+    left_contact_angle = |on| Some(on.contact_angle), "left_contact_angle_rad", 1.0;
+    left_y_wheel = |on| Some(on.x_wheel), "left_y_wheel_mm", 1e3;
+    left_y_track = |on| Some(on.on_track[1]), "left_y_track_mm", 1e3;
+    left_z_track = |on| Some(on.on_track[2]), "left_z_track_mm", 1e3;
+    left_x_track = |on| Some(on.on_track[0]), "left_x_track_mm", 1e3;
+    left_rail_curvature = |on| Some(on.rail_curvature), "left_rail_curvature_1_per_mm", 1e-3;
+    left_wheel_curvature = |on| Some(on.wheel_curvature), "left_wheel_curvature_1_per_mm", 1e-3;
+    left_second_gap = |on| on.second.map(|second| second.0), "left_second_gap_mm", 1e3;
+    left_second_y_wheel = |on| on.second.map(|second| second.1), "left_second_y_wheel_mm", 1e3;
+}
+
+impl OnTrackAnswer {
+    /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\].
+    ///
+    /// # Errors
+    /// [`AnswerError`] for profiles that cannot be read or do not fit, and where a wheel has left its rail.
+    pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self, AnswerError> {
+        let wheelset = case.wheelset_on_track()?;
+        let contacts = shifts.iter().map(|shift| {
+            wheelset
+                .contact(*shift, yaw)
+                .map_err(|error| AnswerError::Profile(error.to_string()))
+        });
+        let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        let table: ContactTable = case.contact_table(&wheelset)?;
+        let spacing = wheelset.wheels.spacing();
+        let conicities = AMPLITUDES.iter().filter_map(|amplitude| {
+            let amplitude = 1e-3 * amplitude;
+            Some((amplitude, table.equivalent_conicity(amplitude, spacing)?))
+        });
+        Ok(Self {
+            conicities: conicities.collect(),
+            contacts,
+        })
+    }
+
+    /// What `riffel profile CASE --wheelset --json` prints.
+    pub fn document(&self) -> OnTrackDocument {
+        let of = |value: fn(&WheelsetContact) -> f64| self.contacts.iter().map(value).collect();
+        let conicity = |value: fn(&EquivalentConicity) -> f64| {
+            self.conicities
+                .iter()
+                .map(|(_, conicity)| value(conicity))
+                .collect()
+        };
+        OnTrackDocument {
+            lateral_shift: of(|contact| contact.lateral_shift),
+            yaw: of(|contact| contact.yaw),
+            roll: of(|contact| contact.roll),
+            centre_z: of(|contact| contact.centre_z),
+            right: Right::new(&self.contacts),
+            left: Left::new(&self.contacts),
+            rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
+            equivalent_conicity: Conicities {
+                amplitude_m: self
+                    .conicities
+                    .iter()
+                    .map(|(amplitude, _)| *amplitude)
+                    .collect(),
+                klingel: conicity(|conicity| conicity.klingel),
+                harmonic: conicity(|conicity| conicity.harmonic),
+                regression: conicity(|conicity| conicity.regression),
+            },
+        }
+    }
+
+    /// One row for each lateral shift, in mm and rad.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        let mut header = vec!["lateral_shift_mm", "yaw_rad", "roll_rad", "centre_z_mm"];
+        let sides = Right::COLUMNS.iter().chain(Left::COLUMNS);
+        header.extend(sides.clone().map(|(name, _)| *name));
+        header.push("rolling_radius_difference_mm");
+        writer.write_record(&header)?;
+        let (right, left) = (Right::new(&self.contacts), Left::new(&self.contacts));
+        let columns: Vec<&[Option<f64>]> =
+            right.columns().into_iter().chain(left.columns()).collect();
+        for (row, contact) in self.contacts.iter().enumerate() {
+            let mut cells = vec![
+                Some(1e3 * contact.lateral_shift),
+                Some(contact.yaw),
+                Some(contact.roll),
+                Some(1e3 * contact.centre_z),
+            ];
+            let scaled = columns.iter().zip(sides.clone());
+            cells.extend(
+                scaled.map(|(column, (_, factor))| column[row].map(|value| factor * value)),
+            );
+            cells.push(Some(1e3 * contact.rolling_radius_difference()));
+            writer.serialize(cells)?;
+        }
+        writer.flush()
+    }
+
+    /// Rolling radius difference, place and angle of the contact over the lateral shift.
+    pub fn figure(&self) -> LineFigure {
+        let shifts: Vec<f64> = self
+            .contacts
+            .iter()
+            .map(|contact| 1e3 * contact.lateral_shift)
+            .collect();
+        let series =
+            |label: &str, style: LineStyle, value: &dyn Fn(&WheelsetContact) -> f64| Series {
+                label: label.to_owned(),
+                x: shifts.clone(),
+                y: self.contacts.iter().map(value).collect(),
+                style,
+                color: None,
+            };
+        let panel = |label: &str, series: Vec<Series>| LinePanel {
+            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
+            y_label: label.to_owned(),
+            x_scale: Scale::Linear,
+            y_scale: Scale::Linear,
+            series,
+            ..LinePanel::default()
+        };
+        let both = |value: fn(&ProfileContact) -> f64| {
+            vec![
+                series("right", LineStyle::Solid, &|contact| {
+                    value(&contact.contacts[1])
+                }),
+                series("left", LineStyle::Dashed, &|contact| {
+                    value(&contact.contacts[0])
+                }),
+            ]
+        };
+        let difference = series("", LineStyle::Solid, &|contact| {
+            1e3 * contact.rolling_radius_difference()
+        });
+        LineFigure {
+            title: "Wheelset on its track".to_owned(),
+            caption: "Rigid contact at two points, one on each rail; places on the wheel from its datum circle, the flange at the \
+                      negative side."
+                .to_owned(),
+            panels: vec![
+                panel("Δr, right less left [mm]", vec![difference]),
+                panel("place on the wheel [mm]", both(|contact| 1e3 * contact.x_wheel)),
+                panel("contact angle [deg]", both(|contact| contact.contact_angle.to_degrees())),
+            ],
+            arrangement: Arrangement::Stacked,
+        }
+    }
+}

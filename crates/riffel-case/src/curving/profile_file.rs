@@ -1,0 +1,154 @@
+//! Files of profiles: two columns, lateral coordinate and height, in millimetres or metres.
+
+use std::path::Path;
+
+use riffel::profile::{NominalProfile, Profile, ProfileError};
+use riffel_keys::{CaseError, clipped, text_file};
+
+/// Largest file of a profile \[bytes\].
+const LARGEST: u64 = 16 << 20;
+/// A profile without a unit is in millimetres if it is wider than this number; none is wider than this in metres.
+const WIDEST_IN_METRES: f64 = 1.0;
+
+/// A profile of a name or of a file.
+///
+/// # Errors
+/// [`CaseError`] with file and line.
+pub fn profile_of(name: &str, folder: &Path) -> Result<Profile, CaseError> {
+    match NominalProfile::named(name) {
+        Some(nominal) => Ok(nominal.profile()),
+        None => read_profile(&folder.join(name)),
+    }
+}
+
+/// The profile of a file of two columns, lateral coordinate (positive to the field side) and height (positive upward), with
+/// comma, semicolon or blanks between them. Lines that begin with # are comments. A head such as `x_mm,y_mm` or
+/// `x [m]; y [m]` tells the unit; without one a profile of more than 1 across is in millimetres.
+///
+/// # Errors
+/// [`CaseError`] with file and line.
+pub fn read_profile(path: &Path) -> Result<Profile, CaseError> {
+    let bytes = text_file::read_bounded(path, "profile", LARGEST)?;
+    let at_fault = |line: Option<usize>, message: String| CaseError::Data {
+        path: path.to_owned(),
+        line,
+        message,
+        help: None,
+    };
+    let text = text_file::decode(bytes)
+        .map_err(|binary| at_fault(Some(binary.line), binary.to_string()))?;
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    let mut lines = Vec::new();
+    let mut unit = None;
+    let mut may_be_head = true;
+    for (index, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with(['#', '!', '%']) {
+            continue;
+        }
+        let cells = cells(line);
+        let numbers: Vec<Option<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
+        match numbers[..] {
+            [Some(x), Some(height)] => {
+                points.push([x, height]);
+                lines.push(index + 1);
+            }
+            _ if may_be_head && numbers.iter().all(Option::is_none) => unit = unit_of_head(line),
+            _ => {
+                let shown = clipped(line);
+                let message = format!("\"{shown}\" is not a pair of numbers x, y");
+                return Err(at_fault(Some(index + 1), message));
+            }
+        }
+        may_be_head = false;
+    }
+    let width = points
+        .iter()
+        .fold([f64::MAX, f64::MIN], |[low, high], point| {
+            [low.min(point[0]), high.max(point[0])]
+        });
+    let factor = match unit {
+        Some(factor) => factor,
+        None if width[1] - width[0] > WIDEST_IN_METRES => 1e-3,
+        None => 1.0,
+    };
+    for point in &mut points {
+        *point = point.map(|value| factor * value);
+    }
+    Profile::through(&points).map_err(|error| match &error {
+        ProfileError::Point { index, .. } => {
+            at_fault(lines.get(*index).copied(), error.to_string())
+        }
+        _ => at_fault(None, error.to_string()),
+    })
+}
+
+fn cells(line: &str) -> Vec<&str> {
+    let separator = [';', '\t', ',']
+        .into_iter()
+        .find(|separator| line.contains(*separator));
+    let cells: Vec<&str> = match separator {
+        Some(separator) => line.split(separator).map(str::trim).collect(),
+        None => line.split_whitespace().collect(),
+    };
+    // A separator at the end of a line makes no column.
+    let filled = cells
+        .iter()
+        .rposition(|cell| !cell.is_empty())
+        .map_or(0, |last| last + 1);
+    cells[..filled].to_vec()
+}
+
+/// Millimetres or metres, if a head says so.
+fn unit_of_head(head: &str) -> Option<f64> {
+    let mut words = head.split(|character: char| !character.is_ascii_alphabetic());
+    words.find_map(|word| match word {
+        "mm" => Some(1e-3),
+        "m" => Some(1.0),
+        _ => None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arc of 300 mm in each way of writing is one profile.
+    #[test]
+    fn every_way_of_writing_is_one_profile() {
+        let arc = |factor: f64, separator: &str| {
+            (-20..=20)
+                .map(|index| {
+                    let x = 1e-3 * f64::from(index);
+                    format!("{:.9}{separator}{:.9}\n", factor * x, -factor * x * x / 0.6)
+                })
+                .collect::<String>()
+        };
+        let folder = tempfile::tempdir().unwrap();
+        let read = |text: &str| {
+            let path = folder.path().join("rail.csv");
+            std::fs::write(&path, text).unwrap();
+            read_profile(&path)
+        };
+        for text in [
+            arc(1e3, ","),
+            format!("# crown at the origin\nx_mm,y_mm\n{}", arc(1e3, ",")),
+            format!("x [m]; y [m]\n{}", arc(1.0, ";")),
+            arc(1.0, "  ").replace('\n', "\r\n"),
+        ] {
+            let point = read(&text).unwrap().at(5e-3).unwrap();
+            assert!((point.height + 25e-6 / 0.6).abs() < 1e-9, "{text}");
+        }
+        let refused = |text: String| read(&text).unwrap_err().to_string();
+        let broken = arc(1e3, ",").replacen("-18.0", "-18,0", 1);
+        assert!(refused(broken).contains("line 3: "));
+        let mut lines: Vec<String> = arc(1e3, ",").lines().map(str::to_owned).collect();
+        lines.swap(9, 14);
+        let message = refused(lines.join("\n"));
+        assert!(
+            message.contains("line ") && message.contains("turns back"),
+            "{message}"
+        );
+        assert!(refused("1,2\n3,4\n".to_owned()).contains("8 points or more"));
+    }
+}

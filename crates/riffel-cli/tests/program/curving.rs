@@ -1,0 +1,198 @@
+//! Bogies in curves, from the command line to the files.
+
+use crate::sandbox::Sandbox;
+
+const CASE: &str = "cases/bogie.toml";
+
+/// The document has what the table over the radius has at the radius of the case, and tells its residuals.
+#[test]
+fn curve_and_its_table_hold_the_same() {
+    let sandbox = Sandbox::new();
+    let written = sandbox.riffel(&format!("curve {CASE} --json -o out"));
+    assert_eq!(written.status, Some(0), "{}", written.text);
+    let document = sandbox.json(&format!("curve {CASE} --json"));
+    let first = &document["wheelsets"][0];
+    // The leading wheelset of a stiff bogie runs on its outer flange, with its nose to the outside.
+    assert!(first["lateral_shift_m"].as_f64().unwrap() < -5e-3);
+    assert!(first["angle_of_attack_rad"].as_f64().unwrap() > 1e-3);
+    assert!(document["residual"].as_f64().unwrap() < 1e-10);
+    for step in document["continuation"].as_array().unwrap() {
+        assert!(step["residual"].as_f64().unwrap() < 1e-10);
+    }
+    let power = document["frictional_power_w"].as_f64().unwrap();
+    let wheels = document["wheels"].as_array().unwrap();
+    let sum: f64 = wheels
+        .iter()
+        .map(|wheel| wheel["t_gamma_n"].as_f64().unwrap())
+        .sum();
+    assert!((sum * 60.0 / 3.6 / power - 1.0).abs() < 1e-12);
+    // Above the case and below it the table has radii; wear falls with the radius.
+    let table = std::fs::read_to_string(sandbox.path("out/curve.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect())
+        .collect();
+    let wear = |row: &Vec<&str>| row.last().unwrap().parse::<f64>().unwrap();
+    assert_eq!(rows.len() % 4, 0);
+    assert!(rows.len() >= 4 * 70, "{}", rows.len());
+    assert!(wear(&rows[0]) > 10.0 * wear(&rows[rows.len() - 4]));
+}
+
+/// A case of all axes may hold the tables of curving, and both commands read it.
+#[test]
+fn an_ordinary_case_may_hold_the_tables() {
+    let sandbox = Sandbox::new();
+    let ordinary = std::fs::read_to_string(sandbox.path("cases/nominal.toml")).unwrap();
+    let tables = std::fs::read_to_string(sandbox.path(CASE)).unwrap();
+    let from = tables.find("[curve]").unwrap();
+    let to = tables.find("[contact]").unwrap();
+    std::fs::write(
+        sandbox.path("both.toml"),
+        format!("{ordinary}\n{}", &tables[from..to]),
+    )
+    .unwrap();
+    let point = sandbox.json("point both.toml --wavelength 0.05 --speed 30 --json");
+    assert_eq!(
+        point,
+        sandbox.json("point cases/nominal.toml --wavelength 0.05 --speed 30 --json")
+    );
+    let wheelset = "--set wheelset.mass=1400 --set wheelset.contact_spacing=1.5";
+    let law = "--set contact.creep_law=shen-hedrick-elkins";
+    sandbox.json(&format!("curve both.toml {wheelset} {law} --json"));
+}
+
+/// Bad input ends in one sentence with its key.
+#[test]
+fn what_cannot_run_is_refused() {
+    let sandbox = Sandbox::new();
+    for (change, sentence) in [
+        (
+            "--set curve.radius=0.5",
+            "must be larger than the wheelbase",
+        ),
+        (
+            "--set curve.radius=\"60 m\" --set curve.speed=\"100 km/h\"",
+            "the vehicle tips over",
+        ),
+        ("--set curve.theory=linear", "knows no flange"),
+        (
+            "--set contact.creep_law=polach",
+            "\"polach\" is not one of its choices",
+        ),
+        (
+            "--set profiles.flange.stiffness=\"50 MN/m\"",
+            "takes a flange of slope, shift, width",
+        ),
+        ("--set bogie.weelbase=2", "is not a key Riffel knows"),
+        ("--set contact.friction=40", "friction"),
+        ("--set wheelset.mass=\"12 t\"", "at most the mass per axle"),
+    ] {
+        let refused = sandbox.riffel(&format!("curve {CASE} {change}"));
+        assert_eq!(refused.status, Some(2), "{change}: {}", refused.text);
+        assert!(
+            refused.sentence().contains(sentence),
+            "{change}: {}",
+            refused.text
+        );
+        assert_eq!(sandbox.list("."), ["cases"]);
+    }
+}
+
+/// Profiles from files as the nominal ones, in the same place on the wheel, and the table beside the document.
+#[test]
+fn profiles_of_files_are_those_of_their_names() {
+    let sandbox = Sandbox::new();
+    let case = "cases/profiles.toml";
+    let shown = sandbox.json("profile S1002 60E1 --json");
+    for (index, name) in ["wheel.csv", "rail.csv"].into_iter().enumerate() {
+        let profile = &shown["profiles"][index];
+        let column =
+            |key: &str| -> Vec<f64> { serde_json::from_value(profile[key].clone()).unwrap() };
+        let rows = column("x_m").into_iter().zip(column("height_m"));
+        let rows: Vec<String> = rows
+            .map(|(x, height)| format!("{x:.9};{height:.9}"))
+            .collect();
+        std::fs::write(
+            sandbox.path(name),
+            format!("x [m]; y [m]\n{}\n", rows.join("\n")),
+        )
+        .unwrap();
+    }
+    let asked = "--wheelset --yaw \"2 mrad\" --lateral-shift=\"-3 mm,0 mm,4.5 mm\" --json";
+    let nominal = sandbox.json(&format!("profile {case} {asked}"));
+    // The case lies in another folder than the files.
+    let files = "--set profiles.wheel=../wheel.csv --set profiles.rail=../rail.csv";
+    let of_files = sandbox.json(&format!("profile {case} {asked} {files}"));
+    let column = |document: &serde_json::Value, key: &str| -> Vec<f64> {
+        serde_json::from_value(document[key].clone()).unwrap()
+    };
+    for (key, tolerance) in [
+        ("centre_z", 1e-7),
+        ("right_y_wheel", 5e-5),
+        ("left_y_wheel", 5e-5),
+        ("roll", 2e-7),
+    ] {
+        let pairs = column(&nominal, key)
+            .into_iter()
+            .zip(column(&of_files, key));
+        for (one, other) in pairs {
+            assert!((one - other).abs() < tolerance, "{key}: {one} {other}");
+        }
+    }
+    assert_eq!(column(&nominal, "lateral_shift"), [-0.003, 0.0, 0.0045]);
+    // About 0.18 at 3 mm.
+    let klingel = nominal["equivalent_conicity"]["klingel"][2]
+        .as_f64()
+        .unwrap();
+    assert!((klingel - 0.1771).abs() < 5e-4, "{klingel}");
+    let curve = sandbox.json(&format!("curve {case} --json"));
+    assert!(curve["residual"].as_f64().unwrap() < 1e-10);
+    assert!(curve["wheelsets"][0]["lateral_shift_m"].as_f64().unwrap() < 0.0);
+}
+
+/// Profiles that cannot be end in one sentence.
+#[test]
+fn profiles_that_cannot_be_are_refused() {
+    let sandbox = Sandbox::new();
+    let arc = |side: f64| {
+        let rows = (-300..=300).map(|index| {
+            let x = 0.1 * f64::from(index);
+            format!("{x},{}\n", side * x * x / 600.0)
+        });
+        rows.collect::<Vec<String>>()
+    };
+    let mut swapped = arc(-1.0);
+    swapped.swap(40, 90);
+    std::fs::write(sandbox.path("swapped.csv"), swapped.concat()).unwrap();
+    std::fs::write(sandbox.path("upside-down.csv"), arc(1.0).concat()).unwrap();
+    std::fs::write(sandbox.path("words.csv"), "x,y\n1,2\nabout 3,4\n").unwrap();
+    for (change, sentence) in [
+        ("profiles.rail=../swapped.csv", "swapped.csv, line 4"),
+        ("profiles.rail=../upside-down.csv", "upside down"),
+        ("profiles.rail=../words.csv", "words.csv, line 3"),
+        ("profiles.rail=../none.csv", "cannot be read"),
+        ("profiles.wheel=60E1", "it has no flange"),
+        ("profiles.gauge=1.6 m", "does not touch"),
+        ("profiles.gauge_height=40 mm", "ends above the gauge height"),
+        ("profiles.inclination=steep", "as in \"1:40\""),
+        ("profiles.wheel=cone", "which has no profile"),
+    ] {
+        let refused = sandbox.riffel(&format!(
+            "profile cases/profiles.toml --wheelset --json --set '{change}'"
+        ));
+        assert_eq!(refused.status, Some(2), "{change}: {}", refused.text);
+        assert!(
+            refused.sentence().contains(sentence),
+            "{change}: {}",
+            refused.text
+        );
+    }
+    let far =
+        sandbox.riffel("profile cases/profiles.toml --wheelset --lateral-shift \"90 mm\" --json");
+    assert_eq!(far.status, Some(2), "{}", far.text);
+    assert_eq!(
+        sandbox.list("."),
+        ["cases", "swapped.csv", "upside-down.csv", "words.csv"]
+    );
+}

@@ -1,0 +1,101 @@
+//! Equivalent conicity.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Pieces of a quarter wave. The integrands are smooth in the phase but for kinks and jumps of the table, at which the
+/// midpoint rule errs with the square of the piece: 1e-7.
+const PIECES: usize = 4000;
+
+/// Equivalent conicity at an amplitude: the conicity of the cone that moves alike, by three rules.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct EquivalentConicity {
+    /// That with the wavelength of the free motion y″ = −Δr/(e r₀): γ = (π/λ)² 2 e r₀.
+    pub klingel: f64,
+    /// Mean of Δr(A sin τ) sin τ / A over a wave.
+    pub harmonic: f64,
+    /// ∫yΔr / 2∫y² over the amplitude.
+    pub regression: f64,
+    /// Wavelength of the free motion \[m\].
+    pub wavelength: f64,
+}
+
+impl EquivalentConicity {
+    /// Of the rolling radius difference Δr(y) \[m\], right less left, over the lateral shift \[m\], at half the peak-to-peak
+    /// amplitude A \[m\]; e \[m\] is the spacing of the contacts, r₀ \[m\] the rolling radius. None where the motion does not
+    /// swing at this amplitude.
+    ///
+    /// On a cone of conicity γ, Δr = 2γy, all three are γ. Source: Klingel (1883); the rules are those of EN 15302.
+    pub fn at(
+        rolling_radius_difference: impl Fn(f64) -> f64,
+        amplitude: f64,
+        contact_spacing: f64,
+        rolling_radius: f64,
+    ) -> Option<Self> {
+        let difference = rolling_radius_difference;
+        let scale = contact_spacing * rolling_radius;
+        // The middle of the motion: as much work to either side.
+        let work = |middle: f64| {
+            let step = PI / PIECES as f64;
+            let piece = |index: usize| {
+                let phase = -FRAC_PI_2 + (index as f64 + 0.5) * step;
+                difference(middle + amplitude * phase.sin()) * phase.cos() * step
+            };
+            (0..PIECES).map(piece).sum::<f64>()
+        };
+        let (mut low, mut high) = (-amplitude, amplitude);
+        let (at_low, at_middle) = (work(low), work(0.0));
+        let middle = if at_middle.abs() <= 1e-12 * work(high).abs().max(at_low.abs()) {
+            0.0
+        } else {
+            if at_low > 0.0 || work(high) < 0.0 {
+                return None;
+            }
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                match work(middle) < 0.0 {
+                    true => low = middle,
+                    false => high = middle,
+                }
+            }
+            0.5 * (low + high)
+        };
+        // y = middle + A sin τ from the far end inward: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v.
+        let pieces = 2 * PIECES;
+        let step = PI / pieces as f64;
+        let at = |phase: f64| {
+            difference(middle + amplitude * phase.sin()) * amplitude * phase.cos() / scale
+        };
+        let (mut energy, mut half_wave) = (0.0, 0.0);
+        for index in (0..pieces).rev() {
+            let begin = -FRAC_PI_2 + index as f64 * step;
+            let (centre, end) = (begin + 0.5 * step, begin + step);
+            // Simpson's rule over either half of the piece.
+            let outer = (at(end) + 4.0 * at(begin + 0.75 * step) + at(centre)) * step / 12.0;
+            let inner = (at(centre) + 4.0 * at(begin + 0.25 * step) + at(begin)) * step / 12.0;
+            energy += outer;
+            if !(energy > 0.0) {
+                return None;
+            }
+            half_wave += amplitude * centre.cos() / (2.0 * energy).sqrt() * step;
+            energy += inner;
+        }
+        let wavelength = 2.0 * half_wave;
+        let mean = |value: &dyn Fn(f64) -> f64| {
+            let phases = (0..pieces).map(|index| -FRAC_PI_2 + (index as f64 + 0.5) * step);
+            phases.map(value).sum::<f64>() * step
+        };
+        let harmonic =
+            mean(&|phase| difference(amplitude * phase.sin()) * phase.sin()) / (PI * amplitude);
+        let moment = mean(&|phase| {
+            let y = amplitude * phase.sin();
+            y * difference(y) * amplitude * phase.cos()
+        });
+        Some(Self {
+            klingel: (PI / wavelength).powi(2) * 2.0 * scale,
+            harmonic,
+            regression: moment / (4.0 / 3.0 * amplitude.powi(3)),
+            wavelength,
+        })
+    }
+}

@@ -1,0 +1,24 @@
+//! Profiles of wheels and rails, and where a wheelset touches its track.
+//!
+//! A profile lies in the plane across the track: x lateral, positive to the field side, height positive upward. A rail
+//! stands upright with its crown in the origin; a wheel has the origin on the datum circle of its tread, its flange at
+//! x below zero and downward. Both are drawn as those of the right rail; the left ones are turned over.
+
+mod conicity;
+mod contact_table;
+mod error;
+mod nominal;
+#[allow(clippy::module_inception)]
+mod profile;
+mod spline;
+mod wheelset_on_track;
+
+pub use conicity::EquivalentConicity;
+pub use contact_table::ContactTable;
+pub use error::ProfileError;
+pub use nominal::{NOMINAL, NominalProfile};
+pub use profile::{Profile, ProfilePoint};
+pub use wheelset_on_track::{ProfileContact, Track, Wheels, WheelsetContact, WheelsetOnTrack};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,312 @@
+//! A smooth curve across the track.
+
+use super::ProfileError;
+use super::spline::slopes;
+
+/// Fewest points of a profile.
+const LEAST: usize = 8;
+
+/// A profile: a curve of cubic pieces with a continuous tangent, its lateral coordinate increasing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    /// Lateral coordinates of the ends of the pieces \[m\], one more than there are pieces.
+    ends: Vec<f64>,
+    pieces: Vec<Piece>,
+}
+
+/// A piece over a parameter u from 0 to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Piece {
+    x: [f64; 4],
+    height: [f64; 4],
+}
+
+/// A place on a profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePoint {
+    /// Lateral coordinate \[m\].
+    pub x: f64,
+    /// Height \[m\].
+    pub height: f64,
+    /// Slope dh/dx \[-\].
+    pub slope: f64,
+    /// Curvature \[1/m\], positive where the curve is hollow seen from above.
+    pub curvature: f64,
+}
+
+/// An end of pieces: place and unit tangent or any multiple of it, by one parameter.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Knot {
+    pub(super) x: f64,
+    pub(super) height: f64,
+    pub(super) by_parameter: [f64; 2],
+}
+
+impl Profile {
+    /// The natural cubic spline over the arc length of the chords through points (x, height) \[m\]. Points may run
+    /// either way. Only the part around the highest point counts in which x increases: flanks that hang over are cut.
+    ///
+    /// # Errors
+    /// [`ProfileError`] for fewer than eight points, points that are not finite or stand twice, and for a curve that
+    /// turns back across the track between points that do not.
+    pub fn through(points: &[[f64; 2]]) -> Result<Self, ProfileError> {
+        if points.len() < LEAST {
+            return Err(ProfileError::TooFew {
+                count: points.len(),
+                least: LEAST,
+            });
+        }
+        if let Some(index) = points
+            .iter()
+            .position(|point| point.iter().any(|value| !value.is_finite()))
+        {
+            return Err(ProfileError::Point {
+                index,
+                rule: "a coordinate is not finite".to_owned(),
+            });
+        }
+        let mut points = points.to_vec();
+        let backward = points[0][0] > points[points.len() - 1][0];
+        if backward {
+            points.reverse();
+        }
+        let count = points.len();
+        let original = |index: usize| if backward { count - 1 - index } else { index };
+        let mut parameter = vec![0.0];
+        for (index, pair) in points.windows(2).enumerate() {
+            let chord = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+            if chord <= 0.0 {
+                return Err(ProfileError::Point {
+                    index: original(index + 1),
+                    rule: "the point stands there twice".to_owned(),
+                });
+            }
+            parameter.push(parameter[index] + chord);
+        }
+        let coordinate = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
+        let (x, height) = (coordinate(0), coordinate(1));
+        let (along, up) = (slopes(&parameter, &x), slopes(&parameter, &height));
+        let knots = (0..count).map(|index| Knot {
+            x: x[index],
+            height: height[index],
+            by_parameter: [along[index], up[index]],
+        });
+        let knots: Vec<Knot> = knots.collect();
+        let pieces: Vec<Piece> = (0..count - 1)
+            .map(|index| {
+                Piece::between(
+                    &knots[index],
+                    &knots[index + 1],
+                    parameter[index + 1] - parameter[index],
+                )
+            })
+            .collect();
+        let rises: Vec<bool> = pieces.iter().map(Piece::goes_outward).collect();
+        // The longest run across the track; what hangs over at its ends is cut off.
+        let (mut from, mut to) = (0, 0);
+        let mut begin = 0;
+        for index in 0..=pieces.len() {
+            if index == pieces.len() || !rises[index] {
+                if x[index] - x[begin] > x[to] - x[from] {
+                    (from, to) = (begin, index);
+                }
+                begin = index + 1;
+            }
+        }
+        let whole = x.iter().fold(f64::MIN, |most, x| most.max(*x))
+            - x.iter().fold(f64::MAX, |least, x| least.min(*x));
+        if to == 0 || x[to] - x[from] < 0.8 * whole {
+            let turns = rises.iter().position(|outward| !outward).unwrap_or(0);
+            return Err(ProfileError::Point {
+                index: original(turns),
+                rule: "the curve turns back across the track here, as a profile with a loop or in a wrong order of points does"
+                    .to_owned(),
+            });
+        }
+        Ok(Self {
+            ends: x[from..=to].to_vec(),
+            pieces: pieces[from..to].to_vec(),
+        })
+    }
+
+    /// A curve of knots, each pair with one length of the parameter between them.
+    pub(super) fn of_knots(spans: &[(Knot, Knot, f64)]) -> Self {
+        let mut ends: Vec<f64> = spans.iter().map(|(begin, ..)| begin.x).collect();
+        ends.extend(spans.last().map(|(_, end, _)| end.x));
+        Self {
+            ends,
+            pieces: spans
+                .iter()
+                .map(|(begin, end, length)| Piece::between(begin, end, *length))
+                .collect(),
+        }
+    }
+
+    /// Ends of the lateral coordinate \[m\].
+    pub fn range(&self) -> [f64; 2] {
+        [self.ends[0], self.ends[self.ends.len() - 1]]
+    }
+
+    /// The place at a lateral coordinate \[m\]; none outside the range.
+    pub fn at(&self, x: f64) -> Option<ProfilePoint> {
+        let [low, high] = self.range();
+        if !(low..=high).contains(&x) {
+            return None;
+        }
+        let index = self
+            .ends
+            .partition_point(|end| *end <= x)
+            .clamp(1, self.pieces.len())
+            - 1;
+        Some(self.pieces[index].at(x, self.ends[index], self.ends[index + 1]))
+    }
+
+    /// The profile turned by an angle \[rad\], positive where the field side goes up, about its origin; parts that then
+    /// hang over are cut off.
+    pub fn turned(&self, angle: f64) -> Self {
+        let (sine, cosine) = angle.sin_cos();
+        let pieces: Vec<Piece> = self
+            .pieces
+            .iter()
+            .map(|piece| piece.turned(sine, cosine))
+            .collect();
+        // From the middle outward, as far as x increases.
+        let middle = pieces.len() / 2;
+        let from = (0..middle)
+            .rev()
+            .find(|&index| !pieces[index].goes_outward())
+            .map_or(0, |index| index + 1);
+        let to = (middle..pieces.len())
+            .find(|&index| !pieces[index].goes_outward())
+            .unwrap_or(pieces.len());
+        let mut ends: Vec<f64> = pieces[from..to].iter().map(|piece| piece.x[0]).collect();
+        ends.push(pieces[to - 1].x.iter().sum());
+        Self {
+            ends,
+            pieces: pieces[from..to].to_vec(),
+        }
+    }
+
+    /// The profile moved by (x, height) \[m\].
+    pub fn moved(&self, by: [f64; 2]) -> Self {
+        let mut moved = self.clone();
+        for end in &mut moved.ends {
+            *end += by[0];
+        }
+        for piece in &mut moved.pieces {
+            piece.x[0] += by[0];
+            piece.height[0] += by[1];
+        }
+        moved
+    }
+
+    /// Points from one end to the other, a step \[m\] apart across the track.
+    pub fn sampled(&self, step: f64) -> Vec<ProfilePoint> {
+        let [low, high] = self.range();
+        let count = ((high - low) / step).ceil().max(1.0) as usize;
+        let places = (0..=count).map(|index| low + (high - low) * index as f64 / count as f64);
+        places.filter_map(|x| self.at(x)).collect()
+    }
+
+    /// The highest point.
+    pub fn crown(&self) -> ProfilePoint {
+        let coarse = self.sampled(1e-4);
+        let highest = coarse
+            .iter()
+            .enumerate()
+            .max_by(|one, other| one.1.height.total_cmp(&other.1.height));
+        let place = highest.map_or(0, |(index, _)| index);
+        let mut low = coarse[place.saturating_sub(1)].x;
+        let mut high = coarse[(place + 1).min(coarse.len() - 1)].x;
+        // The slope falls through zero.
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            match self.at(middle) {
+                Some(point) if point.slope > 0.0 => low = middle,
+                _ => high = middle,
+            }
+        }
+        self.at(0.5 * (low + high)).unwrap_or(coarse[place])
+    }
+
+    /// The lateral coordinate \[m\] left of the crown at which the curve has a height \[m\]; none where it ends above.
+    pub fn inner_face(&self, height: f64) -> Option<f64> {
+        let (mut low, mut high) = (self.range()[0], self.crown().x);
+        if self.at(low)?.height > height || self.at(high)?.height < height {
+            return None;
+        }
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            match self.at(middle)?.height < height {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Some(0.5 * (low + high))
+    }
+}
+
+impl Piece {
+    /// Hermite's cubics between two knots.
+    fn between(begin: &Knot, end: &Knot, length: f64) -> Self {
+        let cubic = |from: f64, to: f64, slope_from: f64, slope_to: f64| {
+            let (p, q) = (slope_from * length, slope_to * length);
+            [
+                from,
+                p,
+                3.0 * (to - from) - 2.0 * p - q,
+                2.0 * (from - to) + p + q,
+            ]
+        };
+        let ([p, q], [r, s]) = (begin.by_parameter, end.by_parameter);
+        Self {
+            x: cubic(begin.x, end.x, p, r),
+            height: cubic(begin.height, end.height, q, s),
+        }
+    }
+
+    /// Whether x increases all along.
+    fn goes_outward(&self) -> bool {
+        let [_, b, c, d] = self.x;
+        let slope = |u: f64| b + u * (2.0 * c + 3.0 * d * u);
+        let inner = if d == 0.0 { 0.5 } else { -c / (3.0 * d) };
+        slope(0.0) > 0.0 && slope(1.0) > 0.0 && slope(inner.clamp(0.0, 1.0)) > 0.0
+    }
+
+    fn turned(&self, sine: f64, cosine: f64) -> Self {
+        let mut turned = *self;
+        for power in 0..4 {
+            let (x, height) = (self.x[power], self.height[power]);
+            turned.x[power] = cosine * x - sine * height;
+            turned.height[power] = sine * x + cosine * height;
+        }
+        turned
+    }
+
+    /// The place at x, between the ends of the piece.
+    fn at(&self, x: f64, low: f64, high: f64) -> ProfilePoint {
+        let [a, b, c, d] = self.x;
+        let mut u = (x - low) / (high - low);
+        // Pieces are nearly straight in x: a few steps reach rounding, and none leaves the piece for good.
+        for _ in 0..20 {
+            let slope = b + u * (2.0 * c + 3.0 * d * u);
+            let step = (a + u * (b + u * (c + u * d)) - x) / slope;
+            u = (u - step).clamp(0.0, 1.0);
+            if step.abs() < 1e-14 {
+                break;
+            }
+        }
+        let [e, f, g, h] = self.height;
+        let (along, up) = (
+            b + u * (2.0 * c + 3.0 * d * u),
+            f + u * (2.0 * g + 3.0 * h * u),
+        );
+        let (along_bend, up_bend) = (2.0 * c + 6.0 * d * u, 2.0 * g + 6.0 * h * u);
+        ProfilePoint {
+            x,
+            height: e + u * (f + u * (g + u * h)),
+            slope: up / along,
+            curvature: (along * up_bend - up * along_bend) / along.hypot(up).powi(3),
+        }
+    }
+}

@@ -1,0 +1,583 @@
+//! A rigid wheelset on two rails.
+
+use std::sync::Arc;
+
+use super::{Profile, ProfileError, ProfilePoint};
+use crate::Rail;
+
+/// Distance of the samples of a wheel \[m\] among which minima of the gap are looked for.
+const WHEEL_STEP: f64 = 2e-4;
+/// Distance of the samples of a rail \[m\].
+const RAIL_STEP: f64 = 2e-5;
+/// Another local minimum of the gap within this distance is told \[m\].
+const SECOND: f64 = 5e-5;
+/// Where the gap is within this of its least \[m\], every sample is looked around.
+const FLAT: f64 = 2e-7;
+/// Samples whose gap is within this of the least \[m\] may touch at a roll within [`NEAR_ROLL`]: it moves the gap by at
+/// most 2 m times its change, on the steepest flanks.
+const REACH: f64 = 3e-3;
+const NEAR_ROLL: f64 = 1e-3;
+/// The roll is found to this difference of heights \[m\].
+const LEVEL: f64 = 1e-14;
+/// Most steps of the roll; near flanges some ten are needed.
+const MOST_ROLLS: usize = 60;
+/// Largest sine of the angle by which a contact runs ahead about the axle; steeper parts of a yawed wheel are not seen.
+const FARTHEST_AHEAD: f64 = 0.99;
+
+/// Both rails in their places.
+#[derive(Debug, Clone)]
+pub struct Track {
+    /// Left, right; both as right rails: x across the track from its middle outward, height above the crown.
+    rails: [Arc<PlacedRail>; 2],
+}
+
+#[derive(Debug)]
+struct PlacedRail {
+    profile: Profile,
+    /// Heights a step apart from the inner end.
+    heights: Vec<f64>,
+}
+
+impl PlacedRail {
+    fn new(profile: Profile) -> Self {
+        let [low, high] = profile.range();
+        let count = ((high - low) / RAIL_STEP) as usize;
+        let heights = (0..=count).filter_map(|index| profile.at(low + RAIL_STEP * index as f64));
+        Self {
+            heights: heights.map(|point| point.height).collect(),
+            profile,
+        }
+    }
+
+    /// Height between samples; none beside the rail.
+    fn height(&self, x: f64) -> Option<f64> {
+        let place = (x - self.profile.range()[0]) / RAIL_STEP;
+        if !(place >= 0.0) {
+            return None;
+        }
+        let index = place as usize;
+        let [one, other] = self.heights.get(index..index + 2)?.try_into().ok()?;
+        Some(one + (place - index as f64) * (other - one))
+    }
+}
+
+impl Track {
+    /// Rails of two profiles, left and right, both drawn as right ones, inclined by tan α towards each other; their inner
+    /// faces are `gauge` \[m\] apart `gauge_height` \[m\] below their crowns.
+    ///
+    /// # Errors
+    /// [`ProfileError`] for a rail that ends above the height of the gauge or is drawn upside down, and a gauge that
+    /// makes the rails overlap.
+    pub fn new(
+        rails: [&Profile; 2],
+        gauge: f64,
+        gauge_height: f64,
+        inclination: f64,
+    ) -> Result<Self, ProfileError> {
+        let [left, right] = rails.map(|rail| placed(rail, gauge, gauge_height, inclination));
+        Ok(Self {
+            rails: [Arc::new(left?), Arc::new(right?)],
+        })
+    }
+}
+
+fn placed(
+    rail: &Profile,
+    gauge: f64,
+    gauge_height: f64,
+    inclination: f64,
+) -> Result<PlacedRail, ProfileError> {
+    let turned = rail.turned(inclination.atan());
+    let crown = turned.crown();
+    let [low, high] = turned.range();
+    if crown.x - low < 1e-3 || high - crown.x < 1e-3 {
+        return Err(ProfileError::Shape(
+            "the highest point of the rail lies at its end, as in a profile that is drawn upside down or cut at its crown"
+                .to_owned(),
+        ));
+    }
+    let inner = turned.inner_face(crown.height - gauge_height).ok_or_else(|| {
+        ProfileError::Gauge(format!(
+            "the inner side of the rail ends above the gauge height of {:.1} mm below its crown, or the profile is mirrored: \
+             x must be positive to the field side",
+            1e3 * gauge_height
+        ))
+    })?;
+    if 0.5 * gauge + low - inner <= 0.0 {
+        return Err(ProfileError::Gauge(format!(
+            "with a gauge of {:.1} mm the rails overlap",
+            1e3 * gauge
+        )));
+    }
+    Ok(PlacedRail::new(
+        turned.moved([0.5 * gauge - inner, -crown.height]),
+    ))
+}
+
+/// The wheels of a rigid wheelset.
+#[derive(Debug, Clone)]
+pub struct Wheels {
+    /// Left, right; both as right wheels.
+    wheels: [Arc<SampledWheel>; 2],
+    /// Distance of the origins of the profiles from the middle of the axle \[m\].
+    half_spacing: f64,
+}
+
+#[derive(Debug)]
+struct SampledWheel {
+    profile: Profile,
+    rolling_radius: f64,
+    samples: Vec<ProfilePoint>,
+}
+
+impl Wheels {
+    /// Wheels of two profiles, left and right, with their radii on the datum circle \[m\]; the flange backs lie
+    /// `flange_back_distance` \[m\] apart and at `flange_back_position` \[m\] in the coordinates of a wheel.
+    ///
+    /// # Errors
+    /// [`ProfileError`] for a wheel without a flange at x below zero, as a mirrored one, and for one whose datum circle
+    /// is not on the profile.
+    pub fn new(
+        profiles: [&Profile; 2],
+        rolling_radii: [f64; 2],
+        flange_back_distance: f64,
+        flange_back_position: f64,
+    ) -> Result<Self, ProfileError> {
+        let sampled = |index: usize| {
+            let profile: &Profile = profiles[index];
+            check_wheel(profile)?;
+            Ok(Arc::new(SampledWheel {
+                rolling_radius: rolling_radii[index],
+                samples: profile.sampled(WHEEL_STEP),
+                profile: profile.clone(),
+            }))
+        };
+        Ok(Self {
+            wheels: [sampled(0)?, sampled(1)?],
+            half_spacing: 0.5 * flange_back_distance - flange_back_position,
+        })
+    }
+
+    /// Distance of the datum circles \[m\].
+    pub fn spacing(&self) -> f64 {
+        2.0 * self.half_spacing
+    }
+}
+
+fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
+    let origin = profile.at(0.0).ok_or_else(|| {
+        ProfileError::Shape(
+            "x = 0, the datum circle of the tread, is not on the profile of the wheel".to_owned(),
+        )
+    })?;
+    // A flange hangs 25 mm or more below the datum circle; trams have 15.
+    const LEAST_FLANGE: f64 = 5e-3;
+    let samples = profile.sampled(WHEEL_STEP);
+    let lowest = |side: f64| {
+        let there = samples.iter().filter(|point| point.x * side > 0.0);
+        there.fold(origin.height, |least: f64, point| least.min(point.height))
+    };
+    let highest = samples
+        .iter()
+        .fold(origin.height, |most: f64, point| most.max(point.height));
+    let (inside, outside) = (origin.height - lowest(-1.0), origin.height - lowest(1.0));
+    if inside > LEAST_FLANGE && inside > outside {
+        return Ok(());
+    }
+    let why = if outside > LEAST_FLANGE {
+        "its flange lies at x above zero: it is mirrored, for x must be positive to the field side"
+    } else if highest - origin.height > LEAST_FLANGE {
+        "it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down"
+    } else {
+        "it has no flange"
+    };
+    Err(ProfileError::Shape(why.to_owned()))
+}
+
+/// Where a wheel touches its rail.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct ProfileContact {
+    /// Rolling radius r \[m\].
+    pub rolling_radius: f64,
+    /// Contact angle γ \[rad\], positive where the normal force pushes the rail outward.
+    pub contact_angle: f64,
+    /// Lateral coordinate in the profile of the wheel \[m\].
+    pub x_wheel: f64,
+    /// Place on the track: ahead of the axle's middle, to the right of the track's, below the crowns \[m\].
+    pub on_track: [f64; 3],
+    /// Curvature of the rail \[1/m\], positive for a convex head.
+    pub rail_curvature: f64,
+    /// Curvature of the wheel \[1/m\], positive for a hollow one.
+    pub wheel_curvature: f64,
+    /// Another local minimum of the vertical gap within 0.05 mm: gap and lateral coordinate on the wheel \[m\].
+    pub second: Option<(f64, f64)>,
+}
+
+/// A wheelset that touches both rails.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WheelsetContact {
+    /// Lateral shift y \[m\], positive to the right.
+    pub lateral_shift: f64,
+    /// Yaw ψ \[rad\], positive with the nose to the right.
+    pub yaw: f64,
+    /// Roll φ \[rad\], positive with the right side down.
+    pub roll: f64,
+    /// Lowering of the axle's middle from where wheels of the radius on the datum circle would have it on the crowns \[m\].
+    pub centre_z: f64,
+    /// Left, right.
+    pub contacts: [ProfileContact; 2],
+}
+
+impl WheelsetContact {
+    /// r of the right wheel less that of the left \[m\].
+    pub fn rolling_radius_difference(&self) -> f64 {
+        self.contacts[1].rolling_radius - self.contacts[0].rolling_radius
+    }
+}
+
+/// A rigid wheelset on two rails.
+#[derive(Debug, Clone)]
+pub struct WheelsetOnTrack {
+    /// The wheels.
+    pub wheels: Wheels,
+    /// The rails.
+    pub track: Track,
+}
+
+/// How one wheel stands, seen as a right one.
+#[derive(Clone, Copy)]
+struct Attitude {
+    lateral_shift: f64,
+    yaw: (f64, f64),
+    roll: (f64, f64),
+}
+
+/// A point of a wheel's outline as seen along the track, from the axle's middle.
+struct Outline {
+    ahead: f64,
+    across: f64,
+    down: f64,
+    /// dz/dy of the outline.
+    slope: f64,
+}
+
+/// A local minimum of the gap.
+#[derive(Clone, Copy)]
+struct Touch {
+    /// Lowering of the axle at which the wheel touches here \[m\].
+    height: f64,
+    x_wheel: f64,
+}
+
+impl WheelsetOnTrack {
+    /// Where the wheelset touches at a lateral shift \[m\] and a yaw \[rad\]; its roll is that at which both wheels touch.
+    ///
+    /// The wheel is seen along the track as the curve of those of its points whose normal has no component along it; roll
+    /// follows yaw. Touch is the least vertical distance between that curve and the rail. Method: samples of the wheel
+    /// every 0.2 mm, each local minimum of the distance refined where wheel and rail have one slope; Newton for the roll.
+    /// Accuracy: that of the profiles. No elasticity. Cost: some 50 µs.
+    ///
+    /// # Errors
+    /// [`ProfileError::NoContact`] where a wheel has left its rail.
+    pub fn contact(&self, lateral_shift: f64, yaw: f64) -> Result<WheelsetContact, ProfileError> {
+        let failed = |rail: Rail| ProfileError::NoContact {
+            lateral_shift,
+            yaw,
+            rail: match rail {
+                Rail::Left => "left",
+                Rail::Right => "right",
+            },
+        };
+        let mut roll = 0.0_f64;
+        let mut near = [Vec::new(), Vec::new()];
+        let mut scanned = roll;
+        for _ in 0..MOST_ROLLS {
+            if (roll - scanned).abs() > NEAR_ROLL {
+                near.iter_mut().for_each(Vec::clear);
+                scanned = roll;
+            }
+            let [left, right] = Rail::BOTH.map(|rail| {
+                let attitude = attitude(rail, lateral_shift, yaw, roll);
+                self.touches(rail, &attitude, &mut near[place(rail)])
+            });
+            let left = left.ok_or_else(|| failed(Rail::Left))?;
+            let right = right.ok_or_else(|| failed(Rail::Right))?;
+            let difference = right[0].height - left[0].height;
+            let rate = |rail: Rail, touch: &Touch| {
+                let attitude = attitude(rail, lateral_shift, yaw, roll);
+                let outline = self.outline(rail, touch.x_wheel, &attitude);
+                outline.map(|outline| -outline.slope * outline.down - outline.across)
+            };
+            let slope = match (rate(Rail::Right, &right[0]), rate(Rail::Left, &left[0])) {
+                (Some(right), Some(left)) => right + left,
+                _ => return Err(failed(Rail::Right)),
+            };
+            let step = difference / slope;
+            if difference.abs() < LEVEL || step.abs() < 1e-15 {
+                let height = 0.5 * (right[0].height + left[0].height);
+                return Ok(WheelsetContact {
+                    lateral_shift,
+                    yaw,
+                    roll,
+                    centre_z: height + self.wheels.wheels[1].rolling_radius,
+                    contacts: [
+                        self.describe(Rail::Left, lateral_shift, yaw, roll, height, &left)
+                            .ok_or_else(|| failed(Rail::Left))?,
+                        self.describe(Rail::Right, lateral_shift, yaw, roll, height, &right)
+                            .ok_or_else(|| failed(Rail::Right))?,
+                    ],
+                });
+            }
+            // Flanges are steep: a step of the roll leaves the neighbourhood in which slopes hold.
+            roll -= step.clamp(-5e-3, 5e-3);
+            if roll.abs() > 0.2 {
+                return Err(failed(if lateral_shift > 0.0 {
+                    Rail::Left
+                } else {
+                    Rail::Right
+                }));
+            }
+        }
+        Err(failed(if lateral_shift > 0.0 {
+            Rail::Right
+        } else {
+            Rail::Left
+        }))
+    }
+
+    fn outline(&self, rail: Rail, x_wheel: f64, attitude: &Attitude) -> Option<Outline> {
+        let wheel = self.wheel(rail);
+        outline_of(
+            &wheel.profile.at(x_wheel)?,
+            wheel.rolling_radius,
+            self.wheels.half_spacing,
+            attitude,
+        )
+    }
+
+    fn wheel(&self, rail: Rail) -> &SampledWheel {
+        &self.wheels.wheels[place(rail)]
+    }
+
+    /// Local minima of the gap, the least first, all within [`SECOND`]; none where the wheel misses the rail. `near` are the
+    /// samples that may touch at any roll close by; empty, all are looked through, and those are handed back.
+    fn touches(
+        &self,
+        rail: Rail,
+        attitude: &Attitude,
+        near: &mut Vec<usize>,
+    ) -> Option<Vec<Touch>> {
+        let wheel = self.wheel(rail);
+        let placed = &self.track.rails[place(rail)];
+        let gap = |index: usize| {
+            let point = &wheel.samples[index];
+            let outline = outline_of(
+                point,
+                wheel.rolling_radius,
+                self.wheels.half_spacing,
+                attitude,
+            )?;
+            Some(-placed.height(attitude.lateral_shift + outline.across)? - outline.down)
+        };
+        let gaps: Vec<(usize, f64)> = match &near[..] {
+            [] => (0..wheel.samples.len())
+                .filter_map(|index| Some((index, gap(index)?)))
+                .collect(),
+            near => near
+                .iter()
+                .filter_map(|&index| Some((index, gap(index)?)))
+                .collect(),
+        };
+        let least = gaps
+            .iter()
+            .fold(f64::INFINITY, |least, (_, gap)| f64::min(least, *gap));
+        if near.is_empty() {
+            near.extend(
+                gaps.iter()
+                    .filter(|(_, gap)| gap - least < REACH)
+                    .map(|(index, _)| index),
+            );
+        }
+        // Samples may lie above the minimum between them by some micrometres on flanges.
+        let mut touches: Vec<Touch> = Vec::new();
+        let within = |&(_, gap): &(usize, f64), beyond: f64| gap <= least + beyond;
+        for (place, entry) in gaps.iter().enumerate() {
+            let index = entry.0;
+            let beside =
+                |other: Option<&(usize, f64)>| other.map_or(f64::INFINITY, |other| other.1);
+            let is_lowest = entry.1
+                <= beside(place.checked_sub(1).and_then(|before| gaps.get(before)))
+                && entry.1 <= beside(gaps.get(place + 1));
+            // Measured profiles are uneven: where the gap is flat, minima stand closer than samples.
+            if within(entry, FLAT) || (is_lowest && within(entry, SECOND + 2e-5)) {
+                let low = wheel.samples[index.saturating_sub(1)].x;
+                let high = wheel.samples[(index + 1).min(wheel.samples.len() - 1)].x;
+                self.refine(rail, attitude, low, high, &mut touches);
+            }
+        }
+        touches.sort_by(|one, other| one.height.total_cmp(&other.height));
+        let first = *touches.first()?;
+        let mut apart: Vec<Touch> = vec![first];
+        for touch in touches {
+            let is_new = apart
+                .iter()
+                .all(|known| (known.x_wheel - touch.x_wheel).abs() > 1e-6);
+            if is_new && touch.height - first.height <= SECOND {
+                apart.push(touch);
+            }
+        }
+        Some(apart)
+    }
+
+    /// The minima of the gap between two lateral coordinates of the wheel: where wheel and rail have one slope.
+    fn refine(
+        &self,
+        rail: Rail,
+        attitude: &Attitude,
+        low: f64,
+        high: f64,
+        touches: &mut Vec<Touch>,
+    ) {
+        const PARTS: usize = 4;
+        let placed = &self.track.rails[place(rail)];
+        let at = |x_wheel: f64| {
+            let outline = self.outline(rail, x_wheel, attitude)?;
+            let below = placed.profile.at(attitude.lateral_shift + outline.across)?;
+            Some((-below.slope - outline.slope, -below.height - outline.down))
+        };
+        let part = |index: usize| low + (high - low) * index as f64 / PARTS as f64;
+        let slopes: Vec<Option<f64>> = (0..=PARTS).map(|index| Some(at(part(index))?.0)).collect();
+        for index in 0..PARTS {
+            let (Some(low_slope), Some(high_slope)) = (slopes[index], slopes[index + 1]) else {
+                continue;
+            };
+            if low_slope > 0.0 || high_slope < 0.0 {
+                continue;
+            }
+            let x_wheel = falling_to_rising(
+                |x| Some(at(x)?.0),
+                [part(index), part(index + 1)],
+                [low_slope, high_slope],
+            );
+            if let Some((x_wheel, (_, height))) = x_wheel.and_then(|x| Some((x, at(x)?))) {
+                touches.push(Touch { height, x_wheel });
+            }
+        }
+    }
+
+    fn describe(
+        &self,
+        rail: Rail,
+        lateral_shift: f64,
+        yaw: f64,
+        roll: f64,
+        height: f64,
+        touches: &[Touch],
+    ) -> Option<ProfileContact> {
+        let touch = touches[0];
+        let wheel = self.wheel(rail);
+        let attitude = attitude(rail, lateral_shift, yaw, roll);
+        let outline = self.outline(rail, touch.x_wheel, &attitude)?;
+        let across = attitude.lateral_shift + outline.across;
+        let on_wheel = wheel.profile.at(touch.x_wheel)?;
+        let on_rail = self.track.rails[place(rail)].profile.at(across)?;
+        Some(ProfileContact {
+            rolling_radius: wheel.rolling_radius - on_wheel.height,
+            contact_angle: on_rail.slope.atan(),
+            x_wheel: touch.x_wheel,
+            on_track: [outline.ahead, rail.sign() * across, height + outline.down],
+            rail_curvature: -on_rail.curvature,
+            wheel_curvature: -on_wheel.curvature,
+            second: touches
+                .get(1)
+                .map(|second| (second.height - touch.height, second.x_wheel)),
+        })
+    }
+}
+
+/// The zero of a slope that rises from one place to another, by Illinois' rule of false position.
+fn falling_to_rising(
+    slope: impl Fn(f64) -> Option<f64>,
+    ends: [f64; 2],
+    slopes: [f64; 2],
+) -> Option<f64> {
+    let ([mut low, mut high], [mut low_slope, mut high_slope]) = (ends, slopes);
+    let mut middle = 0.5 * (low + high);
+    let mut last = 0.0;
+    for _ in 0..60 {
+        if high_slope > low_slope {
+            middle = low - low_slope * (high - low) / (high_slope - low_slope);
+        }
+        let there = slope(middle)?;
+        if there.abs() < 1e-14 || high - low < 1e-13 {
+            break;
+        }
+        if there < 0.0 {
+            (low, low_slope) = (middle, there);
+            if last < 0.0 {
+                high_slope *= 0.5;
+            }
+        } else {
+            (high, high_slope) = (middle, there);
+            if last > 0.0 {
+                low_slope *= 0.5;
+            }
+        }
+        last = there;
+    }
+    Some(middle)
+}
+
+fn place(rail: Rail) -> usize {
+    match rail {
+        Rail::Left => 0,
+        Rail::Right => 1,
+    }
+}
+
+/// A left wheel is the right one of the mirrored wheelset.
+fn attitude(rail: Rail, lateral_shift: f64, yaw: f64, roll: f64) -> Attitude {
+    let side = rail.sign();
+    Attitude {
+        lateral_shift: side * lateral_shift,
+        yaw: (side * yaw).sin_cos(),
+        roll: (side * roll).sin_cos(),
+    }
+}
+
+/// R = Rx(roll) Rz(yaw) on the point of the wheel whose normal has no component along the track: with r the radius over
+/// the lateral coordinate it lies ahead of the lowest one by θ, sin θ = −tan ψ dr/dy.
+fn outline_of(
+    point: &ProfilePoint,
+    rolling_radius: f64,
+    half_spacing: f64,
+    attitude: &Attitude,
+) -> Option<Outline> {
+    let (yaw_sine, yaw_cosine) = attitude.yaw;
+    let (roll_sine, roll_cosine) = attitude.roll;
+    let (radius, radius_slope) = (rolling_radius - point.height, -point.slope);
+    let ahead_sine = -yaw_sine / yaw_cosine * radius_slope;
+    if ahead_sine.abs() > FARTHEST_AHEAD {
+        return None;
+    }
+    let ahead_cosine = (1.0 - ahead_sine * ahead_sine).sqrt();
+    let lateral = half_spacing + point.x;
+    let forward = radius * ahead_sine;
+    let (ahead, across) = (
+        forward * yaw_cosine - lateral * yaw_sine,
+        forward * yaw_sine + lateral * yaw_cosine,
+    );
+    let down = radius * ahead_cosine;
+    // The normal (0, −r'/cos ψ, cos θ), rolled.
+    let (normal_across, normal_down) = (-radius_slope / yaw_cosine, ahead_cosine);
+    let rolled_across = normal_across * roll_cosine - normal_down * roll_sine;
+    let rolled_down = normal_across * roll_sine + normal_down * roll_cosine;
+    Some(Outline {
+        ahead,
+        across: across * roll_cosine - down * roll_sine,
+        down: across * roll_sine + down * roll_cosine,
+        slope: -rolled_across / rolled_down,
+    })
+}
