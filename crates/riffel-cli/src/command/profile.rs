@@ -33,10 +33,12 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
             staging.write_with("profile.csv", |file| answer.csv(file))
         },
         || {
-            let mut rows = table(&["profile", "from mm", "to mm", "radius at the crown mm"]);
+            let mut rows = table(&["profile", "from mm", "to mm", "radius at x = 0 mm"]);
             for (name, profile) in answer.profiles() {
                 let [from, to] = profile.range();
-                let radius = -1e3 / profile.crown().curvature;
+                let radius = profile
+                    .at(0.0)
+                    .map_or(f64::NAN, |origin| -1e3 / origin.curvature);
                 rows.add_row([
                     name.clone(),
                     format!("{:.2}", 1e3 * from),

@@ -140,7 +140,14 @@ fn profiles_of_files_are_those_of_their_names() {
             assert!((one - other).abs() < tolerance, "{key}: {one} {other}");
         }
     }
-    assert_eq!(column(&nominal, "lateral_shift"), [-0.003, 0.0, 0.0045]);
+    let shifts = column(&nominal, "lateral_shift")
+        .into_iter()
+        .zip([-0.003, 0.0, 0.0045]);
+    assert!(
+        shifts
+            .into_iter()
+            .all(|(got, asked)| (got - asked).abs() < 1e-12)
+    );
     // About 0.18 at 3 mm.
     let klingel = nominal["equivalent_conicity"]["klingel"][2]
         .as_f64()

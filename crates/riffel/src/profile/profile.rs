@@ -3,6 +3,8 @@
 use super::ProfileError;
 use super::spline::slopes;
 
+/// How far points of an overhanging flank may lie beside the end of the curve \[m\]: unevenness of measured ones.
+const OVERHANG: f64 = 1e-3;
 /// Fewest points of a profile.
 const LEAST: usize = 8;
 
@@ -113,9 +115,9 @@ impl Profile {
                 begin = index + 1;
             }
         }
-        let whole = x.iter().fold(f64::MIN, |most, x| most.max(*x))
-            - x.iter().fold(f64::MAX, |least, x| least.min(*x));
-        if to == 0 || x[to] - x[from] < 0.8 * whole {
+        // An overhang lies inside what stands over it; points in a wrong order lie beyond.
+        let is_beyond = |place: &f64| *place < x[from] - OVERHANG || *place > x[to] + OVERHANG;
+        if to == 0 || x.iter().any(is_beyond) {
             let turns = rises.iter().position(|outward| !outward).unwrap_or(0);
             return Err(ProfileError::Point {
                 index: original(turns),
