@@ -111,7 +111,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 16] = [
+    const PICTURES: [(&[&str], &str, &str); 18] = [
         (
             &[
                 "forecast",
