@@ -67,8 +67,7 @@ fn measured() -> WheelsetOnTrack {
     }
 }
 
-/// Largest errors: height of the axle \[mm\], roll \[rad\], positions \[mm\], angles \[rad\]; the number of contacts, and of those
-/// left out for another minimum that is as low.
+/// Largest errors: height of the axle \[mm\], roll \[rad\], positions \[mm\], angles \[rad\]; and the number of contacts.
 #[derive(Default)]
 struct Errors {
     height: f64,
@@ -76,11 +75,7 @@ struct Errors {
     position: f64,
     angle: f64,
     contacts: usize,
-    left_out: usize,
 }
-
-/// Lower than this \[mm\] one minimum does not lie below another: coordinates of seven digits are no better.
-const AS_LOW: f64 = 6e-5;
 
 impl Errors {
     fn compare(&mut self, wheelset: &WheelsetOnTrack, table: &str) {
@@ -111,10 +106,6 @@ impl Errors {
             worse(&mut self.roll, contact.roll, expected("roll_rad"));
             for (side, on) in ["left", "right"].into_iter().zip(&contact.contacts) {
                 self.contacts += 1;
-                if on.second.is_some_and(|(gap, _)| 1e3 * gap < AS_LOW) {
-                    self.left_out += 1;
-                    continue;
-                }
                 let expected = |name: &str| expected(&format!("{side}_{name}"));
                 worse(&mut self.position, 1e3 * on.x_wheel, expected("y_wheel_mm"));
                 worse(
@@ -146,26 +137,28 @@ impl Errors {
         }
     }
 
+    /// Positions \[mm\] and angles \[rad\] have limits of the caller's.
     fn row(
         &self,
         statement: &'static str,
         tolerance: &'static str,
         least: usize,
-        most_left_out: usize,
+        [position, angle]: [f64; 2],
     ) -> Row {
-        let holds =
-            self.height <= 1e-4 && self.roll <= 2e-7 && self.position <= 0.05 && self.angle <= 5e-4;
+        let holds = self.height <= 1e-4
+            && self.roll <= 2e-7
+            && self.position <= position
+            && self.angle <= angle;
         let relation = if holds { "≤" } else { "above" };
         Row {
             statement,
             source: "`profiles/*.csv`, written apart from Riffel in Python, held against CONTACT to 5e-5 mm",
             expected: format!("{} contacts", self.contacts),
             got: format!(
-                "errors {relation} 1e-4 mm of height, 2e-7 rad of roll, 0.05 mm, 5e-4 rad; {} left out",
-                self.left_out
+                "errors {relation} 1e-4 mm of height, 2e-7 rad of roll, {position} mm, {angle:e} rad"
             ),
             tolerance,
-            holds: holds && self.contacts >= least && self.left_out <= most_left_out,
+            holds: holds && self.contacts >= least,
         }
     }
 }
@@ -179,7 +172,7 @@ pub(crate) fn wheelset_on_nominal_rails() -> Row {
         "S1002 on 60E1 inclined 1:40 and 1:20, every 0.1 mm to 10 mm: height of the axle, roll, places and angles of contact",
         "that stated by the reference; found 1e-7 mm and 1e-9 rad, 0.003 mm, 6e-6 rad",
         400,
-        0,
+        [0.05, 5e-4],
     )
 }
 
@@ -191,9 +184,9 @@ pub(crate) fn wheelset_on_measured_rails() -> Row {
     }
     errors.row(
         "The same for the profiles of the Manchester benchmark, and to ±8 mm at a yaw of 12 mrad",
-        "that stated by the reference; left out are contacts with a second minimum of the gap less than 6e-5 mm higher, where the last digits of the coordinates choose",
+        "heights and roll as stated by the reference; places 0.15 mm and angles 1e-3: the reference stands up to 2e-5 mm above the least gap, which is that flat (see the README)",
         260,
-        70,
+        [0.15, 1e-3],
     )
 }
 
@@ -237,8 +230,8 @@ pub(crate) fn equivalent_conicity() -> Row {
     let mut error = WorstError::default();
     let tables = NOMINAL
         .iter()
-        .map(|(_, description)| (nominal(description), *description));
-    for (wheelset, description) in tables.chain([(measured(), MEASURED[0].1)]) {
+        .map(|(_, description)| (nominal(description), *description, 1.0));
+    for (wheelset, description, size) in tables.chain([(measured(), MEASURED[0].1, 5.0)]) {
         let description: Value = serde_json::from_str(description).expect("valid JSON");
         let table = ContactTable::new(&wheelset, [0.46; 2], 0.010, 1e-4).expect("a table");
         let conicities = description["equivalent_conicity"]
@@ -255,7 +248,7 @@ pub(crate) fn equivalent_conicity() -> Row {
                 ("regression", found.regression),
             ] {
                 let expected = expected[key].as_f64().expect("a number");
-                error.compare_beside(1.0, got.into(), expected.into());
+                error.compare_beside(size, got.into(), expected.into());
             }
         }
     }
@@ -264,7 +257,7 @@ pub(crate) fn equivalent_conicity() -> Row {
         source: "`profiles/*.json`, from their tables of 0.1 mm",
         expected: format!("{} values", error.compared),
         got: format!("{}, absolute", error.describe(LIMIT)),
-        tolerance: "1e-4: jumps of Δr within a step of the table",
+        tolerance: "1e-4: jumps of Δr within a step of the table; 5e-4 for the Manchester profiles, for the places of their contacts",
         holds: error.within(LIMIT) && error.compared >= 60,
     }
 }
