@@ -179,7 +179,7 @@ fn profiles_that_cannot_be_are_refused() {
         ("profiles.rail=../upside-down.csv", "upside down"),
         ("profiles.rail=../words.csv", "words.csv, line 3"),
         ("profiles.rail=../none.csv", "cannot be read"),
-        ("profiles.wheel=60E1", "it has no flange"),
+        ("profiles.wheel=60E1", "`profiles.wheel`: its flange lies"),
         ("profiles.gauge=1.6 m", "does not touch"),
         ("profiles.gauge_height=40 mm", "ends above the gauge height"),
         ("profiles.inclination=steep", "as in \"1:40\""),
