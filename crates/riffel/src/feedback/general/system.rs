@@ -89,7 +89,7 @@ impl System {
             let right = of.amplitude * contact.profile * contact.phase(self.wavenumber);
             self.unknowns[(3 * index + NORMAL) * columns + self.excitation[index]] = right;
         }
-        if solve(&mut self.matrix, &mut self.unknowns, size) == Complex64::ZERO {
+        if solve(&mut self.matrix, &mut self.unknowns, size).is_zero() {
             self.unknowns.fill(Complex64::new(f64::NAN, f64::NAN));
         }
         let mut states = std::mem::take(&mut self.states);
@@ -121,7 +121,7 @@ impl System {
             }
         }
         let without = solve(&mut normal, &mut [Complex64::ZERO].repeat(count), count);
-        whole / without
+        whole.over(without)
     }
 
     /// The matrix of the equations
