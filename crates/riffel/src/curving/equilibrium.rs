@@ -96,7 +96,7 @@ impl BogieInCurve {
         if let Some((found, steps)) = self.continued(&failure) {
             return Ok(self.state(&found, steps));
         }
-        if let Some(found) = self.from_other_starts(&failure).into_iter().next() {
+        if let Some(found) = self.by_other_starts(&failure).into_iter().next() {
             return Ok(self.state(&found, Vec::new()));
         }
         Err(failure.into_inner().unwrap_or(Error::NotConverged {
@@ -114,7 +114,7 @@ impl BogieInCurve {
     /// As [`equilibrium`](Self::equilibrium).
     pub fn equilibria(&self) -> Result<Vec<BogieState>, Error> {
         let mut states = vec![self.equilibrium()?];
-        for found in self.from_other_starts(&RefCell::new(None)) {
+        for found in self.by_other_starts(&RefCell::new(None)) {
             let state = self.state(&found, Vec::new());
             if states.iter().all(|known| differ(known, &state)) {
                 states.push(state);
@@ -234,7 +234,7 @@ impl BogieInCurve {
     }
 
     /// Roots at the curve from starts of shifted wheelsets.
-    fn from_other_starts(&self, failure: &RefCell<Option<Error>>) -> Vec<[f64; UNKNOWNS]> {
+    fn by_other_starts(&self, failure: &RefCell<Option<Error>>) -> Vec<[f64; UNKNOWNS]> {
         let pairs = STARTS
             .iter()
             .flat_map(|first| STARTS.map(|second| [*first, second]));
@@ -295,7 +295,7 @@ impl BogieInCurve {
             for (side, rail) in Rail::BOTH.into_iter().enumerate() {
                 let place = NORMAL + 2 * index + side;
                 let normal_force = unknowns[place];
-                if !(normal_force > 0.0) {
+                if normal_force <= 0.0 || normal_force.is_nan() {
                     return Ok(None);
                 }
                 let radius = self.bogie.rolling_radii[side];

@@ -85,16 +85,17 @@ fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Opti
     for column in 0..N {
         let weight = |row: &usize| matrix[*row][column].abs();
         let pivot = (column..N).max_by(|one, other| weight(one).total_cmp(&weight(other)))?;
-        if !(matrix[pivot][column].abs() > 0.0) {
+        let largest = matrix[pivot][column].abs();
+        if largest == 0.0 || largest.is_nan() {
             return None;
         }
         matrix.swap(column, pivot);
         right.swap(column, pivot);
         for row in column + 1..N {
             let factor = matrix[row][column] / matrix[column][column];
-            for entry in column..N {
-                matrix[row][entry] -= factor * matrix[column][entry];
-            }
+            let pivot_row = matrix[column];
+            let entries = matrix[row].iter_mut().zip(pivot_row).skip(column);
+            entries.for_each(|(entry, above)| *entry -= factor * above);
             right[row] -= factor * right[column];
         }
     }

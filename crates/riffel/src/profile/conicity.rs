@@ -74,7 +74,7 @@ impl EquivalentConicity {
             let outer = (at(end) + 4.0 * at(begin + 0.75 * step) + at(centre)) * step / 12.0;
             let inner = (at(centre) + 4.0 * at(begin + 0.25 * step) + at(begin)) * step / 12.0;
             energy += outer;
-            if !(energy > 0.0) {
+            if energy <= 0.0 || energy.is_nan() {
                 return None;
             }
             half_wave += amplitude * centre.cos() / (2.0 * energy).sqrt() * step;

@@ -52,7 +52,7 @@ impl PlacedRail {
     /// Height between samples; none beside the rail.
     fn height(&self, x: f64) -> Option<f64> {
         let place = (x - self.profile.range()[0]) / RAIL_STEP;
-        if !(place >= 0.0) {
+        if place < 0.0 || place.is_nan() {
             return None;
         }
         let index = place as usize;

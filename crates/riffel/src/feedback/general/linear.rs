@@ -176,7 +176,13 @@ mod tests {
     fn small_rows_are_not_singular() {
         const SIZE: usize = 100;
         let diagonal = |scale: f64| -> Vec<Complex64> {
-            let entry = |index: usize| if index % (SIZE + 1) == 0 { scale } else { 0.0 };
+            let entry = |index: usize| {
+                if index.is_multiple_of(SIZE + 1) {
+                    scale
+                } else {
+                    0.0
+                }
+            };
             (0..SIZE * SIZE).map(|index| entry(index).into()).collect()
         };
         let mut right = vec![Complex64::from(2e-9); SIZE];
