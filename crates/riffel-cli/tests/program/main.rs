@@ -1,5 +1,6 @@
 //! The program as its users meet it.
 
+mod all_axes;
 mod book;
 mod contact;
 mod curving;
