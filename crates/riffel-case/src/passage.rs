@@ -125,13 +125,7 @@ mod tests {
             ),
             (&["contact.response=spring-dashpot"], "answers late"),
             (&["contact.creep_law=half-space"], "a formula"),
-            (
-                &[
-                    "contact.creepage={ longitudinal = 0.001, lateral = 0.001 }",
-                    "contact.tractive_ratio=",
-                ],
-                "one wheel",
-            ),
+            (&["train.wheels=[0, 2.5]"], "one wheel"),
         ] {
             let Err(error) = passage(overrides) else {
                 panic!("{overrides:?} was taken");

@@ -14,13 +14,15 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 21] = [
+const COMMANDS: [&str; 23] = [
     "init",
     "point",
     "map",
     "receptance",
     "wheelset",
     "simulate",
+    "profile",
+    "curve",
     "contact",
     "roughness",
     "diagnose",
