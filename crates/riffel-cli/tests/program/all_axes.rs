@@ -20,7 +20,8 @@ fn sandbox(files: &[(&str, &str)]) -> Sandbox {
 
 fn rates(document: &Value) -> Vec<f64> {
     let rates = document["growth_rate_per_passage"].as_array().unwrap();
-    rates.iter().map(number).collect()
+    let rate = |wave: &Value| number(&wave["growth_rate_per_passage"]);
+    rates.iter().map(rate).collect()
 }
 
 /// The traffic runs on the wheelset of the case or brings another; what full sliding cannot take is said in a sentence.
