@@ -34,6 +34,8 @@ impl CaseText {
             .values
             .iter()
             .filter(|value| match value.key.rsplit_once('.') {
+                _ if value.list().is_some_and(|list| self.keys.has(list)) => false,
+                _ if value.list().is_some() => true,
                 Some((layer, "damping" | "loss_factor")) => {
                     !self.keys.has(&format!("{layer}.damping"))
                         && !self.keys.has(&format!("{layer}.loss_factor"))
@@ -49,7 +51,7 @@ impl CaseText {
                 {
                     false
                 }
-                _ => !self.keys.has(value.list().unwrap_or(&value.key)),
+                _ => !self.keys.has(&value.key),
             })
             .collect();
         if missing.is_empty() {

@@ -254,14 +254,22 @@ pub(super) fn unit_in_name(name: &str) -> Option<&str> {
             let before = name.strip_suffix(unit);
             before.is_some_and(|before| before.len() > 1 && before.ends_with('_'))
         });
-        known.or_else(|| {
-            // As in rail_m_per_n_re.
-            let from = name.find("m_per_")?;
-            let length = name[from..].find("_per_n")? + "_per_n".len();
-            Some(&name[from..from + length])
-        })
+        known.or_else(|| per_force(name))
     };
     unit.map(str::trim).filter(|unit| !unit.is_empty())
+}
+
+/// The unit in a name of words, as in rail_m_per_n_re or zz_mm_per_s_per_kn_im.
+fn per_force(name: &str) -> Option<&str> {
+    const PER: &str = "_per_";
+    let first = name.find(PER)?;
+    let begin = name[..first].rfind('_').map_or(0, |mark| mark + 1);
+    let (mut end, mut last) = (first, "");
+    while let Some(rest) = name[end..].strip_prefix(PER) {
+        last = rest.split('_').next()?;
+        end += PER.len() + last.len();
+    }
+    matches!(last, "n" | "N" | "kn" | "kN" | "mn" | "mN" | "MN").then(|| &name[begin..end])
 }
 
 /// The name without what [`unit_in_name`] finds in brackets or behind a slash: in "dB re 1 m/N" nothing is real.
@@ -283,6 +291,9 @@ mod tests {
     #[case("frequency_rpm", Role::Frequency, Some("rpm"))]
     #[case("Frequenz [Hz]", Role::Frequency, Some("Hz"))]
     #[case("rail_m_per_n_re", Role::Real, Some("m_per_n"))]
+    #[case("zz_mm_per_n_re", Role::Real, Some("mm_per_n"))]
+    #[case("yz_mm_per_s_per_kn_im", Role::Imaginary, Some("mm_per_s_per_kn"))]
+    #[case("zz_furlong_per_n_re", Role::Real, Some("furlong_per_n"))]
     #[case("Imaginärteil in m/N", Role::Imaginary, Some("m/N"))]
     #[case("|H| (dB re 1 m/N)", Role::Modulus, Some("dB re 1 m/N"))]
     #[case("Accelerance magnitude ((m/s²)/N)", Role::Modulus, Some("(m/s²)/N"))]

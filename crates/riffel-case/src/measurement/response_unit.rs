@@ -225,10 +225,16 @@ pub(super) fn response_of(unit: &str) -> Option<(Response, f64)> {
     .map(|response| (response, gravity * parsed.factor))
 }
 
-/// "(m/s²)/N" as "m/s²/N", "m/(s N)" as "m/s/N", "m_per_s_per_n" as "m/s/N".
+/// "(m/s²)/N" as "m/s²/N", "m/(s N)" as "m/s/N", "m_per_s_per_kn" as "m/s/kN".
 fn without_brackets(unit: &str) -> String {
-    if let Some((motion, _)) = unit.rsplit_once("_per_n") {
-        return format!("{}/N", motion.replace("_per_", "/"));
+    if let Some((motion, force)) = unit.rsplit_once("_per_") {
+        // Names in small letters; "mn" may be milli or mega, and is no unit.
+        let force = match force {
+            "n" => "N",
+            "kn" => "kN",
+            force => force,
+        };
+        return format!("{}/{force}", motion.replace("_per_", "/"));
     }
     let mut plain = String::new();
     let mut divided = false;
@@ -255,6 +261,8 @@ mod tests {
     #[rstest]
     #[case("m/N", Response::Receptance, 1.0)]
     #[case("mm/kN", Response::Receptance, 1e-6)]
+    #[case("mm_per_n", Response::Receptance, 1e-3)]
+    #[case("mm_per_s_per_kn", Response::Mobility, 1e-6)]
     #[case("m/s/N", Response::Mobility, 1.0)]
     #[case("m/(s N)", Response::Mobility, 1.0)]
     #[case("mm/(s·kN)", Response::Mobility, 1e-6)]

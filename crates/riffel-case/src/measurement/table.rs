@@ -143,6 +143,7 @@ pub(super) fn hertz_of(unit: &str) -> Option<f64> {
             Some(std::f64::consts::TAU.recip())
         }
         "hz" => Some(1.0),
+        "khz" => Some(1e3),
         _ => Unit::parse(unit)
             .ok()
             .filter(|unit| unit.exponents == Exponents::new(0, 0, -1))

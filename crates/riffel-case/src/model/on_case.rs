@@ -311,6 +311,9 @@ impl ModelKeys<'_> {
         if self.case.file.wheelset.is_some() {
             self.set(&format!("wheel.mass={mass:?}"))?;
             self.set(&format!("wheel.inertia={inertia:?}"))?;
+            // The wheelset may have brought its own.
+            let radius = wheel.rolling_radius.si();
+            self.set(&format!("wheel.rolling_radius={radius:?}"))?;
         }
         Ok([mass, inertia])
     }

@@ -8,6 +8,9 @@ use riffel_case::{BHASKAR_TRACK_CASE, Case, MAIN_LINE_CASE, NOMINAL_CASE};
 /// A flexible wheelset in a curve, both wheels sliding across.
 const CURVE: &str = include_str!("../../cases/curve.toml");
 
+/// A wheelset whose preset brings the rolling radius.
+const TRAM: &str = include_str!("../../cases/wheelset-tram.toml");
+
 fn case(text: &str, overrides: &[&str]) -> Case {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
     Case::parse("case.toml", text, &overrides).unwrap()
@@ -203,6 +206,14 @@ fn a_wheelset_becomes_a_lone_wheel() {
 }
 
 /// Names are told apart, and each says what it takes, what it leaves out, and where it is from.
+#[test]
+fn a_lone_wheel_keeps_the_radius_of_the_wheelset() {
+    let tram = case(TRAM, &[]);
+    let alone = on(&tram, "afferrante-ciavarella-2009").unwrap().case;
+    assert!(alone.file.wheelset.is_none());
+    assert_eq!(alone.hertz.rolling_radius(), tram.hertz.rolling_radius());
+}
+
 #[test]
 fn models_are_described() {
     for (index, model) in FieldModel::ALL.iter().enumerate() {

@@ -97,6 +97,27 @@ fn written_segments_replace_length_and_diameter() {
     assert!((mass(&case.unwrap()) - all - more).abs() < 1e-9);
 }
 
+/// A list that is written is all there is: nothing of a disc of the preset comes into one of the case.
+#[test]
+fn written_discs_take_nothing_from_those_of_a_preset() {
+    let discs = |coupled: &str| {
+        let wheel = |place: f64| {
+            format!(
+                "{{ position = {place}, mass = 346, polar_inertia = 42, diametral_inertia = 21.5 }}"
+            )
+        };
+        let gear = format!(
+            "{{ position = 0.4, mass = 340, polar_inertia = 19, diametral_inertia = 10{coupled} }}"
+        );
+        let list = format!("wheelset.discs=[{}, {}, {gear}]", wheel(-0.75), wheel(0.75));
+        let case = case(&["wheelset.preset=metro-motor", &list]).unwrap();
+        case.file.wheelset.unwrap().discs
+    };
+    let coupled = discs(", coupled = { polar_inertia = 30, stiffness = 5e5 }");
+    assert_eq!(coupled[2].coupled.as_ref().unwrap().damping.si(), 0.0);
+    assert!(discs("")[2].coupled.is_none());
+}
+
 /// A preset of all that a case says itself is worth a remark; one with another model gives what that takes.
 #[test]
 fn a_rigid_wheelset_takes_the_suspension_of_a_preset() {
