@@ -188,6 +188,17 @@ impl Growth {
         let known = &case.remarks;
         let remarks = on.case.remarks.iter();
         let remarks = remarks.filter(|remark| !known.contains(remark));
+        let unstable = on
+            .case
+            .stability(speed)
+            .and_then(|stability| stability.frequency);
+        let unstable = unstable.map(|frequency| {
+            format!(
+                "at {:.0} km/h the loop of this model is unstable: near {frequency:.0} Hz it oscillates without any profile, \
+                 and its growth rates mean nothing",
+                3.6 * speed
+            )
+        });
         Ok(Self {
             highest: Highest::of(wavelengths, &rates, speed),
             differs_by: Difference::all(case, model.joints, wavelengths, &rates, speed),
@@ -195,7 +206,7 @@ impl Growth {
                 .has_complex_plane()
                 .then(|| ComplexPlane::of(&on, frequencies(wavelengths, speed), speed))
                 .flatten(),
-            remarks: remarks.map(ToString::to_string).collect(),
+            remarks: remarks.map(ToString::to_string).chain(unstable).collect(),
             rates,
         })
     }

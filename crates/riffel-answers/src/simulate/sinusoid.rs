@@ -34,8 +34,14 @@ pub struct SinusoidAnswer {
 }
 
 impl SinusoidRequest {
-    /// Steps to a wave where nothing else is asked: the error of a first harmonic is some 10⁻⁴.
-    pub const USUAL_STEPS: usize = 256;
+    /// Steps to a wave where nothing else is asked: the error of a first harmonic is some 10⁻⁴. A slow wave takes more, so that
+    /// wheel and contact spring are followed, whose own oscillations last a millisecond.
+    pub fn usual_steps(wavelength: f64, speed: f64) -> usize {
+        const STEPS: f64 = 256.0;
+        /// \[s\]
+        const LONGEST_STEP: f64 = 4e-5;
+        f64::max(STEPS, (wavelength / speed / LONGEST_STEP).ceil()) as usize
+    }
 }
 
 impl SinusoidAnswer {

@@ -53,7 +53,9 @@ pub fn read_profile(path: &Path) -> Result<Profile, CaseError> {
                 points.push([x, height]);
                 lines.push(index + 1);
             }
-            _ if may_be_head && numbers.iter().all(Option::is_none) => unit = unit_of_head(line),
+            _ if may_be_head && numbers.iter().all(Option::is_none) => {
+                unit = unit_of_head(&cells).map_err(|rule| at_fault(Some(index + 1), rule))?;
+            }
             _ => {
                 let shown = clipped(line);
                 let message = format!("\"{shown}\" is not a pair of numbers x, y");
@@ -72,6 +74,13 @@ pub fn read_profile(path: &Path) -> Result<Profile, CaseError> {
         None if width[1] - width[0] > WIDEST_IN_METRES => 1e-3,
         None => 1.0,
     };
+    let across = factor * (width[1] - width[0]);
+    if across > WIDEST_IN_METRES {
+        let message = format!(
+            "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
+        );
+        return Err(at_fault(None, message));
+    }
     for point in &mut points {
         *point = point.map(|value| factor * value);
     }
@@ -99,14 +108,43 @@ fn cells(line: &str) -> Vec<&str> {
     cells[..filled].to_vec()
 }
 
-/// Millimetres or metres, if a head says so.
-fn unit_of_head(head: &str) -> Option<f64> {
-    let mut words = head.split(|character: char| !character.is_ascii_alphabetic());
-    words.find_map(|word| match word {
-        "mm" => Some(1e-3),
-        "m" => Some(1.0),
-        _ => None,
-    })
+/// Millimetres or metres, if a head says so, of columns named x and then y or another height.
+fn unit_of_head(cells: &[&str]) -> Result<Option<f64>, String> {
+    let words = |cell: &str| -> Vec<String> {
+        let words = cell.split(|character: char| !character.is_alphabetic());
+        words
+            .filter(|word| !word.is_empty())
+            .map(str::to_lowercase)
+            .collect()
+    };
+    let columns: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
+    let begins = |column: usize, names: &[&str]| {
+        let first = columns.get(column).and_then(|words| words.first());
+        first.is_some_and(|first| names.contains(&first.as_str()))
+    };
+    if begins(1, &["x"]) && !begins(0, &["x"]) {
+        return Err("the columns are in the order y, x: the lateral coordinate x comes first, the height second".to_owned());
+    }
+    let units = columns
+        .iter()
+        .flatten()
+        .filter_map(|word| match word.as_str() {
+            "mm" => Some(Ok(1e-3)),
+            "m" => Some(Ok(1.0)),
+            "um" | "µm" | "μm" | "cm" | "dm" | "nm" | "km" | "in" | "inch" | "inches" | "ft"
+            | "mil" => Some(Err(format!(
+                "the head says {word}: give a profile in mm or m"
+            ))),
+            _ => None,
+        });
+    let units: Vec<f64> = units.collect::<Result<_, _>>()?;
+    match units[..] {
+        [one, other] if one != other => Err(
+            "the head gives both columns units of their own: give a profile in mm or m throughout"
+                .to_owned(),
+        ),
+        _ => Ok(units.first().copied()),
+    }
 }
 
 #[cfg(test)]
@@ -142,6 +180,16 @@ mod tests {
         let refused = |text: String| read(&text).unwrap_err().to_string();
         let broken = arc(1e3, ",").replacen("-18.0", "-18,0", 1);
         assert!(refused(broken).contains("line 3: "));
+        for (head, says) in [
+            ("x_um,y_um", "the head says um"),
+            ("x [µm], y [µm]", "the head says µm"),
+            ("x_mm,y_m", "units of their own"),
+            ("y_mm,x_mm", "in the order y, x"),
+            ("x_m,y_m", "40.0000 m across"),
+        ] {
+            let message = refused(format!("{head}\n{}", arc(1e3, ",")));
+            assert!(message.contains(says), "{head}: {message}");
+        }
         let mut lines: Vec<String> = arc(1e3, ",").lines().map(str::to_owned).collect();
         lines.swap(9, 14);
         let message = refused(lines.join("\n"));

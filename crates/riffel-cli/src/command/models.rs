@@ -5,7 +5,7 @@ use riffel_case::Case;
 use riffel_case::model::FieldModel;
 
 use crate::arguments::Compare;
-use crate::messages::print_remarks;
+use crate::messages::{print_remarks, say};
 use crate::output::{Progress, json, table};
 use crate::results::Results;
 
@@ -46,6 +46,11 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
         || readable(&case, &answer),
     )?;
     print_remarks(&case.remarks);
+    for (model, growth) in answer.on_case() {
+        for remark in &growth.remarks {
+            say(format!("note: {}: {remark}", model.title));
+        }
+    }
     Ok(())
 }
 
@@ -77,12 +82,16 @@ fn readable(case: &Case, answer: &ModelsAnswer) -> String {
         rows.add_row(row);
     }
     let mut text = format!("{title}, {:.1} km/h\n{rows}\n", 3.6 * answer.speed);
-    text += "what moves it most towards the exact contact on this case, one joint at a time\n";
+    let mut moves = String::new();
     for (model, growth) in answer.on_case() {
         if let Some(difference) = growth.differs_by.first() {
             let sentence = difference.sentence(growth.highest);
-            text += &format!("  {}: {sentence}\n", model.title);
+            moves += &format!("  {}: {sentence}\n", model.title);
         }
+    }
+    if !moves.is_empty() {
+        text += "what moves it most: the one joint that, taken from the case with the exact contact, changes growth most\n";
+        text += &moves;
     }
     for of in &answer.models {
         if let Err(reason) = &of.growth {

@@ -1,5 +1,6 @@
 //! `riffel simulate`
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use riffel::passage::Sinusoid;
@@ -166,7 +167,18 @@ fn over_sinusoid(
 ) -> Result<(), CliError> {
     let [amplitude, wavelength] = sinusoid.within()?;
     let steps = match step {
-        None => SinusoidRequest::USUAL_STEPS,
+        None => match SinusoidRequest::usual_steps(wavelength, speed) {
+            steps if steps as f64 <= *STEPS.end() => steps,
+            _ => {
+                return Err(CliError::Argument {
+                    argument: "--sinusoid",
+                    value: format!("{wavelength} m, which passes in {:.2} s", wavelength / speed),
+                    rule: "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by \
+                           the wheel"
+                        .to_owned(),
+                });
+            }
+        },
         Some(step) => steps_to_a_wave(wavelength, step)?,
     };
     let request = SinusoidRequest {
@@ -192,10 +204,11 @@ fn over_sinusoid(
     Ok(())
 }
 
+/// Steps to a wave: fewer do not show the fifth harmonic, more take minutes.
+const STEPS: RangeInclusive<f64> = 20.0..=16384.0;
+
 /// As many steps to a wave as none is longer than asked.
 fn steps_to_a_wave(wavelength: f64, step: f64) -> Result<usize, CliError> {
-    /// Fewer do not show the fifth harmonic, more take minutes.
-    const STEPS: std::ops::RangeInclusive<f64> = 20.0..=16384.0;
     let steps = (wavelength / step).ceil();
     if STEPS.contains(&steps) {
         return Ok(steps as usize);

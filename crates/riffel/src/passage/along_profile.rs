@@ -54,7 +54,9 @@ impl PassageModel {
     /// through four of them.
     ///
     /// The wheel comes from a smooth rail: before the profile lies its own beginning, mirrored on the straight line
-    /// through it and faded in over [`memory`](Self::memory), so that the motion is that of a rail which was rough before.
+    /// through it and faded in over [`memory`](Self::memory), so that the motion is that of a rail which was rough before. A rail
+    /// that slopes where it begins has a kink there: over the first length of the memory forces may be off by a tenth of
+    /// their range.
     ///
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
