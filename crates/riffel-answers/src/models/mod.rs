@@ -58,6 +58,8 @@ pub struct Growth {
     pub complex_plane: Option<ComplexPlane>,
     /// What its reader should know, beyond what is to be known of the case.
     pub remarks: Vec<String>,
+    /// The remark that says at which frequency the loop oscillates without any profile, if it does.
+    pub unstable: Option<String>,
 }
 
 /// The wavelength that grows fastest.
@@ -206,7 +208,11 @@ impl Growth {
                 .has_complex_plane()
                 .then(|| ComplexPlane::of(&on, frequencies(wavelengths, speed), speed))
                 .flatten(),
-            remarks: remarks.map(ToString::to_string).chain(unstable).collect(),
+            remarks: remarks
+                .map(ToString::to_string)
+                .chain(unstable.clone())
+                .collect(),
+            unstable,
             rates,
         })
     }

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
     )?;
     print_remarks(&case.remarks);
     for (model, growth) in answer.on_case() {
-        for remark in &growth.remarks {
+        if let Some(remark) = &growth.unstable {
             say(format!("note: {}: {remark}", model.title));
         }
     }

@@ -16,7 +16,7 @@ fn models_stand_side_by_side() {
     for shown in [
         "Afferrante & Ciavarella 2009",
         "not on this case: Both, Hong & Kurtze 2001: needs wheelset.suspension with a vertical_stiffness",
-        "what moves it most towards the exact contact",
+        "what moves it most: the one joint",
     ] {
         assert!(written.text.contains(shown), "{}", written.text);
     }
