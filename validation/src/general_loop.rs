@@ -7,21 +7,10 @@ use serde_json::Value;
 
 use crate::Row;
 use crate::ground::WorstError;
+use crate::reference_file::reference_cases;
 
 const ONE_CONTACT: &str = include_str!("../reference/general-loop/loop_on_all_axes.json");
 const SEVERAL: &str = include_str!("../reference/general-loop/several_contacts.json");
-
-#[derive(Deserialize)]
-struct Reference {
-    cases: Vec<ReferenceCase>,
-}
-
-#[derive(Deserialize)]
-struct ReferenceCase {
-    name: String,
-    case_toml: String,
-    points: Vec<ReferencePoint>,
-}
 
 #[derive(Deserialize)]
 struct ReferencePoint {
@@ -53,9 +42,8 @@ fn numbers(value: &Value, found: &mut Vec<Complex64>) {
 
 /// Every quantity of every contact of the cases whose name is wanted.
 fn compare(file: &str, wanted: impl Fn(&str) -> bool) -> WorstError {
-    let reference: Reference = serde_json::from_str(file).expect("valid JSON");
     let mut error = WorstError::default();
-    for reference in reference.cases {
+    for reference in reference_cases::<ReferencePoint>(file) {
         if !wanted(&reference.name) {
             continue;
         }

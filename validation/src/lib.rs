@@ -19,6 +19,7 @@ pub mod place_of_wear;
 mod points;
 mod profile;
 mod receptance;
+mod reference_file;
 mod rolling;
 mod roughness;
 mod time_domain;

@@ -9,23 +9,12 @@ use serde::Deserialize;
 
 use crate::Row;
 use crate::ground::{WorstError, nominal, on_track};
+use crate::reference_file::reference_cases;
 
 const FILE: &str = include_str!("../reference/time-domain/harmonic_balance.json");
 
 /// Steps to a wave.
 const STEPS: usize = 256;
-
-#[derive(Deserialize)]
-struct Reference {
-    cases: Vec<ReferenceCase>,
-}
-
-#[derive(Deserialize)]
-struct ReferenceCase {
-    name: String,
-    case_toml: String,
-    points: Vec<ReferencePoint>,
-}
 
 #[derive(Deserialize)]
 struct ReferencePoint {
@@ -79,9 +68,8 @@ fn against_harmonic_balance() -> &'static [WorstError; 3] {
 }
 
 fn errors_against_harmonic_balance() -> [WorstError; 3] {
-    let reference: Reference = serde_json::from_str(FILE).expect("valid JSON");
     let mut errors: [WorstError; 3] = Default::default();
-    for reference in reference.cases {
+    for reference in reference_cases::<ReferencePoint>(FILE) {
         let case = Case::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         for point in reference.points {
             let model = case.passage(point.speed_m_per_s).expect("a model");

@@ -9,6 +9,8 @@ use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile};
 use serde::Deserialize;
 
+use crate::built_in::built_in;
+
 /// The tables, built into the program.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/transfers");
 
@@ -104,12 +106,11 @@ impl TransferTable {
 
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
-        let mut tables: Vec<Self> = FILES
-            .files()
-            .filter_map(|file| Self::parse(file.path().to_str()?, file.contents_utf8()?).ok())
-            .collect();
-        tables.sort_by(|a, b| a.name.cmp(&b.name));
-        tables
+        built_in(
+            &FILES,
+            |name, text| Self::parse(name, text).ok(),
+            |table| &table.name,
+        )
     }
 
     /// Read a table from TOML; `name` is the one shown in errors.

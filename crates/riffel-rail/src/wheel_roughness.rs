@@ -4,6 +4,7 @@ use include_dir::{Dir, include_dir};
 use riffel::roughness::Spectrum;
 use riffel_keys::CaseError;
 
+use crate::built_in::built_in;
 use crate::{Limit, LimitTable};
 
 /// The tables, built into the program; they are written as limits of levels are.
@@ -29,12 +30,11 @@ impl WheelRoughness {
 
     /// All tables that come with Riffel, by name.
     pub fn all() -> Vec<Self> {
-        let mut tables: Vec<Self> = FILES
-            .files()
-            .filter_map(|file| Self::parse(file.path().to_str()?, file.contents_utf8()?).ok()?)
-            .collect();
-        tables.sort_by(|a, b| a.name.cmp(&b.name));
-        tables
+        built_in(
+            &FILES,
+            |name, text| Self::parse(name, text).ok()?,
+            |table| &table.name,
+        )
     }
 
     fn parse(name: &str, text: &str) -> Result<Option<Self>, CaseError> {
