@@ -43,7 +43,7 @@ struct ModelDocument<'a> {
     differs_by: Vec<DifferenceDocument>,
     /// Null but for a model whose papers draw it, on discrete supports.
     complex_plane: Option<ComplexPlaneDocument<'a>>,
-    remarks: &'a [String],
+    remarks: Vec<&'a String>,
 }
 
 #[derive(Serialize)]
@@ -133,7 +133,9 @@ fn of(of: &ModelGrowth) -> ModelDocument<'_> {
         complex_plane: known
             .and_then(|growth| growth.complex_plane.as_ref())
             .map(plane),
-        remarks: known.map_or(&[], |growth| &growth.remarks),
+        remarks: known.map_or_else(Vec::new, |growth| {
+            growth.remarks.iter().chain(&growth.unstable).collect()
+        }),
     }
 }
 

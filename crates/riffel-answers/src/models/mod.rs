@@ -58,7 +58,7 @@ pub struct Growth {
     pub complex_plane: Option<ComplexPlane>,
     /// What its reader should know, beyond what is to be known of the case.
     pub remarks: Vec<String>,
-    /// The remark that says at which frequency the loop oscillates without any profile, if it does.
+    /// At which frequency its loop oscillates without any profile, if it does.
     pub unstable: Option<String>,
 }
 
@@ -208,10 +208,7 @@ impl Growth {
                 .has_complex_plane()
                 .then(|| ComplexPlane::of(&on, frequencies(wavelengths, speed), speed))
                 .flatten(),
-            remarks: remarks
-                .map(ToString::to_string)
-                .chain(unstable.clone())
-                .collect(),
+            remarks: remarks.map(ToString::to_string).collect(),
             unstable,
             rates,
         })
