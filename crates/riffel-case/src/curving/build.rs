@@ -6,7 +6,7 @@ use riffel::ElasticMaterial;
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
 use riffel::curving::{
     Bogie, BogieInCurve, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring,
-    Kinematics, RunningSurfaces, STANDARD_GRAVITY,
+    GRAVITY, Kinematics, RunningSurfaces,
 };
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
@@ -219,7 +219,7 @@ impl CurvingCase {
             ),
             None if law == CurvingLaw::Linear => {
                 let radius = self.file.wheel.rolling_radius.si();
-                let load = 0.5 * bogie.mass_per_axle * STANDARD_GRAVITY;
+                let load = 0.5 * bogie.mass_per_axle * GRAVITY;
                 let material = material()?;
                 let across = match is_cone(profiles) {
                     true => transverse_radius()?,

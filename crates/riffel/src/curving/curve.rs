@@ -2,8 +2,8 @@
 
 use crate::Error;
 
-/// Acceleration of gravity \[m/s²\] of the loads.
-pub const STANDARD_GRAVITY: f64 = 9.81;
+/// Acceleration of gravity \[m/s²\] of the loads, rounded; vehicles and units elsewhere take the standard 9.80665.
+pub const GRAVITY: f64 = 9.81;
 
 /// A circular curve with cant, run through at one speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,13 +26,13 @@ impl Curve {
     /// V²/|R| cos θ − g sin θ, with sin θ the cant over the spacing 2s \[m\] of the contacts.
     pub fn uncompensated_acceleration(&self, contact_spacing: f64) -> f64 {
         let (sine, cosine) = self.cant_angle(contact_spacing);
-        self.centripetal() * cosine - STANDARD_GRAVITY * sine
+        self.centripetal() * cosine - GRAVITY * sine
     }
 
     /// Acceleration into the plane of the track \[m/s²\]: g cos θ + V²/|R| sin θ.
     pub fn normal_acceleration(&self, contact_spacing: f64) -> f64 {
         let (sine, cosine) = self.cant_angle(contact_spacing);
-        STANDARD_GRAVITY * cosine + self.centripetal() * sine
+        GRAVITY * cosine + self.centripetal() * sine
     }
 
     fn centripetal(&self) -> f64 {

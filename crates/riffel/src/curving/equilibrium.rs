@@ -163,7 +163,7 @@ impl BogieInCurve {
 
     /// Load by which residuals are measured \[N\].
     fn static_load(&self) -> f64 {
-        0.5 * self.bogie.mass_per_axle * super::STANDARD_GRAVITY
+        0.5 * self.bogie.mass_per_axle * super::GRAVITY
     }
 
     fn scales(&self) -> [f64; UNKNOWNS] {

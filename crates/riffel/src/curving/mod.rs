@@ -59,7 +59,7 @@ mod wheel_on_rail;
 pub use bogie::Bogie;
 pub use closed_form::{LinearWheelset, LinearWheelsetState, free_curving_shift};
 pub use creep::Creep;
-pub use curve::{Curve, STANDARD_GRAVITY};
+pub use curve::{Curve, GRAVITY};
 pub use equilibrium::{BogieInCurve, ContactPlane, FlangeSpring, Kinematics};
 pub use running_surfaces::{Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces};
 pub use state::{BogieState, ContinuationStep, FrameState, WheelState, WheelsetState};

@@ -53,7 +53,7 @@ fn tilted(shift_moment: bool) -> Kinematics {
 fn soft_springs_leave_the_wheelsets_free() {
     let (spacing, radius, speed) = (1.5_f64, 700.0, 20.0_f64);
     // tan θ = V²/gR balances the curve.
-    let cant = spacing * (speed * speed / (STANDARD_GRAVITY * radius)).atan().sin();
+    let cant = spacing * (speed * speed / (GRAVITY * radius)).atan().sin();
     let linear = Creep::Linear {
         ellipse: CreepEllipse::of_coefficients(10e6, 9e6, 0.0, 54e3).unwrap(),
         friction: 0.4,
