@@ -20,7 +20,7 @@ pub struct Course {
     pub levels: Vec<f64>,
     /// Highest level that is allowed \[dB(A)\].
     pub limit: Option<f64>,
-    /// Months until the level reaches the limit, straight between two steps; none where it does not.
+    /// Months until the level reaches the limit; none where it does not.
     pub months_to_limit: Option<f64>,
     /// The time looked ahead goes beyond the linear range of growth, where the course ends.
     pub cut: bool,
@@ -53,23 +53,31 @@ impl Course {
             .ok_or(AnswerError::NoPassagesPerDay)?;
         let forecast = Forecast::new(&request.roughness, on.growth.clone())
             .map_err(AnswerError::OutsideWindow)?;
-        let (mut months, mut levels) = (Vec::new(), Vec::new());
-        for step in 0..=STEPS {
-            let month = future.months * f64::from(step) / f64::from(STEPS);
-            let passages = month * per_month;
-            if step > 0 && passages > forecast.valid_to() {
-                break;
-            }
+        // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
+        let linear = forecast.valid_to() / per_month;
+        let end = future.months.min(linear);
+        let months: Vec<f64> = if end > 0.0 {
+            let share = |step| f64::from(step) / f64::from(STEPS);
+            (0..=STEPS).map(|step| end * share(step)).collect()
+        } else {
+            vec![0.0]
+        };
+        let level = |month: f64| -> Result<f64, AnswerError> {
+            let passages = (month * per_month).min(forecast.valid_to());
             let roughness = then(&request.roughness, &forecast.spectrum(passages)?)?;
             let heard = levels_of(case, request, &roughness, request.speed)?;
-            months.push(month);
-            levels.push(heard.a_weighted(Part::Total));
-        }
+            Ok(heard.a_weighted(Part::Total))
+        };
+        let levels: Vec<f64> = months
+            .iter()
+            .map(|&month| level(month))
+            .collect::<Result<_, _>>()?;
         Ok(Self {
-            months_to_limit: future
-                .limit
-                .and_then(|limit| reached(&months, &levels, limit)),
-            cut: months.len() <= STEPS as usize,
+            months_to_limit: match future.limit {
+                Some(limit) => reached(&months, &levels, limit, level)?,
+                None => None,
+            },
+            cut: linear < future.months,
             limit: future.limit,
             months,
             levels,
@@ -83,25 +91,46 @@ fn then(now: &Spectrum, changed: &Spectrum) -> Result<Spectrum, riffel::Error> {
     now.map(|level| changed.level(level.band).unwrap_or(level.level))
 }
 
-/// When a level first reaches a limit, straight between two of its values.
-fn reached(months: &[f64], levels: &[f64], limit: f64) -> Option<f64> {
-    let place = levels.iter().position(|&level| level >= limit)?;
-    let Some(before) = place.checked_sub(1) else {
-        return Some(months[place]);
+/// When a level first reaches a limit: between the first two of its values that have the limit between them, by halving to
+/// 1e-4 of the time between them.
+fn reached<E>(
+    months: &[f64],
+    levels: &[f64],
+    limit: f64,
+    level: impl Fn(f64) -> Result<f64, E>,
+) -> Result<Option<f64>, E> {
+    let Some(place) = levels.iter().position(|&level| level >= limit) else {
+        return Ok(None);
     };
-    let share = (limit - levels[before]) / (levels[place] - levels[before]);
-    Some(months[before] + share * (months[place] - months[before]))
+    let Some(before) = place.checked_sub(1) else {
+        return Ok(Some(months[place]));
+    };
+    let (mut below, mut above) = (months[before], months[place]);
+    let enough = 1e-4 * (above - below);
+    while above - below > enough {
+        let middle = 0.5 * (below + above);
+        if level(middle)? < limit {
+            below = middle;
+        } else {
+            above = middle;
+        }
+    }
+    Ok(Some(above))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::convert::Infallible;
+
     use super::*;
 
     #[test]
     fn a_limit_is_reached_between_two_months() {
-        let (months, levels) = ([0.0, 1.0, 2.0], [80.0, 82.0, 81.0]);
-        assert_eq!(reached(&months, &levels, 81.0), Some(0.5));
-        assert_eq!(reached(&months, &levels, 79.0), Some(0.0));
-        assert_eq!(reached(&months, &levels, 83.0), None);
+        let (months, levels) = ([0.0, 1.0, 2.0], [80.0, 84.0, 81.0]);
+        let between = |month: f64| Ok::<_, Infallible>(80.0 + 4.0 * month.powi(2));
+        let at = |limit: f64| reached(&months, &levels, limit, between).unwrap();
+        assert!((at(81.0).unwrap() - 0.5).abs() < 1e-4);
+        assert_eq!(at(79.0), Some(0.0));
+        assert_eq!(at(85.0), None);
     }
 }

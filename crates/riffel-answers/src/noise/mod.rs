@@ -11,7 +11,7 @@ use std::io::{self, Write};
 use riffel::contact::ContactFilter;
 use riffel::noise::{
     Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, PassBy, Piston,
-    RailDecay, RollingSource, Sleepers, Surroundings,
+    RailDecay, RollingSource, Sleepers, SoundPower, Surroundings,
 };
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::Case;
@@ -144,7 +144,8 @@ impl NoiseAnswer {
             });
         }
         request.train.check()?;
-        let levels = levels_of(case, &request, &request.roughness, request.speed)?;
+        let powers = powers_of(case, &request, &request.roughness, request.speed)?;
+        let levels = heard(&request, &powers)?;
         let left_out: Vec<FrequencyBand> = FrequencyBand::all()
             .filter(|band| levels.bands().iter().all(|level| level.band != *band))
             .collect();
@@ -167,7 +168,7 @@ impl NoiseAnswer {
             None => None,
         };
         Ok(Self {
-            remarks: remarks(&request, &left_out),
+            remarks: remarks(case, &request, &powers, &left_out),
             request,
             levels,
             by_transfer,
@@ -213,6 +214,29 @@ pub(crate) fn levels_of(
     roughness: &Spectrum,
     speed: f64,
 ) -> Result<PassByLevels, AnswerError> {
+    let powers = powers_of(case, request, roughness, speed)?;
+    heard(request, &powers)
+}
+
+/// Pressures beside the track of some sound powers of a wheel on one rail.
+fn heard(request: &NoiseRequest, powers: &[SoundPower]) -> Result<PassByLevels, AnswerError> {
+    let (air, pass) = (Air::default(), pass_by(request)?);
+    let bands = powers.iter().map(|power| BandPressure {
+        band: power.band,
+        rail: pass.of_wheels(&air, power.rail),
+        sleepers: pass.of_wheels(&air, power.sleepers),
+        wheel: pass.of_wheels(&air, power.wheel),
+    });
+    Ok(PassByLevels::new(bands.collect()))
+}
+
+/// Sound powers of a wheel on one rail, in the bands that are known.
+fn powers_of(
+    case: &Case,
+    request: &NoiseRequest,
+    roughness: &Spectrum,
+    speed: f64,
+) -> Result<Vec<SoundPower>, AnswerError> {
     let excitation = excitation(case, request, roughness, speed)?;
     let file = &case.file;
     let area = match (file.rail.area, case.track.rail_mass) {
@@ -241,24 +265,14 @@ pub(crate) fn levels_of(
         air: Air::default(),
     };
     let (lowest, highest) = case.known_frequencies();
-    let pass = pass_by(request)?;
-    let mut bands = Vec::new();
+    let mut powers = Vec::new();
     for band in FrequencyBand::all() {
         let (low, high) = band.range();
-        if low < lowest || high > highest {
-            continue;
-        }
-        if let Some(power) = source.power(&excitation, band)? {
-            let heard = |power: f64| pass.of_wheels(&source.air, power);
-            bands.push(BandPressure {
-                band,
-                rail: heard(power.rail),
-                sleepers: heard(power.sleepers),
-                wheel: heard(power.wheel),
-            });
+        if low >= lowest && high <= highest {
+            powers.extend(source.power(&excitation, band)?);
         }
     }
-    Ok(PassByLevels::new(bands))
+    Ok(powers)
 }
 
 /// Levels by transfer functions: those of the track are the rail's, those of the vehicle the wheel's.
@@ -308,7 +322,12 @@ fn pass_by(request: &NoiseRequest) -> Result<PassBy, AnswerError> {
     )?)
 }
 
-fn remarks(request: &NoiseRequest, left_out: &[FrequencyBand]) -> Vec<String> {
+fn remarks(
+    case: &Case,
+    request: &NoiseRequest,
+    powers: &[SoundPower],
+    left_out: &[FrequencyBand],
+) -> Vec<String> {
     let mut remarks = vec![
         "the wheel is a rigid body here: above some 1.6 kHz the modes of its web and tyre, which are left out, \
          radiate as much as the rail and more"
@@ -321,15 +340,42 @@ fn remarks(request: &NoiseRequest, left_out: &[FrequencyBand]) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if !left_out.is_empty() {
-        let names: Vec<String> = left_out
-            .iter()
-            .map(|band| format!("{}", band.nominal()))
+    // The amplitude of a sinusoid of the same mean square, as in the forecast.
+    let force = powers.iter().map(|power| 2.0 * power.force).sum::<f64>();
+    let ratio = force.sqrt() / case.hertz.normal_force();
+    if ratio >= 1.0 {
+        remarks.push(format!(
+            "beyond the linear range: |P₁| is {ratio:.2} P₀, so that wheel and rail part, which bounds the force; the \
+             levels are those of a contact that holds"
+        ));
+    }
+    if let (None, Some(track)) = (&request.decay, case.track.structure.as_deref()) {
+        let bands = powers.iter().map(|power| power.band);
+        let far: Vec<FrequencyBand> = bands
+            .filter(|band| RailDecay::runs_on(track, band.centre()))
             .collect();
+        if !far.is_empty() {
+            remarks.push(format!(
+                "the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level \
+                 is too low at {} Hz",
+                nominal(&far)
+            ));
+        }
+    }
+    if !left_out.is_empty() {
         remarks.push(format!(
             "left out of every level, for want of roughness, decay or receptance there: {} Hz",
-            names.join(", ")
+            nominal(left_out)
         ));
     }
     remarks
+}
+
+/// Nominal frequencies in a row.
+fn nominal(bands: &[FrequencyBand]) -> String {
+    let names: Vec<String> = bands
+        .iter()
+        .map(|band| format!("{}", band.nominal()))
+        .collect();
+    names.join(", ")
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use riffel_keys::quantity::{Area, Length, Quantity, Speed};
+use riffel_keys::quantity::{Area, Length, Speed};
 
 use super::number::plain_number;
 use super::{Asked, CaseArguments, Layout};
@@ -40,7 +40,7 @@ pub(crate) struct Noise {
 
     /// Length of the train [default: 6.6 m for each wheel, as of a coach of 26.4 m on four wheelsets].
     #[arg(long, value_name = "LENGTH")]
-    pub(crate) train_length: Option<Quantity<Length>>,
+    pub(crate) train_length: Option<Asked<Length>>,
 
     /// Roughness of the wheels: a file of spectra, or cnossos-cast-iron-blocks, cnossos-composite-blocks or
     /// cnossos-disc-brakes [default: none, smooth wheels].
@@ -63,19 +63,19 @@ pub(crate) struct Noise {
 
     /// Distance of the receiver from the middle of the track.
     #[arg(long, value_name = "LENGTH", default_value = "7.5 m")]
-    pub(crate) distance: Quantity<Length>,
+    pub(crate) distance: Asked<Length>,
 
     /// Height of the receiver above the rail.
     #[arg(long, value_name = "LENGTH", default_value = "1.2 m")]
-    pub(crate) height: Quantity<Length>,
+    pub(crate) height: Asked<Length>,
 
     /// Breadth of the rail foot.
     #[arg(long, value_name = "LENGTH", default_value = "150 mm")]
-    pub(crate) rail_foot: Quantity<Length>,
+    pub(crate) rail_foot: Asked<Length>,
 
     /// Face of a sleeper that belongs to one rail.
     #[arg(long, value_name = "AREA", default_value = "0.33 m2")]
-    pub(crate) sleeper_area: Quantity<Area>,
+    pub(crate) sleeper_area: Asked<Area>,
 
     /// Limit of the levels of roughness to which the rail may be ground, by name or as a TOML file.
     #[arg(long, value_name = "LIMIT", default_value = "iso-3095-2013")]

@@ -11,7 +11,7 @@ use riffel_rail::{TransferPart, TransferTable, WheelRoughness, read_decay_rates}
 
 use super::forecast::level_limit;
 use super::roughness::survey;
-use crate::arguments::{Layout, Noise, positive};
+use crate::arguments::{Layout, Noise};
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, table};
 use crate::results::Results;
@@ -54,8 +54,8 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
 }
 
 fn request(arguments: &Noise, roughness: Spectrum) -> miette::Result<NoiseRequest> {
-    let length = match arguments.train_length {
-        Some(length) => positive("--train-length", length)?,
+    let length = match &arguments.train_length {
+        Some(length) => length.within("--train-length")?,
         None => LENGTH_PER_WHEEL * f64::from(arguments.wheels),
     };
     let transfer = match (&arguments.track_transfer, &arguments.vehicle_transfer) {
@@ -91,12 +91,12 @@ fn request(arguments: &Noise, roughness: Spectrum) -> miette::Result<NoiseReques
         train: Train {
             wheels: arguments.wheels,
             length,
-            distance: positive("--distance", arguments.distance)?,
-            height: arguments.height.si(),
+            distance: arguments.distance.within("--distance")?,
+            height: arguments.height.within("--height")?,
             surroundings: Surroundings::HardGround,
         },
-        rail_foot: positive("--rail-foot", arguments.rail_foot)?,
-        sleeper_area: positive("--sleeper-area", arguments.sleeper_area)?,
+        rail_foot: arguments.rail_foot.within("--rail-foot")?,
+        sleeper_area: arguments.sleeper_area.within("--sleeper-area")?,
         future,
     })
 }

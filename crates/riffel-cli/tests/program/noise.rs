@@ -110,3 +110,40 @@ fn decay_rates_and_traffic_are_read() {
     let bands = std::fs::read_to_string(sandbox.path("out/bands.csv")).unwrap();
     assert_eq!(bands.lines().count(), 18);
 }
+
+/// The end of the linear range, and the month of a limit, do not hang on how far one looks ahead.
+#[test]
+fn months_do_not_hang_on_the_time_looked_ahead() {
+    let sandbox = sandbox();
+    let course = |months: &str| {
+        sandbox.json(&format!(
+            "{CASE} {MEASURED} --traffic cases/traffic.toml --months {months} --limit-dba 87 --json"
+        ))["course"]
+            .clone()
+    };
+    let (short, long) = (course("150"), course("300"));
+    let limit = |course: &Value| number(&course["months_to_limit"]);
+    assert!(
+        (limit(&short) / limit(&long) - 1.0).abs() < 1e-4,
+        "{short} {long}"
+    );
+    let (far, farther) = (course("3000"), course("9000"));
+    assert_eq!(far["beyond_linear_range"], true);
+    assert_eq!(far["month"], farther["month"]);
+}
+
+/// What a track or an amplitude takes beyond the model is told.
+#[test]
+fn levels_beyond_the_model_are_told() {
+    let sandbox = sandbox();
+    let rough = "wavelength_mm,level_db\n40,50\n50,50\n63,50\n80,50\n100,50\n";
+    std::fs::write(sandbox.path("rough.csv"), rough).unwrap();
+    let told = |options: &str| sandbox.riffel(&format!("{CASE} {options}")).text;
+    let text = told("--roughness rough.csv");
+    assert!(text.contains("beyond the linear range: |P₁| is"), "{text}");
+    let undamped = "--set track.pad.damping=0 --set track.pad.loss_factor=0";
+    let text = told(&format!("{MEASURED} {undamped}"));
+    assert!(text.contains("beyond 66 bays"), "{text}");
+    let text = told(&format!("{MEASURED} --rail-foot 150"));
+    assert!(text.contains("--rail-foot"), "{text}");
+}

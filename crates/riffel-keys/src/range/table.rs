@@ -653,4 +653,34 @@ pub static RANGES: &[PhysicalRange] = &[
         [1.0, 5e4],
         "The slowest speed over the longest wavelength to the fastest over the shortest.",
     ),
+    row::<Length>(
+        &["--distance"],
+        [0.76, 1e3],
+        [1.0, 100.0],
+        "From the middle of the track, beyond the rail; pass-bys are measured at 7.5 and 25 m.",
+    ),
+    row::<Length>(
+        &["--height"],
+        [0.0, 100.0],
+        [0.0, 20.0],
+        "Above the rail; pass-bys are measured at 1.2 and 3.5 m.",
+    ),
+    row::<Length>(
+        &["--train-length"],
+        [0.1, 1e4],
+        [2.0, 3e3],
+        "A tram has 20 m, an ore train 3 km.",
+    ),
+    row::<Length>(
+        &["--rail-foot"],
+        [0.01, 0.5],
+        [0.08, 0.2],
+        "Vignole rails have 110 to 150 mm, grooved rails 180 mm.",
+    ),
+    row::<Area>(
+        &["--sleeper-area"],
+        [1e-4, 10.0],
+        [0.1, 1.0],
+        "Half of a sleeper of 2.6 m by 0.25 m.",
+    ),
 ];

@@ -28,6 +28,18 @@ pub enum RailDecay<'a> {
     },
 }
 
+impl RailDecay<'_> {
+    /// Whether more than a tenth of |H|² is left at the last place of the integral along the rail, 66 bays away: as much of
+    /// the integral lies beyond, where |H|² falls by the same share each metre.
+    pub fn runs_on(track: &dyn CrossReceptance, frequency: f64) -> bool {
+        let bay = track.support_spacing().unwrap_or(NOMINAL_BAY);
+        let last = one_sided_places(bay).fold(0.0, |_, (away, _)| away);
+        let from = 0.5 * bay;
+        let energy = |to| track.cross_receptance(TAU * frequency, from, to).norm_sqr();
+        energy(from + last) > 0.1 * energy(from)
+    }
+}
+
 /// The sleepers under one rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sleepers {
