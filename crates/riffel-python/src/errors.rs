@@ -3,6 +3,7 @@
 use pyo3::create_exception;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
+use riffel_answers::AnswerError;
 use riffel_keys::CaseError;
 
 create_exception!(
@@ -17,6 +18,22 @@ create_exception!(
     PyValueError,
     "A receptance given from Python raised, or did not return one finite complex number for each frequency."
 );
+
+/// What has no answer; arguments by their names in Python.
+pub(crate) fn of_answer(error: AnswerError) -> PyErr {
+    match error {
+        AnswerError::Case(error) => of_case(error),
+        AnswerError::Argument {
+            argument,
+            value,
+            rule,
+        } => {
+            let name = argument.trim_start_matches('-').replace('-', "_");
+            wrong(format!("{name} is {value}, but must be {rule}"))
+        }
+        error => wrong(error.to_string()),
+    }
+}
 
 /// An error of a case: `ValueError`, unless a file is missing or an iteration stopped.
 pub(crate) fn of_case(error: CaseError) -> PyErr {

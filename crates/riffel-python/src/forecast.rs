@@ -49,7 +49,7 @@ impl GivenTraffic<'_> {
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 
 /// Wavelengths \[m\] and levels \[dB re 1 µm\].
-type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
+pub(crate) type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
 /// Limit table that grinding meets, and decibels below the limit.
 type GivenGround = (Option<String>, Option<String>);
@@ -94,8 +94,8 @@ pub(crate) fn forecast<'py>(
     months: Option<PyReadonlyArray1<'py, f64>>,
     limit: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (limit, edition) = level_limit(limit)?;
-    let begins = begins(measured, ground, &limit, &edition)?;
+    let (table, limit) = level_limit(limit)?;
+    let begins = begins(measured, ground, &limit, &table.edition)?;
     let spectrum = begins.ok_or_else(|| wrong("give spectrum, ground or from_limit"))?;
     let traffic = traffic.traffic()?;
     let on = case.compute(py, move |case| {
@@ -238,8 +238,8 @@ pub(crate) fn compare<'py>(
         variant.hold = hold;
     }
     let traffic = traffic.traffic()?;
-    let (limit, edition) = level_limit(limit)?;
-    let measured = begins(measured, ground, &limit, &edition)?;
+    let (table, limit) = level_limit(limit)?;
+    let measured = begins(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
         Comparison::compute(
             case,

@@ -15,6 +15,7 @@ mod forecast;
 mod given;
 mod interrupt;
 mod models;
+mod noise;
 mod presets;
 mod program;
 mod quantity;
@@ -38,6 +39,8 @@ mod _riffel {
     use crate::given::Universal;
     #[pymodule_export]
     use crate::models::compare_models;
+    #[pymodule_export]
+    use crate::noise::noise;
     #[pymodule_export]
     use crate::presets::presets;
     #[pymodule_export]

@@ -1,13 +1,12 @@
 //! A case by the models of the field.
 
 use pyo3::prelude::*;
-use riffel_answers::AnswerError;
 use riffel_answers::models::{ModelsAnswer, ModelsRequest};
 use riffel_case::model::FieldModel;
 
 use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_case, wrong};
+use crate::errors::{of_answer, wrong};
 
 /// What `riffel compare --models --json` prints.
 #[pyfunction]
@@ -23,9 +22,5 @@ pub(crate) fn compare_models<'py>(
     let answer = case.compute(py, move |case| {
         ModelsAnswer::new(case, &ModelsRequest { models, speed }, &|_| ())
     })?;
-    let answer = answer.map_err(|error| match error {
-        AnswerError::Case(error) => of_case(error),
-        error => wrong(error.to_string()),
-    })?;
-    document(py, &answer.document(&case.case))
+    document(py, &answer.map_err(of_answer)?.document(&case.case))
 }

@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use riffel_keys::quantity::{
-    Dimension, Force, Frequency, Length, Mass, Quantity, QuantityError, Ratio, Speed,
+    Area, Dimension, Force, Frequency, Length, Mass, Quantity, QuantityError, Ratio, Speed,
 };
 
 use crate::errors::wrong;
@@ -20,6 +20,7 @@ pub(crate) fn si(text: &str, kind: &str) -> PyResult<f64> {
         "ratio" => read::<Ratio>,
         "mass" => read::<Mass>,
         "force" => read::<Force>,
+        "area" => read::<Area>,
         _ => return Err(wrong(format!("no kind of quantity is called \"{kind}\""))),
     };
     read(text).map_err(|error| wrong(error.to_string()))

@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
-    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    AnalysisSettings, BandPass, GrindSettings, LevelLimit, PIT_DEPTH, PowerSpectrum, Profile,
+    RailAnalysis, RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
@@ -301,7 +301,7 @@ pub(crate) fn compare_with_limit<'py>(
     limit: &str,
 ) -> PyResult<Levels<'py>> {
     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-    let compared = level_limit(limit)?.0.compare(&spectrum);
+    let compared = level_limit(limit)?.1.compare(&spectrum);
     let column = |value: fn(&riffel::roughness::LevelExcess) -> f64| {
         compared
             .iter()
@@ -317,10 +317,13 @@ pub(crate) fn compare_with_limit<'py>(
 }
 
 /// A table of levels by its name or file, and its edition.
-pub(crate) fn level_limit(name: &str) -> PyResult<(riffel::roughness::LevelLimit, String)> {
+pub(crate) fn level_limit(name: &str) -> PyResult<(LimitTable, LevelLimit)> {
     let table = LimitTable::find(name).map_err(of_case)?;
-    match table.limit {
-        Limit::Levels(limit) => Ok((limit, table.edition)),
+    match &table.limit {
+        Limit::Levels(limit) => {
+            let limit = limit.clone();
+            Ok((table, limit))
+        }
         Limit::Rms(_) => Err(wrong(format!(
             "limit is \"{name}\", but must be a table of one-third-octave levels: an RMS along the rail does not \
              follow from a spectrum"

@@ -51,6 +51,9 @@ pub struct Train {
 }
 
 impl Train {
+    /// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
+    pub const LENGTH_PER_WHEEL: f64 = 6.6;
+
     /// `Ok` for a receiver beside the track.
     fn check(&self) -> Result<(), AnswerError> {
         let wrong = |argument, value: f64, rule: &str| {

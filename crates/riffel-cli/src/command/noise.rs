@@ -16,9 +16,6 @@ use crate::messages::print_remarks;
 use crate::output::{Progress, json, table};
 use crate::results::Results;
 
-/// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
-const LENGTH_PER_WHEEL: f64 = 6.6;
-
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     let survey = survey(&arguments.roughness, &arguments.layout)?.choose(&arguments.choose)?;
     let (survey, _) = survey.latest();
@@ -56,7 +53,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
 fn request(arguments: &Noise, roughness: Spectrum) -> miette::Result<NoiseRequest> {
     let length = match &arguments.train_length {
         Some(length) => length.within("--train-length")?,
-        None => LENGTH_PER_WHEEL * f64::from(arguments.wheels),
+        None => Train::LENGTH_PER_WHEEL * f64::from(arguments.wheels),
     };
     let transfer = match (&arguments.track_transfer, &arguments.vehicle_transfer) {
         (Some(track), Some(vehicle)) => Some([

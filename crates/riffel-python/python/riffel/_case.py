@@ -810,6 +810,105 @@ class Case:
             from_vehicle=from_vehicle,
         )
 
+    def noise(
+        self,
+        spectrum: xr.DataArray,
+        *,
+        speed: Quantity,
+        wheels: int = 4,
+        train_length: Quantity | None = None,
+        wheel_roughness: str | xr.DataArray | None = None,
+        decay_rate: str | os.PathLike[str] | None = None,
+        transfer: tuple[str | os.PathLike[str], str | os.PathLike[str]] | None = None,
+        distance: Quantity = 7.5,
+        height: Quantity = 1.2,
+        rail_foot: Quantity = 0.15,
+        sleeper_area: Quantity = 0.33,
+        limit: str = "iso-3095-2013",
+        traffic: Traffic | None = None,
+        months: float = 12.0,
+        limit_dba: float | None = None,
+    ) -> dict[str, Any]:
+        """Rolling noise of a train on a rail of some roughness, what makes it, and what would lower it.
+
+        Parameters
+        ----------
+        spectrum : DataArray
+            One-third-octave levels of the rail in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
+        speed : quantity
+            Speed of the train.
+        wheels : int
+            Wheels of the train on one rail.
+        train_length : quantity, optional
+            Length of the train; by default 6.6 m for each wheel.
+        wheel_roughness : str or DataArray, optional
+            Roughness of the wheels: a table by name, such as ``"cnossos-disc-brakes"``, or levels; by default smooth.
+        decay_rate : path, optional
+            Measured decay rates of the track, in place of those of the case.
+        transfer : pair of str or path, optional
+            Transfer functions of track and vehicle, for the level by the directive as well.
+        distance, height : quantity
+            Of the receiver from the middle of the track and above the rail.
+        rail_foot, sleeper_area : quantity
+            Breadth of the rail foot, and the face of a sleeper that belongs to one rail.
+        limit : str
+            Limit of the levels of roughness to which the rail may be ground, by name or as a TOML file.
+        traffic : path or mapping, optional
+            A traffic file or its keys, for the level in months to come.
+        months : float
+            How far to look ahead under `traffic`.
+        limit_dba : float, optional
+            Highest level allowed, to say in how many months it is reached under `traffic`.
+
+        Returns
+        -------
+        dict
+            With the keys of ``riffel noise --json``: ``frequency_hz``, ``level`` of rail, sleepers, wheel and all of it,
+            ``measures``, ``course`` under traffic and ``remarks``.
+
+        Raises
+        ------
+        ValueError
+            For a value that is not allowed, or a spectrum that fills no band between 100 Hz and 5 kHz at the speed.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/main-line.toml")
+        >>> wavelengths = [0.02, 0.025, 0.0315, 0.04, 0.05, 0.063, 0.08, 0.1]
+        >>> rough = riffel.roughness.levels(wavelengths, [10.0] * 8)
+        >>> smooth = riffel.roughness.levels(wavelengths, [0.0] * 8)
+        >>> loud, quiet = (case.noise(rail, speed="136 km/h")["level"] for rail in (rough, smooth))
+        >>> round(loud["total_dba"] - quiet["total_dba"], 6)
+        10.0
+        """
+        rails = (scalar(rail_foot, "rail_foot", "length"), scalar(sleeper_area, "sleeper_area", "area"))
+        least = -np.finfo(np.float64).tiny
+        train = (
+            wheels,
+            None if train_length is None else scalar(train_length, "train_length", "length"),
+            scalar(distance, "distance", "length"),
+            scalar(height, "height", "length", least=least),
+        )
+        if isinstance(wheels, bool) or not isinstance(wheels, (int, np.integer)) or wheels < 1:
+            raise ValueError(f"wheels is {wheels!r}, but must be a whole number of at least 1")
+        if limit_dba is not None and traffic is None:
+            raise ValueError("limit_dba needs traffic, under which the level changes")
+        return _riffel.noise(
+            self._case,
+            levels_of(spectrum, "spectrum"),
+            scalar(speed, "speed", "speed"),
+            train,
+            levels_of(wheel_roughness, "wheel_roughness")
+            if isinstance(wheel_roughness, xr.DataArray)
+            else wheel_roughness,
+            None if decay_rate is None else os.fspath(decay_rate),
+            None if transfer is None else (os.fspath(transfer[0]), os.fspath(transfer[1])),
+            rails,
+            limit,
+            None if traffic is None else _file_or_keys(traffic),
+            (months, limit_dba),
+        )
+
     def _window(self, name: str, value: Quantities | None) -> Floats:
         if name == "wavelength":
             return self._case.wavelengths() if value is None else array(value, name, "length")

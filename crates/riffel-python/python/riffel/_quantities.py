@@ -11,7 +11,7 @@ import xarray as xr
 
 from riffel import _riffel
 
-Kind: TypeAlias = Literal["length", "speed", "frequency", "ratio", "mass", "force"]
+Kind: TypeAlias = Literal["length", "speed", "frequency", "ratio", "mass", "force", "area"]
 """What a quantity measures."""
 
 Floats: TypeAlias = npt.NDArray[np.float64]

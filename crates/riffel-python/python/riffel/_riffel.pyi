@@ -125,6 +125,19 @@ def compare(
     limit: str,
 ) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
 def compare_models(case: Case, models: Sequence[str] | None, speed: float | None) -> dict[str, Any]: ...
+def noise(
+    case: Case,
+    spectrum: tuple[_Floats, _Floats],
+    speed: float,
+    train: tuple[int, float | None, float, float],
+    wheel_roughness: str | tuple[_Floats, _Floats] | None,
+    decay_rate: str | None,
+    transfer: tuple[str, str] | None,
+    radiators: tuple[float, float],
+    ground_to: str,
+    traffic: _Traffic | None,
+    ahead: tuple[float, float | None],
+) -> dict[str, Any]: ...
 def diagnose(
     case: Case,
     rail: _Record,
