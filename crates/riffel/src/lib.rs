@@ -105,6 +105,7 @@ pub mod roughness;
 mod simultaneous_roots;
 mod square_root;
 pub mod tile;
+mod vector;
 mod wear;
 pub mod wheelset;
 

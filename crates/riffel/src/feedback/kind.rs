@@ -2,7 +2,6 @@
 
 use num_complex::Complex64;
 
-use super::general::System;
 use super::{FeedbackLoop, GeneralLoop, GeneralState, LoopState};
 use crate::contact::MeanRolling;
 use crate::wheelset::Motion;
@@ -128,9 +127,7 @@ impl Loop {
             Self::Longitudinal(feedback) => {
                 feedback.normalized_dissipation(&steady, wavelength, speed)
             }
-            Self::General(general) => {
-                general.normalized_dissipation(&mut System::new(general), wavelength, speed)
-            }
+            Self::General(general) => general.normalized_dissipation(wavelength, speed),
         }
     }
 }

@@ -3,7 +3,7 @@
 mod general;
 mod kind;
 
-pub(crate) use general::System;
+pub(crate) use general::{Answers, System};
 pub use general::{Comb, Contact, ContactState, GeneralLoop, GeneralState, Stability};
 pub use kind::{Loop, State};
 

@@ -3,6 +3,7 @@
 use pulp::{Simd, WithSimd};
 
 use crate::tile::SplitComplex;
+use crate::vector::Vector;
 
 /// All that enters one tile.
 pub(super) struct Closing<'a> {
@@ -85,59 +86,5 @@ impl<'a, S: Simd> Rows<'a, S> {
             re: self.re[index],
             im: self.im[index],
         }
-    }
-}
-
-/// As many complex numbers as fit a vector register.
-#[derive(Clone, Copy)]
-struct Vector<S: Simd> {
-    re: S::f64s,
-    im: S::f64s,
-}
-
-impl<S: Simd> Vector<S> {
-    #[inline(always)]
-    fn times(self, simd: S, other: Self) -> Self {
-        Self {
-            re: simd.negate_mul_add_e_f64s(self.im, other.im, simd.mul_f64s(self.re, other.re)),
-            im: simd.mul_add_e_f64s(self.im, other.re, simd.mul_f64s(self.re, other.im)),
-        }
-    }
-
-    #[inline(always)]
-    fn times_plus(self, simd: S, other: Self, sum: Self) -> Self {
-        Self {
-            re: simd.negate_mul_add_e_f64s(
-                self.im,
-                other.im,
-                simd.mul_add_e_f64s(self.re, other.re, sum.re),
-            ),
-            im: simd.mul_add_e_f64s(
-                self.im,
-                other.re,
-                simd.mul_add_e_f64s(self.re, other.im, sum.im),
-            ),
-        }
-    }
-
-    #[inline(always)]
-    fn scaled(self, simd: S, factor: S::f64s) -> Self {
-        Self {
-            re: simd.mul_f64s(self.re, factor),
-            im: simd.mul_f64s(self.im, factor),
-        }
-    }
-
-    #[inline(always)]
-    fn conj(self, simd: S) -> Self {
-        Self {
-            re: self.re,
-            im: simd.neg_f64s(self.im),
-        }
-    }
-
-    #[inline(always)]
-    fn norm_sqr(self, simd: S) -> S::f64s {
-        simd.mul_add_e_f64s(self.re, self.re, simd.mul_f64s(self.im, self.im))
     }
 }

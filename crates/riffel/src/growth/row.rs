@@ -8,7 +8,7 @@ use pulp::Arch;
 
 use super::closing::Closing;
 use crate::FeedbackLoop;
-use crate::feedback::{GeneralLoop, Loop, System};
+use crate::feedback::{Answers, GeneralLoop, Loop, System};
 use crate::receptance::Tabulated;
 use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
 
@@ -23,14 +23,14 @@ const TABLE_TOLERANCE: f64 = 1e-9;
 /// for the free beam, see `benches/README.md`. Holds scratch for one tile; make one evaluator per
 /// thread with `clone`.
 ///
-/// The loop on all axes is solved point by point, as [`GeneralLoop::at`] does.
+/// The loop on all axes is solved for as many wavelengths at once as a vector register holds.
 #[derive(Clone)]
 pub struct RowEvaluator(Kind);
 
 #[derive(Clone)]
 enum Kind {
     Tiles(Tiles),
-    Points(Points),
+    AllAxes(AllAxes),
 }
 
 /// The loop of one wheel and longitudinal creepage, by tiles.
@@ -42,12 +42,12 @@ struct Tiles {
     arch: Arch,
 }
 
-/// The loop on all axes, by points.
+/// The loop on all axes, by groups of wavelengths.
 #[derive(Clone)]
-struct Points {
+struct AllAxes {
     general: GeneralLoop,
     system: Box<System>,
-    wavelengths: Arc<[f64]>,
+    groups: Arc<[Answers]>,
 }
 
 /// What a tile of wavelengths fixes, whatever the speed; the last is filled up with its last
@@ -122,11 +122,7 @@ impl RowEvaluator {
     pub fn new(feedback: impl Into<Loop>, wavelengths: &[f64]) -> Self {
         Self(match feedback.into() {
             Loop::Longitudinal(feedback) => Kind::Tiles(Tiles::new(feedback, wavelengths)),
-            Loop::General(general) => Kind::Points(Points {
-                system: Box::new(System::new(&general)),
-                general,
-                wavelengths: wavelengths.into(),
-            }),
+            Loop::General(general) => Kind::AllAxes(AllAxes::new(general, wavelengths)),
         })
     }
 
@@ -165,7 +161,7 @@ impl RowEvaluator {
     pub(super) fn evaluate_tile(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
         match &mut self.0 {
             Kind::Tiles(tiles) => tiles.evaluate(speed, index),
-            Kind::Points(points) => points.evaluate(speed, index),
+            Kind::AllAxes(axes) => axes.evaluate(speed, index),
         }
     }
 }
@@ -226,14 +222,28 @@ impl Tiles {
     }
 }
 
-impl Points {
+impl AllAxes {
+    fn new(general: GeneralLoop, wavelengths: &[f64]) -> Self {
+        let system = Box::new(System::new(&general));
+        let groups = wavelengths
+            .chunks(system.lanes())
+            .map(|wavelengths| system.answers(&general, wavelengths));
+        Self {
+            groups: groups.collect(),
+            system,
+            general,
+        }
+    }
+
     fn evaluate(&mut self, speed: f64, index: usize) -> [Complex64; TILE] {
         let mut tile = [Complex64::ZERO; TILE];
-        let wavelengths = &self.wavelengths[index * TILE..];
-        for (value, &wavelength) in tile.iter_mut().zip(wavelengths) {
-            *value = self
-                .general
-                .normalized_dissipation(&mut self.system, wavelength, speed);
+        let lanes = self.system.lanes();
+        let groups = &self.groups[index * TILE / lanes..];
+        for (values, answers) in tile.chunks_exact_mut(lanes).zip(groups) {
+            self.system.turn(&self.general, answers, speed);
+            for (lane, value) in values.iter_mut().enumerate() {
+                *value = self.system.normalized_dissipation(lane);
+            }
         }
         tile
     }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use riffel::contact::{Carter3d, Creepages, MeanState, QuasiStatic, SpringDashpot};
-use riffel::feedback::{Contact, ContactState, GeneralLoop};
+use riffel::feedback::{Comb, Contact, ContactState, GeneralLoop};
+use riffel::growth::RowEvaluator;
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Structure, Support, Uncoupled,
 };
@@ -198,6 +199,71 @@ impl Structure for SharedAxle {
                 RigidMass::new(400.0).unwrap().receptance(w, speed)
             }
             _ => Complex64::ZERO,
+        }
+    }
+}
+
+/// Wavelengths solved side by side do not feel each other: a row is its points, in all kinds of motion, for any number of
+/// wavelengths, and under a wavelength with which the receptance is no number.
+#[test]
+fn a_row_is_its_points() {
+    /// A rail that answers along all axes, and to no frequency above a limit.
+    struct Limited(f64);
+
+    impl Structure for Limited {
+        fn cross_receptance(&self, w: f64, _: f64, at: Place, from: Place) -> Complex64 {
+            if w > self.0 {
+                return Complex64::new(f64::NAN, f64::NAN);
+            }
+            let decay = Complex64::new(-0.4, -1.3) * (at.along - from.along).abs();
+            let direct = if at.direction == from.direction {
+                1.0
+            } else {
+                0.2
+            };
+            Complex64::new(1e-6, -4e-7) / w * direct * decay.exp()
+        }
+    }
+
+    let speed = 20.0;
+    let side = |along, rail, motion| Contact {
+        rail,
+        ..contact(along, rolling(6e-4, 4e-4), motion)
+    };
+    let contacts = vec![
+        side(
+            0.0,
+            Rail::Right,
+            [Motion::Compliant(()), Motion::Compliant(())],
+        ),
+        side(0.0, Rail::Left, [Motion::Free, Motion::Compliant(())]),
+        side(-2.5, Rail::Right, [Motion::Held, Motion::Compliant(())]),
+        side(-2.5, Rail::Left, [Motion::Compliant(()), Motion::Free]),
+    ];
+    for comb in [Comb::Resolved, Comb::Mean] {
+        for count in [1, 3, 4, 9] {
+            let wavelengths: Vec<f64> = (0..count)
+                .map(|index| 0.03 + 0.011 * index as f64)
+                .collect();
+            let limit = std::f64::consts::TAU * speed / 0.035;
+            let feedback = GeneralLoop::new(
+                Arc::new(Limited(limit)),
+                Arc::new(wheel(400.0, 40.0)),
+                contacts.clone(),
+                AMPLITUDE,
+            );
+            let feedback = feedback.unwrap().with_comb(comb);
+            let mut row = vec![Complex64::ZERO; count];
+            RowEvaluator::new(&feedback, &wavelengths).evaluate(speed, &mut row);
+            assert!(row[0].is_nan());
+            for (value, &wavelength) in row.iter().zip(&wavelengths).skip(1) {
+                let growth = value.re * feedback.growth_rate_per_dissipation();
+                let expected = feedback.at(wavelength, speed).growth_rate;
+                assert_relative_eq!(growth, expected, max_relative = 1e-12);
+                let rail = feedback.at(wavelength, speed).contacts;
+                let mean = (rail[0].growth_rate.unwrap() + rail[2].growth_rate.unwrap()) / 2.0;
+                assert_relative_eq!(growth, mean, max_relative = 1e-12);
+            }
         }
     }
 }

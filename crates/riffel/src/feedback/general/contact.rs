@@ -49,6 +49,15 @@ impl Contact {
         Complex64::cis(wavenumber * self.along)
     }
 
+    /// Its profile over that of the rail under study, or that one where its own rail is smooth.
+    pub(super) fn profile_or_one(&self) -> f64 {
+        if self.profile == 0.0 {
+            1.0
+        } else {
+            self.profile
+        }
+    }
+
     /// One where the unknown of an axis is a force, zero where it is a creepage.
     pub(super) fn force_share(&self, axis: usize) -> f64 {
         match self.motion.get(axis) {
@@ -92,8 +101,8 @@ impl Contact {
         Ok(())
     }
 
-    /// What it answers at one wavelength.
-    pub(super) fn answer(&self, wavelength: f64) -> Answer {
+    /// The derivatives of its forces and its energy at one wavelength.
+    pub(super) fn derivatives(&self, wavelength: f64) -> Derivatives {
         /// What a creepage that is held does.
         const NOTHING: ContactDerivative = ContactDerivative {
             force: [Complex64::ZERO; 2],
@@ -102,7 +111,7 @@ impl Contact {
             error: None,
         };
         let response = self.rolling.response(wavelength);
-        Answer {
+        Derivatives {
             by_load: response.by_load,
             by_creepage: [
                 response.by_longitudinal,
@@ -112,9 +121,9 @@ impl Contact {
     }
 }
 
-/// What a contact answers at one wavelength.
+/// What the forces and the energy of a contact answer to at one wavelength.
 #[derive(Clone, Copy)]
-pub(super) struct Answer {
+pub(super) struct Derivatives {
     pub(super) by_load: ContactDerivative,
     pub(super) by_creepage: [ContactDerivative; 2],
 }

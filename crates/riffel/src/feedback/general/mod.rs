@@ -1,14 +1,19 @@
 //! The loop on all axes: several contacts, each with a normal force and two creep forces.
 
+mod answers;
 mod contact;
+mod determinant;
 mod linear;
 mod stability;
 mod system;
+mod turn;
 
+pub(crate) use answers::Answers;
 pub use contact::Contact;
 pub use stability::Stability;
 pub(crate) use system::System;
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -38,9 +43,9 @@ use crate::{Error, Rail};
 /// Where the loop is unstable without any profile (see [`stability`](Self::stability)) its growth rates mean
 /// nothing.
 ///
-/// Method: 3n complex linear equations by elimination with row pivots. Cost: O(27n³) and the receptance matrices of n
-/// contacts a point; the loop of one wheel and one axis is solved in closed form by `FeedbackLoop` and agrees to
-/// rounding.
+/// Method: 3n complex linear equations by elimination with row pivots, in a map for as many wavelengths at once as a vector
+/// register holds. Cost: O(27n³) and the receptance matrices of n contacts a point; the loop of one wheel and one axis
+/// is solved in closed form by `FeedbackLoop` and agrees to rounding.
 #[derive(Clone)]
 pub struct GeneralLoop {
     track: Arc<dyn Structure>,
@@ -199,26 +204,28 @@ impl GeneralLoop {
     /// equations are singular.
     pub fn at(&self, wavelength: f64, speed: f64) -> GeneralState {
         let mut system = System::new(self);
-        system.turn(self, wavelength, speed);
-        let contacts = system.states().to_vec();
+        let answers = system.answers(self, &[wavelength]);
+        system.turn(self, &answers, speed);
+        let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
+        let contacts: Vec<ContactState> = states.collect();
         let first = contacts[0];
+        let [track_receptance, wheel_receptance] = system.at_first();
         let steady = self.steady();
         let dissipation = first.energy * speed;
         let dissipation_at_rail = first.energy_at_rail * speed;
         GeneralState {
             wavelength,
             speed,
-            angular_frequency: system.angular_frequency(),
-            track_receptance: system.track_at_first(),
-            wheel_receptance: system.wheels_at_first(),
-            dw_dp: system.energy_by_load() * speed,
+            angular_frequency: 2.0 * PI * speed / wavelength,
+            track_receptance,
+            wheel_receptance,
+            dw_dp: self.contacts[0].derivatives(wavelength).by_load.energy * speed,
             dissipation,
             dissipation_lag_angle: -(dissipation_at_rail / dissipation).arg(),
             dissipation_at_rail,
             normalized_dissipation: first.energy_at_rail / steady.full_slip_energy_per_metre(),
             mean_dissipation: steady.energy_per_metre() * speed,
-            growth_rate: self.growth_rate_per_dissipation()
-                * self.mean_normalized_dissipation(&contacts).re,
+            growth_rate: self.growth_rate_per_dissipation() * system.normalized_dissipation(0).re,
             contacts,
         }
     }
@@ -236,18 +243,16 @@ impl GeneralLoop {
     /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track.
     pub fn receptances(&self, angular_frequency: f64, speed: f64) -> [[[Complex64; 3]; 3]; 2] {
         let mut system = System::new(self);
-        system.track_axes(self, angular_frequency, speed);
-        [system.track_at_first(), system.wheels_at_first()]
+        system.receptances(self, angular_frequency, speed);
+        system.at_first()
     }
 
     /// Receptances of track and wheel at the first contact along its normal \[m/N\].
     pub fn normal_receptances(&self, angular_frequency: f64, speed: f64) -> [Complex64; 2] {
         let mut system = System::new(self);
         system.receptances(self, angular_frequency, speed);
-        [
-            system.track_at_first()[2][2],
-            system.wheels_at_first()[2][2],
-        ]
+        system.turn_axes(self);
+        system.at_first().map(|matrix| matrix[2][2])
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -257,30 +262,26 @@ impl GeneralLoop {
         -first.wear.depth_per_energy() * energy / self.amplitude
     }
 
-    /// Ŵ₁ to which the mean growth of the wheels on the rail under study belongs.
-    fn mean_normalized_dissipation(&self, states: &[ContactState]) -> Complex64 {
-        let first = &self.contacts[0];
-        let unit =
-            first.wear.depth_per_energy() * first.rolling.steady().full_slip_energy_per_metre();
-        let mut sum = Complex64::ZERO;
-        let mut wheels = 0.0;
-        for (contact, state) in self.contacts.iter().zip(states) {
-            if contact.rail == first.rail {
-                sum += contact.wear.depth_per_energy() / unit * state.energy_at_rail;
-                wheels += 1.0;
-            }
+    /// What Ŵ₁ of the mean growth takes of a contact's energy at the rail point \[m/J\]: the mean is over the wheels on the
+    /// rail under study.
+    fn share_of_growth(&self, index: usize) -> f64 {
+        let (first, contact) = (&self.contacts[0], &self.contacts[index]);
+        if contact.rail != first.rail {
+            return 0.0;
         }
-        sum / wheels
+        let wheels = self
+            .contacts
+            .iter()
+            .filter(|other| other.rail == first.rail);
+        let energy = first.rolling.steady().full_slip_energy_per_metre();
+        let wear = contact.wear.depth_per_energy() / first.wear.depth_per_energy();
+        wear / (energy * wheels.count() as f64)
     }
 
-    /// Ŵ₁ of the mean growth at a point, with scratch of the caller.
-    pub(crate) fn normalized_dissipation(
-        &self,
-        system: &mut System,
-        wavelength: f64,
-        speed: f64,
-    ) -> Complex64 {
-        system.turn(self, wavelength, speed);
-        self.mean_normalized_dissipation(system.states())
+    /// Ŵ₁ of the mean growth at a point.
+    pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
+        let mut system = System::new(self);
+        system.turn(self, &system.answers(self, &[wavelength]), speed);
+        system.normalized_dissipation(0)
     }
 }

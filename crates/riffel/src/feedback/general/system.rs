@@ -1,45 +1,45 @@
-//! The equations of the general loop at one point.
+//! The equations of the general loop and their scratch.
 
 use std::f64::consts::PI;
 
 use num_complex::Complex64;
+use pulp::Arch;
 
-use super::contact::Answer;
-use super::linear::solve;
+use super::answers::Answers;
+use super::linear::{Equations, Solve};
+use super::turn::{NORMAL, Turn};
 use super::{Comb, ContactState, GeneralLoop};
 use crate::Place;
-use crate::wheelset::Motion;
+use crate::vector::lanes_of;
 
-/// The index of the normal force among the unknowns of a contact, after those along and across the rail.
-const NORMAL: usize = 2;
-
-/// The equations and their scratch, for one loop at one point after the other.
+/// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
+/// lanes.
 #[derive(Clone)]
 pub(crate) struct System {
-    wavelength: f64,
-    wavenumber: f64,
-    angular_frequency: f64,
+    arch: Arch,
+    lanes: usize,
     /// Places of the contacts on the track and on the wheels.
     on_track: Vec<Place>,
     on_wheels: Vec<Place>,
-    /// Receptances of the track, of the wheels, and of both, in the axes of the contacts.
+    /// One where an unknown is a force, zero where it is a creepage.
+    force_shares: Vec<f64>,
+    /// Receptances of the track and of the wheels at the point asked last.
     track: Vec<Complex64>,
     wheels: Vec<Complex64>,
-    both: Vec<Complex64>,
-    answers: Vec<Answer>,
-    /// Creepages of all contacts by the unknowns, two rows a contact.
-    creepage: Vec<Complex64>,
-    matrix: Vec<Complex64>,
-    /// The unknowns, a column for each excitation.
-    unknowns: Vec<Complex64>,
+    /// Receptances of both in the axes of the contacts; of each entry the real parts of all lanes, then the imaginary ones.
+    receptances: Vec<f64>,
+    equations: Equations,
     /// Which excitation is that of each contact.
     excitation: Vec<usize>,
-    /// The contacts as the equations solved leave them.
-    states: Vec<ContactState>,
+    /// Creepages of the contacts, and Ŵ₁ of the mean growth.
+    creepages: Vec<f64>,
+    dissipation: Vec<f64>,
 }
 
 impl System {
     pub(crate) fn new(of: &GeneralLoop) -> Self {
+        let arch = Arch::new();
+        let lanes = lanes_of(arch);
         let size = 3 * of.contacts.len();
         let places = |from: f64| -> Vec<Place> {
             let places = of.contacts.iter();
@@ -60,42 +60,55 @@ impl System {
         });
         let excitation: Vec<usize> = excitation.collect();
         let columns = 1 + excitation.iter().max().copied().unwrap_or(0);
-        let matrix = || vec![Complex64::ZERO; size * size];
+        let force_shares = of.contacts.iter();
+        let force_shares =
+            force_shares.flat_map(|contact| [0, 1, NORMAL].map(|axis| contact.force_share(axis)));
         Self {
-            wavelength: f64::NAN,
-            wavenumber: f64::NAN,
-            angular_frequency: f64::NAN,
+            arch,
+            lanes,
             on_track: places(of.position),
             on_wheels: places(0.0),
-            track: matrix(),
-            wheels: matrix(),
-            both: matrix(),
-            answers: Vec::with_capacity(of.contacts.len()),
-            creepage: vec![Complex64::ZERO; 2 * of.contacts.len() * size],
-            matrix: matrix(),
-            unknowns: vec![Complex64::ZERO; size * columns],
+            force_shares: force_shares.collect(),
+            track: vec![Complex64::ZERO; size * size],
+            wheels: vec![Complex64::ZERO; size * size],
+            receptances: vec![0.0; 2 * size * size * lanes],
+            equations: Equations::new(size, columns, lanes),
             excitation,
-            states: Vec::with_capacity(of.contacts.len()),
+            creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
+            dissipation: vec![0.0; 2 * lanes],
         }
     }
 
-    /// Solve the equations at a wavelength \[m\] and a speed \[m/s\].
-    pub(super) fn turn(&mut self, of: &GeneralLoop, wavelength: f64, speed: f64) {
-        self.assemble(of, wavelength, speed);
-        let size = self.size();
-        let columns = self.columns();
-        self.unknowns.fill(Complex64::ZERO);
-        for (index, contact) in of.contacts.iter().enumerate() {
-            let right = of.amplitude * contact.profile * contact.phase(self.wavenumber);
-            self.unknowns[(3 * index + NORMAL) * columns + self.excitation[index]] = right;
+    /// How many points it solves at once.
+    pub(crate) fn lanes(&self) -> usize {
+        self.lanes
+    }
+
+    /// What the contacts answer at no more wavelengths \[m\] than lanes.
+    pub(crate) fn answers(&self, of: &GeneralLoop, wavelengths: &[f64]) -> Answers {
+        Answers::new(of, wavelengths, self.lanes)
+    }
+
+    /// Solve the equations at the wavelengths of the answers and a speed \[m/s\], one wavelength a lane.
+    pub(crate) fn turn(&mut self, of: &GeneralLoop, answers: &Answers, speed: f64) {
+        for (lane, &wavelength) in answers.wavelengths().iter().enumerate() {
+            self.receptances(of, 2.0 * PI * speed / wavelength, speed);
+            self.gather(of, lane);
         }
-        if solve(&mut self.matrix, &mut self.unknowns, size).is_zero() {
-            self.unknowns.fill(Complex64::new(f64::NAN, f64::NAN));
-        }
-        let mut states = std::mem::take(&mut self.states);
-        states.clear();
-        states.extend((0..of.contacts.len()).map(|index| self.state(of, index)));
-        self.states = states;
+        self.arch.dispatch(Turn {
+            contacts: &of.contacts,
+            excitation: &self.excitation,
+            answers,
+            receptances: &self.receptances,
+            equations: &mut self.equations,
+            creepages: &mut self.creepages,
+            dissipation: &mut self.dissipation,
+        });
+    }
+
+    /// Ŵ₁ of the mean growth at the point solved in a lane.
+    pub(crate) fn normalized_dissipation(&self, lane: usize) -> Complex64 {
+        self.number(&self.dissipation, 0, lane)
     }
 
     /// The determinant of the equations at an angular frequency \[rad/s\] and a speed \[m/s\], over that of the
@@ -106,174 +119,105 @@ impl System {
         angular_frequency: f64,
         speed: f64,
     ) -> Complex64 {
-        self.assemble(of, 2.0 * PI * speed / angular_frequency, speed);
-        let size = self.size();
-        let count = of.contacts.len();
-        let whole = solve(&mut self.matrix, &mut [Complex64::ZERO].repeat(size), size);
-        let mut normal = Vec::with_capacity(count * count);
+        let answers = self.answers(of, &[2.0 * PI * speed / angular_frequency]);
+        self.turn(of, &answers, speed);
+        let whole = self.equations.determinant(0);
+        let (size, count) = (self.size(), of.contacts.len());
+        let mut normal = Equations::new(count, 0, self.lanes);
         for (row, contact) in of.contacts.iter().enumerate() {
             for column in 0..count {
-                let mut entry = self.both[(3 * row + NORMAL) * size + 3 * column + NORMAL];
+                let entry = (3 * row + NORMAL) * size + 3 * column + NORMAL;
+                let mut entry = self.number(&self.receptances, entry, 0);
                 if row == column {
                     entry += contact.stiffness.recip();
                 }
-                normal.push(entry);
+                normal.set(row, column, 0, entry);
             }
         }
-        let without = solve(&mut normal, &mut [Complex64::ZERO].repeat(count), count);
-        whole.over(without)
+        self.arch.dispatch(Solve(&mut normal));
+        whole.over(normal.determinant(0))
     }
 
-    /// The matrix of the equations
-    ///
-    /// ```text
-    /// Q − F_P P − F_ξ ξ = 0        two rows a contact
-    /// P/k_H + (H f)_n = Δ p        one row
-    /// ```
-    fn assemble(&mut self, of: &GeneralLoop, wavelength: f64, speed: f64) {
-        let size = self.size();
-        self.wavelength = wavelength;
-        self.wavenumber = 2.0 * PI / wavelength;
-        self.angular_frequency = self.wavenumber * speed;
-        self.answers.clear();
-        let answers = of.contacts.iter().map(|contact| contact.answer(wavelength));
-        self.answers.extend(answers);
-        self.receptances(of, self.angular_frequency, speed);
-        for ((both, track), wheels) in self.both.iter_mut().zip(&self.track).zip(&self.wheels) {
-            *both = track + wheels;
-        }
-
-        // Creepages by the unknowns: those that are no forces move nothing but their own.
-        for (index, contact) in of.contacts.iter().enumerate() {
-            for axis in 0..NORMAL {
-                let own = 3 * index + axis;
-                let row = &mut self.creepage[(2 * index + axis) * size..][..size];
-                match contact.motion[axis] {
-                    Motion::Held => row.fill(Complex64::ZERO),
-                    Motion::Free => {
-                        row.fill(Complex64::ZERO);
-                        row[own] = Complex64::ONE;
-                    }
-                    // −iω/V = −ik.
-                    Motion::Compliant(()) => {
-                        let receptances = &self.both[own * size..][..size];
-                        for (from, (entry, receptance)) in
-                            row.iter_mut().zip(receptances).enumerate()
-                        {
-                            let share =
-                                of.contacts[from / 3].force_share(from % 3) * self.wavenumber;
-                            *entry = Complex64::new(receptance.im * share, -receptance.re * share);
-                        }
-                    }
-                }
-            }
-        }
-
-        for (index, (contact, answer)) in of.contacts.iter().zip(&self.answers).enumerate() {
-            let creepages = &self.creepage[2 * index * size..][..2 * size];
-            let (along, across) = creepages.split_at(size);
-            for axis in 0..NORMAL {
-                let row = &mut self.matrix[(3 * index + axis) * size..][..size];
-                let [by_along, by_across] = answer.by_creepage.map(|by| by.force[axis]);
-                for ((entry, along), across) in row.iter_mut().zip(along).zip(across) {
-                    *entry = -(by_along * along + by_across * across);
-                }
-                row[3 * index + axis] += contact.force_share(axis);
-                row[3 * index + NORMAL] -= answer.by_load.force[axis];
-            }
-            let own = 3 * index + NORMAL;
-            let row = &mut self.matrix[own * size..][..size];
-            let receptances = &self.both[own * size..][..size];
-            for (from, (entry, receptance)) in row.iter_mut().zip(receptances).enumerate() {
-                *entry = receptance * of.contacts[from / 3].force_share(from % 3);
-            }
-            row[own] += contact.stiffness.recip();
-        }
-    }
-
-    /// Receptances of track and wheels in the axes of the contacts.
+    /// Receptances of track and wheels in the axes of the track.
     pub(super) fn receptances(&mut self, of: &GeneralLoop, angular_frequency: f64, speed: f64) {
-        self.track_axes(of, angular_frequency, speed);
-        turn_axes(of, &mut self.track);
-        turn_axes(of, &mut self.wheels);
-    }
-
-    /// The same in the axes of the track.
-    pub(super) fn track_axes(&mut self, of: &GeneralLoop, angular_frequency: f64, speed: f64) {
         of.track
             .receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
         of.wheels
             .receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
     }
 
-    /// A contact as the equations solved leave it.
-    fn state(&self, of: &GeneralLoop, index: usize) -> ContactState {
-        let (size, columns, column) = (self.size(), self.columns(), self.excitation[index]);
-        let (contact, answer) = (&of.contacts[index], &self.answers[index]);
-        let unknown = |of: usize| self.unknowns[of * columns + column];
-        let creepage: [Complex64; 2] = std::array::from_fn(|axis| {
-            let row = &self.creepage[(2 * index + axis) * size..][..size];
-            let products = row
-                .iter()
-                .enumerate()
-                .map(|(of, share)| share * unknown(of));
-            products.sum()
+    /// Gather the receptances of track and wheels in a lane, in the axes of the contacts.
+    fn gather(&mut self, of: &GeneralLoop, lane: usize) {
+        self.turn_axes(of);
+        let (lanes, size) = (self.lanes, self.size());
+        let rows = self.receptances.chunks_exact_mut(2 * lanes * size);
+        let ours = self
+            .track
+            .chunks_exact(size)
+            .zip(self.wheels.chunks_exact(size));
+        for (row, (track, wheels)) in rows.zip(ours) {
+            let entries = row.chunks_exact_mut(2 * lanes).zip(&self.force_shares);
+            for ((entry, share), (track, wheels)) in entries.zip(track.iter().zip(wheels)) {
+                let both = (track + wheels) * share;
+                (entry[lane], entry[lanes + lane]) = (both.re, both.im);
+            }
+        }
+    }
+
+    /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
+    pub(super) fn state(&self, of: &GeneralLoop, index: usize, wavelength: f64) -> ContactState {
+        let contact = &of.contacts[index];
+        let derivatives = contact.derivatives(wavelength);
+        let force: [Complex64; 3] = std::array::from_fn(|axis| {
+            let unknown =
+                self.equations
+                    .unknown_of_lane(3 * index + axis, self.excitation[index], 0);
+            contact.force_share(axis) * unknown
         });
-        let force: [Complex64; 3] =
-            std::array::from_fn(|axis| contact.force_share(axis) * unknown(3 * index + axis));
-        let lag = contact.place_of_wear.lag(self.wavelength);
-        let mut energy = answer.by_load.energy * force[NORMAL];
-        let mut at_rail = answer.by_load.at_rail(lag) * force[NORMAL];
-        for (by, creepage) in answer.by_creepage.iter().zip(creepage) {
+        let creepage: [Complex64; 2] =
+            std::array::from_fn(|axis| self.number(&self.creepages, 2 * index + axis, 0));
+        let lag = contact.place_of_wear.lag(wavelength);
+        let mut energy = derivatives.by_load.energy * force[NORMAL];
+        let mut at_rail = derivatives.by_load.at_rail(lag) * force[NORMAL];
+        for (by, creepage) in derivatives.by_creepage.iter().zip(creepage) {
             energy += by.energy * creepage;
             at_rail += by.at_rail(lag) * creepage;
         }
-        let rough = contact.profile != 0.0;
-        let profile = if rough { contact.profile } else { 1.0 };
-        let energy_at_rail = at_rail / (contact.phase(self.wavenumber) * profile);
+        let phase = contact.phase(2.0 * PI / wavelength);
+        let energy_at_rail = at_rail / (phase * contact.profile_or_one());
         let depth = contact.wear.depth_per_energy() * energy_at_rail.re;
         ContactState {
             force,
             creepage,
             energy,
             energy_at_rail,
-            growth_rate: rough.then(|| -depth / of.amplitude),
+            growth_rate: (contact.profile != 0.0).then(|| -depth / of.amplitude),
         }
     }
 
-    /// The contacts of the point solved last, in their order.
-    pub(super) fn states(&self) -> &[ContactState] {
-        &self.states
+    /// Turn the receptances asked last into the axes of the contacts.
+    pub(super) fn turn_axes(&mut self, of: &GeneralLoop) {
+        turn_axes(of, &mut self.track);
+        turn_axes(of, &mut self.wheels);
     }
 
-    pub(super) fn angular_frequency(&self) -> f64 {
-        self.angular_frequency
+    /// Receptance matrices of track and wheel at the first contact and the point asked last.
+    pub(super) fn at_first(&self) -> [[[Complex64; 3]; 3]; 2] {
+        [&self.track, &self.wheels].map(|matrix| {
+            std::array::from_fn(|row| {
+                std::array::from_fn(|column| matrix[row * self.size() + column])
+            })
+        })
     }
 
-    pub(super) fn track_at_first(&self) -> [[Complex64; 3]; 3] {
-        self.at_first(&self.track)
-    }
-
-    pub(super) fn wheels_at_first(&self) -> [[Complex64; 3]; 3] {
-        self.at_first(&self.wheels)
-    }
-
-    /// e_P of the first contact \[J/m per N\].
-    pub(super) fn energy_by_load(&self) -> Complex64 {
-        self.answers[0].by_load.energy
-    }
-
-    fn at_first(&self, matrix: &[Complex64]) -> [[Complex64; 3]; 3] {
-        let size = self.size();
-        std::array::from_fn(|row| std::array::from_fn(|column| matrix[row * size + column]))
+    /// A number of those that lie by lanes.
+    fn number(&self, of: &[f64], index: usize, lane: usize) -> Complex64 {
+        let parts = &of[2 * index * self.lanes..][..2 * self.lanes];
+        Complex64::new(parts[lane], parts[self.lanes + lane])
     }
 
     fn size(&self) -> usize {
         self.on_track.len()
-    }
-
-    fn columns(&self) -> usize {
-        self.unknowns.len() / self.size()
     }
 }
 

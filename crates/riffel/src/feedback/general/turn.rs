@@ -1,0 +1,175 @@
+//! One turn of the loop at the wavelengths of a vector register, in vector instructions.
+
+use pulp::{Simd, WithSimd};
+
+use super::Contact;
+use super::answers::{Answer, Answers};
+use super::linear::Equations;
+use crate::vector::{Parts, Vector};
+use crate::wheelset::Motion;
+
+/// The index of the normal force among the unknowns of a contact, after those along and across the rail.
+pub(super) const NORMAL: usize = 2;
+
+/// All that enters one turn, and what leaves it.
+pub(super) struct Turn<'a> {
+    pub(super) contacts: &'a [Contact],
+    /// The column of excitation of each contact.
+    pub(super) excitation: &'a [usize],
+    pub(super) answers: &'a Answers,
+    /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces.
+    pub(super) receptances: &'a [f64],
+    /// Made here and solved.
+    pub(super) equations: &'a mut Equations,
+    /// Creepages along and across of each contact.
+    pub(super) creepages: &'a mut [f64],
+    /// Ŵ₁ of the mean growth.
+    pub(super) dissipation: &'a mut [f64],
+}
+
+impl WithSimd for Turn<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(mut self, simd: S) {
+        self.assemble(simd);
+        self.equations.solve(simd);
+        self.close(simd);
+    }
+}
+
+impl Turn<'_> {
+    /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
+    ///
+    /// ```text
+    /// Q − F_P P − F_ξ ξ = 0        two rows a contact
+    /// P/k_H + (H f)_n = Δ p        one row
+    /// ```
+    #[inline(always)]
+    fn assemble<S: Simd>(&mut self, simd: S) {
+        let (size, width) = (self.equations.size(), self.equations.width());
+        let receptances = Vector::<S>::row(self.receptances).chunks_exact(3 * size);
+        let rows = self.equations.rows_mut::<S>().chunks_exact_mut(3 * width);
+        let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
+        let zero = Vector::<S>::zero(simd);
+        let contacts = self.contacts.iter().zip(self.excitation);
+        let answers = self.answers.of_contacts::<S>();
+        for (index, (((contact, &excitation), answer), (rows, receptances))) in
+            contacts.zip(answers).zip(rows.zip(receptances)).enumerate()
+        {
+            let own = 3 * index;
+            let (along, rest) = receptances.split_at(size);
+            let (across, normal) = rest.split_at(size);
+            for axis in 0..NORMAL {
+                let (row, right) = rows[axis * width..][..width].split_at_mut(size);
+                let by_creepage = answer.force_by_creepage[axis];
+                // −F_ξ ξ by displacements.
+                let [by_along, by_across] = [0, 1].map(|other| match contact.motion[other] {
+                    Motion::Compliant(()) => times_i(simd, by_creepage[other], wavenumbers[0]),
+                    Motion::Held | Motion::Free => zero,
+                });
+                for ((entry, &along), &across) in row.iter_mut().zip(along).zip(across) {
+                    let share = by_along.times(simd, along.into());
+                    *entry = by_across.times_plus(simd, across.into(), share).parts();
+                }
+                // −F_ξ ξ by creepages that are unknowns themselves.
+                for (other, by) in by_creepage.into_iter().enumerate() {
+                    if matches!(contact.motion[other], Motion::Free) {
+                        add(simd, &mut row[own + other], by.negative(simd));
+                    }
+                }
+                add(
+                    simd,
+                    &mut row[own + axis],
+                    real(simd, contact.force_share(axis)),
+                );
+                add(
+                    simd,
+                    &mut row[own + NORMAL],
+                    answer.force_by_load[axis].negative(simd),
+                );
+                right.fill(zero.parts());
+            }
+            let (row, right) = rows[NORMAL * width..].split_at_mut(size);
+            row.copy_from_slice(normal);
+            add(
+                simd,
+                &mut row[own + NORMAL],
+                real(simd, contact.stiffness.recip()),
+            );
+            right.fill(zero.parts());
+            right[excitation] = answer.profile.parts();
+        }
+    }
+
+    /// Creepages and dissipation of the unknowns.
+    #[inline(always)]
+    fn close<S: Simd>(&mut self, simd: S) {
+        let size = self.equations.size();
+        let equations = &*self.equations;
+        let receptances = Vector::<S>::row(self.receptances).chunks_exact(3 * size);
+        let (creepages, _) = Vector::<S>::row_mut(self.creepages).as_chunks_mut::<2>();
+        let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
+        let mut dissipation = Vector::<S>::zero(simd);
+        let contacts = self.contacts.iter().zip(self.excitation);
+        let answers = self.answers.of_contacts::<S>();
+        for (index, (((contact, &column), answer), (creepages, receptances))) in contacts
+            .zip(answers)
+            .zip(creepages.iter_mut().zip(receptances))
+            .enumerate()
+        {
+            let Answer {
+                growth_by_load,
+                growth_by_creepage,
+                ..
+            } = answer;
+            let mut displacements = [Vector::<S>::zero(simd); 2];
+            let (along, rest) = receptances.split_at(size);
+            for (from, (&along, &across)) in along.iter().zip(rest).enumerate() {
+                let unknown = equations.unknown(from, column);
+                let [by_along, by_across] = displacements;
+                displacements = [
+                    unknown.times_plus(simd, along.into(), by_along),
+                    unknown.times_plus(simd, across.into(), by_across),
+                ];
+            }
+            let load = equations.unknown::<S>(3 * index + NORMAL, column);
+            dissipation = growth_by_load.times_plus(simd, load, dissipation);
+            for axis in 0..NORMAL {
+                let creepage = match contact.motion[axis] {
+                    Motion::Held => Vector::zero(simd),
+                    Motion::Free => equations.unknown(3 * index + axis, column),
+                    Motion::Compliant(()) => {
+                        times_i(simd, displacements[axis], wavenumbers[0]).negative(simd)
+                    }
+                };
+                creepages[axis] = creepage.parts();
+                dissipation = growth_by_creepage[axis].times_plus(simd, creepage, dissipation);
+            }
+        }
+        Vector::<S>::row_mut(self.dissipation)[0] = dissipation.parts();
+    }
+}
+
+/// i times a number times a real one.
+#[inline(always)]
+fn times_i<S: Simd>(simd: S, number: Vector<S>, factor: S::f64s) -> Vector<S> {
+    let Vector { re, im } = number.scaled(simd, factor);
+    Vector {
+        re: simd.neg_f64s(im),
+        im: re,
+    }
+}
+
+#[inline(always)]
+fn real<S: Simd>(simd: S, value: f64) -> Vector<S> {
+    Vector {
+        re: simd.splat_f64s(value),
+        im: simd.splat_f64s(0.0),
+    }
+}
+
+#[inline(always)]
+fn add<S: Simd>(simd: S, entry: &mut Parts<S>, share: Vector<S>) {
+    *entry = share.plus(simd, (*entry).into()).parts();
+}
