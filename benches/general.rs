@@ -70,11 +70,6 @@ impl AtHand {
         let places = (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
         Self(places.map(entry).collect())
     }
-
-    /// One that does not move.
-    fn rigid(size: usize) -> Self {
-        Self(vec![Complex64::ZERO; size * size])
-    }
 }
 
 impl Structure for AtHand {
@@ -88,6 +83,19 @@ impl Structure for AtHand {
         for (entry, own) in matrix.iter_mut().zip(&self.0) {
             *entry = own * scale;
         }
+    }
+}
+
+/// A structure that does not move.
+struct Still;
+
+impl Structure for Still {
+    fn cross_receptance(&self, _: f64, _: f64, _: Place, _: Place) -> Complex64 {
+        Complex64::ZERO
+    }
+
+    fn receptance_matrix(&self, _: f64, _: f64, _: &[Place], matrix: &mut [Complex64]) {
+        matrix.fill(Complex64::ZERO);
     }
 }
 
@@ -143,8 +151,12 @@ fn at_hand(wheels: usize) -> Result<GeneralLoop, Failure> {
         wear,
     });
     let track = Arc::new(AtHand::matrix(3 * wheels));
-    let still = Arc::new(AtHand::rigid(3 * wheels));
-    Ok(GeneralLoop::new(track, still, contacts.collect(), 1e-5)?)
+    Ok(GeneralLoop::new(
+        track,
+        Arc::new(Still),
+        contacts.collect(),
+        1e-5,
+    )?)
 }
 
 /// Ŵ₁ on a square of wavelengths of 20–80 mm and speeds of 5–60 m/s.
