@@ -92,6 +92,38 @@ pub enum Error {
         width: f64,
     },
 
+    /// A drive torque that friction does not carry.
+    #[error(
+        "no equilibrium is found, and a drive torque of {torque:.0} N m on wheelset {wheelset} is more than the {largest:.0} N m \
+         that friction carries under the loads of its wheels"
+    )]
+    TorqueBeyondFriction {
+        /// The wheelset, 1 leads.
+        wheelset: usize,
+        /// The torque \[N m\].
+        torque: f64,
+        /// Σ μ r W over both wheels \[N m\].
+        largest: f64,
+    },
+
+    /// A wheelset that stands where no wheelset stays on its rails.
+    #[error(
+        "in its equilibrium wheelset {wheelset} is shifted by {:.0} mm and yawed by {:.0} mrad, but must be shifted by less \
+         than {:.0} mm and yawed by less than {:.0} mrad to stay on its rails",
+        1e3 * lateral_shift,
+        1e3 * yaw,
+        1e3 * crate::curving::FARTHEST_SHIFT,
+        1e3 * crate::curving::LARGEST_YAW
+    )]
+    OffTheRails {
+        /// The wheelset, 1 leads.
+        wheelset: usize,
+        /// Lateral shift \[m\].
+        lateral_shift: f64,
+        /// Yaw \[rad\].
+        yaw: f64,
+    },
+
     /// A structure that moves before it is struck.
     #[error(
         "no causal track has this receptance: the nearest differs from it by {:.1} % rms, a share of {share:.1e} of its \

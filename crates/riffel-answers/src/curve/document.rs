@@ -1,8 +1,11 @@
 //! A bogie in its curve as data.
 
 use riffel::Rail;
-use riffel::curving::{BogieState, WheelState, WheelsetState};
+use riffel::curving::{WheelState, WheelsetState};
+use riffel_keys::Remark;
 use serde::Serialize;
+
+use super::CurveAnswer;
 
 /// What `riffel curve --json` prints.
 #[derive(Serialize)]
@@ -18,6 +21,7 @@ pub struct CurveDocument {
     residual: f64,
     continuation: Vec<Step>,
     other_equilibria: Vec<Other>,
+    remarks: Vec<Remark>,
 }
 
 #[derive(Serialize)]
@@ -85,7 +89,8 @@ pub(crate) fn rail_name(rail: Rail) -> &'static str {
 }
 
 impl CurveDocument {
-    pub(super) fn new(state: &BogieState, others: &[BogieState], speed: f64) -> Self {
+    pub(super) fn new(answer: &CurveAnswer) -> Self {
+        let state = &answer.state;
         let wheelsets = state.wheelsets.iter().enumerate();
         let steps = state.continuation.iter();
         Self {
@@ -102,7 +107,7 @@ impl CurveDocument {
             normal_acceleration_m_s2: state.normal_acceleration,
             frictional_power_w: state.frictional_power,
             drive_power_w: state.drive_power,
-            curving_resistance_n: state.curving_resistance(speed),
+            curving_resistance_n: state.curving_resistance(answer.bogie.curve.speed),
             residual: state.residual,
             continuation: steps
                 .map(|step| Step {
@@ -111,7 +116,9 @@ impl CurveDocument {
                     iterations: step.iterations,
                 })
                 .collect(),
-            other_equilibria: others
+            remarks: answer.remarks.clone(),
+            other_equilibria: answer
+                .others
                 .iter()
                 .map(|other| Other {
                     lateral_shift_m: other.wheelsets.map(|wheelset| wheelset.lateral_shift),

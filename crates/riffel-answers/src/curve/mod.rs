@@ -2,10 +2,11 @@
 
 mod document;
 mod over_radius;
+mod remarks;
 
 use riffel::curving::{BogieInCurve, BogieState};
 use riffel_case::CurvingCase;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Remark};
 
 pub use document::CurveDocument;
 pub use over_radius::OverRadius;
@@ -17,6 +18,8 @@ pub struct CurveAnswer {
     pub state: BogieState,
     /// Further ones that were found.
     pub others: Vec<BogieState>,
+    /// What the reader should know.
+    pub remarks: Vec<Remark>,
 }
 
 impl CurveAnswer {
@@ -29,6 +32,7 @@ impl CurveAnswer {
         let mut states = case.equilibria(&bogie)?.into_iter();
         let state = states.next().expect("at least one equilibrium");
         Ok(Self {
+            remarks: remarks::of(case, &bogie, &state),
             bogie,
             state,
             others: states.collect(),
@@ -42,6 +46,6 @@ impl CurveAnswer {
 
     /// What `riffel curve --json` prints.
     pub fn document(&self) -> CurveDocument {
-        CurveDocument::new(&self.state, &self.others, self.bogie.curve.speed)
+        CurveDocument::new(self)
     }
 }

@@ -14,6 +14,9 @@ use riffel_keys::quantity::{Dimension, Quantity};
 use super::CurvingCase;
 use crate::file::{self, CurvingContact, CurvingLaw, CurvingTheory, Profiles};
 
+/// A spacing of the contacts is that of the profiles to this difference \[m\]: it is measured to tenths of a millimetre.
+const SAME_SPACING: f64 = 1e-4;
+
 impl CurvingCase {
     pub(super) fn build_bogie(&self) -> Result<BogieInCurve, CaseError> {
         let curve = self.table("curve", &self.file.curve, "radius and speed")?;
@@ -88,14 +91,25 @@ impl CurvingCase {
     }
 
     fn contact_spacing(&self, profiles: &Profiles) -> Result<f64, CaseError> {
-        if let Some(spacing) = self.file.wheelset.contact_spacing {
-            return Ok(spacing.si());
-        }
+        let key = "wheelset.contact_spacing";
+        let given = self.file.wheelset.contact_spacing;
         if is_cone(profiles) {
             let help = "cones need it: the distance of the contacts, 1.5 m at standard gauge";
-            return Err(self.text.keys.missing("wheelset.contact_spacing", help));
+            let given = given.ok_or_else(|| self.text.keys.missing(key, help))?;
+            return Ok(given.si());
         }
-        Ok(profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si())
+        let placed = profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si();
+        match given {
+            Some(given) if (given.si() - placed).abs() > SAME_SPACING => {
+                let rule = format!(
+                    "is {given}, but the profiles lie {placed:.4} m apart: profiles.flange_back_distance less twice \
+                     profiles.flange_back_position"
+                );
+                let help = "leave it out, or change flange_back_distance";
+                Err(self.text.keys.invalid(key, &rule, help))
+            }
+            _ => Ok(placed),
+        }
     }
 
     fn kinematics(

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use riffel::curving::{BogieInCurve, BogieState};
 use riffel_keys::{CaseError, Remark, text_file};
 
+use self::build::is_cone;
 use crate::case_text::CaseText;
 use crate::file::CurvingFile;
 
@@ -97,7 +98,34 @@ impl CurvingCase {
     pub fn equilibria(&self, bogie: &BogieInCurve) -> Result<Vec<BogieState>, CaseError> {
         bogie
             .equilibria()
-            .map_err(|error| self.physics("curve", error))
+            .map_err(|error| self.no_equilibrium(error))
+    }
+
+    fn no_equilibrium(&self, error: riffel::Error) -> CaseError {
+        let profiles = self.file.profiles.as_ref();
+        let endless =
+            profiles.is_some_and(|profiles| is_cone(profiles) && profiles.flange.is_none());
+        match error {
+            riffel::Error::OffTheRails { .. } if endless => {
+                let help = "cones without profiles.flange have no end; give a flange, or take a wider curve";
+                self.text
+                    .keys
+                    .invalid("profiles.wheel", &error.to_string(), help)
+            }
+            riffel::Error::OffTheRails { .. } => {
+                let help = "take a wider curve, less moment or softer springs";
+                self.text
+                    .keys
+                    .invalid("curve.radius", &error.to_string(), help)
+            }
+            riffel::Error::TorqueBeyondFriction { .. } => {
+                let help = "take less torque or more friction";
+                self.text
+                    .keys
+                    .invalid("bogie.drive_torque", &error.to_string(), help)
+            }
+            error => self.physics("curve", error),
+        }
     }
 
     pub(super) fn physics(&self, key: &str, error: riffel::Error) -> CaseError {

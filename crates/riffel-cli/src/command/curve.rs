@@ -28,6 +28,7 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
         || readable(&case, &answer),
     )?;
     print_remarks(&case.remarks);
+    print_remarks(&answer.remarks);
     Ok(())
 }
 

@@ -62,6 +62,33 @@ fn an_ordinary_case_may_hold_the_tables() {
     sandbox.json(&format!("curve both.toml {wheelset} {law} --json"));
 }
 
+/// What may be meant is computed, with a remark: cones without a flange, linear creep beyond friction.
+#[test]
+fn unusual_equilibria_are_remarked() {
+    let sandbox = Sandbox::new();
+    let text = std::fs::read_to_string(sandbox.path(CASE)).unwrap();
+    let without: String = text
+        .lines()
+        .filter(|line| !line.starts_with("flange"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    std::fs::write(sandbox.path("cones.toml"), without).unwrap();
+    let remarks = |arguments: &str| {
+        let document = sandbox.json(&format!("curve cones.toml --json {arguments}"));
+        document["remarks"].to_string()
+    };
+    let linear = remarks(
+        "--set curve.theory=linear --set curve.radius=\"600 m\" --set contact.friction=0.01",
+    );
+    assert!(linear.contains("this case has none"), "{linear}");
+    assert!(linear.contains("knows no friction"), "{linear}");
+    assert!(!linear.contains("without the moment of spin"), "{linear}");
+    // A wheelset in the middle of a wide curve has spin and hardly any creepage.
+    let wide =
+        remarks("--set curve.theory=linear --set curve.radius=\"20000 m\" --set curve.cant=0");
+    assert!(wide.contains("without the moment of spin"), "{wide}");
+}
+
 /// Bad input ends in one sentence with its key.
 #[test]
 fn what_cannot_run_is_refused() {
@@ -87,6 +114,14 @@ fn what_cannot_run_is_refused() {
         ("--set bogie.weelbase=2", "is not a key Riffel knows"),
         ("--set contact.friction=40", "friction"),
         ("--set wheelset.mass=\"12 t\"", "at most the mass per axle"),
+        (
+            "--set 'bogie.drive_torque=[\"60 kN m\",\"0 N m\"]'",
+            "60000 N m on wheelset 1 is more than the 19936 N m that friction carries",
+        ),
+        (
+            "--set profiles.flange.slope=0.05",
+            "must be shifted by less than 60 mm",
+        ),
     ] {
         let refused = sandbox.riffel(&format!("curve {CASE} {change}"));
         assert_eq!(refused.status, Some(2), "{change}: {}", refused.text);
@@ -97,6 +132,16 @@ fn what_cannot_run_is_refused() {
         );
         assert_eq!(sandbox.list("."), ["cases"]);
     }
+    let spacing = "--set wheelset.contact_spacing=\"1.6 m\"";
+    let refused = sandbox.riffel(&format!("curve cases/profiles.toml {spacing}"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(
+        refused
+            .sentence()
+            .contains("the profiles lie 1.5000 m apart"),
+        "{}",
+        refused.text
+    );
 }
 
 /// Profiles from files as the nominal ones, in the same place on the wheel, and the table beside the document.

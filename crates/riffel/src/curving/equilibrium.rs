@@ -88,22 +88,28 @@ impl BogieInCurve {
     /// wheelsets, y and ψ of the frame and four normal forces. Cost: 0.2 ms with a closed creep law.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a value that no bogie has; [`Error::NotConverged`] where no equilibrium is found, as in a
-    /// curve that is tighter than the wheelsets can take.
+    /// [`Error::OutOfRange`] for a value that no bogie has; [`Error::OffTheRails`] for an equilibrium beyond
+    /// [`FARTHEST_SHIFT`](super::FARTHEST_SHIFT) or [`LARGEST_YAW`](super::LARGEST_YAW), as cones without a flange have in
+    /// tight curves; [`Error::TorqueBeyondFriction`] and [`Error::NotConverged`] where none is found, as in a curve that is
+    /// tighter than the wheelsets can take.
     pub fn equilibrium(&self) -> Result<BogieState, Error> {
         self.check()?;
         let failure = RefCell::new(None);
         if let Some((found, steps)) = self.continued(&failure) {
-            return Ok(self.state(&found, steps));
+            return self.state(&found, steps).on_the_rails();
         }
         if let Some(found) = self.by_other_starts(&failure).into_iter().next() {
-            return Ok(self.state(&found, Vec::new()));
+            return self.state(&found, Vec::new()).on_the_rails();
+        }
+        if let Some(error) = self.torque_beyond_friction(self.loads(1.0)) {
+            return Err(error);
         }
         Err(failure.into_inner().unwrap_or(Error::NotConverged {
             problem: "the equilibrium of the bogie in the curve",
             residual: f64::NAN,
             tolerance: TOLERANCE,
-            remedy: "the curve may be tighter than the wheelsets can take: take a wider curve, less uncompensated acceleration or softer springs",
+            remedy: "the curve may be tighter than the wheelsets can take: take a wider curve, less uncompensated acceleration, \
+                     less moment and torque or softer springs",
         }))
     }
 
@@ -115,7 +121,9 @@ impl BogieInCurve {
     pub fn equilibria(&self) -> Result<Vec<BogieState>, Error> {
         let mut states = vec![self.equilibrium()?];
         for found in self.by_other_starts(&RefCell::new(None)) {
-            let state = self.state(&found, Vec::new());
+            let Ok(state) = self.state(&found, Vec::new()).on_the_rails() else {
+                continue;
+            };
             if states.iter().all(|known| differ(known, &state)) {
                 states.push(state);
             }

@@ -51,6 +51,7 @@ mod closed_form;
 mod creep;
 mod curve;
 mod equilibrium;
+mod limits;
 mod newton;
 mod running_surfaces;
 mod state;
@@ -61,6 +62,7 @@ pub use closed_form::{LinearWheelset, LinearWheelsetState, free_curving_shift};
 pub use creep::Creep;
 pub use curve::{Curve, GRAVITY};
 pub use equilibrium::{BogieInCurve, ContactPlane, FlangeSpring, Kinematics};
+pub use limits::{FARTHEST_SHIFT, LARGEST_YAW};
 pub use running_surfaces::{Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces};
 pub use state::{BogieState, ContinuationStep, FrameState, WheelState, WheelsetState};
 

@@ -50,6 +50,8 @@ pub(super) fn wheel_on_rail(
             contact_plane,
             ..
         } => match surfaces.position(rail, motion.lateral_shift) {
+            // The method tries states on its way at which cones without an end have no radius left.
+            Some(position) if radius + position.radius_change <= 0.0 => Ok(None),
             Some(position) => nonlinear(
                 rail,
                 radius,

@@ -1,0 +1,69 @@
+//! What the reader of an equilibrium should know.
+
+use riffel::curving::{BogieInCurve, BogieState, Creep};
+use riffel_case::CurvingCase;
+use riffel_keys::Remark;
+
+use super::document::rail_name;
+
+/// Lateral shift \[m\] beyond the play that wheelsets have to their flanges.
+const PLAY: f64 = 0.01;
+
+/// Remarks on an equilibrium.
+pub(super) fn of(case: &CurvingCase, bogie: &BogieInCurve, state: &BogieState) -> Vec<Remark> {
+    let mut remarks = Vec::new();
+    let profiles = case.file.profiles.as_ref();
+    let without_flange =
+        profiles.is_some_and(|profiles| profiles.wheel == "cone" && profiles.flange.is_none());
+    let farthest = state
+        .wheelsets
+        .iter()
+        .map(|wheelset| wheelset.lateral_shift)
+        .fold(0.0_f64, |most, shift| {
+            if shift.abs() > most.abs() {
+                shift
+            } else {
+                most
+            }
+        });
+    if without_flange && farthest.abs() > PLAY {
+        let shift = 1e3 * farthest;
+        remarks.push(Remark::new(
+            format!("a wheelset is shifted by {shift:.1} mm: flanges leave 5 to 10 mm of play, and this case has none"),
+            format!("ein Radsatz ist um {shift:.1} mm verschoben: Spurkränze lassen 5 bis 10 mm Spiel, dieser Fall hat keine"),
+        ));
+    }
+    let linear = bogie
+        .creep
+        .iter()
+        .any(|creep| matches!(creep, Creep::Linear { .. }));
+    let most = state
+        .wheels
+        .iter()
+        .fold(0.0_f64, |most, wheel| most.max(wheel.tractive_ratio));
+    if linear && most > 1.0 {
+        remarks.push(Remark::new(
+            format!("creep_law = \"linear\" knows no friction: creep forces reach {most:.2} of μP"),
+            format!("creep_law = \"linear\" kennt keine Reibung: Schlupfkräfte erreichen {most:.2} von μP"),
+        ));
+    }
+    let least = state
+        .wheels
+        .iter()
+        .min_by(|one, other| one.t_gamma.total_cmp(&other.t_gamma));
+    if let Some(wheel) = least.filter(|wheel| wheel.t_gamma < 0.0) {
+        let (wheelset, rail, wear) = (wheel.wheelset, rail_name(wheel.rail), wheel.t_gamma);
+        remarks.push(Remark::new(
+            format!(
+                "Tγ of wheel {wheelset} {rail} is {wear:.3} N: it is Qx ξx + Qy ξy without the moment of spin, and spin, not \
+                 creepage, makes the lateral force there"
+            ),
+            format!(
+                "Tγ von Rad {wheelset} {} ist {wear:.3} N: es ist Qx ξx + Qy ξy ohne das Bohrmoment, und die Querkraft kommt \
+                 dort vom Bohren, nicht vom Schlupf",
+                if rail == "left" { "links" } else { "rechts" }
+            ),
+        ));
+    }
+    remarks
+}
