@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use riffel::contact::CreepLaw;
-use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning};
+use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning, WearOfPassages};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -53,6 +53,19 @@ impl Case {
             },
             mean: self.steady,
             speed,
+        })
+    }
+
+    /// How passages of [`passage`](Self::passage) wear the rail, in steps of at most the length given \[m\]; none for a loop on
+    /// all axes.
+    pub fn wear_of_passages(&self, largest_step: f64) -> Option<WearOfPassages> {
+        let feedback = self.feedback.longitudinal()?;
+        Some(WearOfPassages {
+            wear: feedback.wear,
+            place: feedback.place_of_wear,
+            shortest: 2.0 * self.hertz.semi_axis_longitudinal(),
+            share: WearOfPassages::USUAL_SHARE,
+            largest_step,
         })
     }
 

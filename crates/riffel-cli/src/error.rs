@@ -38,6 +38,10 @@ pub(crate) enum CliError {
     #[diagnostic(help("give another folder with --output, or move the file away"))]
     Manifest { path: PathBuf, reason: io::Error },
 
+    #[error("{path} cannot be gone on from: {reason}", path = path.display())]
+    #[diagnostic(help("give another folder with --output, or remove the file to begin anew"))]
+    State { path: PathBuf, reason: String },
+
     #[error("{path} is there already", path = path.display())]
     #[diagnostic(help("give another name, or {way_out}"))]
     Exists {

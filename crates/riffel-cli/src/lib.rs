@@ -80,7 +80,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
         Command::Noise(arguments) => command::noise::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
-        Command::Simulate(arguments) => command::simulate::run(&arguments)?,
+        Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Curve(arguments) => command::curve::run(&arguments)?,
         Command::Profile(arguments) => command::profile::run(&arguments)?,

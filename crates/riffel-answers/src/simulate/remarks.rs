@@ -24,6 +24,20 @@ pub(super) fn of_track(track: &ImpulseResponse) -> Option<Remark> {
     })
 }
 
+/// That a run ended before it was done, since the wheel was in the air.
+pub(super) fn of_air(passages: u64) -> Remark {
+    Remark::new(
+        format!(
+            "after {passages} passages the wheel is in the air for more than half of the time, and the run ends there: steel \
+             yields where it comes down"
+        ),
+        format!(
+            "nach {passages} Überrollungen ist das Rad mehr als die halbe Zeit in der Luft, und dort endet die Rechnung: wo es \
+             aufschlägt, fließt der Stahl"
+        ),
+    )
+}
+
 /// That the wheel is too large for the troughs of a sinusoid of amplitude Δ and wavelength λ, Δ > λ²/(4π²R).
 pub(super) fn of_troughs(amplitude: f64, wavelength: f64, rolling_radius: f64) -> Option<Remark> {
     let wavenumber = std::f64::consts::TAU / wavelength;

@@ -7,6 +7,7 @@ use clap::{ArgGroup, Args};
 use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
+use super::number::plain_number;
 use super::{Asked, CaseArguments, Layout};
 use crate::error::CliError;
 use crate::messages::print_remarks;
@@ -14,7 +15,8 @@ use crate::messages::print_remarks;
 #[derive(Args)]
 #[command(
     group = ArgGroup::new("surface").required(true),
-    after_help = "Example: riffel simulate case.toml --speed \"108 km/h\" --sinusoid 20um,55mm"
+    after_help = "Example: riffel simulate case.toml --speed \"108 km/h\" --sinusoid 20um,55mm\n\n\
+        A rail that wears: riffel simulate case.toml --speed 30 --profile trolley.csv --length \"20 m\" --passages 1e6"
 )]
 pub(crate) struct Simulate {
     #[command(flatten)]
@@ -40,6 +42,11 @@ pub(crate) struct Simulate {
     /// Take this much of the profile [default: all].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) length: Option<Quantity<Length>>,
+
+    /// Wear the rail by so many wheels, one after another: levels and profile over passages, beside the linear loop. A run that
+    /// was stopped goes on from where it was, and so does one that is asked for more.
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = plain_number)]
+    pub(crate) passages: Option<f64>,
 
     #[command(flatten)]
     pub(crate) layout: Layout,

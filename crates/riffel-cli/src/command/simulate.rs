@@ -1,11 +1,15 @@
 //! `riffel simulate`
 
+mod evolution;
+
 use std::ops::RangeInclusive;
 use std::path::Path;
 
 use riffel::passage::Sinusoid;
 use riffel::roughness::Profile;
-use riffel_answers::simulate::{PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest};
+use riffel_answers::simulate::{
+    EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, Surface,
+};
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::RoughnessFile;
@@ -17,8 +21,9 @@ use crate::messages::{print_remarks, say};
 use crate::output::{json, table};
 use crate::results::Results;
 
-pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
+pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let case = arguments.case.read()?;
+    let passages = arguments.passages.map(whole).transpose()?;
     let speed = arguments.speed.within("--speed")?;
     let step = arguments
         .step
@@ -34,16 +39,48 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<()> {
                     rule: "left out: it is for --profile".to_owned(),
                 })?;
             }
-            over_sinusoid(arguments, &case, speed, step, sinusoid)?;
+            let (sinusoid, steps) = wave(speed, step, sinusoid)?;
+            if let Some(passages) = passages {
+                let request = EvolutionRequest {
+                    speed,
+                    surface: Surface::of_sinusoid(sinusoid)?,
+                    largest_step: sinusoid.wavelength / steps as f64,
+                };
+                return Ok(evolution::run(arguments, &case, request, passages)?);
+            }
+            over_sinusoid(arguments, &case, speed, sinusoid, steps)?;
         }
         // The parser asks for one of them.
         (None, path) => {
             let path = path.as_deref().unwrap_or_else(|| Path::new(""));
             let profile = profile(path, arguments)?;
-            along_profile(arguments, &case, speed, step, profile)?;
+            let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
+            if let Some(passages) = passages {
+                let request = EvolutionRequest {
+                    speed,
+                    surface: Surface::Record(profile),
+                    largest_step,
+                };
+                return Ok(evolution::run(arguments, &case, request, passages)?);
+            }
+            along_profile(arguments, &case, speed, largest_step, profile)?;
         }
     }
-    Ok(())
+    Ok(0)
+}
+
+/// A number of passages.
+fn whole(passages: f64) -> Result<u64, CliError> {
+    /// Largest number of passages: a century of a train a second has a third.
+    const MOST: f64 = 1e10;
+    if passages.fract() == 0.0 && (1.0..=MOST).contains(&passages) {
+        return Ok(passages as u64);
+    }
+    Err(CliError::Argument {
+        argument: "--passages",
+        value: passages.to_string(),
+        rule: format!("a whole number from 1 to {MOST:e}"),
+    })
 }
 
 /// The profile asked for: one rail, its longest stretch without a gap.
@@ -95,13 +132,13 @@ fn along_profile(
     arguments: &Simulate,
     case: &Case,
     speed: f64,
-    step: Option<f64>,
+    largest_step: f64,
     profile: Profile,
 ) -> Result<(), CliError> {
     let request = PassageRequest {
         speed,
         profile,
-        largest_step: step.unwrap_or(PassageRequest::USUAL_STEP),
+        largest_step,
     };
     let answer = PassageAnswer::new(case, request)?;
     results(arguments).hand_out(
@@ -158,13 +195,12 @@ fn without_contact(share: f64) -> String {
     }
 }
 
-fn over_sinusoid(
-    arguments: &Simulate,
-    case: &Case,
+/// The sinusoid asked for and its steps to a wave.
+fn wave(
     speed: f64,
     step: Option<f64>,
     sinusoid: &SinusoidArgument,
-) -> Result<(), CliError> {
+) -> Result<(Sinusoid, usize), CliError> {
     let [amplitude, wavelength] = sinusoid.within()?;
     let steps = match step {
         None => match SinusoidRequest::usual_steps(wavelength, speed) {
@@ -181,12 +217,23 @@ fn over_sinusoid(
         },
         Some(step) => steps_to_a_wave(wavelength, step)?,
     };
+    let sinusoid = Sinusoid {
+        amplitude,
+        wavelength,
+    };
+    Ok((sinusoid, steps))
+}
+
+fn over_sinusoid(
+    arguments: &Simulate,
+    case: &Case,
+    speed: f64,
+    profile: Sinusoid,
+    steps: usize,
+) -> Result<(), CliError> {
     let request = SinusoidRequest {
         speed,
-        profile: Sinusoid {
-            amplitude,
-            wavelength,
-        },
+        profile,
         steps,
     };
     let answer = SinusoidAnswer::new(case, request)?;

@@ -6,6 +6,7 @@ mod contact;
 mod curving;
 mod diagnose;
 mod documentation;
+mod evolution;
 mod files;
 mod forecast;
 mod habits;

@@ -96,13 +96,14 @@ impl Evolution {
         self.mean_depth
     }
 
-    /// Wavelengths \[m\] and amplitudes \[m\] of the Fourier series, longest first, without the mean.
-    pub fn amplitudes(&self) -> Vec<(f64, f64)> {
+    /// Wavelengths \[m\] and complex amplitudes \[m\] for exp(+i2πx/λ) of the Fourier series, longest first, without the
+    /// mean.
+    pub fn waves(&self) -> Vec<(f64, Complex64)> {
         let length = self.heights.len() as f64 * self.spacing;
         let scale = 2.0 / self.heights.len() as f64;
         let waves = spectrum(&self.heights).into_iter().enumerate().skip(1);
         waves
-            .map(|(n, value)| (length / n as f64, scale * value.norm()))
+            .map(|(n, value)| (length / n as f64, scale * value))
             .collect()
     }
 

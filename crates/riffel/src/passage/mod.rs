@@ -15,6 +15,7 @@ mod impulse_response;
 mod least_squares;
 mod march;
 mod model;
+mod ring;
 mod settled;
 mod track_motion;
 mod vector_fitting;

@@ -333,7 +333,7 @@ fn growth_over_passages_is_linear_growth() {
         let profile = Profile::new(0.0, length / f64::from(count), heights.collect()).unwrap();
         let mut evolution = Evolution::new(&profile);
         let memory = model.memory().unwrap();
-        let amplitude = |evolution: &Evolution, waves: usize| evolution.amplitudes()[waves - 1].1;
+        let amplitude = |evolution: &Evolution, waves: usize| evolution.waves()[waves - 1].1.norm();
         let before = [40, 30].map(|waves| amplitude(&evolution, waves));
         for _ in 0..4 {
             evolution.advance(&model, &wear, memory, u64::MAX).unwrap();

@@ -1,0 +1,66 @@
+//! Third-octave bands of the waves of a ring.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use riffel::Complex64;
+use riffel::roughness::ThirdOctave;
+use riffel_case::Case;
+use riffel_case::traffic::bands_of;
+
+/// The bands of a case that wear and have a wave on the ring, the shortest first, each with its places in
+/// [`waves`](riffel::passage::Evolution::waves).
+pub(super) struct Bands(Vec<(ThirdOctave, Range<usize>)>);
+
+impl Bands {
+    /// Those above the shortest wavelength that wears \[m\], on a ring of the given length \[m\].
+    pub(super) fn new(case: &Case, shortest: f64, length: f64) -> Self {
+        let places = |band: ThirdOctave| {
+            let (low, high) = band.wavelength_range();
+            // The wave n of length/n is the entry n − 1.
+            let first = (length / high).floor() as usize;
+            (low >= shortest).then_some((band, first..(length / low).floor() as usize))
+        };
+        let bands = bands_of(case).into_iter().filter_map(places);
+        Self(bands.filter(|(_, places)| !places.is_empty()).collect())
+    }
+
+    pub(super) fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = (ThirdOctave, Range<usize>)> + '_ {
+        self.0.iter().cloned()
+    }
+
+    /// Mean square of each band \[m²\].
+    pub(super) fn mean_squares(&self, waves: &[(f64, Complex64)]) -> Vec<f64> {
+        let power = |(_, amplitude): &(f64, Complex64)| 0.5 * amplitude.norm_sqr();
+        self.iter()
+            .map(|(_, places)| waves[places].iter().map(power).sum())
+            .collect()
+    }
+
+    /// How far the waves of each band have moved along the rail \[m\], in the mean of their power; less than half a wave.
+    ///
+    /// A wave moved by s has its amplitude times e^{−i2πs/λ}.
+    pub(super) fn shifts(
+        &self,
+        before: &[(f64, Complex64)],
+        after: &[(f64, Complex64)],
+    ) -> Vec<f64> {
+        let mean = |places: Range<usize>| {
+            let pairs = before[places.clone()].iter().zip(&after[places]);
+            let (moment, power) = pairs.fold((0.0, 0.0), |(moment, power), (one, other)| {
+                let product = other.1 * one.1.conj();
+                let shift = -product.arg() * one.0 / TAU;
+                (moment + shift * product.norm(), power + product.norm())
+            });
+            match power {
+                0.0 => 0.0,
+                power => moment / power,
+            }
+        };
+        self.iter().map(|(_, places)| mean(places)).collect()
+    }
+}

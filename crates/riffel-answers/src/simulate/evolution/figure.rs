@@ -1,0 +1,326 @@
+//! Figures of a rail after many wheels.
+
+use riffel_case::Case;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
+
+use super::{BandDocument, EvolutionAnswer, WornProfile};
+use crate::forecast::{per_million, rate_panel, zero};
+use crate::parameters;
+use crate::roughness::figure::level_panel;
+
+/// Curves of a panel beside the linear loop.
+const MOST: usize = 4;
+
+impl EvolutionAnswer {
+    /// Levels by wavelength and over passages, growth and drift, beside the linear loop.
+    pub fn spectrum_figure(&self, case: &Case) -> LineFigure {
+        let bands = self.bands();
+        LineFigure {
+            title: self.title(case),
+            caption: format!(
+                "One-third-octave levels, growth of the level and shift of the waves along the rail. The linear loop is taken wave \
+                 by wave from the rail before any wheel. {}",
+                parameters(case)
+            ),
+            panels: vec![
+                self.levels(&bands),
+                self.over_passages(&bands),
+                growth(&bands),
+                drift(&bands),
+            ],
+            arrangement: Arrangement::SideBySide,
+        }
+    }
+
+    /// The same stretch of rail at several stages, with the waves of the bands alone.
+    pub fn profile_figure(&self, case: &Case) -> LineFigure {
+        /// Waves that are shown.
+        const WAVES: f64 = 16.0;
+        /// Points of the shortest of them.
+        const POINTS: f64 = 10.0;
+        let bands = self.bands();
+        let at_end = |band: &BandDocument| band.level_db[band.level_db.len() - 1];
+        let leading = bands
+            .iter()
+            .max_by(|one, other| at_end(one).total_cmp(&at_end(other)));
+        let shown = WAVES * leading.map_or(0.1, |band| band.wavelength_m);
+        let shortest = bands.first().map_or(0.01, |band| band.wavelength_m);
+        let count = (shown / shortest * POINTS).ceil();
+        let places: Vec<f64> = (0..=count as usize)
+            .map(|index| shown * index as f64 / count)
+            .collect();
+        let chosen: Vec<&WornProfile> = spread(self.profiles.len(), MOST)
+            .into_iter()
+            .map(|index| &self.profiles[index])
+            .collect();
+        let heights: Vec<Vec<f64>> = chosen
+            .iter()
+            .map(|profile| self.linear.heights(profile, self.spacing, &places))
+            .map(|heights| heights.iter().map(|height| 1e6 * height).collect())
+            .collect();
+        let largest = heights
+            .iter()
+            .flatten()
+            .copied()
+            .map(f64::abs)
+            .fold(0.0, f64::max);
+        let panels = chosen
+            .iter()
+            .zip(heights)
+            .map(|(profile, heights)| LinePanel {
+                subtitle: after(profile.passages),
+                x_label: "place along the rail x [m]".to_owned(),
+                y_label: "height [µm]".to_owned(),
+                y_range: Some((-1.05 * largest, 1.05 * largest)),
+                series: vec![Series {
+                    x: places.clone(),
+                    y: heights,
+                    ..Series::default()
+                }],
+                ..LinePanel::default()
+            });
+        LineFigure {
+            title: self.title(case),
+            caption: format!(
+                "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
+                parameters(case)
+            ),
+            panels: panels.collect(),
+            arrangement: Arrangement::Strips,
+        }
+    }
+
+    fn title(&self, case: &Case) -> String {
+        let passages = self.stages[self.stages.len() - 1].passages;
+        let title = case.file.title.as_deref().unwrap_or("A rail");
+        format!(
+            "{title}: {} passages at {:.1} km/h",
+            in_words(passages),
+            3.6 * self.speed
+        )
+    }
+
+    /// Levels by wavelength at some stages, and what the linear loop has at the last.
+    fn levels(&self, bands: &[BandDocument]) -> LinePanel {
+        let curve = |label: String, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
+            label,
+            x: bands.iter().map(|band| 1e3 * band.wavelength_m).collect(),
+            y: bands.iter().map(of).map(drawn).collect(),
+            style,
+            color: Some(color),
+        };
+        let mut series: Vec<Series> = self
+            .evenly(MOST)
+            .into_iter()
+            .enumerate()
+            .map(|(number, stage)| {
+                let color = OKABE_ITO[1 + number % (OKABE_ITO.len() - 1)];
+                curve(
+                    after(self.stages[stage].passages),
+                    LineStyle::Solid,
+                    color,
+                    &|band| band.level_db[stage],
+                )
+            })
+            .collect();
+        let last = self.stages.len() - 1;
+        let highest = bands.iter().flat_map(|band| &band.level_db);
+        let highest = highest
+            .copied()
+            .map(drawn)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let lowest = bands.iter().flat_map(|band| &band.level_db);
+        let lowest = lowest.copied().map(drawn).fold(f64::INFINITY, f64::min);
+        series.push(curve(
+            "linear, at the end".to_owned(),
+            LineStyle::Dashed,
+            Rgb::BLACK,
+            &|band| band.linear_level_db[last],
+        ));
+        LinePanel {
+            y_range: Some(around(lowest, highest)),
+            ..level_panel(series)
+        }
+    }
+
+    /// Levels over passages of the bands that are highest at the end.
+    fn over_passages(&self, bands: &[BandDocument]) -> LinePanel {
+        const BANDS: usize = 4;
+        let last = self.stages.len() - 1;
+        let mut highest: Vec<&BandDocument> = bands.iter().collect();
+        highest.sort_by(|one, other| other.level_db[last].total_cmp(&one.level_db[last]));
+        highest.truncate(BANDS);
+        highest.sort_by(|one, other| one.wavelength_m.total_cmp(&other.wavelength_m));
+        let passages: Vec<f64> = self
+            .stages
+            .iter()
+            .map(|stage| stage.passages as f64)
+            .collect();
+        let scale = thousands(passages[last]);
+        let mut series = Vec::new();
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (index, band) in highest.into_iter().enumerate() {
+            let color = Some(OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)]);
+            low = band.level_db.iter().copied().map(drawn).fold(low, f64::min);
+            high = band
+                .level_db
+                .iter()
+                .copied()
+                .map(drawn)
+                .fold(high, f64::max);
+            let curve = |label: String, y: &[f64], style| Series {
+                label,
+                x: passages.iter().map(|passages| passages / scale.0).collect(),
+                y: y.iter().copied().map(drawn).collect(),
+                style,
+                color,
+            };
+            series.push(curve(
+                format!("{:.1} mm", 1e3 * band.wavelength_m),
+                &band.level_db,
+                LineStyle::Solid,
+            ));
+            series.push(curve(
+                String::new(),
+                &band.linear_level_db,
+                LineStyle::Dashed,
+            ));
+        }
+        LinePanel {
+            x_label: scale.1.to_owned(),
+            y_label: "level [dB re 1 µm], dashed linear".to_owned(),
+            y_range: Some(around(low, high)),
+            series,
+            ..LinePanel::default()
+        }
+    }
+
+    /// Stages at about equal numbers of passages.
+    fn evenly(&self, most: usize) -> Vec<usize> {
+        let last = self.stages[self.stages.len() - 1].passages;
+        let mut chosen: Vec<usize> = (0..most)
+            .filter_map(|part| {
+                let goal = last as f64 * part as f64 / (most - 1) as f64;
+                let stages = self
+                    .stages
+                    .iter()
+                    .map(|stage| (stage.passages as f64 - goal).abs());
+                let nearest = stages
+                    .enumerate()
+                    .min_by(|one, other| one.1.total_cmp(&other.1));
+                nearest.map(|(index, _)| index)
+            })
+            .collect();
+        chosen.dedup();
+        chosen
+    }
+}
+
+/// At most so many of `count`, the first and the last among them.
+fn spread(count: usize, most: usize) -> Vec<usize> {
+    let most = most.min(count);
+    let mut chosen: Vec<usize> = (0..most)
+        .map(|part| part * (count - 1) / (most - 1).max(1))
+        .collect();
+    chosen.dedup();
+    chosen
+}
+
+/// Growth by wavelength, at the beginning and at the end.
+fn growth(bands: &[BandDocument]) -> LinePanel {
+    let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
+    let curve = |label: &str, style, color, of: fn(&BandDocument) -> Option<f64>| Series {
+        label: label.to_owned(),
+        x: wavelengths.clone(),
+        y: bands
+            .iter()
+            .map(|band| of(band).map_or(f64::NAN, per_million))
+            .collect(),
+        style,
+        color: Some(color),
+    };
+    rate_panel(vec![
+        curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| {
+            band.first_growth_per_passage
+        }),
+        curve("last quarter", LineStyle::Solid, OKABE_ITO[2], |band| {
+            band.last_growth_per_passage
+        }),
+        curve(
+            "linear, first step",
+            LineStyle::Markers,
+            Rgb::BLACK,
+            |band| band.first_linear_growth_per_passage,
+        ),
+        zero(&wavelengths),
+    ])
+}
+
+/// How fast waves move along the rail.
+fn drift(bands: &[BandDocument]) -> LinePanel {
+    let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
+    let curve = |label: &str, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
+        label: label.to_owned(),
+        x: wavelengths.clone(),
+        // [m] in a passage are [mm] in a thousand, and a thousand of them in a million.
+        y: bands.iter().map(|band| 1e9 * of(band)).collect(),
+        style,
+        color: Some(color),
+    };
+    LinePanel {
+        x_label: "wavelength λ [mm]".to_owned(),
+        y_label: "drift [mm per 10⁶ passages]".to_owned(),
+        x_scale: Scale::Log,
+        series: vec![
+            curve("first step", LineStyle::Solid, OKABE_ITO[1], &|band| {
+                band.first_shift_m_per_passage.unwrap_or(f64::NAN)
+            }),
+            curve("linear", LineStyle::Markers, Rgb::BLACK, &|band| {
+                band.linear_shift_m_per_passage
+            }),
+            zero(&wavelengths),
+        ],
+        ..LinePanel::default()
+    }
+}
+
+/// A range of levels with room above and below \[dB\].
+fn around(low: f64, high: f64) -> (f64, f64) {
+    const ROOM: f64 = 5.0;
+    (low - ROOM, high + ROOM)
+}
+
+/// A divisor for numbers of passages, and the name of the axis.
+fn thousands(most: f64) -> (f64, &'static str) {
+    match most {
+        most if most >= 3e6 => (1e6, "passages [10⁶]"),
+        most if most >= 3e3 => (1e3, "passages [10³]"),
+        _ => (1.0, "passages"),
+    }
+}
+
+/// A stage in words.
+fn after(passages: u64) -> String {
+    match passages {
+        0 => "before any wheel".to_owned(),
+        passages => format!("after {}", in_words(passages)),
+    }
+}
+
+/// A number of passages in words.
+fn in_words(passages: u64) -> String {
+    match passages as f64 {
+        many if many >= 1e6 => format!("{:.1} million", 1e-6 * many),
+        many if many >= 1e4 => format!("{:.0} thousand", 1e-3 * many),
+        few => few.to_string(),
+    }
+}
+
+/// A level worth drawing; less is rounding.
+fn drawn(level: f64) -> f64 {
+    const LEAST: f64 = -100.0;
+    match level {
+        level if level > LEAST => level,
+        _ => f64::NAN,
+    }
+}

@@ -1,0 +1,197 @@
+//! `riffel simulate --passages`
+
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use riffel_answers::forecast::{number, per_million};
+use riffel_answers::simulate::{EvolutionAnswer, EvolutionRequest, EvolutionRun};
+use riffel_case::Case;
+
+use super::{results, without_contact};
+use crate::arguments::Simulate;
+use crate::error::CliError;
+use crate::messages::{complain, print_remarks, say};
+use crate::output::{Progress, json, table};
+use crate::staging::{Existing, INTERRUPTED, stop_on_interrupt, write_file};
+
+/// What a run that was stopped is gone on from, in the folder of its results.
+const STATE: &str = "state.json";
+
+/// Time from one state to the next.
+const STATE_EVERY: Duration = Duration::from_secs(1);
+
+/// The rail under many wheels, from where the folder has it on; returns the exit status.
+pub(super) fn run(
+    arguments: &Simulate,
+    case: &Case,
+    request: EvolutionRequest,
+    passages: u64,
+) -> Result<u8, CliError> {
+    let mut run = EvolutionRun::new(case, request)?;
+    let folder = arguments
+        .case
+        .folder(arguments.output.as_deref(), "simulate");
+    let keeps = arguments.output.is_some() || !arguments.json;
+    let state = keeps.then(|| folder.join(STATE));
+    if let Some(path) = &state {
+        resume(&mut run, path, passages)?;
+    }
+    let stop = stop_on_interrupt();
+    let progress = Progress::new("passages", passages as usize);
+    progress.advance(run.passages() as usize);
+    let mut kept = Instant::now();
+    let answer = loop {
+        let before = run.passages();
+        if let Some(answer) = run.go_on(passages)? {
+            break answer;
+        }
+        progress.advance((run.passages() - before) as usize);
+        let asked = stop.is_asked();
+        if let Some(path) = &state
+            && (asked || kept.elapsed() > STATE_EVERY)
+        {
+            keep(&run, &folder, path)?;
+            kept = Instant::now();
+        }
+        if asked {
+            drop(progress);
+            let passed = run.passages();
+            complain(match &state {
+                Some(path) => format!(
+                    "stopped after {passed} of {passages} passages, which are kept in {}; the same command goes on from there",
+                    path.display()
+                ),
+                None => format!("stopped after {passed} of {passages} passages"),
+            });
+            return Ok(INTERRUPTED);
+        }
+    };
+    drop(progress);
+    if let Some(path) = &state {
+        keep(&run, &folder, path)?;
+    }
+    results(arguments).hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("spectrum", &answer.spectrum_figure(case))?;
+            staging.write_figure("profile", &answer.profile_figure(case))?;
+            staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
+            staging.write_with("profile.csv", |file| answer.profiles_csv(file))?;
+            staging.write("evolution.json", json(&answer.document()))
+        },
+        || readable(case, &answer),
+    )?;
+    print_remarks(&case.remarks);
+    print_remarks(&answer.remarks);
+    Ok(0)
+}
+
+/// Go on from the state in the folder, if there is one.
+fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliError> {
+    let refuse = |reason: String| CliError::State {
+        path: path.to_owned(),
+        reason,
+    };
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(reason) => return Err(refuse(reason.to_string())),
+    };
+    run.resume(&text).map_err(refuse)?;
+    if run.passages() > passages {
+        return Err(refuse(format!(
+            "it is after {} passages, more than the {passages} asked for",
+            run.passages()
+        )));
+    }
+    say(format_args!(
+        "going on after {} passages, from {}",
+        run.passages(),
+        path.display()
+    ));
+    Ok(())
+}
+
+fn keep(run: &EvolutionRun, folder: &Path, path: &Path) -> Result<(), CliError> {
+    fs::create_dir_all(folder).map_err(|reason| CliError::Write {
+        path: folder.to_owned(),
+        reason,
+    })?;
+    write_file(path, &run.state(), Existing::Replace)
+}
+
+/// Bands for the terminal.
+fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
+    let document = answer.document();
+    let mut rows = table(&[
+        "wavelength mm",
+        "level dB",
+        "at the end",
+        "linear",
+        "growth dB/10⁶",
+        "linear",
+        "last quarter",
+        "drift mm/10⁶",
+        "linear",
+    ]);
+    let decibels = |level: f64| format!("{level:.1}");
+    let growth = |rate: Option<f64>| {
+        rate.map_or_else(String::new, |rate| format!("{:.2}", per_million(rate)))
+    };
+    // [m] in a passage are 10⁹ [mm] in a million.
+    let drift = |shift: f64| format!("{:.2}", 1e9 * shift);
+    for band in &document.bands {
+        let last = band.level_db.len() - 1;
+        rows.add_row([
+            format!("{:.1}", 1e3 * band.wavelength_m),
+            decibels(band.level_db[0]),
+            decibels(band.level_db[last]),
+            decibels(band.linear_level_db[last]),
+            growth(band.first_growth_per_passage),
+            growth(band.first_linear_growth_per_passage),
+            growth(band.last_growth_per_passage),
+            band.first_shift_m_per_passage
+                .map_or_else(String::new, drift),
+            drift(band.linear_shift_m_per_passage),
+        ]);
+    }
+    let saturated: Vec<String> = document
+        .bands
+        .iter()
+        .filter_map(|band| {
+            let level = band.saturation_level_db?;
+            Some(format!(
+                "{:.1} mm at {level:.1} dB",
+                1e3 * band.wavelength_m
+            ))
+        })
+        .collect();
+    let saturated = match saturated.is_empty() {
+        true => "no band has stopped growing".to_owned(),
+        false => format!("stopped growing: {}", saturated.join(", ")),
+    };
+    let last = answer.stages.iter().rev().find_map(|stage| stage.extremes);
+    let forces = last.map_or_else(String::new, |passage| {
+        format!(
+            "last normal force {:.2} to {:.2} kN; {}\n",
+            1e-3 * passage.minimum_normal_force_n,
+            1e-3 * passage.maximum_normal_force_n,
+            without_contact(passage.contact_loss_fraction)
+        )
+    });
+    format!(
+        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{rows}\n{saturated}\n{forces}worn off everywhere \
+         {} µm\n",
+        case.file
+            .title
+            .as_deref()
+            .unwrap_or("A rail under many wheels"),
+        number(document.passages as f64),
+        document.length_m,
+        3.6 * document.speed_m_per_s,
+        1e3 * document.step_m,
+        number(1e6 * document.mean_depth_m),
+    )
+}

@@ -1,0 +1,109 @@
+//! A ring made of a record.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::Evolution;
+use crate::Error;
+use crate::roughness::{BandPass, Profile, WavelengthBand};
+
+impl Evolution {
+    /// A rail before any wheel, of a record whose ends do not meet.
+    ///
+    /// Waves longer than the given wavelength \[m\] are taken off by [`BandPass`], which a vehicle follows on its suspension and
+    /// which would not meet either. Then the last heights, over that length, are laid on the first, with weights
+    /// sin and cos over a quarter of a period: the power of a rough rail stays as it is. The ring is shorter than the record by
+    /// that length, and waves shorter than 2.6 spacings are gone.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a record shorter than four of the longest wavelengths, and those of the filter.
+    pub fn of_record(record: &Profile, longest: f64) -> Result<Self, Error> {
+        /// Wavelengths that a record must be long, in the longest.
+        const LEAST: f64 = 4.0;
+        /// Shortest wavelength of a filter, in spacings.
+        const SHORTEST: f64 = 2.6;
+        if record.length() < LEAST * longest {
+            return Err(Error::OutOfRange {
+                quantity: "length of the record",
+                value: record.length(),
+                unit: "m",
+                rule: "must be four times the longest wavelength that is kept, so that its ends can be joined",
+            });
+        }
+        let spacing = record.spacing();
+        let kept = WavelengthBand::new(SHORTEST * spacing, longest)?;
+        let filter = BandPass::new(spacing, record.heights().len(), &[kept])?;
+        let heights = filter.filter(record).swap_remove(0);
+        let overlap = (longest / spacing).round() as usize;
+        let count = heights.len() - overlap;
+        let ring = (0..count).map(|index| {
+            let share = (index as f64 + 0.5) / overlap as f64;
+            if share >= 1.0 {
+                return heights[index];
+            }
+            let (first, last) = (FRAC_PI_2 * share).sin_cos();
+            first * heights[index] + last * heights[count + index]
+        });
+        Ok(Self::new(&Profile::new(
+            record.start(),
+            spacing,
+            ring.collect(),
+        )?))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roughness::{ColouredNoise, Recipe, level};
+
+    /// Levels of noise stay within the scatter of its 100 to 200 lines in a band, 0.7 dB at most, and no step is left where
+    /// the ends meet.
+    #[test]
+    fn a_record_becomes_a_ring() -> Result<(), Error> {
+        let noise = ColouredNoise {
+            level: 0.0,
+            wavelength: 0.1,
+            slope: 10.0,
+            longest: 20.0,
+        };
+        let recipe = Recipe {
+            length: 50.0,
+            spacing: 1e-3,
+            seed: 3,
+            sinusoids: Vec::new(),
+            noise: Some(noise),
+            spikes: Vec::new(),
+            pits: Vec::new(),
+            dropouts: Vec::new(),
+        };
+        let heights = recipe.heights()?.into_iter().enumerate();
+        let sloping = heights.map(|(index, height)| height + 1e-6 * index as f64);
+        let record = Profile::new(7.0, 1e-3, sloping.collect())?;
+        let ring = Evolution::of_record(&record, 1.0)?;
+        assert_eq!(ring.heights().len(), 49_000);
+        for wavelength in [0.05, 0.1] {
+            let half = 10f64.powf(0.05);
+            let band = (wavelength / half, wavelength * half);
+            let waves = ring.waves().into_iter();
+            let power: f64 = waves
+                .filter(|(wave, _)| (band.0..band.1).contains(wave))
+                .map(|(_, amplitude)| 0.5 * amplitude.norm_sqr())
+                .sum();
+            let expected = noise.level_at(wavelength);
+            assert!(
+                (level(power) - expected).abs() < 1.0,
+                "{} {expected}",
+                level(power)
+            );
+        }
+        let heights = ring.heights();
+        let steps = heights.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        let largest = steps.fold(0.0, f64::max);
+        assert!((heights[0] - heights[heights.len() - 1]).abs() < largest);
+        let short = record
+            .between(7.0, 10.9)
+            .ok_or(Error::Measurement { index: 0, rule: "" })?;
+        assert!(Evolution::of_record(&short, 1.0).is_err());
+        Ok(())
+    }
+}
