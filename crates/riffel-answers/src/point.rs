@@ -1,6 +1,7 @@
 //! The whole loop at one wavelength and speed.
 
 use riffel::feedback::State;
+use riffel::growth::GrowthWithNeighbours;
 use riffel_case::{Case, Point, Sensitivity};
 use riffel_keys::CaseError;
 use serde::Serialize;
@@ -16,6 +17,8 @@ pub struct PointRequest {
     pub speed: f64,
     /// Whether to tell what growth answers to there.
     pub sensitivity: bool,
+    /// How many neighbours on each side, 1/λ ± n/d, to let grow with the wave; none where it is not asked.
+    pub neighbours: Option<usize>,
 }
 
 /// The loop at one wavelength and speed: serialised, what `riffel point --json` prints.
@@ -33,6 +36,57 @@ pub struct PointAnswer {
     /// What growth answers to, the strongest first; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity: Option<Vec<Sensitivity>>,
+    /// Growth of the wave with its neighbours; none where it was not asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub with_neighbours: Option<NeighboursDocument>,
+}
+
+/// Growth of a wave with the neighbours that the passing of supports makes of it.
+#[derive(Serialize)]
+pub struct NeighboursDocument {
+    /// Wavelengths, 1/λ + n/d for n = −N … N.
+    pub wavelengths_m: Vec<f64>,
+    /// Of the wave alone.
+    pub growth_rate_alone: f64,
+    /// Of the pattern that grows fastest.
+    pub growth_rate_of_pattern: f64,
+    /// Phase by which each passage moves the pattern \[rad\], positive along the rail.
+    pub drift_of_pattern_rad: f64,
+    /// Amplitudes of the pattern, the largest one.
+    pub pattern: Vec<[f64; 2]>,
+    /// Where in the bay the pattern is highest, from a support.
+    pub highest_at_m: f64,
+    /// There over its least amplitude in the bay.
+    pub modulation: f64,
+}
+
+impl NeighboursDocument {
+    fn new(growth: &GrowthWithNeighbours) -> Self {
+        /// Steps over the bay.
+        const STEPS: usize = 120;
+        let spacing = growth.spacing;
+        let places: Vec<(f64, f64)> = (0..STEPS)
+            .map(|index| spacing * index as f64 / STEPS as f64)
+            .map(|place| (place, growth.amplitude_at(place)))
+            .collect();
+        let by_amplitude = |one: &&(f64, f64), other: &&(f64, f64)| one.1.total_cmp(&other.1);
+        let highest = places.iter().max_by(by_amplitude).copied();
+        let lowest = places.iter().min_by(by_amplitude).copied();
+        let (highest, lowest) = (highest.unwrap_or_default(), lowest.unwrap_or_default());
+        Self {
+            wavelengths_m: growth
+                .wavenumbers
+                .iter()
+                .map(|k| std::f64::consts::TAU / k)
+                .collect(),
+            growth_rate_alone: growth.alone().re,
+            growth_rate_of_pattern: growth.leading.re,
+            drift_of_pattern_rad: -growth.leading.im,
+            pattern: growth.pattern.iter().map(|v| [v.re, v.im]).collect(),
+            highest_at_m: highest.0,
+            modulation: highest.1 / lowest.1,
+        }
+    }
 }
 
 impl PointAnswer {
@@ -49,11 +103,19 @@ impl PointAnswer {
             true => Some(case.sensitivities(wavelength, speed)?),
             false => None,
         };
+        let with_neighbours = match request.neighbours {
+            Some(neighbours) => {
+                let growth = case.growth_with_neighbours(wavelength, speed, neighbours)?;
+                Some(NeighboursDocument::new(&growth))
+            }
+            None => None,
+        };
         Ok(Self {
             quantities: Point::new(case, &state),
             state,
             stability: case.stability(speed).map(StabilityDocument::from),
             sensitivity,
+            with_neighbours,
         })
     }
 }

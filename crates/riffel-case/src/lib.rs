@@ -32,6 +32,7 @@ mod key;
 mod measurement;
 mod mechanisms;
 pub mod model;
+mod neighbours;
 mod passage;
 mod point;
 mod portable_case;

@@ -291,6 +291,11 @@ pub(crate) struct Point {
     #[arg(long)]
     pub(crate) sensitivity: bool,
 
+    /// On discrete supports: growth of the wave together with N neighbours on each side, 1/λ ± n/d, which the passing of
+    /// supports makes of it; 3 is usual.
+    #[arg(long, value_name = "N")]
+    pub(crate) neighbours: Option<usize>,
+
     /// Print one JSON document; complex numbers as [re, im].
     #[arg(long)]
     pub(crate) json: bool,

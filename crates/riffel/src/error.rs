@@ -137,6 +137,16 @@ pub enum Error {
         largest: f64,
     },
 
+    /// Waves that run along a track on discrete supports without loss.
+    #[error(
+        "at {frequency:.1} Hz waves run along the track nearly without loss, and a load that passes its supports has no \
+         steady answer; give the rail some damping"
+    )]
+    UndampedWaves {
+        /// Frequency of the load \[Hz\].
+        frequency: f64,
+    },
+
     /// Motion that does not repeat itself with every wave of the profile.
     #[error(
         "after {seconds} s of rolling the motion still does not repeat itself from wave to wave: it changes by \

@@ -18,6 +18,7 @@ fn point(case: &Case, speed: f64) -> Value {
         wavelength: 0.05,
         speed,
         sensitivity: false,
+        neighbours: None,
     };
     serde_json::to_value(PointAnswer::new(case, request).unwrap()).unwrap()
 }

@@ -108,6 +108,16 @@ impl CheckedKeys {
         Ok(built(even.clone(), even, Some(per_metre)))
     }
 
+    /// Rail and supports of a periodic model, vertical.
+    pub(crate) fn periodic_track(&self) -> Result<PeriodicTrack<Beam>, CaseError> {
+        let steel = self.steel()?;
+        let rail = self.beam(steel, Direction::Vertical)?;
+        let two_layers = self.file.track.model == TrackModel::TwoLayerPeriodic;
+        let (support, spacing) = self.support(two_layers, Direction::Vertical)?;
+        let track = PeriodicTrack::new(rail, support, spacing);
+        self.physics("track.support_spacing", track)
+    }
+
     /// A load that moves over a free rail, or over one on the layers that are given.
     fn moving(&self, steel: ElasticMaterial) -> Result<Track, CaseError> {
         let track = &self.file.track;

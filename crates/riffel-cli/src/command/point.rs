@@ -1,7 +1,7 @@
 //! `riffel point`
 
 use riffel::feedback::State;
-use riffel_answers::point::{PointAnswer, PointRequest};
+use riffel_answers::point::{NeighboursDocument, PointAnswer, PointRequest};
 use riffel_case::{Case, CaseKey, Point, Sensitivity};
 use riffel_keys::quantity::{Kind, Length, Speed};
 
@@ -19,18 +19,42 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         wavelength,
         speed,
         sensitivity: arguments.sensitivity,
+        neighbours: arguments.neighbours,
     };
     let answer = PointAnswer::new(&case, request)?;
     if arguments.json {
         print_json(&answer)?;
     } else {
         print(&readable(&case, &answer.state))?;
+        if let Some(growth) = &answer.with_neighbours {
+            print(&with_neighbours(growth))?;
+        }
         if let Some(sensitivity) = &answer.sensitivity {
             print(&sensitivities(sensitivity))?;
         }
     }
     print_remarks(&case.remarks);
     Ok(())
+}
+
+/// Growth of the wave with its neighbours.
+fn with_neighbours(growth: &NeighboursDocument) -> String {
+    let mut table = table(&["wavelength mm", "share of the pattern", "phase"]);
+    for (wavelength, [re, im]) in growth.wavelengths_m.iter().zip(&growth.pattern) {
+        table.add_row([
+            format!("{:.2}", 1e3 * wavelength),
+            format!("{:.3}", re.hypot(*im)),
+            format!("{:.0}°", im.atan2(*re).to_degrees()),
+        ]);
+    }
+    format!(
+        "\nwith the supports passing, growth rate per passage: {:.3e} of the wave alone, {:.3e} of the pattern that grows \
+         fastest\n{table}\nthe pattern is highest {:.0} mm from a support, {:.2} times its least\n",
+        growth.growth_rate_alone,
+        growth.growth_rate_of_pattern,
+        1e3 * growth.highest_at_m,
+        growth.modulation,
+    )
 }
 
 /// What the growth rate answers to, the strongest first.

@@ -165,6 +165,12 @@ impl FeedbackLoop {
             / (steady.full_slip_energy_per_metre() * speed)
     }
 
+    /// Oscillation of the energy per metre left at a rail point \[J/m\] by an oscillation of one newton of the normal force.
+    pub(crate) fn energy_by_normal_force(&self, wavelength: f64, speed: f64) -> Complex64 {
+        let turn = self.turn(wavelength, speed);
+        turn.dissipation_at_rail / (turn.normal_force * speed)
+    }
+
     /// Receptance between profile and normal force, H + H_w + 1/k_H \[m/N\]: the denominator of equation (24).
     pub fn vertical_receptance(&self, angular_frequency: f64, speed: f64) -> Complex64 {
         let track = self.track.receptance(angular_frequency, speed);

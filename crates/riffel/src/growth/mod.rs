@@ -6,12 +6,14 @@ mod closing;
 mod map;
 mod ridge;
 mod row;
+mod with_neighbours;
 
 pub use bay::{Bay, BayMaps};
 pub use branch::RidgeBranch;
 pub use map::GrowthMap;
 pub use ridge::{Ridge, RidgePoint, RidgeRow};
 pub use row::RowEvaluator;
+pub use with_neighbours::GrowthWithNeighbours;
 
 use crate::Error;
 

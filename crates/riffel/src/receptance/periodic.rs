@@ -77,6 +77,13 @@ impl<R: Waveguide> PeriodicTrack<R> {
     }
 }
 
+impl PeriodicTrack<Beam> {
+    /// Rail, support and spacing.
+    pub(super) fn parts(&self) -> (Beam, Support, f64) {
+        (self.rail, self.support, self.spacing)
+    }
+}
+
 impl<R: Waveguide> Receptance for PeriodicTrack<R> {
     fn receptance(&self, angular_frequency: f64, _speed: f64) -> Complex64 {
         self.floquet_waves(angular_frequency)
@@ -403,6 +410,41 @@ impl RailInBay {
             m += 2.0;
         }
         sum
+    }
+}
+
+/// The rail's answer to waves e^{ikx} of any wavenumber, at one frequency.
+pub(super) struct AlongBay {
+    rail: RailInBay,
+    shifted: OverWaves,
+    sine: OverWaves,
+}
+
+impl AlongBay {
+    pub(super) fn new(free: &Waves, spacing: f64) -> Self {
+        let rail = RailInBay::new(free, spacing);
+        Self {
+            shifted: rail.shifted_cosine(),
+            sine: rail.sine(spacing),
+            rail,
+        }
+    }
+
+    /// Displacement by forces e^{ikx} along a beam without supports, where they are one \[m²/N\]:
+    /// Σ 2A_jα_j/(α_j² + k²) = 2(q₁k² − q₀)/∏(α_j² + k²).
+    pub(super) fn wave_receptance(&self, k: f64) -> Complex64 {
+        let [constant, linear] = self.rail.transfer;
+        let [first, second] = self.rail.squares;
+        let square = k * k;
+        2.0 * (linear * square - constant) / ((first + square) * (second + square))
+    }
+
+    /// Ĝ \[m/N\]: displacement at a support by forces e^{ikmd} at all of them, m = 0, ±1, …
+    pub(super) fn support_receptance(&self, k: f64) -> Complex64 {
+        let half_sine = (0.5 * k * self.rail.spacing).sin();
+        let cosine = -2.0 * half_sine * half_sine;
+        let [first, second] = [self.shifted.first, self.shifted.second].map(|c| c - cosine);
+        (self.sine.slope * second - self.sine.second * self.shifted.slope) / (first * second)
     }
 }
 

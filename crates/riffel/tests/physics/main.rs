@@ -7,6 +7,7 @@ mod general_loop;
 mod growth;
 mod load_wear;
 mod passage;
+mod passing_supports;
 mod spatial_track;
 mod track;
 mod wheelset;
