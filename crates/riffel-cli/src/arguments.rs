@@ -26,7 +26,7 @@ pub(crate) use asked::{Asked, within};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use noise::Noise;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
-pub(crate) use simulate::{Simulate, SinusoidArgument};
+pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.

@@ -8,7 +8,7 @@ use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout};
+use super::{Asked, CaseArguments, Layout, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 
@@ -33,13 +33,31 @@ pub(crate) struct Simulate {
         group = "surface",
         allow_hyphen_values = true
     )]
-    pub(crate) sinusoid: Option<SinusoidArgument>,
+    pub(crate) sinusoid: Option<LengthPair>,
 
     /// Roll along the profile of a file, such as a trolley's.
     #[arg(long, value_name = "FILE", group = "surface")]
     pub(crate) profile: Option<PathBuf>,
 
-    /// Take this much of the profile [default: all].
+    /// Roll along a rail drawn with the spectrum of a limit table, such as iso-3095-2013, or of a file of levels or
+    /// profiles.
+    #[arg(long, value_name = "SPECTRUM", group = "surface")]
+    pub(crate) spectrum: Option<String>,
+
+    /// Seed of the drawn rail [default: 1].
+    #[arg(long, value_name = "N", conflicts_with = "sinusoid")]
+    pub(crate) seed: Option<u64>,
+
+    /// Roll over a dipped weld, -DEPTH/2 (1 - cos 2πx/LENGTH), in the middle of a smooth rail.
+    #[arg(
+        long,
+        value_name = "DEPTH,LENGTH",
+        group = "surface",
+        allow_hyphen_values = true
+    )]
+    pub(crate) weld: Option<LengthPair>,
+
+    /// Take this much of the profile [default: all], or make the rail so long [default: 20 m].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) length: Option<Quantity<Length>>,
 
@@ -64,34 +82,42 @@ pub(crate) struct Simulate {
     pub(crate) json: bool,
 }
 
-/// Amplitude and wavelength as they were written.
-#[derive(Clone)]
-pub(crate) struct SinusoidArgument {
-    amplitude: String,
-    wavelength: String,
-}
-
-impl FromStr for SinusoidArgument {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (amplitude, wavelength) = text
-            .split_once(',')
-            .ok_or("give amplitude and wavelength with a comma between them, as in 20um,55mm")?;
-        for part in [amplitude, wavelength] {
-            let read: Result<Quantity<Length>, _> = part.trim().parse();
-            read.map_err(|error| error.to_string())?;
-        }
-        Ok(Self {
-            amplitude: amplitude.trim().to_owned(),
-            wavelength: wavelength.trim().to_owned(),
+impl Simulate {
+    /// `Ok` without an argument that is for profiles of files.
+    pub(crate) fn only_for_profiles(&self, given: Option<&'static str>) -> Result<(), CliError> {
+        given.map_or(Ok(()), |argument| {
+            Err(CliError::Argument {
+                argument,
+                value: "given".to_owned(),
+                rule: "left out: it is for --profile".to_owned(),
+            })
         })
     }
 }
 
-impl SinusoidArgument {
+/// Two lengths as they were written.
+#[derive(Clone)]
+pub(crate) struct LengthPair([String; 2]);
+
+impl FromStr for LengthPair {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (first, second) = text
+            .split_once(',')
+            .ok_or("give two lengths with a comma between them, as in 20um,55mm")?;
+        let pair = [first, second].map(|part| part.trim().to_owned());
+        for part in &pair {
+            let read: Result<Quantity<Length>, _> = part.parse();
+            read.map_err(|error| error.to_string())?;
+        }
+        Ok(Self(pair))
+    }
+}
+
+impl LengthPair {
     /// Amplitude and wavelength \[m\] within their physical ranges. What is not usual is asked about on standard error.
-    pub(crate) fn within(&self) -> Result<[f64; 2], CliError> {
+    pub(crate) fn of_sinusoid(&self) -> Result<[f64; 2], CliError> {
         let read = |key: &str, what: &str, text: &str| {
             let (si, remark) =
                 PhysicalRange::read::<Length>(key, text).map_err(|rule| CliError::Range {
@@ -101,9 +127,23 @@ impl SinusoidArgument {
             print_remarks(remark.as_slice());
             Ok::<f64, CliError>(si)
         };
+        let [amplitude, wavelength] = &self.0;
         Ok([
-            read("corrugation.amplitude", "amplitude", &self.amplitude)?,
-            read("--wavelength", "wavelength", &self.wavelength)?,
+            read("corrugation.amplitude", "amplitude", amplitude)?,
+            read("--wavelength", "wavelength", wavelength)?,
         ])
+    }
+
+    /// Both \[m\], above zero.
+    pub(crate) fn positive(&self, argument: &'static str) -> Result<[f64; 2], CliError> {
+        let mut lengths = [0.0; 2];
+        for (length, text) in lengths.iter_mut().zip(&self.0) {
+            let quantity: Quantity<Length> = text.parse().map_err(|error| CliError::Range {
+                argument,
+                message: format!(": {error}"),
+            })?;
+            *length = positive(argument, quantity)?;
+        }
+        Ok(lengths)
     }
 }

@@ -1,25 +1,22 @@
 //! `riffel simulate`
 
 mod evolution;
+mod surface;
 
 use std::ops::RangeInclusive;
-use std::path::Path;
 
 use riffel::passage::Sinusoid;
-use riffel::roughness::Profile;
 use riffel_answers::simulate::{
     EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, Surface,
 };
 use riffel_case::Case;
-use riffel_keys::CaseError;
-use riffel_rail::RoughnessFile;
 
-use super::roughness::read;
-use crate::arguments::{Simulate, SinusoidArgument, positive};
+use crate::arguments::{LengthPair, Simulate, positive};
 use crate::error::CliError;
-use crate::messages::{print_remarks, say};
+use crate::messages::print_remarks;
 use crate::output::{json, table};
 use crate::results::Results;
+use surface::surface;
 
 pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let case = arguments.case.read()?;
@@ -29,43 +26,37 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
         .step
         .map(|step| positive("--step", step))
         .transpose()?;
-    match (&arguments.sinusoid, &arguments.profile) {
-        (Some(sinusoid), _) => {
-            let length = arguments.length.map(|_| "--length");
-            if let Some(argument) = arguments.layout.given().or(length) {
-                Err(CliError::Argument {
-                    argument,
-                    value: "given".to_owned(),
-                    rule: "left out: it is for --profile".to_owned(),
-                })?;
-            }
-            let (sinusoid, steps) = wave(speed, step, sinusoid)?;
-            if let Some(passages) = passages {
-                let request = EvolutionRequest {
-                    speed,
-                    surface: Surface::of_sinusoid(sinusoid)?,
-                    largest_step: sinusoid.wavelength / steps as f64,
-                };
-                return Ok(evolution::run(arguments, &case, request, passages)?);
-            }
-            over_sinusoid(arguments, &case, speed, sinusoid, steps)?;
+    let Some(sinusoid) = &arguments.sinusoid else {
+        let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
+        let surface = surface(arguments, &case, largest_step)?;
+        if let Some(passages) = passages {
+            let request = EvolutionRequest {
+                speed,
+                surface,
+                largest_step,
+            };
+            return Ok(evolution::run(arguments, &case, request, passages)?);
         }
-        // The parser asks for one of them.
-        (None, path) => {
-            let path = path.as_deref().unwrap_or_else(|| Path::new(""));
-            let profile = profile(path, arguments)?;
-            let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
-            if let Some(passages) = passages {
-                let request = EvolutionRequest {
-                    speed,
-                    surface: Surface::Record(profile),
-                    largest_step,
-                };
-                return Ok(evolution::run(arguments, &case, request, passages)?);
-            }
-            along_profile(arguments, &case, speed, largest_step, profile)?;
-        }
+        let request = PassageRequest {
+            speed,
+            profile: surface.into_profile(),
+            largest_step,
+        };
+        along_profile(arguments, &case, request)?;
+        return Ok(0);
+    };
+    let length = arguments.length.map(|_| "--length");
+    arguments.only_for_profiles(arguments.layout.given().or(length))?;
+    let (sinusoid, steps) = wave(speed, step, sinusoid)?;
+    if let Some(passages) = passages {
+        let request = EvolutionRequest {
+            speed,
+            surface: Surface::of_sinusoid(sinusoid)?,
+            largest_step: sinusoid.wavelength / steps as f64,
+        };
+        return Ok(evolution::run(arguments, &case, request, passages)?);
     }
+    over_sinusoid(arguments, &case, speed, sinusoid, steps)?;
     Ok(0)
 }
 
@@ -83,63 +74,11 @@ fn whole(passages: f64) -> Result<u64, CliError> {
     })
 }
 
-/// The profile asked for: one rail, its longest stretch without a gap.
-fn profile(path: &Path, arguments: &Simulate) -> miette::Result<Profile> {
-    let length = arguments
-        .length
-        .map(|length| positive("--length", length))
-        .transpose()?;
-    let refuse = |message: String| CaseError::data(path, message);
-    let RoughnessFile::Profile(record) = read(path, &arguments.layout)? else {
-        Err(refuse(
-            "the file is a table of levels, but a wheel rolls along a profile".to_owned(),
-        ))?
-    };
-    let rail = match &record.rails[..] {
-        [rail] => rail,
-        rails => {
-            let names: Vec<&str> = rails.iter().map(|rail| rail.name.as_str()).collect();
-            Err(refuse(format!(
-                "the file has the rails {}; choose one by --rail",
-                names.join(", ")
-            )))?
-        }
-    };
-    let longest = rail
-        .stretches
-        .iter()
-        .max_by(|one, other| one.length().total_cmp(&other.length()));
-    let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
-    if rail.stretches.len() > 1 {
-        say(format_args!(
-            "of {} stretches without a gap the longest is taken, from {:.3} m on",
-            rail.stretches.len(),
-            profile.start()
-        ));
-    }
-    for warning in &record.warnings {
-        say(warning);
-    }
-    let Some(length) = length else {
-        return Ok(profile.clone());
-    };
-    let start = profile.start();
-    let part = profile.between(start, start + length);
-    Ok(part.ok_or_else(|| refuse(format!("--length is {length} m, less than two samples")))?)
-}
-
 fn along_profile(
     arguments: &Simulate,
     case: &Case,
-    speed: f64,
-    largest_step: f64,
-    profile: Profile,
+    request: PassageRequest,
 ) -> Result<(), CliError> {
-    let request = PassageRequest {
-        speed,
-        profile,
-        largest_step,
-    };
     let answer = PassageAnswer::new(case, request)?;
     results(arguments).hand_out(
         || json(&answer.document()),
@@ -199,9 +138,9 @@ fn without_contact(share: f64) -> String {
 fn wave(
     speed: f64,
     step: Option<f64>,
-    sinusoid: &SinusoidArgument,
+    sinusoid: &LengthPair,
 ) -> Result<(Sinusoid, usize), CliError> {
-    let [amplitude, wavelength] = sinusoid.within()?;
+    let [amplitude, wavelength] = sinusoid.of_sinusoid()?;
     let steps = match step {
         None => match SinusoidRequest::usual_steps(wavelength, speed) {
             steps if steps as f64 <= *STEPS.end() => steps,

@@ -123,3 +123,47 @@ fn a_profile_is_rolled_over() {
         assert!(text.contains(words), "{arguments}: {text}");
     }
 }
+
+/// A rail of a spectrum follows its seed, a weld is as deep as asked for, and what cannot be made is refused.
+#[test]
+fn rails_are_made() {
+    let sandbox = Sandbox::new();
+    let heights = |surface: &str| -> Vec<f64> {
+        let passage = sandbox.json(&format!(
+            "simulate {CASE} --speed 30 {surface} --step 1mm --json"
+        ));
+        assert!(passage["maximum_normal_force_n"].as_f64().unwrap() > 50e3);
+        serde_json::from_value(passage["height_m"].clone()).unwrap()
+    };
+    let drawn = |seed: u64| {
+        heights(&format!(
+            "--spectrum iso-3095-2013 --length 5.5 --seed {seed}"
+        ))
+    };
+    let one = drawn(1);
+    assert_eq!(one.len(), 5500);
+    assert!(one != drawn(2));
+    let weld = heights("--weld 0.2mm,0.4m --length \"3 m\"");
+    let depth = weld.iter().copied().fold(0.0, f64::min);
+    assert!((depth + 0.2e-3).abs() < 1e-12 && weld[0] == 0.0);
+    for (arguments, words) in [
+        (
+            "--spectrum iso-3095-2013 --length 2",
+            "13 times the longest wavelength",
+        ),
+        ("--spectrum iso-3095-2013 --length 1e9", "at most 1000 m"),
+        ("--spectrum grassie-1999", "limits of the RMS"),
+        ("--weld 0,1", "greater than zero"),
+        ("--weld 1mm,15m", "twice the length of the weld"),
+        ("--weld 1mm,1m --seed 2", "it is for --spectrum"),
+        ("--weld 1mm,1m --rail left", "it is for --profile"),
+    ] {
+        let refused = sandbox.riffel(&format!("simulate {CASE} --speed 30 {arguments}"));
+        assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
+        assert!(
+            refused.sentence().contains(words),
+            "{arguments}: {}",
+            refused.text
+        );
+    }
+}

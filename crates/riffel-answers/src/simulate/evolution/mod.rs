@@ -46,6 +46,13 @@ pub enum Surface {
 }
 
 impl Surface {
+    /// Its profile.
+    pub fn into_profile(self) -> Profile {
+        match self {
+            Self::Record(profile) | Self::Ring(profile) => profile,
+        }
+    }
+
     /// One wave, from crest to crest.
     ///
     /// # Errors

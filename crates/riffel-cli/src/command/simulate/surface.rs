@@ -1,0 +1,159 @@
+//! The rail that `riffel simulate` rolls along.
+
+use std::path::Path;
+
+use riffel::roughness::{Profile, Spectrum, Weld};
+use riffel_answers::simulate::Surface;
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_rail::{GroundRail, RoughnessFile};
+
+use crate::arguments::{Layout, LengthPair, Simulate, positive};
+use crate::command::roughness::{read, survey};
+use crate::error::CliError;
+use crate::messages::say;
+
+/// Length of a rail that is made, where none is asked for \[m\].
+const USUAL_LENGTH: f64 = 20.0;
+
+/// Longest rail that is made \[m\]: two million heights.
+const MOST_LENGTH: f64 = 1000.0;
+
+/// The rail asked for, whose heights lie no farther apart than a step \[m\] where they are made.
+pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::Result<Surface> {
+    let length = arguments
+        .length
+        .map(|length| positive("--length", length))
+        .transpose()?;
+    if arguments.profile.is_none() {
+        arguments.only_for_profiles(arguments.layout.given())?;
+        if let Some(length) = length.filter(|length| *length > MOST_LENGTH) {
+            Err(CliError::Argument {
+                argument: "--length",
+                value: format!("{length} m"),
+                rule: format!("at most {MOST_LENGTH} m for a rail that is made"),
+            })?;
+        }
+    }
+    if arguments.spectrum.is_none() && arguments.seed.is_some() {
+        Err(CliError::Argument {
+            argument: "--seed",
+            value: "given".to_owned(),
+            rule: "left out: it is for --spectrum".to_owned(),
+        })?;
+    }
+    if let Some(name) = &arguments.spectrum {
+        let length = length.unwrap_or(USUAL_LENGTH);
+        return Ok(Surface::Ring(drawn(
+            name,
+            arguments.seed.unwrap_or(1),
+            case,
+            length,
+            step,
+        )?));
+    }
+    if let Some(weld) = &arguments.weld {
+        return Ok(Surface::Ring(dipped(
+            weld,
+            length.unwrap_or(USUAL_LENGTH),
+            step,
+        )?));
+    }
+    // The parser asks for one of them.
+    let path = arguments
+        .profile
+        .as_deref()
+        .unwrap_or_else(|| Path::new(""));
+    Ok(Surface::Record(record(path, &arguments.layout, length)?))
+}
+
+/// A rail with the levels of a limit or a file, but those of waves that the patch covers.
+fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::Result<Profile> {
+    let spectrum = match GroundRail::is_table(name) {
+        true => GroundRail::of_table(name)?.spectrum,
+        false => survey(Path::new(name), &Layout::default())?.mean(),
+    };
+    let patch = 2.0 * case.hertz.semi_axis_longitudinal();
+    let longer = spectrum
+        .levels()
+        .iter()
+        .filter(|level| level.band.wavelength_range().0 >= patch);
+    let kept = Spectrum::new(longer.map(|level| (level.band, level.level)));
+    let kept = kept.map_err(|_| {
+        let message = format!(
+            "the spectrum has no band above {:.1} mm, the length of the contact",
+            1e3 * patch
+        );
+        CaseError::data(name, message)
+    })?;
+    let left = spectrum.levels().len() - kept.levels().len();
+    if left > 0 {
+        say(format_args!(
+            "note: {left} bands below {:.1} mm are left out: the contact is as long and averages them",
+            1e3 * patch
+        ));
+    }
+    Ok(kept
+        .drawn(length, step, seed)
+        .map_err(|error| of("--spectrum", error))?)
+}
+
+/// A rail with a weld in its middle.
+fn dipped(weld: &LengthPair, length: f64, step: f64) -> miette::Result<Profile> {
+    let [depth, length_of_weld] = weld.positive("--weld")?;
+    let weld = Weld {
+        depth,
+        length: length_of_weld,
+    };
+    Ok(weld
+        .profile(length, step)
+        .map_err(|error| of("--weld", error))?)
+}
+
+fn of(argument: &str, error: riffel::Error) -> CliError {
+    CliError::Physics {
+        input: argument.to_owned(),
+        error,
+    }
+}
+
+/// The profile of a file: one rail, its longest stretch without a gap.
+fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<Profile> {
+    let refuse = |message: String| CaseError::data(path, message);
+    let RoughnessFile::Profile(record) = read(path, layout)? else {
+        Err(refuse(
+            "the file is a table of levels, but a wheel rolls along a profile".to_owned(),
+        ))?
+    };
+    let rail = match &record.rails[..] {
+        [rail] => rail,
+        rails => {
+            let names: Vec<&str> = rails.iter().map(|rail| rail.name.as_str()).collect();
+            Err(refuse(format!(
+                "the file has the rails {}; choose one by --rail",
+                names.join(", ")
+            )))?
+        }
+    };
+    let longest = rail
+        .stretches
+        .iter()
+        .max_by(|one, other| one.length().total_cmp(&other.length()));
+    let profile = longest.ok_or_else(|| refuse("the rail has no heights".to_owned()))?;
+    if rail.stretches.len() > 1 {
+        say(format_args!(
+            "of {} stretches without a gap the longest is taken, from {:.3} m on",
+            rail.stretches.len(),
+            profile.start()
+        ));
+    }
+    for warning in &record.warnings {
+        say(warning);
+    }
+    let Some(length) = length else {
+        return Ok(profile.clone());
+    };
+    let start = profile.start();
+    let part = profile.between(start, start + length);
+    Ok(part.ok_or_else(|| refuse(format!("--length is {length} m, less than two samples")))?)
+}
