@@ -86,6 +86,7 @@
 //! [`Motion`]: wheelset::Motion
 //! [`creep_coefficient`]: contact::creep_coefficient
 
+pub mod axlebox;
 pub mod contact;
 pub mod curving;
 pub mod diagnosis;

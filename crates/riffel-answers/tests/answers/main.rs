@@ -1,6 +1,7 @@
 //! What answers say.
 
 mod all_axes;
+mod axlebox;
 mod branches;
 mod comparison;
 mod forecast;

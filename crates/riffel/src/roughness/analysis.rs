@@ -2,7 +2,8 @@
 
 use super::{
     BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, PowerSpectrum,
-    Profile, RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand, grind_sections,
+    Profile, RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
+    grind_sections, level, mean_square,
 };
 use crate::Error;
 
@@ -19,6 +20,9 @@ pub struct AnalysisSettings {
     pub block: f64,
     /// Limit of the moving RMS.
     pub limit: Option<RmsLimit>,
+    /// The wavelengths of a profile that is what a wheel has felt of the rail: other bands are left out, no spikes are
+    /// removed, and nothing is rolled over once more. None for the rail itself.
+    pub felt: Option<WavelengthBand>,
 }
 
 impl Default for AnalysisSettings {
@@ -30,6 +34,7 @@ impl Default for AnalysisSettings {
             window: None,
             block: 10.0,
             limit: None,
+            felt: None,
         }
     }
 }
@@ -121,7 +126,9 @@ impl RailAnalysis {
             .map(|stretch| (stretch.start(), end(stretch)))
             .collect();
         for stretch in &mut stretches {
-            spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
+            if settings.felt.is_none() {
+                spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
+            }
             progress();
             let found = band_statistics(stretch, settings)?;
             progress();
@@ -131,7 +138,9 @@ impl RailAnalysis {
                 over_limit.extend(sections(stretch, *band, &found, settings));
                 statistics[index].push(found);
             }
-            pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
+            if settings.felt.is_none() {
+                pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
+            }
             progress();
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
@@ -141,7 +150,7 @@ impl RailAnalysis {
         Ok(Self {
             spikes,
             pits,
-            spectrum: power.third_octaves(settings.longest_wavelength)?,
+            spectrum: known(power.third_octaves(settings.longest_wavelength)?, settings)?,
             segment_length: power.segment_length(),
             segments: power.segments(),
             bands: summaries
@@ -151,6 +160,36 @@ impl RailAnalysis {
             over_limit,
             stretches: ends,
         })
+    }
+
+    /// Parts of a rail as one, in their order; None without a part. Levels and mean squares are averaged by length.
+    pub fn joined(parts: Vec<Self>) -> Option<Self> {
+        let bands = joined_bands(&parts);
+        let spectrum = joined_spectrum(&parts)?;
+        let all = || parts.iter();
+        let (spikes, pits) = (
+            all().map(|part| part.spikes).sum(),
+            all().map(|part| part.pits).sum(),
+        );
+        let segments = all().map(|part| part.segments).sum();
+        let segment_length = all().map(|part| part.segment_length).fold(0.0, f64::max);
+        let mut joined = Self {
+            spikes,
+            pits,
+            spectrum,
+            segment_length,
+            segments,
+            bands,
+            blocks: Vec::new(),
+            over_limit: Vec::new(),
+            stretches: Vec::new(),
+        };
+        for part in parts {
+            joined.blocks.extend(part.blocks);
+            joined.over_limit.extend(part.over_limit);
+            joined.stretches.extend(part.stretches);
+        }
+        Some(joined)
     }
 
     /// What to grind, from one end of the rail to the other.
@@ -178,6 +217,18 @@ impl RailAnalysis {
     }
 }
 
+/// The one-third octaves that the wheel felt from edge to edge; all of a rail's own profile.
+fn known(spectrum: Spectrum, settings: &AnalysisSettings) -> Result<Spectrum, Error> {
+    let Some(felt) = settings.felt else {
+        return Ok(spectrum);
+    };
+    let within = spectrum.levels().iter().filter(|level| {
+        let (shortest, longest) = level.band.wavelength_range();
+        felt.from() <= shortest && longest <= felt.to()
+    });
+    Spectrum::new(within.map(|level| (level.band, level.level)))
+}
+
 /// Statistics of each band; None where the stretch is too short or its samples too far apart.
 fn band_statistics(
     stretch: &Profile,
@@ -185,7 +236,12 @@ fn band_statistics(
 ) -> Result<Vec<Option<BandStatistics>>, Error> {
     let spacing = stretch.spacing();
     let length = stretch.length();
-    let fits = |band: &WavelengthBand| band.fits_into(length) && BandPass::resolves(*band, spacing);
+    let fits = |band: &WavelengthBand| {
+        let is_felt = settings
+            .felt
+            .is_none_or(|felt| felt.from() <= band.from() && band.to() <= felt.to());
+        is_felt && band.fits_into(length) && BandPass::resolves(*band, spacing)
+    };
     let samples = |length: f64| (length / spacing).round().max(1.0) as usize;
     let fitting: Vec<BandSettings> = settings
         .bands
@@ -204,6 +260,51 @@ fn band_statistics(
     Ok(bands
         .map(|band| fits(band).then(|| found.next()).flatten())
         .collect())
+}
+
+/// Mean squares of each band that any part has, weighted by the length of the parts that have it.
+fn joined_spectrum(parts: &[RailAnalysis]) -> Option<Spectrum> {
+    let levels = parts.iter().flat_map(|part| part.spectrum.levels());
+    let mut bands: Vec<ThirdOctave> = levels.map(|level| level.band).collect();
+    bands.sort();
+    bands.dedup();
+    let means = bands.into_iter().map(|band| {
+        let having = parts
+            .iter()
+            .filter_map(|part| Some((part.length(), part.spectrum.level(band)?)));
+        let (length, sum) = having.fold((0.0, 0.0), |(length, sum), (own, level)| {
+            (length + own, sum + own * mean_square(level))
+        });
+        (band, level(sum / length))
+    });
+    Spectrum::new(means).ok()
+}
+
+fn joined_bands(parts: &[RailAnalysis]) -> Vec<BandSummary> {
+    let mut joined: Vec<BandSummary> = Vec::new();
+    for own in parts.iter().flat_map(|part| &part.bands) {
+        let Some(band) = joined.iter_mut().find(|band| band.band == own.band) else {
+            joined.push(*own);
+            continue;
+        };
+        let length = band.length + own.length;
+        let mean = |one: f64, other: f64| (one * band.length + other * own.length) / length;
+        *band = BandSummary {
+            band: band.band,
+            window: band.window.max(own.window),
+            length,
+            rms: mean(band.rms.powi(2), own.rms.powi(2)).sqrt(),
+            moving_rms_max: band.moving_rms_max.max(own.moving_rms_max),
+            peak_to_peak_max: band.peak_to_peak_max.max(own.peak_to_peak_max),
+            limit: band.limit,
+            share_over_limit: band
+                .share_over_limit
+                .zip(own.share_over_limit)
+                .map(|(one, other)| mean(one, other)),
+        };
+    }
+    joined.sort_by(|a, b| a.band.from().total_cmp(&b.band.from()));
+    joined
 }
 
 fn block_rows<'a>(

@@ -1,0 +1,28 @@
+//! Axle-box acceleration: from what a wheel on a train feels to the roughness of the rail under it.
+//!
+//! Roughness r between wheel and rail, positive upward out of the rail, shakes the wheel with the upward acceleration
+//!
+//! ```text
+//! a = −ω² H_w P,   P = r/(H_r + H_w + 1/k_H),   so that   T = a/r = −ω² H_w/(H_r + H_w + 1/k_H)   [1/s²]
+//! ```
+//!
+//! with the receptances of rail and wheel under the contact and its stiffness ([`AxleBoxTransfer`]). The transfer is one of
+//! time, whatever the speed does: a [`Run`] divides by it in time, regularised where it is small ([`Inverse`]), and lays
+//! the roughness out along the rail by the odometer afterwards. What comes out is a [`FeltProfile`], which goes where the
+//! profile of a trolley goes, within the wavelengths that it knows.
+//!
+//! What the wheel feels is the sum of the roughness of rail and wheel, averaged over the patch. Not told apart are the wheel's
+//! own roughness, whose orders have the wavelengths 2πR/n; what the other wheel of the axle does, which is as good as nothing
+//! where the axle bends more easily than the track, and which makes a rigid axle feel up to half of the other rail; and the
+//! waves that neighbouring wheels send along the rail, which reach this wheel a few decibels down per metre.
+
+mod felt_profile;
+mod inverse;
+mod run;
+mod segment;
+mod transfer;
+
+pub use felt_profile::FeltProfile;
+pub use inverse::{Inverse, REGULARISATION};
+pub use run::{Run, RunSettings, Sample};
+pub use transfer::AxleBoxTransfer;
