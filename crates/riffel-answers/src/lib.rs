@@ -18,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod axlebox;
 mod capital;
 mod column;
 pub mod compare;

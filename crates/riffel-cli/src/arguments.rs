@@ -1,6 +1,7 @@
 //! The command line.
 
 mod asked;
+mod axlebox;
 mod forecast;
 mod noise;
 mod number;
@@ -23,6 +24,7 @@ use crate::messages::Verbosity;
 use crate::staging::add_input;
 
 pub(crate) use asked::{Asked, within};
+pub(crate) use axlebox::AxleBox;
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use noise::Noise;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
@@ -84,6 +86,9 @@ pub(crate) enum Command {
     Curve(Curve),
     /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
     Roughness(Roughness),
+    /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
+    #[command(name = "axlebox")]
+    AxleBox(AxleBox),
     /// Dominant wavelengths of a measured rail, and what may have made them.
     Diagnose(Diagnose),
     /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.

@@ -84,6 +84,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Contact(arguments) => command::contact::run(&arguments)?,
         Command::Curve(arguments) => command::curve::run(&arguments)?,
         Command::Profile(arguments) => command::profile::run(&arguments)?,
+        Command::AxleBox(arguments) => command::axlebox::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,

@@ -114,7 +114,7 @@ impl Heading {
     }
 
     /// What a line of units has for a column.
-    fn unit_below(&self, column: usize) -> Option<&str> {
+    pub(super) fn unit_below(&self, column: usize) -> Option<&str> {
         let unit = self.units.as_ref()?.get(column)?.as_str();
         unit.contains(char::is_alphanumeric).then_some(unit)
     }

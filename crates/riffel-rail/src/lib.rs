@@ -17,6 +17,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axle_box_columns;
+mod axle_box_file;
 mod built_in;
 mod chainage;
 mod date;
@@ -43,12 +45,14 @@ mod refusal;
 mod resampling;
 mod roughness_file;
 mod rows;
+mod sensor;
 mod sniff;
 mod spectra;
 mod survey;
 mod transfer_table;
 mod wheel_roughness;
 
+pub use axle_box_file::{AxleBoxFile, AxleBoxLayout, AxleBoxReading};
 pub use date::{read_date, read_dates};
 pub use decay_rate_file::read_decay_rates;
 pub use format::{Column, DecimalMark, Delimiter, ReaderFormat};

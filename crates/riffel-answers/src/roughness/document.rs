@@ -45,7 +45,7 @@ pub struct Level {
 }
 
 #[derive(Serialize)]
-pub(super) struct Band {
+pub(crate) struct Band {
     rail: String,
     from_m: f64,
     to_m: f64,
@@ -139,7 +139,7 @@ pub(crate) fn levels(spectrum: &Spectrum) -> Vec<Level> {
         .collect()
 }
 
-pub(super) fn bands(rail: &str, bands: &[BandSummary]) -> Vec<Band> {
+pub(crate) fn bands(rail: &str, bands: &[BandSummary]) -> Vec<Band> {
     bands
         .iter()
         .map(|band| Band {

@@ -37,7 +37,8 @@ pub(crate) fn of_profile(
     }
     curves.extend(limit_curves(limits));
     let mut panels = vec![level_panel(curves)];
-    panels.extend(profile.rails.iter().map(|rail| moving_rms(profile, rail)));
+    let ends = [profile.record.from, profile.record.to];
+    panels.extend(profile.rails.iter().map(|rail| moving_rms(rail, ends)));
     let blocks = profile.rails.iter().flat_map(|rail| &rail.analysis.blocks);
     let block = blocks
         .map(|block| block.to - block.from)
@@ -54,9 +55,10 @@ pub(crate) fn of_profile(
     }
 }
 
-/// The moving RMS of each band along a rail, each with its limit.
-pub(crate) fn moving_rms(profile: &ProfileAnswer, rail: &RailAnswer) -> LinePanel {
-    let unit = ChainageUnit::suiting([profile.record.from, profile.record.to]);
+/// The moving RMS of each band along a rail from one place to another \[m\], each with its limit.
+pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2]) -> LinePanel {
+    let unit = ChainageUnit::suiting([from, to]);
+    let ends = (unit.of(from), unit.of(to));
     let mut series = Vec::new();
     for (place, band) in WavelengthBand::GRINDING.iter().enumerate() {
         let color = Some(OKABE_ITO[place % OKABE_ITO.len()]);
@@ -91,7 +93,7 @@ pub(crate) fn moving_rms(profile: &ProfileAnswer, rail: &RailAnswer) -> LinePane
         }
         series.extend(found.limit.map(|limit| Series {
             label: String::new(),
-            x: vec![unit.of(profile.record.from), unit.of(profile.record.to)],
+            x: vec![ends.0, ends.1],
             y: vec![1e6 * limit; 2],
             style: LineStyle::Dashed,
             color,
@@ -101,7 +103,7 @@ pub(crate) fn moving_rms(profile: &ProfileAnswer, rail: &RailAnswer) -> LinePane
         subtitle: rail.name.clone(),
         x_label: unit.axis_label().to_owned(),
         y_label: "moving RMS [µm]".to_owned(),
-        x_range: Some((unit.of(profile.record.from), unit.of(profile.record.to))),
+        x_range: Some(ends),
         y_scale: Scale::Log,
         series,
         ..LinePanel::default()
@@ -146,7 +148,7 @@ pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
     }
 }
 
-fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
+pub(crate) fn limit_curves(limits: &[LimitTable]) -> impl Iterator<Item = Series> {
     limits.iter().filter_map(|table| match &table.limit {
         Limit::Levels(limit) => Some(levels(
             &table.edition,

@@ -4,14 +4,16 @@ mod document;
 pub(crate) mod figure;
 mod profile;
 mod spectra;
-mod tables;
+pub(crate) mod tables;
 mod verdict;
 mod words;
 
 pub(crate) use document::levels;
+pub(crate) use document::{Band, bands};
 pub use document::{Level, Removed, RoughnessDocument};
+pub(crate) use profile::rms_limit;
 pub use profile::{ProfileAnswer, ProfileRequest, RailAnswer};
 pub use spectra::{MeanSpectra, SpectraAnswer};
 pub use verdict::Verdict;
-pub(crate) use verdict::rail_in_words;
+pub(crate) use verdict::{Judged, rail_in_words, worst_first};
 pub use words::{band_row, counted, grind_row};

@@ -68,7 +68,7 @@ impl Judged for RailAnswer {
 }
 
 /// The limit of the moving RMS: there is one at most.
-fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, AnswerError> {
+pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, AnswerError> {
     let mut found = limits.iter().filter_map(|table| match &table.limit {
         Limit::Rms(limit) => Some((table, limit)),
         Limit::Levels(_) => None,
@@ -251,7 +251,7 @@ impl ProfileAnswer {
 
     /// The moving RMS of each band along a rail, each with its limit.
     pub fn moving_rms(&self, rail: &RailAnswer) -> LinePanel {
-        figure::moving_rms(self, rail)
+        figure::moving_rms(rail, [self.record.from, self.record.to])
     }
 
     /// What was computed as data: what `riffel roughness --json` prints.

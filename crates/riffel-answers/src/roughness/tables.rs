@@ -4,8 +4,8 @@ use std::io::{self, Write};
 
 use riffel::roughness::WavelengthBand;
 
-use super::ProfileAnswer;
 use super::words::name;
+use super::{ProfileAnswer, RailAnswer};
 
 impl ProfileAnswer {
     /// Levels of each rail, the worst first, and behind several rails their energy mean.
@@ -31,28 +31,7 @@ impl ProfileAnswer {
     /// # Errors
     /// Those of the file.
     pub fn block_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        let mut header = ["rail", "from_m", "to_m"].map(str::to_owned).to_vec();
-        for what in ["rms", "moving_rms_max"] {
-            header.extend(WavelengthBand::GRINDING.map(|band| {
-                let (from, to) = (1e3 * band.from(), 1e3 * band.to());
-                format!("{what}_{from:.0}_to_{to:.0}_mm_m")
-            }));
-        }
-        writer.write_record(&header)?;
-        for rail in &self.rails {
-            for block in &rail.analysis.blocks {
-                let row = (
-                    &rail.name,
-                    block.from,
-                    block.to,
-                    &block.rms,
-                    &block.moving_rms_max,
-                );
-                writer.serialize(row)?;
-            }
-        }
-        writer.flush()
+        block_csv(&self.rails, file)
     }
 
     /// What to grind of each rail, the worst first.
@@ -60,14 +39,51 @@ impl ProfileAnswer {
     /// # Errors
     /// Those of the file.
     pub fn grind_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(["rail", "from_m", "to_m", "worst_band_mm", "rms_over_limit"])?;
-        for rail in &self.rails {
-            for section in &rail.sections {
-                let band = name(&section.band);
-                writer.serialize((&rail.name, section.from, section.to, band, section.ratio))?;
-            }
-        }
-        writer.flush()
+        grind_csv(&self.rails, file)
     }
+}
+
+/// RMS of each block of some rails, and the highest moving RMS in it.
+pub(crate) fn block_csv<'a>(
+    rails: impl IntoIterator<Item = &'a RailAnswer>,
+    file: &mut impl Write,
+) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    let mut header = ["rail", "from_m", "to_m"].map(str::to_owned).to_vec();
+    for what in ["rms", "moving_rms_max"] {
+        header.extend(WavelengthBand::GRINDING.map(|band| {
+            let (from, to) = (1e3 * band.from(), 1e3 * band.to());
+            format!("{what}_{from:.0}_to_{to:.0}_mm_m")
+        }));
+    }
+    writer.write_record(&header)?;
+    for rail in rails {
+        for block in &rail.analysis.blocks {
+            let row = (
+                &rail.name,
+                block.from,
+                block.to,
+                &block.rms,
+                &block.moving_rms_max,
+            );
+            writer.serialize(row)?;
+        }
+    }
+    writer.flush()
+}
+
+/// What to grind of some rails.
+pub(crate) fn grind_csv<'a>(
+    rails: impl IntoIterator<Item = &'a RailAnswer>,
+    file: &mut impl Write,
+) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(file);
+    writer.write_record(["rail", "from_m", "to_m", "worst_band_mm", "rms_over_limit"])?;
+    for rail in rails {
+        for section in &rail.sections {
+            let band = name(&section.band);
+            writer.serialize((&rail.name, section.from, section.to, band, section.ratio))?;
+        }
+    }
+    writer.flush()
 }

@@ -1,0 +1,142 @@
+//! A file of accelerations, heard piece by piece.
+
+use std::path::Path;
+
+use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample};
+use riffel::roughness::{AnalysisSettings, RailAnalysis, WavelengthBand};
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable};
+
+use super::AxleBoxRequest;
+use crate::AnswerError;
+use crate::roughness::rms_limit;
+
+/// What is known of one channel so far.
+pub(super) struct Heard {
+    pub(super) name: String,
+    pub(super) parts: Vec<RailAnalysis>,
+    /// Wavelengths that are known somewhere.
+    pub(super) known: WavelengthBand,
+    slowest: f64,
+    fastest: f64,
+    /// Speed times length \[m²/s\].
+    speed: f64,
+    /// \[m\].
+    length: f64,
+}
+
+impl Heard {
+    fn new(name: &str, known: WavelengthBand) -> Self {
+        Self {
+            name: name.to_owned(),
+            parts: Vec::new(),
+            known,
+            slowest: f64::INFINITY,
+            fastest: 0.0,
+            speed: 0.0,
+            length: 0.0,
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// Lowest, mean and highest speed \[m/s\].
+    pub(super) fn speeds(&self) -> [f64; 3] {
+        [self.slowest, self.speed / self.length, self.fastest]
+    }
+
+    fn add(&mut self, felt: FeltProfile, settings: &AnalysisSettings) -> Result<(), riffel::Error> {
+        let length = felt.profile.length();
+        let known = felt.known;
+        // Less than a spectrum needs, four of its longest waves.
+        if length < 4.0 * settings.longest_wavelength {
+            return Ok(());
+        }
+        let settings = AnalysisSettings {
+            felt: Some(known),
+            ..settings.clone()
+        };
+        self.parts
+            .push(RailAnalysis::new(vec![felt.profile], &settings, &|| ())?);
+        let [slowest, mean, fastest] = felt.speeds;
+        self.slowest = self.slowest.min(slowest);
+        self.fastest = self.fastest.max(fastest);
+        self.speed += mean * length;
+        self.length += length;
+        let (from, to) = (
+            self.known.from().min(known.from()),
+            self.known.to().max(known.to()),
+        );
+        self.known = if self.parts.len() == 1 {
+            known
+        } else {
+            WavelengthBand::new(from, to)?
+        };
+        Ok(())
+    }
+}
+
+/// Hear a file; what was found wrong in it.
+pub(super) fn listen(
+    case: &Case,
+    path: &Path,
+    file: &AxleBoxFile,
+    limits: &[LimitTable],
+    request: &AxleBoxRequest,
+    progress: &dyn Fn(usize),
+    heard: &mut Vec<Heard>,
+) -> Result<Vec<String>, AnswerError> {
+    let analysis = AnalysisSettings {
+        longest_wavelength: request.longest,
+        block: request.block,
+        limit: rms_limit(limits)?,
+        ..AnalysisSettings::default()
+    };
+    let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
+    let settings = request.run(case, file.rate());
+    let asked = WavelengthBand::new(request.shortest, request.longest)?;
+    let mut channels = Vec::new();
+    for name in file.channels() {
+        let place = heard
+            .iter()
+            .position(|one| one.name == *name)
+            .unwrap_or_else(|| {
+                heard.push(Heard::new(name, asked));
+                heard.len() - 1
+            });
+        channels.push((Run::new(&transfer, settings)?, place));
+    }
+    let at_fault = |error: riffel::Error| CaseError::Physics {
+        input: path.display().to_string(),
+        error,
+    };
+    let mut take = |run: &mut Run<'_>, place: usize| -> Result<(), riffel::Error> {
+        for felt in run.finished() {
+            heard[place].add(felt, &analysis)?;
+        }
+        Ok(())
+    };
+    let mut visit = |reading: AxleBoxReading<'_>| {
+        for (index, (run, place)) in channels.iter_mut().enumerate() {
+            match reading {
+                AxleBoxReading::Sample(accelerations, position) => run.push(Sample {
+                    acceleration: accelerations[index],
+                    position,
+                }),
+                AxleBoxReading::Gap => run.interrupt(),
+            }
+            .and_then(|()| take(run, *place))
+            .map_err(at_fault)?;
+        }
+        Ok(())
+    };
+    let warnings = file.read(&mut visit, progress)?;
+    visit(AxleBoxReading::Gap)?;
+    Ok(warnings
+        .into_iter()
+        .map(|warning| format!("{}: {warning}", path.display()))
+        .collect())
+}

@@ -1,0 +1,293 @@
+//! A rail as the axle boxes of a train felt it.
+
+mod document;
+mod figure;
+mod listening;
+mod pads;
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use riffel::axlebox::RunSettings;
+use riffel::contact::ContactFilter;
+use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand};
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use riffel_plot::LineFigure;
+use riffel_rail::{AxleBoxFile, LimitTable};
+
+pub use document::AxleBoxDocument;
+
+use crate::AnswerError;
+use crate::roughness::{Judged, RailAnswer, Verdict, rail_in_words, tables, worst_first};
+use listening::{Heard, listen};
+
+/// What is asked of axle boxes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxleBoxRequest {
+    /// Shortest wavelength \[m\].
+    pub shortest: f64,
+    /// Longest wavelength \[m\].
+    pub longest: f64,
+    /// Lowest speed at which the train is listened to \[m/s\].
+    pub slowest: f64,
+    /// Whether roughness is that of the rail, and not what the patch lets through of it.
+    pub contact_filter: bool,
+    /// Length of a block \[m\].
+    pub block: f64,
+    /// What is ground as one.
+    pub grinding: GrindSettings,
+}
+
+impl Default for AxleBoxRequest {
+    /// As [`RunSettings::at_rate`], in blocks of 10 m.
+    fn default() -> Self {
+        let run = RunSettings::at_rate(1.0);
+        Self {
+            shortest: run.shortest,
+            longest: run.longest,
+            slowest: run.slowest,
+            contact_filter: false,
+            block: 10.0,
+            grinding: GrindSettings::default(),
+        }
+    }
+}
+
+impl AxleBoxRequest {
+    fn run(&self, case: &Case, sampling_rate: f64) -> RunSettings {
+        RunSettings {
+            sampling_rate,
+            shortest: self.shortest,
+            longest: self.longest,
+            slowest: self.slowest,
+            contact_filter: self.contact_filter.then(|| ContactFilter::of(&case.hertz)),
+        }
+    }
+}
+
+/// A band of the level of a one-third octave \[dB re 1 µm\].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelRange {
+    /// The one-third octave.
+    pub band: ThirdOctave,
+    /// With pads as in the case.
+    pub level: f64,
+    /// Lowest and highest with pads of half to twice the stiffness; those of the case where it has no pads.
+    pub range: [f64; 2],
+}
+
+/// A channel with all that was computed of it.
+pub struct AxleBoxRail {
+    /// What is judged, as of a trolley's record.
+    pub rail: RailAnswer,
+    /// Lowest, mean and highest speed \[m/s\].
+    pub speeds: [f64; 3],
+    /// Wavelengths that are known somewhere.
+    pub known: WavelengthBand,
+    /// Levels with what unknown pads leave open.
+    pub levels: Vec<LevelRange>,
+}
+
+/// Roughness from axle-box acceleration.
+pub struct AxleBoxAnswer {
+    /// The files.
+    pub files: Vec<PathBuf>,
+    /// The channels, the worst first.
+    pub rails: Vec<AxleBoxRail>,
+    /// What the reader should know.
+    pub remarks: Vec<String>,
+}
+
+impl AxleBoxAnswer {
+    /// Runs over a line on the track and under the wheel of a case; `progress` is told of bytes read.
+    ///
+    /// Channels of one name are one rail, whatever file they are in. Memory does not grow with the length of the files but by
+    /// a row for each block.
+    ///
+    /// # Errors
+    /// [`AnswerError::Case`] for a file that is refused, with its line, or a train that never runs fast enough;
+    /// [`AnswerError::Argument`] for two tables of RMS limits; [`AnswerError::Physics`] for wavelengths less than an octave
+    /// apart.
+    pub fn new(
+        case: &Case,
+        files: &[(PathBuf, AxleBoxFile)],
+        limits: &[LimitTable],
+        request: &AxleBoxRequest,
+        progress: &dyn Fn(usize),
+    ) -> Result<Self, AnswerError> {
+        let mut heard: Vec<Heard> = Vec::new();
+        let mut remarks = Vec::new();
+        for (path, file) in files {
+            remarks.extend(listen(
+                case, path, file, limits, request, progress, &mut heard,
+            )?);
+        }
+        let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
+            return Self::judged(case, files, limits, request, heard, remarks);
+        };
+        let message = format!(
+            "the train never runs faster than {:.1} km/h long enough for the longest wavelength, {} m",
+            3.6 * request.slowest,
+            request.longest
+        );
+        Err(CaseError::data(path, message).into())
+    }
+
+    fn judged(
+        case: &Case,
+        files: &[(PathBuf, AxleBoxFile)],
+        limits: &[LimitTable],
+        request: &AxleBoxRequest,
+        heard: Vec<Heard>,
+        mut remarks: Vec<String>,
+    ) -> Result<Self, AnswerError> {
+        let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
+        let several = heard.len() > 1;
+        let mut rails = Vec::new();
+        for channel in heard {
+            let (speeds, known, name) = (channel.speeds(), channel.known, channel.name);
+            let Some(analysis) = RailAnalysis::joined(channel.parts) else {
+                continue;
+            };
+            let words = if several {
+                rail_in_words(&name)
+            } else {
+                String::new()
+            };
+            let verdicts = Verdict::all(limits, &analysis.spectrum, &analysis.bands).into_iter();
+            rails.push(AxleBoxRail {
+                levels: pads::ranges(case, &analysis.spectrum, speeds[1])?,
+                speeds,
+                known,
+                rail: RailAnswer {
+                    sections: analysis.grind(&request.grinding),
+                    verdicts: verdicts
+                        .map(|verdict| verdict.on_rail(&name).of(&words))
+                        .collect(),
+                    name,
+                    analysis,
+                },
+            });
+        }
+        worst_first(&mut rails);
+        remarks.extend(validity(case, request));
+        Ok(Self {
+            files: files.iter().map(|(path, _)| path.clone()).collect(),
+            rails,
+            remarks,
+        })
+    }
+
+    /// First and last place of all channels \[m\].
+    pub fn ends(&self) -> [f64; 2] {
+        let stretches = || {
+            self.rails
+                .iter()
+                .flat_map(|rail| &rail.rail.analysis.stretches)
+        };
+        let from = stretches().map(|ends| ends.0).fold(f64::INFINITY, f64::min);
+        let to = stretches()
+            .map(|ends| ends.1)
+            .fold(f64::NEG_INFINITY, f64::max);
+        [from, to]
+    }
+
+    /// Levels with their limit, and the moving RMS along each rail.
+    pub fn figure(&self, case: &Case, limits: &[LimitTable]) -> LineFigure {
+        figure::figure(self, case, limits)
+    }
+
+    /// The answer as data: what `riffel axlebox --json` prints.
+    pub fn document(&self) -> AxleBoxDocument<'_> {
+        document::document(self)
+    }
+
+    /// Levels of each rail, which `riffel roughness`, `diagnose` and `forecast` read.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn spectrum_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(["rail", "wavelength_m", "level_db"])?;
+        for rail in &self.rails {
+            for level in &rail.levels {
+                writer.serialize((&rail.rail.name, level.band.wavelength(), level.level))?;
+            }
+        }
+        writer.flush()
+    }
+
+    /// Levels of each rail with what unknown pads leave open.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn pads_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record([
+            "rail",
+            "wavelength_m",
+            "level_db",
+            "lowest_db",
+            "highest_db",
+        ])?;
+        for rail in &self.rails {
+            for level in &rail.levels {
+                let [lowest, highest] = level.range;
+                let name = &rail.rail.name;
+                writer.serialize((name, level.band.wavelength(), level.level, lowest, highest))?;
+            }
+        }
+        writer.flush()
+    }
+
+    /// RMS of each block, and the highest moving RMS in it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn block_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        tables::block_csv(self.rails.iter().map(|rail| &rail.rail), file)
+    }
+
+    /// What to grind of each rail, the worst first.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn grind_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        tables::grind_csv(self.rails.iter().map(|rail| &rail.rail), file)
+    }
+}
+
+impl Judged for AxleBoxRail {
+    fn verdicts(&self) -> &[Verdict] {
+        &self.rail.verdicts
+    }
+}
+
+/// What the model leaves out.
+fn validity(case: &Case, request: &AxleBoxRequest) -> Vec<String> {
+    let mut remarks = vec![
+        "the roughness is that of rail and wheel together: a wheel that is not round adds its orders at 2πR/n".to_owned(),
+    ];
+    if !request.contact_filter {
+        let patch = 2e3 * case.hertz.semi_axis_longitudinal();
+        remarks.push(format!(
+            "the roughness is what the patch lets through, which is {patch:.0} mm long: the rail itself is rougher at shorter \
+             wavelengths than some five of it; --contact-filter gives it back"
+        ));
+    }
+    if case.file.wheelset.is_some() {
+        remarks.push(
+            "the axle box is taken to move as the wheelset does at the contact: bending of the axle between wheel and box is \
+             left out"
+                .to_owned(),
+        );
+    }
+    if case.file.train.is_some() {
+        remarks.push(
+            "the waves that the other wheels of [train] send along the rail are left out"
+                .to_owned(),
+        );
+    }
+    remarks
+}

@@ -1,0 +1,179 @@
+//! Which columns of a table hold what an axle box felt, and where the train was.
+
+use crate::heading::{Heading, length_in, tokens};
+use crate::length_unit::metres;
+
+/// Standard gravity \[m/s²\] (3rd General Conference on Weights and Measures, 1901).
+const GRAVITY: f64 = 9.806_65;
+
+/// What a column holds, with the size of its unit in SI.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Content {
+    Acceleration(f64),
+    Speed(f64),
+    Odometer(f64),
+    Time(f64),
+}
+
+const ACCELERATION: [&str; 8] = [
+    "acceleration",
+    "accel",
+    "acc",
+    "beschleunigung",
+    "axlebox",
+    "abox",
+    "a",
+    "az",
+];
+const SPEED: [&str; 4] = ["speed", "velocity", "geschwindigkeit", "v"];
+const ODOMETER: [&str; 10] = [
+    "odometer",
+    "odo",
+    "position",
+    "pos",
+    "chainage",
+    "distance",
+    "station",
+    "weg",
+    "x",
+    "kilometrierung",
+];
+const TIME: [&str; 3] = ["time", "zeit", "t"];
+
+/// What the head of a column says; none for a column of something else.
+///
+/// # Errors
+/// A sentence where a column that is needed has no unit known here.
+pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content>, String> {
+    let Some(name) = heading.name(column) else {
+        return Ok(None);
+    };
+    let below = heading.unit_below(column).unwrap_or_default();
+    let written = format!("{name} {below}").to_lowercase();
+    let words = tokens(name);
+    let first = |known: &[&str]| {
+        words
+            .first()
+            .is_some_and(|word| known.contains(&word.as_str()))
+    };
+    let any = |known: &[&str]| {
+        let long = words.iter().filter(|word| word.len() > 2);
+        long.into_iter().any(|word| known.contains(&word.as_str()))
+    };
+    let is = |known: &[&str]| first(known) || any(known);
+    let missing = |example: &str| Err(format!("column `{name}` has no unit; call it {example}"));
+    if is(&ACCELERATION) {
+        return match acceleration(&written) {
+            Some(unit) => Ok(Some(Content::Acceleration(unit))),
+            None => missing("acceleration_m_per_s2 or acceleration_g"),
+        };
+    }
+    if is(&SPEED) {
+        return match speed(&written) {
+            Some(unit) => Ok(Some(Content::Speed(unit))),
+            None => missing("speed_km_per_h or speed_m_per_s"),
+        };
+    }
+    if is(&ODOMETER) {
+        return match length_in(&written).and_then(metres) {
+            Some(unit) => Ok(Some(Content::Odometer(unit))),
+            None => missing("odometer_m or odometer_km"),
+        };
+    }
+    if is(&TIME) {
+        let words = tokens(&written);
+        let unit = words.iter().rev().find_map(|word| match word.as_str() {
+            "s" | "sec" | "seconds" => Some(1.0),
+            "ms" => Some(1e-3),
+            _ => None,
+        });
+        return match unit {
+            Some(unit) => Ok(Some(Content::Time(unit))),
+            None => missing("time_s or time_ms"),
+        };
+    }
+    Ok(None)
+}
+
+fn acceleration(written: &str) -> Option<f64> {
+    const SI: [&str; 7] = ["m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2"];
+    if SI.iter().any(|unit| written.contains(unit)) {
+        return Some(1.0);
+    }
+    tokens(written)
+        .iter()
+        .rev()
+        .find_map(|word| match word.as_str() {
+            "g" | "gn" => Some(GRAVITY),
+            "mg" => Some(1e-3 * GRAVITY),
+            _ => None,
+        })
+}
+
+fn speed(written: &str) -> Option<f64> {
+    let has = |units: &[&str]| units.iter().any(|unit| written.contains(unit));
+    if has(&["km/h", "km_h", "kmh", "km_per_h", "kph"]) {
+        Some(1.0 / 3.6)
+    } else if has(&["mph", "mi/h"]) {
+        Some(0.447_04)
+    } else if has(&["m/s", "m_s", "m_per_s", "mps"]) {
+        Some(1.0)
+    } else {
+        None
+    }
+}
+
+/// What the head calls a channel, without its unit and the words that all have.
+pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
+    const OF_ALL: [&str; 9] = ["m", "s2", "s", "per", "g", "mg", "gn", "box", "axle"];
+    let words = tokens(heading.name(column).unwrap_or_default());
+    let own: Vec<String> = words
+        .into_iter()
+        .filter(|word| !ACCELERATION.contains(&word.as_str()) && !OF_ALL.contains(&word.as_str()))
+        .collect();
+    match own.is_empty() {
+        true => format!("column {}", column + 1),
+        false => own.join(" "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::Delimiter;
+
+    fn of(name: &str) -> Result<Option<Content>, String> {
+        let heading = Heading::read(
+            &[format!("{name};other").as_bytes()],
+            Delimiter::Semicolon,
+            2,
+            2,
+        );
+        content(&heading, 0)
+    }
+
+    #[test]
+    fn heads_are_understood() {
+        for (name, expected) in [
+            ("acceleration_m_per_s2", Content::Acceleration(1.0)),
+            ("Beschleunigung links [m/s²]", Content::Acceleration(1.0)),
+            ("acc left (g)", Content::Acceleration(GRAVITY)),
+            ("speed_km_per_h", Content::Speed(1.0 / 3.6)),
+            ("v [m/s]", Content::Speed(1.0)),
+            ("odometer_km", Content::Odometer(1e3)),
+            ("time_s", Content::Time(1.0)),
+            ("t [ms]", Content::Time(1e-3)),
+        ] {
+            assert_eq!(of(name), Ok(Some(expected)), "{name}");
+        }
+        assert_eq!(of("temperature_c"), Ok(None));
+        for (name, part) in [
+            ("acceleration left", "acceleration_g"),
+            ("speed", "speed_km_per_h"),
+            ("odometer", "odometer_m"),
+            ("time", "time_s"),
+        ] {
+            assert!(of(name).unwrap_err().contains(part), "{name}");
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Whether a sensor of acceleration is well.
+
+use crate::refusal::Refusal;
+
+/// Time for which a channel that is alive keeps no value to the last digit \[s\].
+const DEAD: f64 = 0.05;
+/// Equal samples at the end of the range from which a channel is clipped.
+const CLIPPED_RUN: usize = 3;
+/// Share of samples that may be clipped.
+const MOST_CLIPPED: f64 = 0.01;
+/// Standard gravity \[m/s²\].
+const GRAVITY: f64 = 9.806_65;
+/// How near the mean of a channel is to gravity that it feels, as a share.
+const NEAR: f64 = 0.03;
+
+/// A channel as it is listened to, sample by sample.
+pub(super) struct Sensor {
+    name: String,
+    /// Samples for which no value stays.
+    patience: usize,
+    last: f64,
+    same: usize,
+    count: usize,
+    sum: f64,
+    square: f64,
+    dead: usize,
+    dead_from: usize,
+    /// At the highest and at the lowest value.
+    ends: [End; 2],
+}
+
+/// One end of the range.
+#[derive(Clone, Copy)]
+struct End {
+    /// The value, upward.
+    value: f64,
+    run: usize,
+    clipped: usize,
+    line: usize,
+}
+
+impl End {
+    fn listen(&mut self, value: f64, line: usize) {
+        if value > self.value {
+            (self.value, self.clipped) = (value, 0);
+            self.run = 1;
+        } else if value == self.value {
+            self.run += 1;
+            if self.run == CLIPPED_RUN {
+                if self.clipped == 0 {
+                    self.line = line;
+                }
+                self.clipped += CLIPPED_RUN;
+            } else if self.run > CLIPPED_RUN {
+                self.clipped += 1;
+            }
+        } else {
+            self.run = 0;
+        }
+    }
+}
+
+impl Sensor {
+    /// A channel of some name at a sampling rate \[Hz\].
+    pub(super) fn new(name: &str, rate: f64) -> Self {
+        let end = End {
+            value: f64::NEG_INFINITY,
+            run: 0,
+            clipped: 0,
+            line: 0,
+        };
+        Self {
+            name: name.to_owned(),
+            patience: ((DEAD * rate).round() as usize).max(10),
+            last: f64::NAN,
+            same: 0,
+            count: 0,
+            sum: 0.0,
+            square: 0.0,
+            dead: 0,
+            dead_from: 0,
+            ends: [end; 2],
+        }
+    }
+
+    /// Listen to a sample \[m/s²\]; false while the channel keeps one value.
+    pub(super) fn listen(&mut self, value: f64, line: usize) -> bool {
+        self.same = if value == self.last { self.same + 1 } else { 0 };
+        self.last = value;
+        self.count += 1;
+        self.sum += value;
+        self.square += value * value;
+        let alive = self.same < self.patience;
+        if self.same == self.patience {
+            if self.dead == 0 {
+                self.dead_from = line - self.patience.min(line - 1);
+            }
+            self.dead += 1;
+        }
+        if alive {
+            self.ends[0].listen(value, line);
+            self.ends[1].listen(-value, line);
+        }
+        alive
+    }
+
+    /// What is to be said of the channel.
+    ///
+    /// # Errors
+    /// A sentence for one that is clipped too often, or in another unit than is said.
+    pub(super) fn judged(self) -> Result<Vec<String>, Refusal> {
+        let name = &self.name;
+        let mut remarks = Vec::new();
+        let count = self.count.max(1) as f64;
+        let (mean, rms) = (self.sum / count, (self.square / count).sqrt());
+        for (what, other, value) in [("m/s²", "g", 1.0), ("g", "m/s²", GRAVITY * GRAVITY)] {
+            if (mean.abs() / value - 1.0).abs() < NEAR {
+                let shown = if value == 1.0 { mean } else { mean / GRAVITY };
+                return Err(Refusal {
+                    line: None,
+                    message: format!(
+                        "{name}: the mean is {shown:.3} {what}, as gravity is in {other}: the head gives the wrong unit"
+                    ),
+                    help: Some(format!("write {other} into the head of the column")),
+                });
+            }
+        }
+        let clipped: usize = self.ends.iter().map(|end| end.clipped).sum();
+        if clipped > 0 {
+            let share = clipped as f64 / count;
+            let line = self
+                .ends
+                .iter()
+                .filter(|end| end.clipped > 0)
+                .map(|end| end.line);
+            let line = line.min().unwrap_or(0);
+            let highest = self.ends[0].value.max(self.ends[1].value);
+            let message = format!(
+                "{name}: clipped at {highest:.4} m/s² in {clipped} samples, {:.2} %; the first are at line {line}",
+                100.0 * share
+            );
+            if share > MOST_CLIPPED {
+                return Err(Refusal::new(
+                    Some(line),
+                    format!("{message}; at most {:.0} % may be", 100.0 * MOST_CLIPPED),
+                ));
+            }
+            remarks.push(format!("{message}: levels are too low there"));
+        }
+        if self.dead > 0 {
+            let (times, line) = (self.dead, self.dead_from);
+            remarks.push(format!(
+                "{name}: drops out {times} times, keeping one value for more than {:.0} ms; the first is line {line}",
+                1e3 * DEAD
+            ));
+        }
+        // As rough as the worst corrugation at any speed.
+        const MOST: f64 = 2e3;
+        if rms > MOST {
+            return Err(Refusal::new(
+                None,
+                format!(
+                    "{name}: the root mean square is {rms:.0} m/s², more than any axle box has; is its unit right?"
+                ),
+            ));
+        }
+        Ok(remarks)
+    }
+}
