@@ -61,7 +61,11 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
         long.into_iter().any(|word| known.contains(&word.as_str()))
     };
     let is = |known: &[&str]| first(known) || any(known);
-    let missing = |example: &str| Err(format!("column `{name}` has no unit; call it {example}"));
+    let missing = |example: &str| {
+        Err(format!(
+            "column `{name}` has no unit known here; call it {example}"
+        ))
+    };
     if is(&ACCELERATION) {
         return match acceleration(&written) {
             Some(unit) => Ok(Some(Content::Acceleration(unit))),

@@ -8,9 +8,9 @@ use riffel_keys::CaseError;
 use riffel_keys::text_file::Encoding;
 
 use crate::axle_box_columns::{Content, channel_name, content};
+use crate::axle_box_rows::Reader;
 use crate::format::{DecimalMark, Delimiter};
 use crate::refusal::Refusal;
-use crate::sensor::Sensor;
 use crate::sniff::Table;
 use crate::{number, rows};
 
@@ -18,8 +18,6 @@ use crate::{number, rows};
 const HEAD: u64 = 1 << 16;
 /// Longest line \[bytes\].
 const LONGEST_LINE: u64 = 1 << 16;
-/// Largest fall of an odometer that is rounding \[m\].
-const ROUNDING: f64 = 1e-3;
 
 /// What a user says of a file of axle-box acceleration.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -34,21 +32,21 @@ pub struct AxleBoxLayout {
 #[derive(Debug)]
 pub struct AxleBoxFile {
     path: PathBuf,
-    delimiter: Delimiter,
-    decimal: DecimalMark,
-    header_lines: usize,
+    pub(super) delimiter: Delimiter,
+    pub(super) decimal: DecimalMark,
+    pub(super) header_lines: usize,
     /// Column and unit of each channel.
-    channels: Vec<(usize, f64)>,
-    names: Vec<String>,
-    place: PlaceBy,
+    pub(super) channels: Vec<(usize, f64)>,
+    pub(super) names: Vec<String>,
+    pub(super) place: PlaceBy,
     /// Column and unit of the time, unless a rate was given.
-    time: Option<(usize, f64)>,
-    rate: f64,
+    pub(super) time: Option<(usize, f64)>,
+    pub(super) rate: f64,
 }
 
 /// How the file tells where the train is.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum PlaceBy {
+pub(super) enum PlaceBy {
     Odometer(usize, f64),
     Speed(usize, f64),
     /// \[m/s\].
@@ -174,7 +172,10 @@ impl AxleBoxFile {
             .iter()
             .filter(|step| (**step / median - 1.0).abs() < 0.5);
         let (count, sum) = like.fold((0.0, 0.0), |(count, sum), step| (count + 1.0, sum + step));
-        Ok(count / sum)
+        // To nine digits, which is more than times have.
+        let rate: f64 = count / sum;
+        let digits = 10f64.powi(9 - rate.log10().ceil() as i32);
+        Ok((rate * digits).round() / digits)
     }
 
     /// Names of the channels.
@@ -243,185 +244,6 @@ fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
     }
 }
 
-/// What is known while a file is read.
-struct Reader<'a> {
-    file: &'a AxleBoxFile,
-    sensors: Vec<Sensor>,
-    accelerations: Vec<f64>,
-    /// \[m\].
-    position: f64,
-    /// Last speed \[m/s\].
-    speed: Option<f64>,
-    /// Last reading of the odometer \[m\].
-    odometer: Option<f64>,
-    time: Option<f64>,
-    /// Whether the last row was a sample.
-    is_there: bool,
-    rows: usize,
-    leaps: Counted,
-    missing: Counted,
-}
-
-/// How often something was found, and the line of the first time.
-#[derive(Default)]
-struct Counted {
-    count: usize,
-    first: usize,
-}
-
-impl Counted {
-    fn at(&mut self, line: usize) {
-        if self.count == 0 {
-            self.first = line;
-        }
-        self.count += 1;
-    }
-
-    fn remark(&self, what: &str) -> Option<String> {
-        let (count, first) = (self.count, self.first);
-        (count > 0).then(|| format!("{what} {count} times; the first is line {first}"))
-    }
-}
-
-impl<'a> Reader<'a> {
-    fn new(file: &'a AxleBoxFile) -> Self {
-        Self {
-            file,
-            sensors: file
-                .names
-                .iter()
-                .map(|name| Sensor::new(name, file.rate))
-                .collect(),
-            accelerations: vec![0.0; file.channels.len()],
-            position: 0.0,
-            speed: None,
-            odometer: None,
-            time: None,
-            is_there: false,
-            rows: 0,
-            leaps: Counted::default(),
-            missing: Counted::default(),
-        }
-    }
-
-    /// Take in a row; whether there is a gap before what comes next.
-    fn row(&mut self, bytes: &[u8], line: usize) -> Result<bool, Refusal> {
-        let cells = rows::cells(bytes, self.file.delimiter);
-        let decimal = self.file.decimal.byte();
-        let value = |column: usize| {
-            let cell = cells.get(column).ok_or_else(|| {
-                let message = format!("has {} columns, but its head has more", cells.len());
-                Refusal::new(Some(line), message)
-            })?;
-            if cell.is_empty() {
-                return Ok(f64::NAN);
-            }
-            number::parse(cell, decimal).ok_or_else(|| {
-                let shown = String::from_utf8_lossy(cell);
-                let message = format!("column {} is \"{shown}\", not a number", column + 1);
-                Refusal::new(Some(line), message)
-            })
-        };
-        self.rows += 1;
-        let mut there = true;
-        for (index, &(column, unit)) in self.file.channels.iter().enumerate() {
-            let acceleration = unit * value(column)?;
-            self.accelerations[index] = acceleration;
-            there &= acceleration.is_finite();
-        }
-        let mut leap = false;
-        if let Some((column, unit)) = self.file.time {
-            let time = unit * value(column)?;
-            if let Some(before) = self.time {
-                let steps = (time - before) * self.file.rate;
-                if steps <= 0.0 {
-                    let message = format!("the time falls from {before} s to {time} s");
-                    return Err(Refusal::new(Some(line), message));
-                }
-                leap = steps > 1.5;
-            }
-            there &= time.is_finite();
-            self.time = Some(time).filter(|time| time.is_finite()).or(self.time);
-        }
-        there &= match self.file.place {
-            PlaceBy::Constant(speed) => self.advance(speed),
-            PlaceBy::Speed(column, unit) => self.with_speed(unit * value(column)?, line)?,
-            PlaceBy::Odometer(column, unit) => self.with_odometer(unit * value(column)?, line)?,
-        };
-        if leap {
-            self.leaps.at(line);
-        }
-        if !there {
-            self.missing.at(line);
-        } else {
-            for (sensor, &acceleration) in self.sensors.iter_mut().zip(&self.accelerations) {
-                there &= sensor.listen(acceleration, line);
-            }
-        }
-        let gap = self.is_there && (leap || !there);
-        self.is_there = there;
-        Ok(gap)
-    }
-
-    /// One sample further at a speed.
-    fn advance(&mut self, speed: f64) -> bool {
-        let before = self.speed.unwrap_or(speed);
-        self.position += 0.5 * (before + speed) / self.file.rate;
-        self.speed = Some(speed);
-        true
-    }
-
-    fn with_speed(&mut self, speed: f64, line: usize) -> Result<bool, Refusal> {
-        if speed.is_nan() {
-            return Ok(false);
-        }
-        if speed < 0.0 {
-            let message = format!("the speed is {speed} m/s, but must be zero or greater");
-            return Err(Refusal::new(Some(line), message));
-        }
-        Ok(self.advance(speed))
-    }
-
-    fn with_odometer(&mut self, odometer: f64, line: usize) -> Result<bool, Refusal> {
-        if odometer.is_nan() {
-            return Ok(false);
-        }
-        if let Some(before) = self.odometer
-            && odometer < before - ROUNDING
-        {
-            let message = format!(
-                "the odometer falls from {before} m to {odometer} m, but must rise; where chainage falls along the \
-                 run, give the speed in its stead"
-            );
-            return Err(Refusal::new(Some(line), message));
-        }
-        self.position = self
-            .odometer
-            .map_or(odometer, |before| before.max(odometer));
-        self.odometer = Some(self.position);
-        Ok(true)
-    }
-
-    /// What is to be said at the end.
-    fn finish(self) -> Result<Vec<String>, Refusal> {
-        let mut remarks: Vec<String> = [
-            self.leaps.remark("the time leaps"),
-            self.missing.remark("a value is missing"),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        if self.missing.count == self.rows {
-            let message = "every row lacks a value that is needed";
-            return Err(Refusal::new(Some(self.file.header_lines + 1), message));
-        }
-        for sensor in self.sensors {
-            remarks.extend(sensor.judged()?);
-        }
-        Ok(remarks)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -486,7 +308,7 @@ mod tests {
         let (samples, gaps, _, remarks) = read(&leaping, AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (2000, 1));
         assert!(
-            remarks[0].contains("leaps 1 times; the first is line 503"),
+            remarks[0].contains("leaps once, at line 503"),
             "{remarks:?}"
         );
         let dead = table(HEAD, |row, values| {
@@ -496,7 +318,7 @@ mod tests {
         });
         let (samples, gaps, _, remarks) = read(&dead, AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (1850, 1));
-        assert!(remarks[0].contains("drops out 1 times"), "{remarks:?}");
+        assert!(remarks[0].contains("drops out once"), "{remarks:?}");
         assert!(remarks[0].contains("line 802"), "{remarks:?}");
     }
 
@@ -525,7 +347,7 @@ mod tests {
             ),
             (
                 table(HEAD, |_, values| values[1] = values[1].min(3.0)),
-                "clipped at",
+                "clipped at 3.0000 m/s² in",
             ),
             (
                 table(HEAD, |_, values| values[1] = 0.01 * values[1] + 1.0),

@@ -19,6 +19,7 @@
 
 mod axle_box_columns;
 mod axle_box_file;
+mod axle_box_rows;
 mod built_in;
 mod chainage;
 mod date;

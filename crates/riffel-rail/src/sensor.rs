@@ -134,9 +134,14 @@ impl Sensor {
                 .filter(|end| end.clipped > 0)
                 .map(|end| end.line);
             let line = line.min().unwrap_or(0);
-            let highest = self.ends[0].value.max(self.ends[1].value);
+            let at: Vec<String> = [(1.0, self.ends[0]), (-1.0, self.ends[1])]
+                .into_iter()
+                .filter(|(_, end)| end.clipped > 0)
+                .map(|(sign, end)| format!("{:.4} m/s²", sign * end.value))
+                .collect();
             let message = format!(
-                "{name}: clipped at {highest:.4} m/s² in {clipped} samples, {:.2} %; the first are at line {line}",
+                "{name}: clipped at {} in {clipped} samples, {:.2} %; the first are at line {line}",
+                at.join(" and "),
                 100.0 * share
             );
             if share > MOST_CLIPPED {
@@ -148,11 +153,14 @@ impl Sensor {
             remarks.push(format!("{message}: levels are too low there"));
         }
         if self.dead > 0 {
+            let keeping = format!("keeping one value for more than {:.0} ms", 1e3 * DEAD);
             let (times, line) = (self.dead, self.dead_from);
-            remarks.push(format!(
-                "{name}: drops out {times} times, keeping one value for more than {:.0} ms; the first is line {line}",
-                1e3 * DEAD
-            ));
+            remarks.push(match times {
+                1 => format!("{name}: drops out once, {keeping}, at line {line}"),
+                _ => {
+                    format!("{name}: drops out {times} times, {keeping}; the first is line {line}")
+                }
+            });
         }
         // As rough as the worst corrugation at any speed.
         const MOST: f64 = 2e3;

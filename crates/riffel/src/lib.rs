@@ -13,8 +13,8 @@
 //! | wear | [`EnergyWear`] | |
 //! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
 //!
-//! What is on the rail already, measured, is in [`roughness`]; what may have made it, in [`diagnosis`]; what
-//! becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the
+//! What is on the rail already, measured, is in [`roughness`]; as a train feels it, in [`axlebox`]; what may have made it, in
+//! [`diagnosis`]; what becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the
 //! creepages of its contacts, is in [`curving`]; where wheels touch rails, in [`profile`]. Large amplitudes, followed
 //! through time, are in [`passage`].
 //!

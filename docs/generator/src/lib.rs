@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 23] = [
+const COMMANDS: [&str; 24] = [
     "init",
     "point",
     "map",
@@ -25,6 +25,7 @@ const COMMANDS: [&str; 23] = [
     "curve",
     "contact",
     "roughness",
+    "axlebox",
     "diagnose",
     "report",
     "forecast",

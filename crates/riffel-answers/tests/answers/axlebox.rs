@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, RunSettings, Sample};
 use riffel::roughness::{
-    BandPass, ColouredNoise, PowerSpectrum, Profile, Recipe, Spectrum, WavelengthBand,
+    AnalysisSettings, BandPass, ColouredNoise, PowerSpectrum, Profile, RailAnalysis, Recipe,
+    Spectrum, WavelengthBand,
 };
 use riffel_case::{Case, NOMINAL_CASE};
 
@@ -34,10 +35,16 @@ const QUIET: Journey = Journey {
 };
 
 fn case() -> Case {
+    with_pads(280.0)
+}
+
+/// The case with pads of a stiffness \[MN/m\].
+fn with_pads(stiffness: f64) -> Case {
+    let pad = format!(r#"track.pad={{ stiffness = "{stiffness} MN/m", damping = "63 kNs/m" }}"#);
     let keys = [
         "track.model=two-layer",
         "track.support_spacing=0.6 m",
-        "track.pad={ stiffness = \"280 MN/m\", damping = \"63 kNs/m\" }",
+        pad.as_str(),
         "track.sleeper={ mass = \"110 kg\" }",
         "track.ballast={ stiffness = \"180 MN/m\", damping = \"82 kNs/m\" }",
     ];
@@ -45,7 +52,7 @@ fn case() -> Case {
     Case::parse("nominal", NOMINAL_CASE, &keys).unwrap()
 }
 
-/// A rail with the levels of a line that is due for grinding: 5 dB re 1 µm at 100 mm, 20 dB more in a decade of
+/// A rail with the levels of a line that is due for grinding: 5 dB re 1 µm at 100 mm, 15 dB more in a decade of
 /// wavelength.
 fn rail(length: f64) -> Profile {
     let recipe = Recipe {
@@ -172,11 +179,13 @@ fn errors(case: &Case, journey: &Journey) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The largest error of any band \[dB\].
-fn worst(errors: &[(f64, f64)]) -> f64 {
-    errors
-        .iter()
-        .fold(0.0, |worst, error| worst.max(error.1.abs()))
+/// The largest error of any band \[dB\]; prints a row of the book's table, with the mean of their sizes.
+fn worst(kilometres: f64, errors: &[(f64, f64)]) -> f64 {
+    let sizes = || errors.iter().map(|error| error.1.abs());
+    let worst = sizes().fold(0.0, f64::max);
+    let mean = sizes().sum::<f64>() / errors.len() as f64;
+    println!("{kilometres} km/h: worst {worst:.2} dB, mean {mean:.2} dB, {errors:.2?}");
+    worst
 }
 
 /// Exact but for the regularisation, which takes up to 0.1 dB, and for the window of 8 m: 0.31 dB at worst.
@@ -190,7 +199,7 @@ fn a_known_rail_is_found_again() {
         };
         let errors = errors(&case, &journey);
         assert_eq!(errors.len(), 13);
-        assert!(worst(&errors) < 0.4, "{kilometres} km/h: {errors:.2?}");
+        assert!(worst(kilometres, &errors) < 0.4, "{errors:.2?}");
     }
 }
 
@@ -199,7 +208,7 @@ fn a_known_rail_is_found_again() {
 #[test]
 fn a_known_rail_is_found_again_under_a_common_train() {
     let case = case();
-    for kilometres in [40.0, 80.0, 120.0] {
+    for kilometres in [40.0, 60.0, 80.0, 100.0, 120.0] {
         let journey = Journey {
             speed: kilometres / 3.6,
             drift: 0.2,
@@ -209,9 +218,8 @@ fn a_known_rail_is_found_again_under_a_common_train() {
             ..QUIET
         };
         let errors = errors(&case, &journey);
-        println!("{kilometres} km/h: {errors:.2?}");
         assert!(errors.len() >= 12);
-        assert!(worst(&errors) < 1.5, "{kilometres} km/h: {errors:.2?}");
+        assert!(worst(kilometres, &errors) < 1.5, "{errors:.2?}");
     }
 }
 
@@ -249,6 +257,27 @@ fn the_transfer_has_its_limits() {
     let expected = (mass * (rail + case.feedback.contact_stiffness().recip())).inv();
     let ratio = transfer.at(fast, 20.0) / expected;
     assert!((ratio - 1.0).norm() < 0.02, "{ratio}");
+}
+
+/// A wheel 2.5 m away adds to the roughness felt less than a quarter of its own, on this track: between 50 Hz and 2 kHz at most
+/// −12.8 dB, and −18.5 dB in the mean.
+#[test]
+fn neighbours_are_heard_less() {
+    let case = case();
+    let track = case.track.structure.clone().unwrap();
+    let loudness: Vec<f64> = (0..=64)
+        .map(|step| {
+            let frequency = TAU * 50.0 * 40f64.powf(f64::from(step) / 64.0);
+            let [rail, wheel] = case.feedback.normal_receptances(frequency, 20.0);
+            let compliance = rail + wheel + case.feedback.contact_stiffness().recip();
+            (track.cross_receptance(frequency, 0.0, 2.5) / compliance).norm_sqr()
+        })
+        .collect();
+    let decibels = |value: f64| 10.0 * value.log10();
+    let loudest = decibels(loudness.iter().copied().fold(0.0, f64::max));
+    let mean = decibels(loudness.iter().sum::<f64>() / loudness.len() as f64);
+    println!("neighbours: loudest {loudest:.2} dB, mean {mean:.2} dB");
+    assert!(loudest < -12.5 && mean < -18.0, "{loudest} {mean}");
 }
 
 /// A stand, a gap and a crawl part the run; what is too slow is left out; long runs come in pieces that join.
@@ -289,4 +318,81 @@ fn a_run_comes_in_pieces() {
     );
     let end = second.profile.start() + second.profile.length();
     assert!((third.profile.start() - end).abs() < 1e-6, "{end}");
+}
+
+/// RMS \[m\] between 30 and 100 mm in blocks of 10 m.
+fn blocks(profile: Profile, felt: WavelengthBand) -> Vec<f64> {
+    let settings = AnalysisSettings {
+        longest_wavelength: 0.4,
+        felt: Some(felt),
+        ..AnalysisSettings::default()
+    };
+    let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
+    let rms = analysis.blocks.iter().filter_map(|block| block.rms[1]);
+    rms.collect()
+}
+
+/// How often blocks of 10 m are found to be over a limit of 10 µm between 30 and 100 mm, by how far they are over it:
+/// 12 km at 72 km/h under a common train, waves of 50 mm whose level changes from block to block by up to 6 dB either way, with
+/// the pads of the track, and with pads taken for half and twice as stiff. This is the table of the book:
+/// `cargo test -p riffel-answers --test answers detection -- --ignored --nocapture`.
+#[test]
+#[ignore = "makes a table of the book, in a quarter of a minute"]
+fn detection() {
+    const LIMIT: f64 = 10e-6;
+    const LENGTH: f64 = 3000.0;
+    let case = case();
+    let heard_on = [280.0, 140.0, 560.0].map(with_pads);
+    // By whole decibels from −5 to 5: blocks, and those found over the limit on each case.
+    let mut counts = [[0u32; 4]; 11];
+    let mut seed = 3u64;
+    for journey in 0..4 {
+        let mut heights = rail(LENGTH + 1.0).heights().to_vec();
+        let mut amplitude = 0.0;
+        for (index, height) in heights.iter_mut().enumerate() {
+            if index % 10_000 == 0 {
+                seed = seed.wrapping_mul(6364136223846793005).wrapping_add(journey);
+                let even = (seed >> 11) as f64 / (1u64 << 53) as f64;
+                amplitude = 2f64.sqrt() * LIMIT * 10f64.powf((12.0 * even - 6.0) / 20.0);
+            }
+            *height += amplitude * (TAU * 1e-3 * index as f64 / 0.05).sin();
+        }
+        let rail = Profile::new(0.0, 1e-3, heights).unwrap();
+        let journey = Journey {
+            length: LENGTH,
+            rate: 5000.0,
+            drift: 0.1,
+            noise: 0.5,
+            out_of_round: 50e-6,
+            ..QUIET
+        };
+        let samples = signal(&case, &journey, &rail);
+        for (place, other) in heard_on.iter().enumerate() {
+            for found in felt(other, RunSettings::at_rate(journey.rate), &samples) {
+                let end = found.profile.start() + found.profile.length();
+                let there = rail.between(found.profile.start(), end).unwrap();
+                let there = blocks(there, found.known);
+                for (there, found) in there.iter().zip(blocks(found.profile, found.known)) {
+                    let over = (20.0 * (there / LIMIT).log10()).round();
+                    if (-5.0..=5.0).contains(&over) {
+                        let row = &mut counts[(over + 5.0) as usize];
+                        row[0] += u32::from(place == 0);
+                        row[1 + place] += u32::from(found > LIMIT);
+                    }
+                }
+            }
+        }
+    }
+    println!(
+        "| over the limit | blocks | found | pads taken for half as stiff | for twice as stiff |"
+    );
+    for (row, over) in counts.iter().zip(-5..) {
+        let share = |count: u32| 100.0 * f64::from(count) / f64::from(row[0]);
+        let [all, own, soft, stiff] = *row;
+        let shares = [own, soft, stiff].map(|count| format!("{:.0} %", share(count)));
+        println!("| {over} dB | {all} | {} |", shares.join(" | "));
+    }
+    let share = |place: usize| f64::from(counts[place][1]) / f64::from(counts[place][0]);
+    // 1 dB and more away from the limit.
+    assert!(share(3) < 0.05 && share(7) > 0.95, "{counts:?}");
 }

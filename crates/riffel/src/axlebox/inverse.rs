@@ -18,8 +18,8 @@ const STEP: f64 = 0.005;
 /// ```
 ///
 /// Where the wheel hardly moves, on a rail that gives way in its stead, 1/T makes roughness of whatever else the sensor
-/// has. G is 1/T but for 1 % where |T| is T₀; it takes 3 dB off a line at which |T| is 20 dB below T₀, and more below.
-/// Levels of one-third octaves can only become lower by it. Of a contact filter |F|², T is taken with √|F|².
+/// has. G is 1/T but for 1 % where |T| is T₀, 0.09 dB; it takes 6 dB off a line at which |T| is 20 dB below T₀, and more
+/// below. Levels of one-third octaves can only become lower by it. Of a contact filter |F|², T is taken with √|F|².
 ///
 /// Method: a table in steps of 0.5 %, between which G is linear; cost some thousand transfers.
 #[derive(Debug, Clone)]

@@ -11,10 +11,13 @@
 //! the roughness out along the rail by the odometer afterwards. What comes out is a [`FeltProfile`], which goes where the
 //! profile of a trolley goes, within the wavelengths that it knows.
 //!
-//! What the wheel feels is the sum of the roughness of rail and wheel, averaged over the patch. Not told apart are the wheel's
-//! own roughness, whose orders have the wavelengths 2πR/n; what the other wheel of the axle does, which is as good as nothing
-//! where the axle bends more easily than the track, and which makes a rigid axle feel up to half of the other rail; and the
-//! waves that neighbouring wheels send along the rail, which reach this wheel a few decibels down per metre.
+//! What the wheel feels is the sum of the roughness of rail and wheel, averaged over the patch. Not told apart are
+//!
+//! * the wheel's own roughness, whose orders have the wavelengths 2πR/n;
+//! * what the other wheel of the axle feels. Of a rigid wheelset of the mass M and the roll inertia J with contacts at ±s it comes
+//!   over by (1/M − s²/J)/(1/M + s²/J), which is nothing where the mass is at the wheels; axles that bend bring it over about
+//!   their resonances;
+//! * the waves that neighbouring wheels send along the rail, |H_r(d)/(H_r + H_w + 1/k_H)| of their roughness at the distance d.
 
 mod felt_profile;
 mod inverse;
