@@ -506,10 +506,22 @@ pub(crate) struct Profile {
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel curve case.toml --set \"curve.radius=300 m\"")]
+#[command(
+    after_help = "Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json"
+)]
 pub(crate) struct Curve {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
+
+    /// Radii of the picture and its table, separated by commas, above zero to the right, each at the lateral acceleration of
+    /// the case [default: from a fifth to twenty times that of the case].
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true
+    )]
+    pub(crate) radius: Vec<Quantity<Length>>,
 
     /// Folder for the results, made if need be [default: CASE-curve].
     #[arg(short, long, value_name = "DIR")]

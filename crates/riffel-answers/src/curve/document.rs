@@ -1,7 +1,7 @@
 //! A bogie in its curve as data.
 
 use riffel::Rail;
-use riffel::curving::{WheelState, WheelsetState};
+use riffel::curving::{BogieState, SecondContact, WheelState, WheelsetState};
 use riffel_keys::Remark;
 use serde::Serialize;
 
@@ -10,6 +10,18 @@ use super::CurveAnswer;
 /// What `riffel curve --json` prints.
 #[derive(Serialize)]
 pub struct CurveDocument {
+    #[serde(flatten)]
+    equilibrium: Equilibrium,
+    continuation: Vec<Step>,
+    other_equilibria: Vec<Other>,
+    remarks: Vec<Remark>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    over_radius: Option<Vec<AtRadius>>,
+}
+
+/// A bogie in equilibrium.
+#[derive(Serialize)]
+pub(super) struct Equilibrium {
     wheelsets: Vec<Wheelset>,
     wheels: Vec<Wheel>,
     frame: Frame,
@@ -19,9 +31,14 @@ pub struct CurveDocument {
     drive_power_w: f64,
     curving_resistance_n: f64,
     residual: f64,
-    continuation: Vec<Step>,
-    other_equilibria: Vec<Other>,
-    remarks: Vec<Remark>,
+}
+
+/// The equilibrium at a radius; null where none is found.
+#[derive(Serialize)]
+pub(super) struct AtRadius {
+    pub(super) radius_m: f64,
+    pub(super) speed_m_per_s: f64,
+    pub(super) equilibrium: Option<Equilibrium>,
 }
 
 #[derive(Serialize)]
@@ -48,7 +65,25 @@ struct Wheel {
     contact_angle_rad: f64,
     rolling_radius_m: f64,
     on_two_points: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    second_contact: Option<Second>,
     vertical_load_n: f64,
+    normal_force_n: f64,
+    longitudinal_force_n: f64,
+    lateral_force_n: f64,
+    track_lateral_force_n: f64,
+    tractive_ratio: f64,
+    t_gamma_n: f64,
+}
+
+/// The contact of the larger angle of a wheel that stands on two points.
+#[derive(Serialize)]
+struct Second {
+    longitudinal_creepage: f64,
+    lateral_creepage: f64,
+    spin_1_per_m: f64,
+    contact_angle_rad: f64,
+    rolling_radius_m: f64,
     normal_force_n: f64,
     longitudinal_force_n: f64,
     lateral_force_n: f64,
@@ -89,10 +124,34 @@ pub(crate) fn rail_name(rail: Rail) -> &'static str {
 }
 
 impl CurveDocument {
-    pub(super) fn new(answer: &CurveAnswer) -> Self {
-        let state = &answer.state;
+    pub(super) fn new(answer: &CurveAnswer, over_radius: Option<Vec<AtRadius>>) -> Self {
+        let steps = answer.state.continuation.iter();
+        let others = answer.others.iter();
+        Self {
+            equilibrium: Equilibrium::new(&answer.state, answer.bogie.curve.speed),
+            continuation: steps
+                .map(|step| Step {
+                    fraction: step.fraction,
+                    residual: step.residual,
+                    iterations: step.iterations,
+                })
+                .collect(),
+            other_equilibria: others
+                .map(|other| Other {
+                    lateral_shift_m: other.wheelsets.map(|wheelset| wheelset.lateral_shift),
+                    yaw_rad: other.wheelsets.map(|wheelset| wheelset.yaw),
+                    residual: other.residual,
+                })
+                .collect(),
+            remarks: answer.remarks.clone(),
+            over_radius,
+        }
+    }
+}
+
+impl Equilibrium {
+    pub(super) fn new(state: &BogieState, speed: f64) -> Self {
         let wheelsets = state.wheelsets.iter().enumerate();
-        let steps = state.continuation.iter();
         Self {
             wheelsets: wheelsets
                 .map(|(index, wheelset)| Wheelset::new(index + 1, wheelset))
@@ -107,25 +166,8 @@ impl CurveDocument {
             normal_acceleration_m_s2: state.normal_acceleration,
             frictional_power_w: state.frictional_power,
             drive_power_w: state.drive_power,
-            curving_resistance_n: state.curving_resistance(answer.bogie.curve.speed),
+            curving_resistance_n: state.curving_resistance(speed),
             residual: state.residual,
-            continuation: steps
-                .map(|step| Step {
-                    fraction: step.fraction,
-                    residual: step.residual,
-                    iterations: step.iterations,
-                })
-                .collect(),
-            remarks: answer.remarks.clone(),
-            other_equilibria: answer
-                .others
-                .iter()
-                .map(|other| Other {
-                    lateral_shift_m: other.wheelsets.map(|wheelset| wheelset.lateral_shift),
-                    yaw_rad: other.wheelsets.map(|wheelset| wheelset.yaw),
-                    residual: other.residual,
-                })
-                .collect(),
         }
     }
 }
@@ -157,8 +199,27 @@ impl Wheel {
             spin_1_per_m: state.creepages.spin,
             contact_angle_rad: state.contact_angle,
             rolling_radius_m: state.rolling_radius,
-            on_two_points: state.on_two_points,
+            on_two_points: state.on_two_points(),
+            second_contact: state.second_contact.as_ref().map(Second::new),
             vertical_load_n: state.vertical_load,
+            normal_force_n: state.normal_force,
+            longitudinal_force_n: state.creep_forces.longitudinal,
+            lateral_force_n: state.creep_forces.lateral,
+            track_lateral_force_n: state.track_lateral_force,
+            tractive_ratio: state.tractive_ratio,
+            t_gamma_n: state.t_gamma,
+        }
+    }
+}
+
+impl Second {
+    fn new(state: &SecondContact) -> Self {
+        Self {
+            longitudinal_creepage: state.creepages.longitudinal,
+            lateral_creepage: state.creepages.lateral,
+            spin_1_per_m: state.creepages.spin,
+            contact_angle_rad: state.contact_angle,
+            rolling_radius_m: state.rolling_radius,
             normal_force_n: state.normal_force,
             longitudinal_force_n: state.creep_forces.longitudinal,
             lateral_force_n: state.creep_forces.lateral,

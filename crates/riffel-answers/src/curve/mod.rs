@@ -39,13 +39,15 @@ impl CurveAnswer {
         })
     }
 
-    /// The bogie in curves of other radii.
-    pub fn over_radius(&self) -> OverRadius {
-        OverRadius::new(&self.bogie)
+    /// The bogie in curves of other radii \[m\], none of them zero, each at the lateral acceleration of the case; by default
+    /// from a fifth to twenty times that of the case.
+    pub fn over_radius(&self, radii: Option<&[f64]>) -> OverRadius {
+        OverRadius::new(&self.bogie, radii)
     }
 
-    /// What `riffel curve --json` prints.
-    pub fn document(&self) -> CurveDocument {
-        CurveDocument::new(self)
+    /// What `riffel curve --json` prints, with equilibria at listed radii \[m\].
+    pub fn document(&self, radii: Option<&[f64]>) -> CurveDocument {
+        let over_radius = radii.map(|radii| self.over_radius(Some(radii)).document());
+        CurveDocument::new(self, over_radius)
     }
 }

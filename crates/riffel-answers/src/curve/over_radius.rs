@@ -2,20 +2,23 @@
 
 use std::io::{self, Write};
 
+use riffel::contact::{CreepForces, Creepages};
 use riffel::curving::{BogieInCurve, BogieState, Curve, WheelState};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 
-use super::document::rail_name;
+use super::document::{AtRadius, Equilibrium, rail_name};
 
 /// Radii that are computed.
 const RADII: usize = 81;
 /// Tightest and widest of them over that of the case.
 const REACH: [f64; 2] = [0.2, 20.0];
 
-/// The bogie of a case in curves of other radii to the same side, each run through at the speed that has the lateral
+/// The bogie of a case in curves of other radii, each run through at the speed that has the lateral
 /// acceleration of the case.
 pub struct OverRadius {
     radius: f64,
+    /// Whether the radii are listed, not a range.
+    listed: bool,
     points: Vec<Point>,
 }
 
@@ -26,15 +29,22 @@ struct Point {
 }
 
 impl OverRadius {
-    pub(super) fn new(bogie: &BogieInCurve) -> Self {
-        let radius = bogie.curve.radius.abs();
+    /// At radii \[m\]; by default from a fifth to twenty times that of the case, to its side.
+    pub(super) fn new(bogie: &BogieInCurve, radii: Option<&[f64]>) -> Self {
+        let radius = bogie.curve.radius;
         let [tightest, widest] = REACH;
-        let points = (0..RADII).map(|index| {
-            let place = index as f64 / (RADII - 1) as f64;
-            let factor = tightest * (widest / tightest).powf(place);
+        let usual = || -> Vec<f64> {
+            let place = |index: usize| index as f64 / (RADII - 1) as f64;
+            (0..RADII)
+                .map(|index| radius * tightest * (widest / tightest).powf(place(index)))
+                .collect()
+        };
+        let listed = radii.is_some();
+        let radii = radii.map_or_else(usual, <[f64]>::to_vec);
+        let points = radii.into_iter().map(|of_curve| {
             let curve = Curve {
-                radius: factor * bogie.curve.radius,
-                speed: factor.sqrt() * bogie.curve.speed,
+                radius: of_curve,
+                speed: (of_curve / radius).abs().sqrt() * bogie.curve.speed,
                 ..bogie.curve
             };
             let moved = BogieInCurve {
@@ -47,12 +57,28 @@ impl OverRadius {
             }
         });
         Self {
-            radius,
+            radius: radius.abs(),
+            listed,
             points: points.collect(),
         }
     }
 
-    /// One row for each radius and wheel; rows without an equilibrium are left out.
+    /// The equilibrium at each radius.
+    pub(super) fn document(&self) -> Vec<AtRadius> {
+        let points = self.points.iter();
+        points
+            .map(|point| AtRadius {
+                radius_m: point.curve.radius,
+                speed_m_per_s: point.curve.speed,
+                equilibrium: point
+                    .state
+                    .as_ref()
+                    .map(|state| Equilibrium::new(state, point.curve.speed)),
+            })
+            .collect()
+    }
+
+    /// One row for each radius and contact; a wheel on two points has two. Rows without an equilibrium are left out.
     ///
     /// # Errors
     /// Those of the file.
@@ -63,6 +89,7 @@ impl OverRadius {
             "speed_m_per_s",
             "wheelset",
             "rail",
+            "contact",
             "lateral_shift_m",
             "yaw_rad",
             "angle_of_attack_rad",
@@ -84,43 +111,68 @@ impl OverRadius {
             };
             for wheel in &state.wheels {
                 let wheelset = &state.wheelsets[wheel.wheelset - 1];
-                writer.serialize((
-                    (point.curve.radius, point.curve.speed, wheel.wheelset),
-                    rail_name(wheel.rail),
-                    [
-                        wheelset.lateral_shift,
-                        wheelset.yaw,
-                        wheelset.angle_of_attack,
-                    ],
-                    [
-                        wheel.creepages.longitudinal,
-                        wheel.creepages.lateral,
-                        wheel.creepages.spin,
-                        wheel.contact_angle,
-                        wheel.rolling_radius,
-                    ],
+                let mut row = |contact: usize,
+                               creepages: Creepages,
+                               place: [f64; 2],
+                               forces: CreepForces,
+                               rest: [f64; 4]| {
+                    let [normal_force, track_lateral_force, tractive_ratio, t_gamma] = rest;
+                    writer.serialize((
+                        (point.curve.radius, point.curve.speed, wheel.wheelset),
+                        (rail_name(wheel.rail), contact),
+                        [
+                            wheelset.lateral_shift,
+                            wheelset.yaw,
+                            wheelset.angle_of_attack,
+                        ],
+                        [creepages.longitudinal, creepages.lateral, creepages.spin],
+                        place,
+                        [normal_force, forces.longitudinal, forces.lateral],
+                        [track_lateral_force, tractive_ratio, t_gamma],
+                    ))
+                };
+                row(
+                    1,
+                    wheel.creepages,
+                    [wheel.contact_angle, wheel.rolling_radius],
+                    wheel.creep_forces,
                     [
                         wheel.normal_force,
-                        wheel.creep_forces.longitudinal,
-                        wheel.creep_forces.lateral,
                         wheel.track_lateral_force,
                         wheel.tractive_ratio,
                         wheel.t_gamma,
                     ],
-                ))?;
+                )?;
+                if let Some(second) = &wheel.second_contact {
+                    row(
+                        2,
+                        second.creepages,
+                        [second.contact_angle, second.rolling_radius],
+                        second.creep_forces,
+                        [
+                            second.normal_force,
+                            second.track_lateral_force,
+                            second.tractive_ratio,
+                            second.t_gamma,
+                        ],
+                    )?;
+                }
             }
         }
         writer.flush()
     }
 
-    /// Shift, angle of attack, share of friction and wear number over the radius.
+    /// Shift, angle of attack, share of friction and wear number over the radius: lines, marks for listed radii.
     pub fn figure(&self) -> LineFigure {
+        let of_case = match self.listed {
+            true => String::new(),
+            false => format!("; the line stands at the case, R = {:.0} m", self.radius),
+        };
         LineFigure {
             title: "Bogie in curves".to_owned(),
             caption: format!(
                 "Wheelset 1 leads. Each radius at the lateral acceleration of the case, the speed in proportion to \
-                 √R; the line stands at the case, R = {:.0} m.",
-                self.radius
+                 √R{of_case}."
             ),
             panels: vec![
                 self.of_wheelsets("lateral shift y [mm]", |state, index| {
@@ -129,8 +181,8 @@ impl OverRadius {
                 self.of_wheelsets("angle of attack [mrad]", |state, index| {
                     1e3 * state.wheelsets[index].angle_of_attack
                 }),
-                self.of_wheels("|Q|/μP [-]", |wheel| wheel.tractive_ratio),
-                self.of_wheels("wear number Tγ [N]", |wheel| wheel.t_gamma),
+                self.of_wheels("|Q|/μP [-]", share_of_friction),
+                self.of_wheels("wear number Tγ [N]", WheelState::whole_t_gamma),
             ],
             arrangement: Arrangement::Stacked,
         }
@@ -157,11 +209,15 @@ impl OverRadius {
     }
 
     fn series(&self, label: &str, style: LineStyle, value: impl Fn(&BogieState) -> f64) -> Series {
-        let found = self.points.iter().filter_map(|point| {
-            let state = point.state.as_ref()?;
-            Some((point.curve.radius.abs(), value(state)))
-        });
-        let (x, y) = found.unzip();
+        let at = |point: &Point| {
+            let state = point.state.as_ref();
+            (point.curve.radius.abs(), state.map_or(f64::NAN, &value))
+        };
+        let (x, y) = self.points.iter().map(at).unzip();
+        let style = match self.listed {
+            true => LineStyle::Markers,
+            false => style,
+        };
         Series {
             label: label.to_owned(),
             x,
@@ -178,11 +234,26 @@ impl OverRadius {
             x_scale: Scale::Log,
             y_scale: Scale::Linear,
             series,
-            marks: vec![Mark {
-                x: self.radius,
-                label: String::new(),
-            }],
+            marks: match self.listed {
+                true => Vec::new(),
+                false => vec![Mark {
+                    x: self.radius,
+                    label: String::new(),
+                }],
+            },
             ..LinePanel::default()
+        }
+    }
+}
+
+/// Σ|Q| over Σ μP of the contacts of a wheel, continuous where one takes the load of the other.
+fn share_of_friction(wheel: &WheelState) -> f64 {
+    match &wheel.second_contact {
+        None => wheel.tractive_ratio,
+        Some(second) => {
+            (wheel.tractive_ratio * wheel.normal_force
+                + second.tractive_ratio * second.normal_force)
+                / (wheel.normal_force + second.normal_force)
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What the reader of an equilibrium should know.
 
-use riffel::curving::{BogieInCurve, BogieState, Creep};
+use riffel::curving::{BogieInCurve, BogieState, Creep, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
 
@@ -40,19 +40,28 @@ pub(super) fn of(case: &CurvingCase, bogie: &BogieInCurve, state: &BogieState) -
     let most = state
         .wheels
         .iter()
-        .fold(0.0_f64, |most, wheel| most.max(wheel.tractive_ratio));
+        .flat_map(|wheel| {
+            let second = wheel.second_contact.map(|second| second.tractive_ratio);
+            [Some(wheel.tractive_ratio), second]
+        })
+        .flatten()
+        .fold(0.0, f64::max);
     if linear && most > 1.0 {
         remarks.push(Remark::new(
             format!("creep_law = \"linear\" knows no friction: creep forces reach {most:.2} of μP"),
             format!("creep_law = \"linear\" kennt keine Reibung: Schlupfkräfte erreichen {most:.2} von μP"),
         ));
     }
+    let wear_of = |wheel: &WheelState| {
+        let second = wheel.second_contact.map_or(0.0, |second| second.t_gamma);
+        wheel.t_gamma.min(second)
+    };
     let least = state
         .wheels
         .iter()
-        .min_by(|one, other| one.t_gamma.total_cmp(&other.t_gamma));
-    if let Some(wheel) = least.filter(|wheel| wheel.t_gamma < 0.0) {
-        let (wheelset, rail, wear) = (wheel.wheelset, rail_name(wheel.rail), wheel.t_gamma);
+        .min_by(|one, other| wear_of(one).total_cmp(&wear_of(other)));
+    if let Some(wheel) = least.filter(|wheel| wear_of(wheel) < 0.0) {
+        let (wheelset, rail, wear) = (wheel.wheelset, rail_name(wheel.rail), wear_of(wheel));
         remarks.push(Remark::new(
             format!(
                 "Tγ of wheel {wheelset} {rail} is {wear:.3} N: it is Qx ξx + Qy ξy without the moment of spin, and spin, not \

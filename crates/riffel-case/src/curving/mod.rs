@@ -13,6 +13,7 @@ use riffel::curving::{BogieInCurve, BogieState};
 use riffel_keys::{CaseError, Remark, text_file};
 
 use self::build::is_cone;
+use crate::Case;
 use crate::case_text::CaseText;
 use crate::file::CurvingFile;
 
@@ -47,6 +48,17 @@ impl CurvingCase {
     /// As [`read`](Self::read).
     pub fn parse(name: &str, text: &str, overrides: &[String]) -> Result<Self, CaseError> {
         Self::build(name, Path::new(""), text, overrides)
+    }
+
+    /// The tables of curving of an ordinary case, with overrides after those it was read with.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn of_case(case: &Case, overrides: &[String]) -> Result<Self, CaseError> {
+        let mut text = case.unfilled.clone();
+        text.apply(overrides)?;
+        let folder = case.keys.folder.as_deref().unwrap_or(Path::new(""));
+        Self::of_text(text, folder)
     }
 
     fn build(
@@ -89,6 +101,18 @@ impl CurvingCase {
     /// [`CaseError`] for a key that is missing or has a value that is not allowed, and for profiles that do not touch.
     pub fn bogie_in_curve(&self) -> Result<BogieInCurve, CaseError> {
         self.build_bogie()
+    }
+
+    /// The first of radii \[m\] in which the bogie of the case does not fit, or that is no number.
+    pub fn radius_that_no_curve_has(&self, radii: &[f64]) -> Option<f64> {
+        const WIDEST: f64 = 1e7;
+        let wheelbase = self
+            .file
+            .bogie
+            .as_ref()
+            .map_or(0.0, |bogie| bogie.wheelbase.si());
+        let fits = |radius: &f64| radius.abs() > wheelbase && radius.abs() <= WIDEST;
+        radii.iter().copied().find(|radius| !fits(radius))
     }
 
     /// The equilibrium of a bogie of this case.

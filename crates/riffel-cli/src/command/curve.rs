@@ -1,16 +1,19 @@
 //! `riffel curve`
 
 use riffel::Rail;
+use riffel::contact::{CreepForces, Creepages};
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
 
 use crate::arguments::Curve;
+use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{json, table};
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
     let case = arguments.case.read_curving()?;
+    let radii = radii(arguments, &case)?;
     let answer = CurveAnswer::new(&case)?;
     let results = Results {
         command: "curve",
@@ -19,9 +22,9 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
         json: arguments.json,
     };
     results.hand_out(
-        || json(&answer.document()),
+        || json(&answer.document(radii.as_deref())),
         |staging| {
-            let over_radius = answer.over_radius();
+            let over_radius = answer.over_radius(radii.as_deref());
             staging.write_figure("curve", &over_radius.figure())?;
             staging.write_with("curve.csv", |file| over_radius.csv(file))
         },
@@ -30,6 +33,19 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
     print_remarks(&case.remarks);
     print_remarks(&answer.remarks);
     Ok(())
+}
+
+/// The radii that are listed \[m\]; none where none are.
+fn radii(arguments: &Curve, case: &CurvingCase) -> miette::Result<Option<Vec<f64>>> {
+    let listed: Vec<f64> = arguments.radius.iter().map(|radius| radius.si()).collect();
+    if let Some(radius) = case.radius_that_no_curve_has(&listed) {
+        Err(CliError::Argument {
+            argument: "--radius",
+            value: format!("{radius} m"),
+            rule: "larger than the wheelbase, to either side, and at most 10000 km".to_owned(),
+        })?;
+    }
+    Ok((!listed.is_empty()).then_some(listed))
 }
 
 /// The equilibrium for the terminal.
@@ -62,21 +78,48 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         "Tγ N",
     ];
     let mut wheels = table(&head);
-    for wheel in &state.wheels {
-        let rail = rail_name(wheel.rail);
-        let creepages = wheel.creepages;
+    let mut row = |wheel: String,
+                   creepages: Creepages,
+                   angle: f64,
+                   force: f64,
+                   creep: CreepForces,
+                   shares: [f64; 2]| {
         wheels.add_row([
-            format!("{} {rail}", wheel.wheelset),
+            wheel,
             format!("{:.4}", 100.0 * creepages.longitudinal),
             format!("{:.4}", 100.0 * creepages.lateral),
             format!("{:.3}", creepages.spin),
-            format!("{:.1}", wheel.contact_angle.to_degrees()),
-            format!("{:.1}", 1e-3 * wheel.normal_force),
-            format!("{:.2}", 1e-3 * wheel.creep_forces.longitudinal),
-            format!("{:.2}", 1e-3 * wheel.creep_forces.lateral),
-            format!("{:.3}", wheel.tractive_ratio),
-            format!("{:.1}", wheel.t_gamma),
+            format!("{:.1}", angle.to_degrees()),
+            format!("{:.1}", 1e-3 * force),
+            format!("{:.2}", 1e-3 * creep.longitudinal),
+            format!("{:.2}", 1e-3 * creep.lateral),
+            format!("{:.3}", shares[0]),
+            format!("{:.1}", shares[1]),
         ]);
+    };
+    for wheel in &state.wheels {
+        let name = format!("{} {}", wheel.wheelset, rail_name(wheel.rail));
+        let shares = [wheel.tractive_ratio, wheel.t_gamma];
+        row(
+            name.clone(),
+            wheel.creepages,
+            wheel.contact_angle,
+            wheel.normal_force,
+            wheel.creep_forces,
+            shares,
+        );
+        if let Some(second) = &wheel.second_contact {
+            let shares = [second.tractive_ratio, second.t_gamma];
+            let name = format!("{name}, second");
+            row(
+                name,
+                second.creepages,
+                second.contact_angle,
+                second.normal_force,
+                second.creep_forces,
+                shares,
+            );
+        }
     }
     text += &format!(
         "{wheelsets}\n{wheels}\nlargest residual {:.0e} of the load of a wheel",
@@ -86,12 +129,15 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         0 => "; straight track does not lead here, other starts do\n".to_owned(),
         steps => format!(", in {steps} steps from straight track\n"),
     };
-    for wheel in state.wheels.iter().filter(|wheel| wheel.on_two_points) {
-        let rail = rail_name(wheel.rail);
-        text += &format!(
-            "wheelset {} stands on two points of the {rail} wheel: one contact between them stands for both\n",
-            wheel.wheelset
-        );
+    for wheel in &state.wheels {
+        if let Some(second) = &wheel.second_contact {
+            let rail = rail_name(wheel.rail);
+            let share = 100.0 * second.normal_force / (wheel.normal_force + second.normal_force);
+            text += &format!(
+                "wheelset {} stands on two points of the {rail} wheel, {share:.0} % of their normal forces on the second\n",
+                wheel.wheelset
+            );
+        }
     }
     text += &match &answer.others[..] {
         [] => "no other equilibrium found\n".to_owned(),

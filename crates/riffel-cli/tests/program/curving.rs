@@ -10,7 +10,7 @@ fn curve_and_its_table_hold_the_same() {
     let sandbox = Sandbox::new();
     let written = sandbox.riffel(&format!("curve {CASE} --json -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
-    let document = sandbox.json(&format!("curve {CASE} --json"));
+    let document = sandbox.json(&format!("curve {CASE} --json --radius \"300 m,-300 m\""));
     let first = &document["wheelsets"][0];
     // The leading wheelset of a stiff bogie runs on its outer flange, with its nose to the outside.
     assert!(first["lateral_shift_m"].as_f64().unwrap() < -5e-3);
@@ -26,6 +26,23 @@ fn curve_and_its_table_hold_the_same() {
         .map(|wheel| wheel["t_gamma_n"].as_f64().unwrap())
         .sum();
     assert!((sum * 60.0 / 3.6 / power - 1.0).abs() < 1e-12);
+    // At listed radii, the first that of the case, the second its mirror image.
+    let over_radius = document["over_radius"].as_array().unwrap();
+    let state = |index: usize| &over_radius[index]["equilibrium"];
+    assert_eq!(state(0)["wheels"], document["wheels"]);
+    let shift = |index: usize| {
+        state(index)["wheelsets"][0]["lateral_shift_m"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!((shift(0) + shift(1)).abs() < 1e-10);
+    let refused = sandbox.riffel(&format!("curve {CASE} --radius 2"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(
+        refused.sentence().contains("larger than the wheelbase"),
+        "{}",
+        refused.text
+    );
     // Above the case and below it the table has radii; wear falls with the radius.
     let table = std::fs::read_to_string(sandbox.path("out/curve.csv")).unwrap();
     let rows: Vec<Vec<&str>> = table
@@ -201,6 +218,53 @@ fn profiles_of_files_are_those_of_their_names() {
     let curve = sandbox.json(&format!("curve {case} --json"));
     assert!(curve["residual"].as_f64().unwrap() < 1e-10);
     assert!(curve["wheelsets"][0]["lateral_shift_m"].as_f64().unwrap() < 0.0);
+}
+
+/// In a tight curve S1002 stands on tread and flange of 60E1, at the shift at which both touch; the document, the words and
+/// the table tell both contacts, and their forces carry the load of the wheel.
+#[test]
+fn tight_curves_stand_on_two_points() {
+    let sandbox = Sandbox::new();
+    let tight = "--set curve.radius=150 --set bogie.primary_longitudinal_stiffness=\"10 MN/m\" --set curve.cant=\"100 mm\" --set curve.speed=\"11.6 m/s\"";
+    let case = format!("curve cases/profiles.toml {tight} --radius 150");
+    let document = sandbox.json(&format!("{case} --json"));
+    let number = |value: &serde_json::Value, key: &str| value[key].as_f64().unwrap();
+    let wheel = &document["wheels"][0];
+    assert_eq!(wheel["on_two_points"], true);
+    let second = &wheel["second_contact"];
+    assert!(number(wheel, "normal_force_n") > 0.0 && number(second, "normal_force_n") > 0.0);
+    // Near 70 degrees, the flange of S1002.
+    assert!((number(second, "contact_angle_rad").to_degrees() - 70.0).abs() < 0.2);
+    let carried = |contact: &serde_json::Value| {
+        let angle = number(contact, "contact_angle_rad");
+        number(contact, "normal_force_n") * angle.cos()
+            + number(contact, "lateral_force_n") * angle.sin()
+    };
+    let load = number(wheel, "vertical_load_n");
+    assert!((carried(wheel) + carried(second) - load).abs() < 1e-9 * load);
+    assert!(number(&document, "residual") < 1e-10);
+    let wheels = document["wheels"].as_array().unwrap();
+    let wear: f64 = wheels
+        .iter()
+        .flat_map(|wheel| [wheel, &wheel["second_contact"]])
+        .filter_map(|contact| contact["t_gamma_n"].as_f64())
+        .sum();
+    assert!((wear * 11.6 / number(&document, "frictional_power_w") - 1.0).abs() < 1e-12);
+    let written = sandbox.riffel(&format!("{case} -o out"));
+    assert!(written.text.contains("1 left, second"), "{}", written.text);
+    assert!(
+        written
+            .text
+            .contains("wheelset 1 stands on two points of the left wheel"),
+        "{}",
+        written.text
+    );
+    let table = std::fs::read_to_string(sandbox.path("out/curve.csv")).unwrap();
+    let contacts = 4 + wheels
+        .iter()
+        .filter(|wheel| wheel["on_two_points"] == true)
+        .count();
+    assert_eq!(table.lines().count(), 1 + contacts);
 }
 
 /// Profiles that cannot be end in one sentence.

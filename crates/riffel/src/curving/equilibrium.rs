@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use super::newton::{Root, root};
 use super::state::ContinuationStep;
+use super::way;
 use super::wheel_on_rail::{WheelOnRail, WheelsetMotion, wheel_on_rail};
 use super::{
-    Bogie, BogieState, Creep, Curve, FrameState, RunningSurfaces, WheelState, WheelsetState,
+    Bogie, BogieState, Creep, Curve, FrameState, RunningSurfaces, TwoPoints, WheelState,
+    WheelsetState,
 };
 use crate::{Error, Rail};
 
@@ -66,7 +68,8 @@ pub struct FlangeSpring {
     pub stiffness: f64,
 }
 
-/// Places of the unknowns: shift, yaw and rotation of both wheelsets, shift and yaw of the frame, normal forces.
+/// Places of the unknowns: [`way`] across the track, yaw and rotation of both wheelsets, shift and yaw of the frame, sums of
+/// the normal forces of the wheels.
 const UNKNOWNS: usize = 12;
 const FRAME: usize = 6;
 const NORMAL: usize = 8;
@@ -85,7 +88,9 @@ impl BogieInCurve {
     /// grow together; where that way breaks off, one found from other starts.
     ///
     /// Method: Newton with halved steps, steps of the continuation halved where it fails. Unknown are y, ψ and Ω of both
-    /// wheelsets, y and ψ of the frame and four normal forces. Cost: 0.2 ms with a closed creep law.
+    /// wheelsets, y and ψ of the frame and the normal forces of four wheels. Where a wheel stands on two points y is held,
+    /// and the share of each in the normal force takes its place as unknown, 0 to 1: both are what complementarity asks.
+    /// Cost: 0.2 ms with a closed creep law.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a value that no bogie has; [`Error::OffTheRails`] for an equilibrium beyond
@@ -174,6 +179,14 @@ impl BogieInCurve {
         0.5 * self.bogie.mass_per_axle * super::GRAVITY
     }
 
+    /// Shifts at which a wheel stands on two points.
+    fn two_points(&self) -> &[TwoPoints] {
+        match &self.kinematics {
+            Kinematics::Linear { .. } => &[],
+            Kinematics::Nonlinear { surfaces, .. } => surfaces.two_points(),
+        }
+    }
+
     fn scales(&self) -> [f64; UNKNOWNS] {
         let load = self.static_load();
         let wheelset = [1e-3, 1e-3, 1e-3];
@@ -187,8 +200,8 @@ impl BogieInCurve {
     fn start(&self, fraction: f64, shifts: [f64; 2]) -> [f64; UNKNOWNS] {
         let [left, right] = self.loads(fraction);
         let mut start = [0.0; UNKNOWNS];
-        start[0] = shifts[0];
-        start[3] = shifts[1];
+        start[0] = way::coordinate(self.two_points(), shifts[0]);
+        start[3] = way::coordinate(self.two_points(), shifts[1]);
         start[FRAME] = 0.5 * (shifts[0] + shifts[1]);
         start[NORMAL..].copy_from_slice(&[left, right, left, right]);
         start
@@ -283,17 +296,19 @@ impl BogieInCurve {
             } else {
                 -0.5 * wheelbase
             };
+            let place = way::place(self.two_points(), own[0]);
+            let lateral_shift = place.lateral_shift;
             let motion = WheelsetMotion {
                 curvature,
                 half_spacing,
                 reference_radius: self.bogie.rolling_radii[1],
-                lateral_shift: own[0],
+                lateral_shift,
                 yaw: own[1],
                 rotation: own[2],
             };
             let inertial = self.bogie.wheelset_mass * outward;
-            let flange = self.flange_force(own[0]);
-            let suspension = -lateral_stiffness * (own[0] - frame_shift - ahead * frame_yaw);
+            let flange = self.flange_force(lateral_shift);
+            let suspension = -lateral_stiffness * (lateral_shift - frame_shift - ahead * frame_yaw);
             let suspension_moment = -yaw_stiffness * (own[1] + ahead * curvature - frame_yaw);
             on_frame -= suspension;
             moment_on_frame -= suspension_moment + ahead * suspension;
@@ -301,15 +316,22 @@ impl BogieInCurve {
             let mut moment = 0.0;
             let mut torque = fraction * self.bogie.drive_torque[index];
             for (side, rail) in Rail::BOTH.into_iter().enumerate() {
-                let place = NORMAL + 2 * index + side;
-                let normal_force = unknowns[place];
+                let row = NORMAL + 2 * index + side;
+                let normal_force = unknowns[row];
                 if normal_force <= 0.0 || normal_force.is_nan() {
                     return Ok(None);
                 }
                 let radius = self.bogie.rolling_radii[side];
                 let creep = &self.creep[side];
-                let wheel =
-                    wheel_on_rail(rail, radius, &motion, normal_force, &self.kinematics, creep)?;
+                let wheel = wheel_on_rail(
+                    rail,
+                    radius,
+                    &motion,
+                    &place,
+                    normal_force,
+                    &self.kinematics,
+                    creep,
+                )?;
                 let Some(wheel) = wheel else {
                     return Ok(None);
                 };
@@ -321,17 +343,17 @@ impl BogieInCurve {
                 } = wheel;
                 state.wheelset = index + 1;
                 state.vertical_load = loads[side];
-                lateral -= state.track_lateral_force;
+                lateral -= state.whole_track_lateral_force();
                 moment += yaw_moment;
                 torque += own_torque;
-                residuals[place] = (carried - loads[side]) / load;
+                residuals[row] = (carried - loads[side]) / load;
                 wheels.push(state);
             }
             residuals[3 * index] = lateral / load;
             residuals[3 * index + 1] = (moment + suspension_moment) / (load * half_spacing);
             residuals[3 * index + 2] = torque / (load * self.bogie.rolling_radii[1]);
             wheelsets.push(WheelsetState {
-                lateral_shift: own[0],
+                lateral_shift,
                 yaw: own[1],
                 angle_of_attack: -own[1] * self.curve.side(),
                 rotation_ratio: 1.0 + own[2],
@@ -388,7 +410,7 @@ impl BogieInCurve {
                 * balance
                     .wheels
                     .iter()
-                    .map(|wheel| wheel.t_gamma)
+                    .map(WheelState::whole_t_gamma)
                     .sum::<f64>(),
             drive_power: (0..2)
                 .map(|index| turn(index) * self.bogie.drive_torque[index])

@@ -5,8 +5,11 @@
 //! middle of the chord between the points of the centre line under both axles, yaw from the tangent in the middle of
 //! the bogie. Longitudinal creepage is positive in braking, and forces on the rail go along the slip.
 //!
-//! Left out: roll of the wheelset and of the frame, contact at two points of one wheel, the moment of spin, stiffness
-//! of the secondary suspension against yaw (a moment on the frame stands for it).
+//! Where the contact of a wheel jumps from one place to another the wheel stands on both, at one lateral shift: both normal
+//! forces are unknown, neither below zero, each with creepages, spin and forces of its own. Wheel and rail are rigid.
+//!
+//! Left out: roll of the wheelset and of the frame, the moment of spin, stiffness of the secondary suspension against yaw
+//! (a moment on the frame stands for it).
 //!
 //! ```
 //! use std::sync::Arc;
@@ -55,6 +58,7 @@ mod limits;
 mod newton;
 mod running_surfaces;
 mod state;
+mod way;
 mod wheel_on_rail;
 
 pub use bogie::Bogie;
@@ -63,8 +67,12 @@ pub use creep::Creep;
 pub use curve::{Curve, GRAVITY};
 pub use equilibrium::{BogieInCurve, ContactPlane, FlangeSpring, Kinematics};
 pub use limits::{FARTHEST_SHIFT, LARGEST_YAW};
-pub use running_surfaces::{Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces};
-pub use state::{BogieState, ContinuationStep, FrameState, WheelState, WheelsetState};
+pub use running_surfaces::{
+    Cone, ConeWithFlangePlane, RollingPosition, RunningSurfaces, TwoPoints,
+};
+pub use state::{
+    BogieState, ContinuationStep, FrameState, SecondContact, WheelState, WheelsetState,
+};
 
 #[cfg(test)]
 mod tests;

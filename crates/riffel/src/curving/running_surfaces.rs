@@ -11,8 +11,17 @@ pub struct RollingPosition {
     pub contact_angle: f64,
     /// Curvature of wheel and rail together across the track \[1/m\], where it is known.
     pub lateral_curvature: Option<f64>,
-    /// Whether the wheel stands on two points, between which radius and angle are a mean.
-    pub on_two_points: bool,
+}
+
+/// A lateral shift at which a wheel stands on two points, past which it stands on the other of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoPoints {
+    /// The rail of the wheel.
+    pub rail: Rail,
+    /// The shift \[m\].
+    pub lateral_shift: f64,
+    /// Where it stands below that shift and above it.
+    pub positions: [RollingPosition; 2],
 }
 
 /// The running surfaces of a wheelset on its track, without yaw.
@@ -20,6 +29,11 @@ pub trait RunningSurfaces: Send + Sync {
     /// Where a wheel runs at the lateral shift y \[m\] of its wheelset, positive to the right; none where the wheelset
     /// has left the track.
     fn position(&self, rail: Rail, lateral_shift: f64) -> Option<RollingPosition>;
+
+    /// Shifts at which a wheel stands on two points, in their order; between them positions are continuous.
+    fn two_points(&self) -> &[TwoPoints] {
+        &[]
+    }
 }
 
 /// Conical wheels on edges: r = r₀ ± λy, with one contact angle tan γ = λ.
@@ -35,7 +49,6 @@ impl RunningSurfaces for Cone {
             radius_change: self.conicity * rail.sign() * lateral_shift,
             contact_angle: self.conicity.atan(),
             lateral_curvature: None,
-            on_two_points: false,
         })
     }
 }
@@ -66,7 +79,6 @@ impl RunningSurfaces for ConeWithFlangePlane {
             radius_change: self.conicity * y + rise * climb,
             contact_angle: (self.conicity + rise * (1.0 + reduced.tanh())).atan(),
             lateral_curvature: None,
-            on_two_points: false,
         })
     }
 }

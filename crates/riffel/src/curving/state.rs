@@ -27,7 +27,8 @@ pub struct WheelsetState {
     pub inertial_lateral_force: f64,
 }
 
-/// The contact of one wheel; forces are those on the rail.
+/// The contact of one wheel; forces are those on the rail. Where the wheel stands on two points this is the one of the
+/// smaller contact angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WheelState {
@@ -41,8 +42,8 @@ pub struct WheelState {
     pub contact_angle: f64,
     /// Rolling radius r \[m\].
     pub rolling_radius: f64,
-    /// Whether the wheel stands on two points: this contact lies between them and stands for both.
-    pub on_two_points: bool,
+    /// The other contact of a wheel that stands on two points.
+    pub second_contact: Option<SecondContact>,
     /// Vertical load W \[N\].
     pub vertical_load: f64,
     /// Normal force P \[N\].
@@ -55,6 +56,69 @@ pub struct WheelState {
     pub tractive_ratio: f64,
     /// Dissipated energy per metre Tγ = Q_x ξ_x + Q_y ξ_y \[N\].
     pub t_gamma: f64,
+}
+
+/// The contact of the larger angle of a wheel that stands on two points, as in [`WheelState`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct SecondContact {
+    /// Creepages, lateral and spin in the plane of contact.
+    pub creepages: Creepages,
+    /// Contact angle γ \[rad\].
+    pub contact_angle: f64,
+    /// Rolling radius r \[m\].
+    pub rolling_radius: f64,
+    /// Normal force P \[N\].
+    pub normal_force: f64,
+    /// Tangential force in the axes of the contact \[N\].
+    pub creep_forces: CreepForces,
+    /// Lateral force on the rail in the plane of the track \[N\], of normal and tangential force.
+    pub track_lateral_force: f64,
+    /// |Q|/μP \[-\].
+    pub tractive_ratio: f64,
+    /// Dissipated energy per metre Tγ \[N\].
+    pub t_gamma: f64,
+}
+
+impl WheelState {
+    /// Whether the wheel stands on two points.
+    pub fn on_two_points(&self) -> bool {
+        self.second_contact.is_some()
+    }
+
+    /// Tγ of all contacts of the wheel \[N\].
+    pub fn whole_t_gamma(&self) -> f64 {
+        self.t_gamma + self.second_contact.map_or(0.0, |second| second.t_gamma)
+    }
+
+    /// Lateral force of all contacts of the wheel on the rail, in the plane of the track \[N\].
+    pub fn whole_track_lateral_force(&self) -> f64 {
+        self.track_lateral_force
+            + self
+                .second_contact
+                .map_or(0.0, |second| second.track_lateral_force)
+    }
+
+    /// The state of two contacts, that of the smaller angle first.
+    pub(super) fn joined(self, other: Self) -> Self {
+        let (first, second) = match self.contact_angle <= other.contact_angle {
+            true => (self, other),
+            false => (other, self),
+        };
+        Self {
+            second_contact: Some(SecondContact {
+                creepages: second.creepages,
+                contact_angle: second.contact_angle,
+                rolling_radius: second.rolling_radius,
+                normal_force: second.normal_force,
+                creep_forces: second.creep_forces,
+                track_lateral_force: second.track_lateral_force,
+                tractive_ratio: second.tractive_ratio,
+                t_gamma: second.t_gamma,
+            }),
+            ..first
+        }
+    }
 }
 
 /// The frame in equilibrium.

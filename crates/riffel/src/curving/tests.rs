@@ -6,6 +6,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 
 use super::*;
+use crate::Rail;
 use crate::contact::{CreepEllipse, ShenHedrickElkins};
 
 fn ellipse() -> CreepEllipse {
@@ -45,6 +46,156 @@ fn tilted(shift_moment: bool) -> Kinematics {
         contact_plane: ContactPlane::Tilted { shift_moment },
         flange: None,
     }
+}
+
+/// Conical treads with a conical flange, between which the contact jumps at a shift of 6.2 mm.
+struct ConeAndFlange {
+    two_points: Vec<TwoPoints>,
+}
+
+impl ConeAndFlange {
+    const CONICITY: f64 = 0.05;
+    const SLOPE: f64 = 2.5;
+    const SHIFT: f64 = 6.2e-3;
+    /// The flange's rolling radius is larger by this where both touch \[m\].
+    const DEPTH: f64 = 9e-3;
+
+    fn new() -> Self {
+        let at = |rail: Rail| {
+            let outward = [
+                Self::side(Self::SHIFT, false),
+                Self::side(Self::SHIFT, true),
+            ];
+            let [below, above] = match rail {
+                Rail::Right => outward,
+                Rail::Left => [outward[1], outward[0]],
+            };
+            TwoPoints {
+                rail,
+                lateral_shift: rail.sign() * Self::SHIFT,
+                positions: [below, above],
+            }
+        };
+        Self {
+            two_points: vec![at(Rail::Left), at(Rail::Right)],
+        }
+    }
+
+    fn side(toward: f64, on_flange: bool) -> RollingPosition {
+        let (slope, depth) = match on_flange {
+            true => (
+                Self::SLOPE,
+                Self::CONICITY * Self::SHIFT + Self::DEPTH + Self::SLOPE * (toward - Self::SHIFT),
+            ),
+            false => (Self::CONICITY, Self::CONICITY * toward),
+        };
+        RollingPosition {
+            radius_change: depth,
+            contact_angle: slope.atan(),
+            lateral_curvature: None,
+        }
+    }
+}
+
+impl RunningSurfaces for ConeAndFlange {
+    fn position(&self, rail: Rail, lateral_shift: f64) -> Option<RollingPosition> {
+        let toward = rail.sign() * lateral_shift;
+        Some(Self::side(toward, toward > Self::SHIFT))
+    }
+
+    fn two_points(&self) -> &[TwoPoints] {
+        &self.two_points
+    }
+}
+
+fn on_two_points(radius: f64) -> BogieInCurve {
+    BogieInCurve {
+        curve: Curve {
+            radius,
+            cant: 0.05,
+            speed: (0.6 * radius.abs()).sqrt(),
+        },
+        bogie: bogie(),
+        kinematics: Kinematics::Nonlinear {
+            surfaces: Arc::new(ConeAndFlange::new()),
+            contact_plane: ContactPlane::Tilted {
+                shift_moment: false,
+            },
+            flange: None,
+        },
+        creep: [creep(0.4), creep(0.25)],
+    }
+}
+
+/// From wide curves to tight ones the outer leading wheel goes onto its flange: first on the tread alone, then on both, with a
+/// normal force of the flange that grows from zero without a jump. Complementarity: no force below zero, and a force of the
+/// flange only at the shift of contact. The energy balance holds with both contacts, and the mirror image is one.
+#[test]
+fn a_wheel_goes_onto_its_flange_without_a_jump() {
+    let mut last: Option<(f64, f64)> = None;
+    let mut shares = Vec::new();
+    for step in 0..60 {
+        let radius = 20_000.0 * 0.92_f64.powi(step);
+        let tight = on_two_points(radius);
+        let state = tight.equilibrium().unwrap();
+        assert!(state.residual < 1e-10);
+        let wheel = &state.wheels[0];
+        let flange = wheel
+            .second_contact
+            .map_or(0.0, |second| second.normal_force);
+        let shift = state.wheelsets[0].lateral_shift;
+        assert!(wheel.normal_force > 0.0 && flange >= 0.0);
+        assert_eq!(
+            wheel.on_two_points(),
+            shift == -ConeAndFlange::SHIFT,
+            "{radius} {shift}"
+        );
+        if let Some((before, force)) = last {
+            // Steps of the radius are of 8 %: neither shift nor force leaps by more than a share of its range.
+            assert!(
+                (shift - before).abs() < 1.5e-3,
+                "{radius}: {before} {shift}"
+            );
+            assert!((flange - force).abs() < 1.2e4, "{radius}: {force} {flange}");
+        }
+        last = Some((shift, flange));
+        shares.push(flange / (flange + wheel.normal_force));
+
+        let mirror = BogieInCurve {
+            curve: Curve {
+                radius: -radius,
+                ..tight.curve
+            },
+            creep: [creep(0.25), creep(0.4)],
+            ..tight.clone()
+        };
+        let mirror = mirror.equilibrium().unwrap();
+        assert!((mirror.wheelsets[0].lateral_shift + shift).abs() < 1e-10);
+        let mirrored = mirror.wheels[1]
+            .second_contact
+            .map_or(0.0, |second| second.normal_force);
+        assert!((mirrored - flange).abs() < 1e-3);
+        for (index, wheelset) in state.wheelsets.iter().enumerate() {
+            let [left, right] = [&state.wheels[2 * index], &state.wheels[2 * index + 1]];
+            let along = |wheel: &WheelState| {
+                let second = wheel
+                    .second_contact
+                    .map_or(0.0, |second| second.creep_forces.longitudinal);
+                wheel.creep_forces.longitudinal + second
+            };
+            let turning = 0.75 * (along(right) - along(left));
+            let given = along(left) + along(right) - turning / radius;
+            let taken = left.whole_t_gamma() + right.whole_t_gamma();
+            let scale = 0.5 * bogie().mass_per_axle * GRAVITY;
+            assert!(
+                (given - taken).abs() < 1e-9 * scale,
+                "{given} {taken} {}",
+                wheelset.yaw
+            );
+        }
+    }
+    assert_eq!(shares[0], 0.0);
+    assert!(shares.iter().any(|share| *share > 0.2), "{shares:?}");
 }
 
 /// Wheelsets on springs so soft that they are free, balanced by cant, roll without creepage; the springs' share of the

@@ -1,5 +1,6 @@
 //! One wheel of a yawed wheelset in a curve: its creepages, its forces, and what they do to the wheelset.
 
+use super::way::Place;
 use super::{ContactPlane, Creep, Kinematics, RollingPosition, WheelState};
 use crate::contact::Creepages;
 use crate::{Error, Rail};
@@ -32,11 +33,15 @@ pub(super) struct WheelOnRail {
     pub(super) torque: f64,
 }
 
-/// A wheel of radius r₀ \[m\] under a normal force \[N\]; none off the track.
+/// A point with less than this share of the normal force carries none: rounding, and below the tolerance of equilibrium.
+const NO_SHARE: f64 = 1e-13;
+
+/// A wheel of radius r₀ \[m\] under the sum of its normal forces \[N\]; none off the track.
 pub(super) fn wheel_on_rail(
     rail: Rail,
     radius: f64,
     motion: &WheelsetMotion,
+    place: &Place<'_>,
     normal_force: f64,
     kinematics: &Kinematics,
     creep: &Creep,
@@ -49,21 +54,34 @@ pub(super) fn wheel_on_rail(
             surfaces,
             contact_plane,
             ..
-        } => match surfaces.position(rail, motion.lateral_shift) {
-            // The method tries states on its way at which cones without an end have no radius left.
-            Some(position) if radius + position.radius_change <= 0.0 => Ok(None),
-            Some(position) => nonlinear(
-                rail,
-                radius,
-                motion,
-                normal_force,
-                &position,
-                *contact_plane,
-                creep,
-            )
-            .map(Some),
-            None => Ok(None),
-        },
+        } => {
+            let at = |position: &RollingPosition, force: f64| match radius + position.radius_change
+            {
+                // The method tries states on its way at which cones without an end have no radius left.
+                rolling_radius if rolling_radius <= 0.0 => Ok(None),
+                _ => nonlinear(rail, radius, motion, force, position, *contact_plane, creep)
+                    .map(Some),
+            };
+            let Some((points, share)) = place.two_points(rail) else {
+                let position = surfaces.position(rail, motion.lateral_shift);
+                return position.map_or(Ok(None), |position| at(&position, normal_force));
+            };
+            let [below, above] = points.positions;
+            if share <= NO_SHARE {
+                at(&below, normal_force)
+            } else if share >= 1.0 - NO_SHARE {
+                at(&above, normal_force)
+            } else {
+                let one = at(&below, (1.0 - share) * normal_force)?;
+                let other = at(&above, share * normal_force)?;
+                Ok(one.zip(other).map(|(one, other)| WheelOnRail {
+                    state: one.state.joined(other.state),
+                    carried: one.carried + other.carried,
+                    yaw_moment: one.yaw_moment + other.yaw_moment,
+                    torque: one.torque + other.torque,
+                }))
+            }
+        }
     }
 }
 
@@ -94,7 +112,7 @@ fn linear(
         creepages,
         contact_angle: 0.0,
         rolling_radius: radius + radius_change,
-        on_two_points: false,
+        second_contact: None,
         vertical_load: 0.0,
         normal_force,
         creep_forces: forces,
@@ -156,7 +174,7 @@ fn nonlinear(
         creepages,
         contact_angle: position.contact_angle,
         rolling_radius,
-        on_two_points: position.on_two_points,
+        second_contact: None,
         vertical_load: 0.0,
         normal_force,
         creep_forces: forces,
