@@ -8,6 +8,7 @@
 mod array;
 mod arrays_of_rails;
 mod case;
+mod curving;
 mod diagnosis;
 mod document;
 mod errors;
@@ -29,6 +30,8 @@ mod tables;
 mod _riffel {
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
+    #[pymodule_export]
+    use crate::curving::{contact_geometry, curve, profile};
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from riffel import roughness
     from riffel._case import Case
+    from riffel._curving import contact_geometry, curve, profile
     from riffel._matlab import to_matlab
     from riffel._models import compare_models
     from riffel._receptance import receptance_from_uff
@@ -35,9 +36,12 @@ __all__ = [
     "Study",
     "__version__",
     "compare_models",
+    "contact_geometry",
+    "curve",
     "merge_studies",
     "open_results",
     "presets",
+    "profile",
     "receptance_from_uff",
     "roughness",
     "study_summary",
@@ -52,9 +56,12 @@ _HOMES = {
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
     "compare_models": "riffel._models",
+    "contact_geometry": "riffel._curving",
+    "curve": "riffel._curving",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
     "presets": "riffel._riffel",
+    "profile": "riffel._curving",
     "receptance_from_uff": "riffel._receptance",
     "study_summary": "riffel._study",
     "to_matlab": "riffel._matlab",

@@ -810,6 +810,27 @@ class Case:
             from_vehicle=from_vehicle,
         )
 
+    def curve(self, overrides: Overrides | None = None, *, radius: Quantities | None = None) -> xr.Dataset:
+        """The bogie of the case in its curve; see `riffel.curve`, which also takes files of the tables of curving alone.
+
+        Parameters
+        ----------
+        overrides : mapping, optional
+            Values by dotted key.
+        radius : quantities, optional
+            Radii of curves, above zero to the right; by default that of the case alone.
+
+        Raises
+        ------
+        ValueError
+            For a case without the tables of curving, and for a value that is not allowed.
+        ConvergenceError
+            Where no equilibrium is found at the radius of the case.
+        """
+        from riffel._curving import curve  # noqa: PLC0415  # it takes cases
+
+        return curve(self, overrides, radius=radius)
+
     def noise(
         self,
         spectrum: xr.DataArray,

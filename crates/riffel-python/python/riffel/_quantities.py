@@ -67,6 +67,15 @@ def array(value: Any, name: str, kind: Kind, *, least: float = 0.0) -> Floats:
     return checked(numbers, name, least)
 
 
+def signed(value: Any, name: str, kind: Kind) -> Floats:
+    """Quantities of either sign in SI; a window is one of an array."""
+    if is_scalar(value):
+        value = [value]
+    if isinstance(value, (list, tuple)):
+        value = np.array([_number(item, f"{name}[{index}]", kind) for index, item in enumerate(value)])
+    return array(value, name, kind, least=-np.inf)
+
+
 def real(value: Any, name: str, *, dimensions: int = 1) -> Floats:
     """Real numbers as a contiguous array, without a copy where it is one already."""
     try:

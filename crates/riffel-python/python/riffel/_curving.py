@@ -1,0 +1,294 @@
+"""Profiles of wheels and rails, wheelsets on their track and bogies in curves as `xarray` objects."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from operator import itemgetter
+from typing import Any, TypeAlias
+
+import numpy as np
+import xarray as xr
+
+from riffel import _riffel
+from riffel._case import Case, _plain
+from riffel._quantities import Quantities, Quantity, array, signed
+
+GivenCase: TypeAlias = "Case | str | os.PathLike[str] | Mapping[str, Any]"
+"""A case, a file with the tables of curving, or its keys."""
+
+RAILS = ["left", "right"]
+
+# Keys of the document, with units and long names.
+WHEELS = {
+    "longitudinal_creepage": ("1", "longitudinal creepage, positive in braking"),
+    "lateral_creepage": ("1", "lateral creepage in the plane of contact"),
+    "spin_1_per_m": ("1/m", "spin creepage"),
+    "contact_angle_rad": ("rad", "contact angle"),
+    "rolling_radius_m": ("m", "rolling radius"),
+    "vertical_load_n": ("N", "vertical load"),
+    "normal_force_n": ("N", "normal force"),
+    "longitudinal_force_n": ("N", "longitudinal force on the rail"),
+    "lateral_force_n": ("N", "lateral force on the rail in the plane of contact"),
+    "track_lateral_force_n": ("N", "lateral force on the rail in the plane of the track, to the right positive"),
+    "tractive_ratio": ("1", "share of friction |Q|/(mu P)"),
+    "t_gamma_n": ("N", "wear number T gamma, without the moment of spin"),
+    "on_two_points": ("1", "whether the wheel stands on two points"),
+}
+WHEELSETS = {
+    "lateral_shift_m": ("m", "lateral shift, to the right positive"),
+    "yaw_rad": ("rad", "yaw, nose to the right positive"),
+    "angle_of_attack_rad": ("rad", "angle of attack, nose to the outside positive"),
+    "rotation_ratio": ("1", "rotation over that of pure rolling"),
+    "flange_force_n": ("N", "lateral force of a flange that is a spring"),
+    "suspension_lateral_force_n": ("N", "lateral force of the suspension on the wheelset"),
+    "suspension_yaw_moment_nm": ("N m", "yaw moment of the suspension on the wheelset"),
+}
+WHOLE = {
+    "uncompensated_lateral_acceleration_m_s2": ("m/s2", "lateral acceleration that the cant leaves, outward positive"),
+    "frictional_power_w": ("W", "power of friction"),
+    "drive_power_w": ("W", "power of the torques"),
+    "curving_resistance_n": ("N", "resistance of the curve"),
+    "residual": ("1", "largest residual over the load of a wheel"),
+}
+UNITS = ("_1_per_m", "_m_s2", "_rad", "_nm", "_m", "_n", "_w")
+
+
+def curve(
+    case: GivenCase, overrides: Mapping[str, Any] | None = None, *, radius: Quantities | None = None
+) -> xr.Dataset:
+    """A bogie in its curve: how its wheelsets stand, creepages, forces and wear number of each wheel.
+
+    Parameters
+    ----------
+    case : Case, path-like or mapping
+        A case that holds the tables of curving, a file of these tables, or its keys.
+    overrides : mapping, optional
+        Values by dotted key.
+    radius : quantities, optional
+        Radii of curves, above zero to the right, each run through at the lateral acceleration of the case; by default the
+        radius of the case alone.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``wheelset`` and ``rail``, and over ``radius`` where radii are given; values are NaN in curves in which no
+        equilibrium is found. Of a wheel on two points ``second_…`` is the contact of the larger angle, NaN elsewhere.
+        Attributes tell ``other_equilibria`` and ``remarks`` of the radius of the case.
+
+    Raises
+    ------
+    ValueError
+        For a key or a value that is not allowed.
+    ConvergenceError
+        Where no equilibrium is found at the radius of the case.
+
+    Examples
+    --------
+    >>> bogie = riffel.curve("cases/bogie.toml", radius=["300 m", "1000 m"])
+    >>> bogie["angle_of_attack"].sel(wheelset=1).round(4).values.tolist()
+    [0.008, 0.0021]
+    """
+    radii = None if radius is None else signed(radius, "radius", "length").tolist()
+    title, document = _riffel.curve(_given(case), dict(overrides or {}), radii)
+    states: list[Any] = [document]
+    dimensions: tuple[str, ...] = ()
+    coordinates: dict[str, Any] = {
+        "wheelset": _along("wheelset", [1, 2], "1", "wheelset, 1 leads"),
+        "rail": ("rail", RAILS, {"long_name": "rail"}),
+    }
+    if radii is not None:
+        points = document["over_radius"]
+        states, dimensions = [point["equilibrium"] for point in points], ("radius",)
+        coordinates["radius"] = _along(
+            "radius", [point["radius_m"] for point in points], "m", "radius, to the right positive"
+        )
+        coordinates["speed"] = _along(
+            "radius", [point["speed_m_per_s"] for point in points], "m/s", "speed of the vehicle"
+        )
+
+    variables: dict[str, Any] = {}
+
+    def add(name: str, of: tuple[str, ...], said: dict[str, str], value: Callable[[Any], Any]) -> None:
+        shape = (2,) * len(of)
+        none = np.full(shape, np.nan)
+        values = [none if state is None else np.array(value(state), float).reshape(shape) for state in states]
+        variables[name] = ((*dimensions, *of), np.array(values) if dimensions else values[0], said)
+
+    for key, (units, name) in WHEELS.items():
+        add(_without_unit(key), ("wheelset", "rail"), _said(units, name), partial(_of_wheels, key))
+        if key not in ("vertical_load_n", "on_two_points"):
+            said = _said(units, f"{name}, at the second contact")
+            add(f"second_{_without_unit(key)}", ("wheelset", "rail"), said, partial(_of_second_contacts, key))
+    for key, (units, name) in WHEELSETS.items():
+        add(_without_unit(key), ("wheelset",), _said(units, name), partial(_of_wheelsets, key))
+    for key, (units, name) in WHOLE.items():
+        add(_without_unit(key), (), _said(units, name), itemgetter(key))
+    attributes = {key: document[key] for key in ("other_equilibria", "remarks")}
+    return xr.Dataset(variables, coordinates, {**_titled(title), **attributes})
+
+
+def profile(file: str | os.PathLike[str]) -> xr.Dataset:
+    """The outline of a wheel or a rail.
+
+    Parameters
+    ----------
+    file : str or path-like
+        A nominal name such as ``"S1002"`` or ``"60E1"``, or a file of two columns, in mm or m.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``height``, ``slope`` and ``curvature`` (positive where the outline is hollow seen from above) over ``x``, positive to
+        the field side, every 0.25 mm.
+
+    Raises
+    ------
+    FileNotFoundError
+        If there is no such file.
+    ValueError
+        For points that are no profile, with file and line.
+
+    Examples
+    --------
+    >>> rail = riffel.profile("60E1")
+    >>> crown = rail["height"].idxmax("x")
+    >>> round(float(-1.0 / rail["curvature"].sel(x=crown)), 6)
+    0.3
+    """
+    outline = _riffel.profile(os.fspath(file))["profiles"][0]
+    return xr.Dataset(
+        {
+            "height": ("x", outline["height_m"], _said("m", "height")),
+            "slope": ("x", outline["slope"], _said("1", "slope")),
+            "curvature": ("x", outline["curvature_1_per_m"], _said("1/m", "curvature, positive where hollow from above")),
+        },
+        {"x": _along("x", outline["x_m"], "m", "lateral coordinate, positive to the field side")},
+        {"title": outline["name"]},
+    )
+
+
+def contact_geometry(
+    case: GivenCase,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    lateral_shift: Quantities | None = None,
+    yaw: Quantity = 0.0,
+) -> xr.Dataset:
+    """Where the wheelset of a case touches its track, and its equivalent conicity.
+
+    Parameters
+    ----------
+    case : Case, path-like or mapping
+        As of `curve`; only the tables of wheels and profiles are needed.
+    overrides : mapping, optional
+        Values by dotted key.
+    lateral_shift : quantities, optional
+        To the right positive; by default from -10 to 10 mm every 0.1 mm.
+    yaw : float, optional
+        In rad, nose to the right positive.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``lateral_shift`` and ``rail``: ``rolling_radius``, ``contact_angle``, place on wheel and track, curvatures, and
+        the second point within 0.05 mm, NaN where there is none. ``klingel``, ``harmonic`` and ``regression`` are equivalent
+        conicities over ``amplitude``.
+
+    Raises
+    ------
+    ValueError
+        For profiles that do not fit, and where a wheel has left its rail.
+
+    Examples
+    --------
+    >>> on_track = riffel.contact_geometry("cases/profiles.toml")
+    >>> float(on_track["klingel"].sel(amplitude=0.003).round(4))
+    0.1771
+    """
+    shifts = np.linspace(-0.01, 0.01, 201) if lateral_shift is None else signed(lateral_shift, "lateral_shift", "length")
+    angle = float(signed(yaw, "yaw", "ratio")[0])
+    title, found = _riffel.contact_geometry(_given(case), dict(overrides or {}), shifts.tolist(), angle)
+    sides = {
+        "rolling_radius": ("m", "rolling radius"),
+        "contact_angle": ("rad", "contact angle"),
+        "y_wheel": ("m", "place on the wheel, negative towards the flange"),
+        "x_track": ("m", "place ahead of the axle"),
+        "y_track": ("m", "place to the right of the middle of the track"),
+        "z_track": ("m", "place below the crowns"),
+        "rail_curvature": ("1/m", "curvature of the rail, positive for a convex head"),
+        "wheel_curvature": ("1/m", "curvature of the wheel, positive for a hollow one"),
+        "second_gap": ("m", "gap at the second point"),
+        "second_y_wheel": ("m", "place of the second point on the wheel"),
+    }
+    both = {
+        key: (
+            ("lateral_shift", "rail"),
+            np.array([found[f"{rail}_{key}"] for rail in RAILS], float).T,
+            _said(units, name),
+        )
+        for key, (units, name) in sides.items()
+    }
+    whole = {
+        "roll": ("rad", "roll, right side down positive"),
+        "centre_z": ("m", "lowering of the axle"),
+        "rolling_radius_difference": ("m", "rolling radius, right less left"),
+    }
+    conicity = found["equivalent_conicity"]
+    rules = {rule: ("amplitude", conicity[rule], _said("1", f"equivalent conicity, {rule}"))
+             for rule in ("klingel", "harmonic", "regression")}
+    return xr.Dataset(
+        {
+            **both,
+            **{key: ("lateral_shift", found[key], _said(units, name)) for key, (units, name) in whole.items()},
+            **rules,
+        },
+        {
+            "lateral_shift": _along("lateral_shift", found["lateral_shift"], "m", "lateral shift, to the right positive"),
+            "rail": ("rail", RAILS, {"long_name": "rail"}),
+            "amplitude": _along("amplitude", conicity["amplitude_m"], "m", "amplitude, half of peak to peak"),
+            "yaw": ((), angle, _said("rad", "yaw, nose to the right positive")),
+        },
+        _titled(title),
+    )
+
+
+def _of_wheels(key: str, state: Mapping[str, Any]) -> list[float]:
+    return [wheel[key] for wheel in state["wheels"]]
+
+
+def _of_second_contacts(key: str, state: Mapping[str, Any]) -> list[float]:
+    """What the second contacts of wheels on two points have; NaN for those on one."""
+    return [wheel.get("second_contact", {}).get(key, np.nan) for wheel in state["wheels"]]
+
+
+def _of_wheelsets(key: str, state: Mapping[str, Any]) -> list[float]:
+    return [wheelset[key] for wheelset in state["wheelsets"]]
+
+
+def _given(case: GivenCase) -> _riffel.Case | dict[str, Any] | str:
+    if isinstance(case, Case):
+        return case._case
+    if isinstance(case, Mapping):
+        return _plain(case)
+    return os.fspath(case)
+
+
+def _said(units: str, name: str) -> dict[str, str]:
+    return {"units": units, "long_name": name}
+
+
+def _along(dimension: str, values: Sequence[float], units: str, name: str) -> tuple[str, Sequence[float], dict[str, str]]:
+    return dimension, values, _said(units, name)
+
+
+def _titled(title: str | None) -> dict[str, Any]:
+    return {} if title is None else {"title": title}
+
+
+def _without_unit(key: str) -> str:
+    for unit in UNITS:
+        if key.endswith(unit):
+            return key.removesuffix(unit)
+    return key

@@ -1,0 +1,83 @@
+//! Profiles, and bogies in curves.
+
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use riffel_answers::curve::CurveAnswer;
+use riffel_answers::profile::{OnTrackAnswer, OutlineAnswer};
+use riffel_case::CurvingCase;
+
+use crate::case::{Case, assignments};
+use crate::document::document;
+use crate::errors::{of_answer, of_case, wrong};
+use crate::interrupt::interruptible;
+use crate::tables;
+
+/// A case of curving: an ordinary case, a file or the keys of one.
+#[derive(FromPyObject)]
+pub(crate) enum GivenCase<'py> {
+    Case(PyRef<'py, Case>),
+    Keys(Bound<'py, PyDict>),
+    File(PathBuf),
+}
+
+impl GivenCase<'_> {
+    fn read(&self, overrides: &Bound<'_, PyDict>) -> PyResult<CurvingCase> {
+        let overrides = assignments(overrides)?;
+        let case = match self {
+            Self::Case(case) => CurvingCase::of_case(&case.case, &overrides),
+            Self::Keys(keys) => {
+                CurvingCase::parse("", &tables::table(keys, "")?.to_string(), &overrides)
+            }
+            Self::File(path) => CurvingCase::read(path, &overrides),
+        };
+        case.map_err(of_case)
+    }
+}
+
+/// What `riffel curve --json` prints, with the title of the case.
+#[pyfunction]
+pub(crate) fn curve<'py>(
+    py: Python<'py>,
+    case: GivenCase<'py>,
+    overrides: &Bound<'py, PyDict>,
+    radii: Option<Vec<f64>>,
+) -> PyResult<(Option<String>, Bound<'py, PyAny>)> {
+    let case = case.read(overrides)?;
+    if let Some(radius) = radii
+        .as_ref()
+        .and_then(|radii| case.radius_that_no_curve_has(radii))
+    {
+        return Err(wrong(format!(
+            "radius is {radius} m, but must be larger than the wheelbase, to either side, and at most 10000 km"
+        )));
+    }
+    let title = case.file.title.clone();
+    let answer = interruptible(py, move || {
+        CurveAnswer::new(&case).map(|answer| answer.document(radii.as_deref()))
+    })?;
+    Ok((title, document(py, &answer.map_err(of_case)?)?))
+}
+
+/// What `riffel profile FILE --json` prints.
+#[pyfunction]
+pub(crate) fn profile(py: Python<'_>, file: PathBuf) -> PyResult<Bound<'_, PyAny>> {
+    let answer = interruptible(py, move || OutlineAnswer::new(&[file]))?;
+    document(py, &answer.map_err(of_case)?.document())
+}
+
+/// What `riffel profile CASE --wheelset --json` prints, with the title of the case.
+#[pyfunction]
+pub(crate) fn contact_geometry<'py>(
+    py: Python<'py>,
+    case: GivenCase<'py>,
+    overrides: &Bound<'py, PyDict>,
+    shifts: Vec<f64>,
+    yaw: f64,
+) -> PyResult<(Option<String>, Bound<'py, PyAny>)> {
+    let case = case.read(overrides)?;
+    let title = case.file.title.clone();
+    let answer = interruptible(py, move || OnTrackAnswer::new(&case, &shifts, yaw))?;
+    Ok((title, document(py, &answer.map_err(of_answer)?.document())?))
+}

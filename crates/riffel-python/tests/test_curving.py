@@ -1,0 +1,54 @@
+"""Profiles, contact geometry and bogies in curves hold what the program prints."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import riffel
+
+CURVE = "cases/bogie.toml"
+
+
+def test_curve_is_that_of_the_program(program: Callable[..., Any]) -> None:
+    document = program("curve", CURVE, "--json", "--radius", "300 m,-300 m")
+    bogie = riffel.curve(CURVE)
+    assert bogie["t_gamma"].dims == ("wheelset", "rail")
+    assert bogie["t_gamma"].values.ravel().tolist() == [wheel["t_gamma_n"] for wheel in document["wheels"]]
+    assert bogie["frictional_power"].item() == document["frictional_power_w"]
+    assert bogie.attrs["remarks"] == document["remarks"]
+    over_radius = riffel.curve(CURVE, radius=["300 m", -300.0])
+    assert over_radius["yaw"].dims == ("radius", "wheelset")
+    assert (over_radius["yaw"].isel(radius=0) == bogie["yaw"]).all()
+    np.testing.assert_allclose(over_radius["yaw"].values[1], -bogie["yaw"].values, atol=1e-10)
+    assert np.isnan(bogie["second_normal_force"]).all()
+
+
+def test_a_case_with_the_tables_has_a_curve() -> None:
+    text = Path(CURVE).read_text(encoding="utf-8")
+    tables = text[text.index("[curve]") : text.index("[contact]")]
+    case = riffel.Case.parse(Path("cases/nominal.toml").read_text(encoding="utf-8") + tables)
+    wheelset = {"wheelset.mass": 1400, "wheelset.contact_spacing": 1.5, "contact.creep_law": "shen-hedrick-elkins"}
+    assert case.curve(wheelset)["lateral_shift"].sel(wheelset=1) < -5e-3
+    with pytest.raises(ValueError, match="wheelbase"):
+        case.curve(wheelset, radius=2.0)
+    with pytest.raises(ValueError, match="curve"):
+        riffel.Case.from_toml("cases/nominal.toml").curve()
+
+
+def test_contact_geometry_is_that_of_the_program(program: Callable[..., Any]) -> None:
+    shifts = ["-3 mm", "4.5 mm"]
+    document = program(
+        "profile", "cases/profiles.toml", "--wheelset", "--json", "--yaw", "2 mrad", f"--lateral-shift={','.join(shifts)}"
+    )
+    found = riffel.contact_geometry("cases/profiles.toml", lateral_shift=shifts, yaw=0.002)
+    for rail in ("left", "right"):
+        assert found["rolling_radius"].sel(rail=rail).values.tolist() == document[f"{rail}_rolling_radius"]
+    with pytest.raises(ValueError, match="touch"):
+        riffel.contact_geometry("cases/profiles.toml", lateral_shift="90 mm")
+    with pytest.raises(FileNotFoundError):
+        riffel.profile("no-such-file.csv")
