@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepLaw, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, QuasiStatic, QuasiStaticHalfSpace,
-    SpringDashpot,
+    CreepLaw, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, OscillatingCreepages, QuasiStatic,
+    QuasiStaticHalfSpace, SpringDashpot,
 };
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
@@ -57,7 +57,13 @@ impl CheckedKeys {
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {
-        self.contact_of(hertz, self.file.contact.friction.si(), self.mean_state()?)
+        let friction = self.file.contact.friction.si();
+        self.contact_of(
+            hertz,
+            friction,
+            self.mean_state()?,
+            OscillatingCreepages::Longitudinal,
+        )
     }
 
     /// `Ok` if the keys of the contact go together.
@@ -97,12 +103,13 @@ impl CheckedKeys {
         self.physics("contact", entry.build(&inputs)).map(Some)
     }
 
-    /// How a contact with that friction creeps about a mean state.
+    /// How a contact with that friction creeps about a mean state, for a loop in which these creepages oscillate.
     pub(super) fn contact_of(
         &self,
         hertz: HertzContact,
         friction: f64,
         mean: MeanState,
+        oscillating: OscillatingCreepages,
     ) -> Result<BuiltContact, CaseError> {
         self.check_contact()?;
         let load = hertz.normal_force();
@@ -119,12 +126,12 @@ impl CheckedKeys {
                 let key = || {
                     let contact = &self.file.contact;
                     format!(
-                        "{hertz:?} {friction:?} {mean:?} {:?} {:?} {:?}",
+                        "{hertz:?} {friction:?} {mean:?} {:?} {:?} {:?} {oscillating:?}",
                         self.file.map.wavelength, contact.grid, contact.response
                     )
                 };
                 let tables = &self.given.tables;
-                tables.get(key, || self.half_space(hertz, friction, mean))?
+                tables.get(key, || self.half_space(hertz, friction, mean, oscillating))?
             }
             Some(law) => {
                 let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
@@ -177,6 +184,7 @@ impl CheckedKeys {
         hertz: HertzContact,
         friction: f64,
         mean: MeanState,
+        oscillating: OscillatingCreepages,
     ) -> Result<Arc<dyn RollingContact>, CaseError> {
         let contact = self.half_space_of(hertz, friction)?;
         let state = self.exact_state(&contact, mean)?;
@@ -202,6 +210,7 @@ impl CheckedKeys {
         let table = NonSteady::new(
             &contact,
             &state,
+            oscillating,
             wavelength.min(),
             wavelength.max(),
             NonSteady::DEFAULT_TOLERANCE,

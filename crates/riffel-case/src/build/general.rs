@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::contact::MeanState;
+use riffel::contact::{MeanState, OscillatingCreepages};
 use riffel::feedback::{Contact, GeneralLoop};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
@@ -114,7 +114,7 @@ impl CheckedKeys {
             ));
         }
         let hertz = self.hertz_of(steel, keys.transverse_radius, keys.normal_load)?;
-        let built = self.contact_of(hertz, keys.friction, mean)?;
+        let built = self.contact_of(hertz, keys.friction, mean, OscillatingCreepages::InPlane)?;
         let steady = built.rolling.steady();
         Ok(Side {
             contact: Contact {

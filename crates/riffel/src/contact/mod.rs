@@ -34,6 +34,6 @@ pub use mean_state::{MeanRolling, MeanState};
 pub use non_steady::NonSteady;
 pub use quasi_static::QuasiStatic;
 pub use quasi_static_half_space::QuasiStaticHalfSpace;
-pub use response::{ContactDerivative, ContactResponse, GridError};
+pub use response::{ContactDerivative, ContactResponse, GridError, OscillatingCreepages};
 pub use rolling::RollingContact;
 pub use spring_dashpot::SpringDashpot;

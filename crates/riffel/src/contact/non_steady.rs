@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use super::half_space::REMEDY;
 use super::{
     ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
-    RollingContact,
+    OscillatingCreepages, RollingContact,
 };
 use crate::Error;
 
@@ -15,16 +15,19 @@ use crate::Error;
 const FEWEST_INTERVALS: usize = 2;
 const MOST_INTERVALS: usize = 64;
 
-/// The response of a [`HalfSpace`] about one mean state, for a loop: to load, both creepages and spin.
+/// The response of a [`HalfSpace`] about one mean state, for a loop: to load, longitudinal creepage, and the other
+/// creepages as far as they are asked for.
 ///
-/// Method: sixteen complex derivatives in octaves of wavelength that begin at the shortest one that the grid of the
+/// Method: four complex derivatives of each input in octaves of wavelength that begin at the shortest one that the grid of the
 /// contact resolves. In each octave a polynomial in the logarithm of the wavelength through Chebyshev's points, the ends
 /// included; the intervals between them are halved until the last polynomial misses the new points by less than the
 /// tolerance, relative to the force and to the energy of each input. An octave does not depend on the wavelengths that
 /// are asked for, so that a point and a map of any window agree bit for bit. The error of the grid is the larger one
-/// of the two nearest points. Returns NaN outside its octaves. Cost: some 0.3 s an octave, a microsecond to ask.
+/// of the two nearest points. Returns NaN outside its octaves. Cost: some 0.1 s an octave and input, a microsecond to
+/// ask.
 pub struct NonSteady {
     steady: MeanRolling,
+    creepages: OscillatingCreepages,
     /// Shortest wavelength that the grid resolves \[m\].
     resolved: f64,
     /// Number of the first octave from there.
@@ -93,14 +96,15 @@ impl NonSteady {
     /// The tolerance of cases: a hundredth of the error of the half-space itself.
     pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
-    /// The response of the contact about a state, for wavelengths from `shortest` to `longest` \[m\], each derivative
-    /// to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
+    /// The response of the contact about a state to the load and these creepages, for wavelengths from `shortest` to
+    /// `longest` \[m\], each derivative to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
     /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of an octave do not do.
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,
+        creepages: OscillatingCreepages,
         shortest: f64,
         longest: f64,
         tolerance: f64,
@@ -118,13 +122,16 @@ impl NonSteady {
                 Some(node) => Ok(node),
                 None => {
                     let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
-                    contact.response(state, wavelength).map(Node::new)
+                    contact
+                        .response_to(state, wavelength, creepages)
+                        .map(Node::new)
                 }
             };
             octaves.push(Octave::new(node, steady.creepages.magnitude(), tolerance)?);
         }
         Ok(Self {
             steady,
+            creepages,
             resolved,
             first: below,
             octaves,
@@ -253,8 +260,9 @@ impl RollingContact for NonSteady {
         ContactResponse {
             by_load: derivative(0),
             by_longitudinal: derivative(1),
-            by_lateral: Some(derivative(2)),
-            by_spin: Some(derivative(3)),
+            by_lateral: (self.creepages != OscillatingCreepages::Longitudinal)
+                .then(|| derivative(2)),
+            by_spin: (self.creepages == OscillatingCreepages::All).then(|| derivative(3)),
         }
     }
 }

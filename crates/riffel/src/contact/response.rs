@@ -20,6 +20,17 @@ pub struct ContactResponse {
     pub by_spin: Option<ContactDerivative>,
 }
 
+/// The creepages whose oscillation a response is asked about, besides the load.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OscillatingCreepages {
+    /// The longitudinal one alone: all that a loop along the rail asks for.
+    Longitudinal,
+    /// Longitudinal and lateral: what a loop on all axes asks for.
+    InPlane,
+    /// Spin as well.
+    All,
+}
+
 /// What one input does to a rolling contact, per unit of the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactDerivative {

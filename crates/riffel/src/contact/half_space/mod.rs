@@ -27,7 +27,7 @@ use self::patch::Patch;
 use self::response::{Input, Response, Tangent};
 use super::{
     Carter3d, ContactDerivative, ContactResponse, CreepForces, Creepages, GridError, HertzContact,
-    MeanRolling, MeanState, QuasiStatic, RollingContact,
+    MeanRolling, MeanState, OscillatingCreepages, QuasiStatic, RollingContact,
 };
 use crate::Error;
 
@@ -105,26 +105,25 @@ impl Grid {
     }
 
     /// The responses to some inputs about a state at these creepages, at a wavenumber \[rad/m\].
-    fn responses<const N: usize>(
+    fn responses(
         &self,
         state: &Slip,
         creepages: Creepages,
         wavenumber: f64,
-        inputs: [Input; N],
-    ) -> Result<[Response; N], Error> {
+        inputs: &[Input],
+    ) -> Result<Vec<Response>, Error> {
         let tangent = Tangent::new(self, state, creepages, wavenumber);
-        let mut responses = [Response::default(); N];
-        for (response, input) in responses.iter_mut().zip(inputs) {
-            *response = tangent
+        let response = |&input| {
+            tangent
                 .response(input)
                 .map_err(|residual| Error::NotConverged {
                     problem: "frequency response of rolling contact",
                     residual,
                     tolerance: response::TOLERANCE,
                     remedy: REMEDY,
-                })?;
-        }
-        Ok(responses)
+                })
+        };
+        inputs.iter().map(response).collect()
     }
 }
 
@@ -274,7 +273,7 @@ impl HalfSpace {
             if error.abs() <= TOLERANCE {
                 return Ok(state);
             }
-            let [(response, _)] = self.extrapolated(&state, 0.0, [Input::Longitudinal])?;
+            let (response, _) = self.extrapolated(&state, 0.0, &[Input::Longitudinal])?[0];
             let slope = response.force[0].re / limit;
             // Stay on the rising side of the creep curve.
             let creepage = state.creepage();
@@ -290,12 +289,12 @@ impl HalfSpace {
     }
 
     /// Extrapolated responses to some inputs at a wavenumber \[rad/m\], and what the grid may miss of them.
-    fn extrapolated<const N: usize>(
+    fn extrapolated(
         &self,
         state: &HalfSpaceRolling,
         wavenumber: f64,
-        inputs: [Input; N],
-    ) -> Result<[(Response, GridError); N], Error> {
+        inputs: &[Input],
+    ) -> Result<Vec<(Response, GridError)>, Error> {
         let creepages = state.creepages;
         let fine = self
             .fine
@@ -310,13 +309,13 @@ impl HalfSpace {
         );
         let creepage = creepages.magnitude().hypot(creepages.spin * a.max(b));
         let across = self.fine.patch.across;
-        let mut index = 0;
-        Ok(inputs.map(|_| {
-            let (fine, coarse) = (fine[index], coarse[index]);
-            index += 1;
-            let response = fine.extrapolated(coarse);
-            (response, response.error(fine, coarse, creepage, across))
-        }))
+        let both = fine.into_iter().zip(coarse);
+        Ok(both
+            .map(|(fine, coarse)| {
+                let response = fine.extrapolated(coarse);
+                (response, response.error(fine, coarse, creepage, across))
+            })
+            .collect())
     }
 
     /// Shortest wavelength \[m\] that the grid resolves.
@@ -356,17 +355,31 @@ impl HalfSpace {
         state: &HalfSpaceRolling,
         wavelength: f64,
     ) -> Result<ContactResponse, Error> {
+        self.response_to(state, wavelength, OscillatingCreepages::All)
+    }
+
+    /// [`response`](Self::response) to the load and to some of the creepages alone, each of which costs as much as the
+    /// load.
+    ///
+    /// # Errors
+    /// Those of [`response`](Self::response).
+    pub fn response_to(
+        &self,
+        state: &HalfSpaceRolling,
+        wavelength: f64,
+        creepages: OscillatingCreepages,
+    ) -> Result<ContactResponse, Error> {
+        use Input::{Lateral, Load, Longitudinal, Spin};
         self.check_wavelength(wavelength)?;
         let wavenumber = 2.0 * std::f64::consts::PI / wavelength;
-        let inputs = [
-            Input::Load,
-            Input::Longitudinal,
-            Input::Lateral,
-            Input::Spin,
-        ];
-        let [load, longitudinal, lateral, spin] = self.extrapolated(state, wavenumber, inputs)?;
+        let inputs: &[Input] = match creepages {
+            OscillatingCreepages::Longitudinal => &[Load, Longitudinal],
+            OscillatingCreepages::InPlane => &[Load, Longitudinal, Lateral],
+            OscillatingCreepages::All => &[Load, Longitudinal, Lateral, Spin],
+        };
+        let responses = self.extrapolated(state, wavenumber, inputs)?;
         let derivative =
-            |(response, error): (Response, GridError), per_unit: f64| ContactDerivative {
+            |&(response, error): &(Response, GridError), per_unit: f64| ContactDerivative {
                 force: response.force.map(|force| force * per_unit),
                 energy: response.dissipation * per_unit,
                 energy_at_rail: Some(response.rail_dissipation * per_unit),
@@ -376,10 +389,10 @@ impl HalfSpace {
                 }),
             };
         Ok(ContactResponse {
-            by_load: derivative(load, self.hertz.normal_force().recip()),
-            by_longitudinal: derivative(longitudinal, 1.0),
-            by_lateral: Some(derivative(lateral, 1.0)),
-            by_spin: Some(derivative(spin, 1.0)),
+            by_load: derivative(&responses[0], self.hertz.normal_force().recip()),
+            by_longitudinal: derivative(&responses[1], 1.0),
+            by_lateral: responses.get(2).map(|response| derivative(response, 1.0)),
+            by_spin: responses.get(3).map(|response| derivative(response, 1.0)),
         })
     }
 

@@ -204,13 +204,15 @@ fn too_coarse_a_grid_is_refused() {
     assert!(error.contains("refine the grid"), "{error}");
 }
 
+const ALONG: OscillatingCreepages = OscillatingCreepages::Longitudinal;
+
 /// A table that was made for one wavelength says the same, bit for bit, as one that was made for a wide window.
 #[test]
 fn table_of_the_response_does_not_depend_on_its_window() {
     let contact = contact(16);
     let state = contact.roll_at_tractive_ratio(0.2).unwrap();
     let table =
-        |from, to| crate::contact::NonSteady::new(&contact, &state, from, to, 1e-4).unwrap();
+        |from, to| crate::contact::NonSteady::new(&contact, &state, ALONG, from, to, 1e-4).unwrap();
     let wide = table(0.02, 0.1);
     for wavelength in [0.02, 0.0311, 0.055, 0.1] {
         for other in [
@@ -230,8 +232,9 @@ fn table_of_the_response_does_not_depend_on_its_window() {
 fn table_of_the_response() {
     let contact = contact(16);
     let state = contact.roll_at_tractive_ratio(0.2).unwrap();
-    let to =
-        |tolerance| crate::contact::NonSteady::new(&contact, &state, 0.02, 0.1, tolerance).unwrap();
+    let to = |tolerance| {
+        crate::contact::NonSteady::new(&contact, &state, ALONG, 0.02, 0.1, tolerance).unwrap()
+    };
     for tolerance in [1e-2, 1e-4] {
         let table = to(tolerance);
         for wavelength in [0.02, 0.0213, 0.037, 0.0771, 0.1] {
