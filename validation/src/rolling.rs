@@ -1,6 +1,12 @@
 //! The exact theory of rolling contact against CONTACT.
 
-use riffel::contact::{ContactDerivative, ContactResponse, Creepages, HalfSpace, HalfSpaceRolling};
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+use riffel::contact::{
+    ContactDerivative, ContactResponse, Creepages, HalfSpace, HalfSpaceRolling,
+    OscillatingCreepages,
+};
 use riffel::{Complex64, ElasticMaterial, HertzContact};
 
 use crate::Row;
@@ -13,10 +19,14 @@ const CREEP_FORCES_VECTOR: &str = include_str!("../reference/contact/creep_force
 const RAIL_DISSIPATION: &str = include_str!("../reference/contact/rail_fixed_dissipation.csv");
 
 /// The contact of the references.
-fn contact(load: f64, across: usize) -> HalfSpace {
+fn hertz(load: f64) -> HertzContact {
     let steel = ElasticMaterial::new(207e9, 0.3).expect("a steel");
-    let hertz = HertzContact::exact(steel, 0.46, 0.23, load).expect("a contact");
-    HalfSpace::new(hertz, 0.4, across).expect("a grid")
+    HertzContact::exact(steel, 0.46, 0.23, load).expect("a contact")
+}
+
+/// The same, cut into elements.
+fn contact(load: f64, across: usize) -> HalfSpace {
+    HalfSpace::new(hertz(load), 0.4, across).expect("a grid")
 }
 
 fn cells(line: &str) -> Vec<&str> {
@@ -51,71 +61,98 @@ pub(crate) fn half_space_creep_curve() -> Row {
     }
 }
 
-/// The steady states of the references, by tractive ratio.
-fn states(contact: &HalfSpace) -> [(f64, HalfSpaceRolling); 2] {
-    [0.1, 0.6].map(|ratio| {
-        let state = contact.roll_at_tractive_ratio(ratio);
-        (ratio, state.expect("a steady state"))
-    })
+/// Wavelengths of the references about longitudinal creepage \[semi-axes\].
+const WAVELENGTHS: [f64; 9] = [2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 20.0, 40.0, 100.0];
+
+/// Responses about one steady state.
+struct Responses {
+    tractive_ratio: f64,
+    slow: ContactResponse,
+    /// By the wavelength in semi-axes.
+    waves: Vec<(f64, ContactResponse)>,
 }
 
-/// A response over its quasi-static value.
+impl Responses {
+    fn new(
+        contact: &HalfSpace,
+        state: &HalfSpaceRolling,
+        wavelengths: &[f64],
+        creepages: OscillatingCreepages,
+    ) -> Self {
+        let semi_axis = hertz(50e3).semi_axis_longitudinal();
+        let at = |ratio: f64| {
+            let response = contact.response_to(state, ratio * semi_axis, creepages);
+            response.expect("a response")
+        };
+        Self {
+            tractive_ratio: contact.steady(state).tractive_ratio(),
+            slow: at(f64::INFINITY),
+            waves: wavelengths
+                .iter()
+                .map(|&ratio| (ratio, at(ratio)))
+                .collect(),
+        }
+    }
+
+    /// The response at a wavelength of so many semi-axes.
+    fn at(&self, ratio: f64) -> &ContactResponse {
+        let wave = self.waves.iter().find(|wave| wave.0 == ratio);
+        &wave.expect("a wavelength of the references").1
+    }
+}
+
+/// The responses about longitudinal creepage, which three checks look at.
+static ALONG: LazyLock<[Responses; 2]> = LazyLock::new(|| {
+    let contact = contact(50e3, 48);
+    [0.1, 0.6].map(|ratio| {
+        let state = contact
+            .roll_at_tractive_ratio(ratio)
+            .expect("a steady state");
+        let creepages = OscillatingCreepages::Longitudinal;
+        Responses::new(&contact, &state, &WAVELENGTHS, creepages)
+    })
+});
+
+/// Those at a tractive ratio.
+fn along(tractive_ratio: f64) -> &'static Responses {
+    let is_near = |responses: &&Responses| (responses.tractive_ratio - tractive_ratio).abs() < 1e-5;
+    ALONG.iter().find(is_near).expect("0.1 or 0.6")
+}
+
+/// A response at a wavelength of so many semi-axes over another at none.
 fn normalized(
-    contact: &HalfSpace,
-    state: &HalfSpaceRolling,
+    responses: &Responses,
     ratio: f64,
-    value: fn(&ContactResponse) -> (Complex64, Complex64),
+    value: fn(&ContactResponse) -> Complex64,
+    slow: fn(&ContactResponse) -> Complex64,
 ) -> Complex64 {
-    let hertz = ElasticMaterial::new(207e9, 0.3)
-        .and_then(|steel| HertzContact::exact(steel, 0.46, 0.23, 50e3))
-        .expect("a contact");
-    let wavelength = ratio * hertz.semi_axis_longitudinal();
-    let slow = contact.response(state, f64::INFINITY).expect("a response");
-    let response = contact.response(state, wavelength).expect("a response");
-    value(&response).0 / value(&slow).1
+    value(responses.at(ratio)) / slow(&responses.slow)
 }
 
 /// Largest errors of modulus (relative) and phase \[rad\] of the responses with one input.
 fn compare(input: &str) -> (f64, f64, f64, usize) {
-    let contact = contact(50e3, 48);
-    let states = states(&contact);
     let (mut modulus, mut phase, mut absolute): (f64, f64, f64) = (0.0, 0.0, 0.0);
     let mut compared = 0;
-    let force = |response: &ContactResponse| {
-        (
-            response.by_longitudinal.force[0],
-            response.by_longitudinal.force[0],
-        )
-    };
-    let dissipation = |response: &ContactResponse| {
-        (
-            response.by_longitudinal.energy,
-            response.by_longitudinal.energy,
-        )
-    };
-    let force_by_load =
-        |response: &ContactResponse| (response.by_load.force[0], response.by_load.force[0]);
-    let dissipation_by_load =
-        |response: &ContactResponse| (response.by_load.energy, response.by_load.energy);
-    type Value = fn(&ContactResponse) -> (Complex64, Complex64);
+    type Value = fn(&ContactResponse) -> Complex64;
     let values: [(usize, Value); 2] = if input == "xi" {
-        [(4, force), (8, dissipation)]
+        [
+            (4, |response| response.by_longitudinal.force[0]),
+            (8, |response| response.by_longitudinal.energy),
+        ]
     } else {
-        [(4, force_by_load), (8, dissipation_by_load)]
+        [
+            (4, |response| response.by_load.force[0]),
+            (8, |response| response.by_load.energy),
+        ]
     };
     for row in FREQUENCY_RESPONSE.lines().skip(1).map(cells) {
         if row[0] != input {
             continue;
         }
-        let tau = number(row[1]);
-        let state = &states
-            .iter()
-            .find(|state| state.0 == tau)
-            .expect("0.1 or 0.6")
-            .1;
+        let responses = along(number(row[1]));
         for (column, value) in values {
             let expected = Complex64::new(number(row[column]), number(row[column + 1]));
-            let got = normalized(&contact, state, number(row[3]), value);
+            let got = normalized(responses, number(row[3]), value, value);
             compared += 1;
             if expected.norm() < 0.1 {
                 absolute = absolute.max((got - expected).norm());
@@ -170,32 +207,22 @@ pub(crate) fn frequency_response_to_load() -> Row {
 }
 
 pub(crate) fn dissipation_at_the_rail() -> Row {
-    let contact = contact(50e3, 48);
-    let states = states(&contact);
     let (mut by_creepage, mut by_load): (f64, f64) = (0.0, 0.0);
     let mut compared = 0;
     for row in RAIL_DISSIPATION.lines().skip(1).map(cells) {
-        let tau = number(row[1]);
-        let state = &states
-            .iter()
-            .find(|state| state.0 == tau)
-            .expect("0.1 or 0.6")
-            .1;
+        let responses = along(number(row[1]));
         let expected = Complex64::new(number(row[3]), number(row[4]));
         let ratio = number(row[2]);
         compared += 1;
         if row[0] == "xi" {
-            let got = normalized(&contact, state, ratio, |response| {
-                (
-                    response.by_longitudinal.at_rail(0.0),
-                    response.by_longitudinal.energy,
-                )
+            let at_rail = |response: &ContactResponse| response.by_longitudinal.at_rail(0.0);
+            let got = normalized(responses, ratio, at_rail, |slow| {
+                slow.by_longitudinal.energy
             });
             by_creepage = by_creepage.max((got - expected).norm());
         } else {
-            let got = normalized(&contact, state, ratio, |response| {
-                (response.by_load.at_rail(0.0), response.by_load.energy)
-            });
+            let at_rail = |response: &ContactResponse| response.by_load.at_rail(0.0);
+            let got = normalized(responses, ratio, at_rail, |slow| slow.by_load.energy);
             by_load = by_load.max((got - expected).norm());
         }
     }
@@ -250,28 +277,33 @@ pub(crate) fn half_space_creep_forces() -> Row {
 /// Responses to creepage about a steady state with lateral creepage. Those to load contradict themselves, see the README.
 pub(crate) fn frequency_response_across_the_rail() -> Row {
     let contact = contact(50e3, 48);
-    let hertz = ElasticMaterial::new(207e9, 0.3)
-        .and_then(|steel| HertzContact::exact(steel, 0.46, 0.23, 50e3))
-        .expect("a contact");
+    let rows = FREQUENCY_RESPONSE_LATERAL.lines().skip(1).map(cells);
+    let rows: Vec<Vec<&str>> = rows.filter(|row| row[1] != "P").collect();
+    // One steady state throughout.
+    let creepages = Creepages {
+        lateral: number(rows[0][2]),
+        spin: number(rows[0][3]),
+        ..Creepages::default()
+    };
+    let state = contact.roll_with(creepages).expect("a steady state");
+    let wavelengths: BTreeSet<&str> = rows.iter().map(|row| row[5]).collect();
+    let wavelengths: Vec<f64> = wavelengths.into_iter().map(number).collect();
+    let in_plane = OscillatingCreepages::InPlane;
+    let responses = Responses::new(&contact, &state, &wavelengths, in_plane);
     let mut worst: f64 = 0.0;
     let mut compared = 0;
-    let rows = FREQUENCY_RESPONSE_LATERAL.lines().skip(1).map(cells);
-    for row in rows.filter(|row| row[1] != "P") {
-        let creepages = Creepages {
-            lateral: number(row[2]),
-            spin: number(row[3]),
-            ..Creepages::default()
-        };
-        let state = contact.roll_with(creepages).expect("a steady state");
-        let at = |wavelength: f64| -> ContactDerivative {
-            let response = contact.response(&state, wavelength).expect("a response");
+    for row in rows {
+        assert_eq!(
+            [number(row[2]), number(row[3])],
+            [creepages.lateral, creepages.spin]
+        );
+        let by = |response: &ContactResponse| -> ContactDerivative {
             match row[1] {
                 "xi" => response.by_longitudinal,
-                _ => response.by_lateral.expect("all inputs"),
+                _ => response.by_lateral.expect("both creepages"),
             }
         };
-        let wavelength = number(row[5]) * hertz.semi_axis_longitudinal();
-        let (got, slow) = (at(wavelength), at(f64::INFINITY));
+        let (got, slow) = (by(responses.at(number(row[5]))), by(&responses.slow));
         for (column, got) in [
             (6, got.force[0] / slow.force[0]),
             (12, got.force[1] / slow.force[1]),

@@ -149,7 +149,7 @@ pub(crate) fn from_cattaneo_to_carter() -> Row {
 }
 
 /// First harmonics of force, dissipation per metre and dissipation per metre at the rail, over a wave that
-/// follows four others. `input` gives load and creepage by the oscillation, from −1 to 1.
+/// follows three others. `input` gives load and creepage by the oscillation, from −1 to 1.
 fn followed(
     rolling: &mut TransientRolling,
     per_wave: usize,
@@ -157,12 +157,12 @@ fn followed(
 ) -> [Complex64; 3] {
     let dx = rolling.step_length();
     let wavenumber = 2.0 * PI / (per_wave as f64 * dx);
-    let begin = 4 * per_wave;
-    let mut at_rail = vec![0.0; 7 * per_wave];
+    let begin = 3 * per_wave;
+    let mut at_rail = vec![0.0; 5 * per_wave];
     let mut sums = [Complex64::ZERO; 3];
     let wave = |place: f64| Complex64::cis(-wavenumber * place);
     rolling.shift(input(1.0).0, 0.0).expect("a press");
-    for step in 0..6 * per_wave {
+    for step in 0..4 * per_wave {
         // Forces are those at the end of a step, creepage and dissipation those on the way.
         let (middle, end) = (step as f64 * dx, (step as f64 + 0.5) * dx);
         let creepage = input((wavenumber * middle).cos()).1;
