@@ -59,12 +59,18 @@ def browser():
 
 
 class Page:
-    """A page with what every test asks of it. Complaints of the browser fail the test."""
+    """A page with what every test asks of it. Complaints of the browser fail the test.
 
-    def __init__(self, browser, url, **context):
+    Without curves nothing is drawn in place of them, which takes most of the time of a page.
+    """
+
+    def __init__(self, browser, url, curves=True, **context):
         self.context = browser.new_context(
             **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, **context}
         )
+        if not curves:
+            script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
+            self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
         self.page = self.context.new_page()
         self.complaints = []
         self.foreign = []
@@ -134,13 +140,17 @@ class Page:
 
 
 @pytest.fixture
-def page(browser, served):
-    page = Page(browser, served.url)
+def page(browser, served, request):
+    page = Page(browser, served.url, curves=draws_curves(request))
     yield page
     page.close()
 
 
 @pytest.fixture
-def open_page(browser, served):
+def open_page(browser, served, request):
     """Pages with other settings, which the test closes itself."""
-    return lambda path="", **context: Page(browser, served.url + path, **context)
+    return lambda path="", **context: Page(browser, served.url + path, curves=draws_curves(request), **context)
+
+
+def draws_curves(request):
+    return request.node.get_closest_marker("without_curves") is None

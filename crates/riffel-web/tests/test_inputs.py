@@ -3,6 +3,8 @@
 import pytest
 from test_page import VIEWS, english_words
 
+pytestmark = pytest.mark.without_curves
+
 
 def complete(page, key):
     """The value of a key as the program has it, in SI."""
@@ -43,35 +45,38 @@ def test_a_number_that_can_be_read_two_ways_is_asked_about(open_page, locale, te
 
 
 @pytest.mark.parametrize(
-    ("locale", "text", "mass"),
+    ("locale", "texts"),
     [
-        ("en-GB", "1,234.5", 1234.5), ("de-DE", "1.234,5", 1234.5), ("en-GB", "1 000", 1000), ("de-DE", "1'000", 1000), ("en-GB", "350,5", 350.5),
-        ("de-DE", "1,000", 1), ("en-GB", "1.000", 1), ("en-GB", "770 lb", 349.266), ("en-GB", "0.35 t", 350), ("de-DE", "0,35 t", 350),
+        ("en-GB", {"1,234.5": 1234.5, "1 000": 1000, "350,5": 350.5, "1.000": 1, "770 lb": 349.266, "0.35 t": 350}),
+        ("de-DE", {"1.234,5": 1234.5, "1'000": 1000, "1,000": 1, "0,35 t": 350}),
     ],
 )
-def test_separators_and_units_are_read_and_echoed(open_page, locale, text, mass):
+def test_separators_and_units_are_read_and_echoed(open_page, locale, texts):
     page = open_page(locale=locale)
-    page.set("wheel.mass", text)
-    page.settle()
-    assert complete(page, "wheel.mass") == pytest.approx(mass, rel=1e-5)
-    # What was typed stays, the unit beside it is that of a bare number, and the page says what it has read.
-    assert field(page, "wheel.mass").input_value() == text
-    assert beside(page, "wheel.mass", "unit").text_content() == "kg"
-    echo = beside(page, "wheel.mass", "echo").inner_text()
-    assert echo.startswith("= ") and "kg" in echo
-    assert ("350 kg" in echo) == (mass in (1, 350)), echo
+    for text, mass in texts.items():
+        # The page asks about a value that is a thousandth of the one before.
+        page.set("wheel.mass", "350")
+        page.settle()
+        page.set("wheel.mass", text)
+        page.settle()
+        assert complete(page, "wheel.mass") == pytest.approx(mass, rel=1e-5)
+        # What was typed stays, the unit beside it is that of a bare number, and the page says what it has read.
+        assert field(page, "wheel.mass").input_value() == text
+        assert beside(page, "wheel.mass", "unit").text_content() == "kg"
+        echo = beside(page, "wheel.mass", "echo").inner_text()
+        assert echo.startswith("= ") and "kg" in echo
+        assert ("350 kg" in echo) == (mass in (1, 350)), echo
     page.close()
 
 
-@pytest.mark.parametrize(
-    ("key", "text", "value"),
-    [("wheel.rolling_radius", "18 in", 0.4572), ("track.support_spacing", "2 ft", 0.6096), ("map.speed.max", "125 mph", 55.88), ("contact.normal_load", "22 kip", 97860.9)],
-)
-def test_units_of_other_countries_are_taken_where_they_fit(page, key, text, value):
-    page.set(key, text)
-    page.settle()
-    assert complete(page, key) == pytest.approx(value, rel=1e-5)
-    assert field(page, key).input_value() == text
+def test_units_of_other_countries_are_taken_where_they_fit(page):
+    for key, text, value in [
+        ("wheel.rolling_radius", "18 in", 0.4572), ("track.support_spacing", "2 ft", 0.6096), ("map.speed.max", "125 mph", 55.88), ("contact.normal_load", "22 kip", 97860.9)
+    ]:
+        page.set(key, text)
+        page.settle()
+        assert complete(page, key) == pytest.approx(value, rel=1e-5)
+        assert field(page, key).input_value() == text
 
 
 def test_a_refused_unit_never_becomes_that_of_the_field(open_page):
@@ -148,22 +153,23 @@ def test_every_view_counts_and_leads_to_what_is_not_accepted(open_page, locale):
     page.close(complaints=len(page.complaints))
 
 
-@pytest.mark.parametrize(
-    ("key", "text", "words"),
-    [
+def test_messages_speak_of_labels_and_the_unit_of_the_field(open_page):
+    page = open_page()
+    faults = page.page.locator(".row .fault:visible")
+    for key, text, words in [
         ("contact.normal_load", "-50", ["normal load P₀ is -50 kN", "0.001 kN and 2000 kN"]), ("contact.grid", "1.5", ["grid", "whole number"]), ("map.wavelength.points", "abc", ["Wavelengths, points"]),
         ("map.wavelength.points", "5000", ["points"]), ("map.wavelength.min", "200", ["Wavelengths, to is 80 mm", "200 mm"]), ("contact.friction", "3", ["friction μ is 3"]),
-    ],
-)
-def test_messages_speak_of_labels_and_the_unit_of_the_field(open_page, key, text, words):
-    page = open_page()
-    page.set(key, text)
-    page.until(lambda: page.page.locator(".row .fault:visible").count() > 0)
-    said = page.page.locator(".row .fault:visible").first.inner_text()
-    for word in words:
-        assert word in said
-    for inside in ["f64", "u64", "`", "contact.", "map.", "riffel ", "--", "invalid type", "line 1"]:
-        assert inside not in said
+    ]:
+        before = field(page, key).input_value()
+        page.set(key, text)
+        page.until(lambda: faults.count() > 0)
+        said = faults.first.inner_text()
+        for word in words:
+            assert word in said
+        for inside in ["f64", "u64", "`", "contact.", "map.", "riffel ", "--", "invalid type", "line 1"]:
+            assert inside not in said
+        page.set(key, before)
+        page.until(lambda: faults.count() == 0)
     page.close(complaints=len(page.complaints))
 
 

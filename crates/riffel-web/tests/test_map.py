@@ -2,6 +2,8 @@
 
 import pytest
 
+pytestmark = pytest.mark.without_curves
+
 VIEW = "document.getElementById('map').view"
 
 

@@ -5,6 +5,8 @@ import json
 import pytest
 from test_page import NOMINAL, drag, profile
 
+pytestmark = pytest.mark.without_curves
+
 FRICTION = "() => window.riffel.state.keys.contact.friction"
 
 
