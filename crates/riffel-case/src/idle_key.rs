@@ -30,6 +30,19 @@ impl Case {
                 "wheel.rotation is the limit of no inertia or of infinite inertia"
             }
             "contact"
+                if inner.starts_with("conformity")
+                    && contact.contact_angle.is_none_or(|angle| angle.si() == 0.0) =>
+            {
+                "under a contact angle of zero the wheel has the same radius everywhere"
+            }
+            "contact"
+                if inner.starts_with("conformity")
+                    && file.wheelset.is_none()
+                    && file.wheel.rotation() == Rotation::ConstantTangentialForce =>
+            {
+                "a wheel that turns freely takes any radius"
+            }
+            "contact"
                 if inner.starts_with("polach") && self.creep_law() != CreepLawName::POLACH =>
             {
                 "it belongs to contact.creep_law = \"polach\""

@@ -144,6 +144,7 @@ const NAMES = {
   'contact.creepage/table': ['Creepage in any direction', 'Schlupf in beliebiger Richtung'], 'opposite_contact.creepage/table': ['Creepage in any direction', 'Schlupf in beliebiger Richtung'],
   longitudinal: ['longitudinal ξ_x', 'längs ξ_x'], lateral: ['lateral ξ_y', 'quer ξ_y'], spin: ['spin φ', 'Bohrschlupf φ'],
   contact_angle: ['contact angle γ', 'Kontaktwinkel γ'], lateral_offset: ['lateral offset e', 'seitlicher Versatz e'],
+  'contact.conformity': ['Contact that moves across the profiles', 'Kontakt, der quer über die Profile wandert'], rail_radius: ['head radius R_c', 'Kopfradius R_c'], cross_slope: ['cross slope of the ripple κ', 'Querneigung der Riffel κ'],
   transverse_radius: ['transverse radius R_r', 'Querradius R_r'], normal_load: ['normal load P₀', 'Radlast P₀'], friction: ['friction μ', 'Reibung μ'], creepage: ['creepage ξ₀', 'Schlupf ξ₀'],
   'rail.torsion_constant': ['torsion constant J', 'Drillwiderstand J'], 'rail.polar_second_moment': ['polar second moment I_p', 'polares Flächenmoment I_p'], 'rail.warping_constant': ['warping constant I_ω', 'Wölbwiderstand I_ω'],
   'rail.centroid_height': ['centroid above shear centre', 'Schwerpunkt über Schubmittelpunkt'], 'rail.head_height': ['head above shear centre h', 'Kopf über Schubmittelpunkt h'], 'rail.foot_depth': ['foot below shear centre d', 'Fuß unter Schubmittelpunkt d'], 'rail.foot_width': ['foot width B', 'Fußbreite B'],

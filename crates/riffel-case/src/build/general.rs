@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::contact::{MeanState, OscillatingCreepages};
+use riffel::contact::{Conformity, MeanState, OscillatingCreepages};
 use riffel::feedback::{Contact, GeneralLoop};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
@@ -15,7 +15,7 @@ use super::ClosedLoop;
 use super::track::RAIL_DENSITY;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{Comb, Rotation, TrackModel};
-use crate::general_keys::{ContactKeys, GeneralKeys, TwistKeys};
+use crate::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
 use crate::track::Track;
 
 /// One side of the wheelsets: its contact but for where it stands.
@@ -116,6 +116,14 @@ impl CheckedKeys {
         let hertz = self.hertz_of(steel, keys.transverse_radius, keys.normal_load)?;
         let built = self.contact_of(hertz, keys.friction, mean, OscillatingCreepages::InPlane)?;
         let steady = built.rolling.steady();
+        let geometry = keys.conformity.map(|conformity| {
+            let of = self.conformity(conformity, keys.transverse_radius)?;
+            Ok(of.geometric_creepage(
+                keys.contact_angle,
+                hertz.rolling_radius(),
+                conformity.cross_slope,
+            ))
+        });
         Ok(Side {
             contact: Contact {
                 along: 0.0,
@@ -126,11 +134,35 @@ impl CheckedKeys {
                 place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
                 rolling: built.rolling,
                 motion: self.motion(),
+                geometry: geometry.transpose()?,
                 wear: self.wear(hertz)?,
             },
             hertz,
             carter: built.carter,
         })
+    }
+
+    /// The profiles across the track, of which the relative radius \[m\] is known.
+    fn conformity(
+        &self,
+        keys: ConformityKeys,
+        relative_radius: f64,
+    ) -> Result<Conformity, CaseError> {
+        const KEY: &str = "contact.conformity.rail_radius";
+        if keys.rail_radius > relative_radius {
+            return Err(self.text.keys.invalid(
+                KEY,
+                &format!(
+                    "is {} m, but must be at most the transverse radius of the contact, {relative_radius} m",
+                    keys.rail_radius
+                ),
+                "transverse_radius is the relative one of both profiles, equal to that of the rail under a cone",
+            ));
+        }
+        // A wheel as flat as this is a cone.
+        let wheel = keys.rail_radius.recip() - relative_radius.recip();
+        let wheel_radius = Some(wheel.recip()).filter(|radius| radius.is_finite());
+        self.physics(KEY, Conformity::new(keys.rail_radius, wheel_radius))
     }
 
     /// What holds or frees the surfaces: structures say, but where the case says how a lone wheel turns.

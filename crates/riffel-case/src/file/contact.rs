@@ -1,6 +1,8 @@
 //! The keys of the contact.
 
-use riffel_keys::quantity::{Angle, Force, Length, Quantity, Ratio, Speed, VelocityDecay};
+use riffel_keys::quantity::{
+    Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, VelocityDecay,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +31,9 @@ pub struct Contact {
     /// Lateral offset e of the contact from the shear centre of the rail, to the right; left out, 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lateral_offset: Option<Quantity<Length>>,
+    /// How the contact moves across the profiles of wheel and rail; left out, it stays where it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conformity: Option<Conformity>,
     /// Reading of the phase between dissipation at the wheel and at a point of the rail; a non-steady
     /// contact resolves it itself.
     #[serde(default)]
@@ -55,6 +60,20 @@ impl Contact {
     fn default_grid() -> u64 {
         48
     }
+}
+
+/// How the contact moves across the profiles of wheel and rail as they shift and roll against one another, which makes
+/// longitudinal creepage oscillate by geometry alone.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Conformity {
+    /// Transverse radius of the rail head, at most `contact.transverse_radius`, the relative one of both profiles: equal
+    /// under a cone, and the closer the wheel is to the rail, the smaller beside it.
+    pub rail_radius: Quantity<Length>,
+    /// Relative cross slope of the ripple: by which share of itself its height grows for a metre outward across the head;
+    /// left out, 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cross_slope: Option<Quantity<RelativeSlope>>,
 }
 
 /// Parameters of Polach's creep law: μ(w) = μ ((1 − A) exp(−B w) + A) at the slip velocity w = V ξ, and the

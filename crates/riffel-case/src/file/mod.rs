@@ -17,7 +17,9 @@ use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, WearCoeff
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use contact::{Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters};
+pub use contact::{
+    Conformity, Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters,
+};
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
 pub use curving::{

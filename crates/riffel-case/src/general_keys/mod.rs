@@ -62,6 +62,17 @@ pub(crate) struct ContactKeys {
     pub(crate) contact_angle: f64,
     /// e \[m\], to the right of the shear centre.
     pub(crate) lateral_offset: f64,
+    /// How it moves across the profiles; none where it stays.
+    pub(crate) conformity: Option<ConformityKeys>,
+}
+
+/// How a contact moves across the profiles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ConformityKeys {
+    /// R_c \[m\].
+    pub(crate) rail_radius: f64,
+    /// κ \[1/m\], outward.
+    pub(crate) cross_slope: f64,
 }
 
 /// The contact on the opposite rail.
@@ -108,6 +119,7 @@ impl CheckedKeys {
             ),
             ("contact.contact_angle", contact.contact_angle.is_some()),
             ("contact.lateral_offset", contact.lateral_offset.is_some()),
+            ("contact.conformity", contact.conformity.is_some()),
             // A section that could twist does not yet make a case one of twist.
             (
                 "rail.torsion_constant",
@@ -218,6 +230,7 @@ impl CheckedKeys {
                 friction: or(friction, here.friction),
                 contact_angle: or(contact_angle, here.contact_angle),
                 lateral_offset: or(lateral_offset, -here.lateral_offset),
+                conformity: here.conformity,
             },
             creepages,
         }))
@@ -349,5 +362,9 @@ fn contact(contact: &Contact) -> ContactKeys {
         friction: contact.friction.si(),
         contact_angle: or(contact.contact_angle, 0.0),
         lateral_offset: or(contact.lateral_offset, 0.0),
+        conformity: contact.conformity.map(|conformity| ConformityKeys {
+            rail_radius: conformity.rail_radius.si(),
+            cross_slope: or(conformity.cross_slope, 0.0),
+        }),
     }
 }

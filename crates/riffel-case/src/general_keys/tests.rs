@@ -99,6 +99,7 @@ fn the_case_of_one_axis_is_not_general() {
 #[case("contact.creepage={ lateral = \"0.5 %\" }", "contact.creepage")]
 #[case("contact.contact_angle=0", "contact.contact_angle")]
 #[case("contact.lateral_offset=\"-5 mm\"", "contact.lateral_offset")]
+#[case("contact.conformity.rail_radius=\"250 mm\"", "contact.conformity")]
 fn keys_that_make_a_case_general(#[case] set: &str, #[case] key: &str) {
     let keys = keys(NOMINAL_CASE, &[set]).unwrap();
     assert_eq!(keys.general_key(), Some(key));

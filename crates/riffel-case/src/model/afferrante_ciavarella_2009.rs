@@ -17,6 +17,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::Alone(Rotation::Inertia),
         creepage: CreepageJoint::AlongTheRail,
         contact: ContactJoint::Carter,
+        conformity: false,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::Lag,
         wear: WearJoint::Energy,

@@ -16,6 +16,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::EvenlyTurningWheelset,
         creepage: CreepageJoint::Own,
         contact: ContactJoint::SpringDashpot,
+        conformity: true,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,
@@ -23,14 +24,15 @@ pub(super) static MODEL: FieldModel = FieldModel {
     assumptions: &[
         "a track on pads, sleepers and ballast spread evenly",
         "the contact is a spring (Mindlin) and a dashpot (the slope of the steady law) in series in each direction",
-        "the wheelset does not answer in rotation: creepage along the rail would oscillate by geometry alone",
+        "the wheelset does not answer in rotation: creepage along the rail oscillates by geometry alone",
+        "the contact moves across close profiles as `contact.conformity` of the case says; without it the contact stays",
     ],
     leaves_out: &[
         "rotational inertia of the wheelset",
         "discrete supports",
         "spin",
         "the exact delay of the contact",
-        "conformity, its cause of oscillating creepage: a case tells neither both profiles nor the cross slope of the ripple",
+        "the rolls of wheel and rail, and the moment that a moving contact brings to the rail",
     ],
     not_given: &[
         "profiles of wheel and rail, steady creepages and values of the track: those of the case stand in",

@@ -16,6 +16,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::Sprung,
         creepage: CreepageJoint::AlongTheRail,
         contact: ContactJoint::Carter,
+        conformity: false,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::NormalForce,

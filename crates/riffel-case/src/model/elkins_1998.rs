@@ -16,6 +16,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::ElasticWheelset,
         creepage: CreepageJoint::NearSaturation,
         contact: ContactJoint::QuasiStatic,
+        conformity: false,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,

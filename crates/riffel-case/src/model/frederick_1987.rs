@@ -16,6 +16,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::Wheelset,
         creepage: CreepageJoint::Own,
         contact: ContactJoint::QuasiStatic,
+        conformity: false,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,

@@ -17,6 +17,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::Alone(Rotation::ConstantTangentialForce),
         creepage: CreepageJoint::AlongTheRail,
         contact: ContactJoint::Carter,
+        conformity: false,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,

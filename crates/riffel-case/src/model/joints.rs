@@ -13,6 +13,8 @@ pub enum Joint {
     Creepage,
     /// Creep law and its response.
     Contact,
+    /// What moves the contact across the profiles.
+    Conformity,
     /// What the patch leaves of the profile.
     ContactFilter,
     /// Phase between dissipation and wear.
@@ -23,11 +25,12 @@ pub enum Joint {
 
 impl Joint {
     /// Every joint, in the order of tables.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Track,
         Self::Wheel,
         Self::Creepage,
         Self::Contact,
+        Self::Conformity,
         Self::ContactFilter,
         Self::PlaceOfWear,
         Self::Wear,
@@ -40,6 +43,7 @@ impl Joint {
             Self::Wheel => "wheel",
             Self::Creepage => "creepage",
             Self::Contact => "contact",
+            Self::Conformity => "conformity",
             Self::ContactFilter => "contact_filter",
             Self::PlaceOfWear => "place_of_wear",
             Self::Wear => "wear",
@@ -53,6 +57,7 @@ impl Joint {
             Self::Wheel => "wheel",
             Self::Creepage => "creepage",
             Self::Contact => "contact",
+            Self::Conformity => "conformity",
             Self::ContactFilter => "contact filter",
             Self::PlaceOfWear => "place of wear",
             Self::Wear => "wear",
@@ -67,6 +72,7 @@ pub struct Joints {
     pub(crate) wheel: WheelJoint,
     pub(crate) creepage: CreepageJoint,
     pub(crate) contact: ContactJoint,
+    pub(crate) conformity: bool,
     pub(crate) contact_filter: bool,
     pub(crate) place_of_wear: PlaceOfWearJoint,
     pub(crate) wear: WearJoint,
@@ -161,6 +167,7 @@ impl Joints {
         wheel: WheelJoint::Own,
         creepage: CreepageJoint::Own,
         contact: ContactJoint::Exact,
+        conformity: true,
         contact_filter: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
@@ -175,6 +182,7 @@ impl Joints {
             Joint::Wheel => changed.wheel = of.wheel,
             Joint::Creepage => changed.creepage = of.creepage,
             Joint::Contact => changed.contact = of.contact,
+            Joint::Conformity => changed.conformity = of.conformity,
             Joint::ContactFilter => changed.contact_filter = of.contact_filter,
             Joint::PlaceOfWear => changed.place_of_wear = of.place_of_wear,
             Joint::Wear => changed.wear = of.wear,
@@ -235,6 +243,10 @@ impl Joints {
                 ContactJoint::SpringDashpot => {
                     "Carter in three dimensions, spring and dashpot in series"
                 }
+            },
+            Joint::Conformity => match self.conformity {
+                true => "that of the case",
+                false => "none",
             },
             Joint::ContactFilter => match self.contact_filter {
                 true => "mean of the profile over the patch",

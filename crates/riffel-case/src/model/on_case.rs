@@ -78,6 +78,9 @@ impl ModelOnCase {
         }
         keys.creepage(joints.creepage)?;
         keys.contact(joints.contact)?;
+        if !joints.conformity {
+            keys.remove(&["contact.conformity"]);
+        }
         match joints.place_of_wear {
             PlaceOfWearJoint::Own => {}
             PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase=lag")?,
@@ -306,6 +309,7 @@ impl ModelKeys<'_> {
             "train",
             "contact.contact_angle",
             "contact.lateral_offset",
+            "contact.conformity",
             "rail.torsion_constant",
         ]);
         if self.case.file.wheelset.is_some() {

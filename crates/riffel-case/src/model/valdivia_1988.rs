@@ -16,6 +16,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         wheel: WheelJoint::Wheelset,
         creepage: CreepageJoint::AcrossTheRail,
         contact: ContactJoint::Exact,
+        conformity: false,
         contact_filter: true,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,

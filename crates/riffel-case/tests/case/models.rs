@@ -162,6 +162,57 @@ fn what_a_case_lacks_is_told() {
     }
 }
 
+/// The contact of Bhaskar's model moves across the profiles where the case says how, and that of no other model does.
+#[test]
+fn conformity_is_bhaskars() {
+    let wheelset = [
+        "contact.creepage={ longitudinal = \"0.1 %\" }",
+        "contact.contact_angle=\"3 deg\"",
+        "track.pad.lateral_stiffness=\"40 MN/m\"",
+        "track.ballast.lateral_stiffness=\"40 MN/m\"",
+    ];
+    let conformal = [
+        &wheelset[..],
+        &["contact.conformity={ rail_radius = \"200 mm\", cross_slope = \"20 1/m\" }"],
+    ]
+    .concat();
+    let [stays, moves] = [&wheelset[..], &conformal].map(|set| case(MAIN_LINE_CASE, set));
+    let growth = |case: &Case, name: &str| on(case, name).unwrap().growth_rates(&[0.05], 30.0)[0];
+    for (name, acts) in [
+        ("bhaskar-1997", true),
+        ("hempelmann-knothe-1996", false),
+        ("grassie-johnson-1985", false),
+    ] {
+        let [stays, moves] = [&stays, &moves].map(|case| growth(case, name));
+        assert_eq!(stays != moves, acts, "{name}: {stays} {moves}");
+    }
+    // Turning evenly and held along the rail, it creeps by the ripple alone: twice the slope, twice the difference.
+    let sloping = |slope: &str| {
+        let set =
+            format!("contact.conformity={{ rail_radius = \"300 mm\", cross_slope = \"{slope}\" }}");
+        let set = [&wheelset[..], &[&set]].concat();
+        growth(&case(MAIN_LINE_CASE, &set), "bhaskar-1997")
+    };
+    let [none, once, twice] = ["0", "10 1/m", "20 1/m"].map(sloping);
+    assert!((once - none).abs() > 1e-3 * none.abs());
+    assert!(((twice - none) / (once - none) - 2.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_rail_flatter_than_both_together_is_refused() {
+    let set = "contact.conformity.rail_radius=\"310 mm\"".to_owned();
+    let refused = Case::parse("case.toml", NOMINAL_CASE, &[set])
+        .err()
+        .unwrap();
+    let sentence = refused.in_words();
+    assert!(
+        sentence.contains(
+            "`contact.conformity.rail_radius` is 0.31 m, but must be at most the transverse radius"
+        ),
+        "{sentence}"
+    );
+}
+
 /// Two wheels on a rigid axle without mass move downward as each did alone.
 #[test]
 fn a_lone_wheel_becomes_one_of_two() {

@@ -72,6 +72,8 @@ dimensions! {
     Angle = "an angle", "rad", "3 deg";
     /// Turn per length of way.
     Spin = "a spin", "rad/m", "0.3 rad/m";
+    /// Change per length, over the value itself.
+    RelativeSlope = "a relative slope", "1/m", "2 1/m";
     /// Warping constant of a cross-section.
     WarpingConstant = "a warping constant", "m6", "2.16e-8 m6";
     /// Decay over slip velocity.

@@ -263,6 +263,7 @@ mod tests {
             check::<WearCoefficient>(),
             check::<Angle>(),
             check::<Spin>(),
+            check::<RelativeSlope>(),
             check::<WarpingConstant>(),
             check::<VelocityDecay>(),
         ];

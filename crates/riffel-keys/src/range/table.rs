@@ -3,8 +3,9 @@
 use super::PhysicalRange;
 use crate::quantity::{
     Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
-    Length, Mass, MassPerLength, Modulus, Moment, Ratio, SecondMoment, Speed, Spin, Stiffness,
-    TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant, WearCoefficient,
+    Length, Mass, MassPerLength, Modulus, Moment, Ratio, RelativeSlope, SecondMoment, Speed, Spin,
+    Stiffness, TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant,
+    WearCoefficient,
 };
 
 const fn row<D: Dimension>(
@@ -303,6 +304,18 @@ pub static RANGES: &[PhysicalRange] = &[
         [-1.0, 1.0],
         [-0.05, 0.05],
         "Within half the width of a rail head, 30 to 37 mm.",
+    ),
+    row::<Length>(
+        &["contact.conformity.rail_radius"],
+        [1e-3, 10.0],
+        [0.08, 1.0],
+        "The radius of the head where the wheel runs: 80 mm at the gauge corner of new rails, 300 on their crown, more on worn ones.",
+    ),
+    row::<RelativeSlope>(
+        &["contact.conformity.cross_slope"],
+        [-1e4, 1e4],
+        [-200.0, 200.0],
+        "A ripple that vanishes within 10 mm from where it is deepest has 100 1/m.",
     ),
     row::<Ratio>(
         &["contact.polach.limit_friction_ratio"],

@@ -2,6 +2,17 @@
 
 use crate::Error;
 
+/// Longitudinal creepage by geometry alone, as a contact that moves across the profiles finds another rolling radius:
+/// ξ_x = `by_profile` Δ + `by_outward_shift` s, with the profile Δ \[m\] and the displacement s \[m\] of the wheel against the
+/// rail, outward: to the right on the right rail, to the left on the left one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeometricCreepage {
+    /// Per height of the profile \[1/m\].
+    pub by_profile: f64,
+    /// Per displacement \[1/m\].
+    pub by_outward_shift: f64,
+}
+
 /// Two circular profiles that touch: the rail head, convex, of the transverse radius R_c, and the wheel, concave, of R_t,
 /// or a cone. The closer the radii, the further the contact moves across them when they shift or roll.
 ///
@@ -76,6 +87,26 @@ impl Conformity {
         lateral: f64,
     ) -> f64 {
         contact_angle.tan() / rolling_radius * self.shift_on_wheel(roll, lateral)
+    }
+
+    /// Longitudinal creepage of a wheel of the rolling radius \[m\] under a contact angle \[rad\], by a ripple whose height
+    /// grows outward across the head by the share κ of itself per metre \[1/m\], its cross slope: ψ = κΔ, for a rail that
+    /// is higher outward is rolled inward. The same on both rails, for one mirrors the other. The rolls of wheel and rail
+    /// themselves are left out, being small beside the slope of a ripple as short as corrugation: a wheel that is lifted
+    /// by Δ on one rail rolls its wheelset by Δ over the distance of the rails, as a cross slope of 0.7 1/m would.
+    pub fn geometric_creepage(
+        &self,
+        contact_angle: f64,
+        rolling_radius: f64,
+        cross_slope: f64,
+    ) -> GeometricCreepage {
+        let by = |roll, outward| {
+            self.longitudinal_creepage(contact_angle, rolling_radius, roll, outward)
+        };
+        GeometricCreepage {
+            by_profile: by(cross_slope, 0.0),
+            by_outward_shift: by(0.0, 1.0),
+        }
     }
 }
 

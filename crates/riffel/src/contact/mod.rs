@@ -14,7 +14,7 @@ mod response;
 mod rolling;
 mod spring_dashpot;
 
-pub use conformity::Conformity;
+pub use conformity::{Conformity, GeometricCreepage};
 pub use ellipse::{
     ContactBody, ContactFilter, EllipticContact, EllipticIntegrals, HertzContact,
     KalkerCoefficients, creep_coefficient,

@@ -4,6 +4,7 @@ mod closed_forms;
 mod contact;
 mod forecast;
 mod general_loop;
+mod geometric_creepage;
 mod growth;
 mod load_wear;
 mod passage;

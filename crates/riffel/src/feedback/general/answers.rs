@@ -9,7 +9,7 @@ use super::GeneralLoop;
 use crate::vector::Vector;
 
 /// Numbers of each contact.
-const NUMBERS: usize = 10;
+const NUMBERS: usize = 13;
 
 /// Wavelengths solved together, with all that depends on them alone.
 #[derive(Clone)]
@@ -31,10 +31,14 @@ pub(super) struct Answer<N> {
     pub(super) force_by_creepage: [[N; 2]; 2],
     /// The profile under the contact \[m\].
     pub(super) profile: N,
+    /// F_ξ times the creepage by geometry of that profile \[N\].
+    pub(super) force_by_profile: [N; 2],
     /// What its energies at the rail point add to Ŵ₁ of the mean growth, per normal force \[1/N\].
     pub(super) growth_by_load: N,
     /// The same per creepage \[-\].
     pub(super) growth_by_creepage: [N; 2],
+    /// The same by geometry and the profile \[-\].
+    pub(super) growth_by_profile: N,
 }
 
 impl Answers {
@@ -71,13 +75,15 @@ impl Answers {
     pub(super) fn of_contacts<S: Simd>(&self) -> impl Iterator<Item = Answer<Vector<S>>> {
         let (contacts, _) = Vector::<S>::row(&self.numbers).as_chunks::<NUMBERS>();
         contacts.iter().map(|&numbers| {
-            let [a, b, c, d, e, f, g, h, i, j] = numbers.map(Vector::from);
+            let [a, b, c, d, e, f, g, h, i, j, k, l, m] = numbers.map(Vector::from);
             Answer {
                 force_by_load: [a, b],
                 force_by_creepage: [[c, d], [e, f]],
                 profile: g,
-                growth_by_load: h,
-                growth_by_creepage: [i, j],
+                force_by_profile: [h, i],
+                growth_by_load: j,
+                growth_by_creepage: [k, l],
+                growth_by_profile: m,
             }
         })
     }
@@ -87,23 +93,48 @@ impl Answer<Complex64> {
     fn new(of: &GeneralLoop, index: usize, wavelength: f64) -> Self {
         let contact = &of.contacts[index];
         let derivatives = contact.derivatives(wavelength);
-        let [along, across] = derivatives.by_creepage.map(|by| by.force);
-        let phase = contact.phase(2.0 * PI / wavelength);
+        let wavenumber = 2.0 * PI / wavelength;
+        let [along, mut across] = derivatives.by_creepage.map(|by| by.force);
+        let phase = contact.phase(wavenumber);
         let lag = contact.place_of_wear.lag(wavelength);
         let growth = of.share_of_growth(index) / (phase * contact.profile_or_one());
+        let [by_along, mut by_across] = derivatives.by_creepage.map(|by| by.at_rail(lag) * growth);
+        // What moves the contact across the profiles creeps along the rail with it.
+        let [by_lateral, by_profile] = contact.geometric_creepage(wavenumber, of.amplitude);
+        for (across, along) in across.iter_mut().zip(along) {
+            *across += along * by_lateral;
+        }
+        by_across += by_along * by_lateral;
         Self {
             force_by_load: derivatives.by_load.force,
             force_by_creepage: [[along[0], across[0]], [along[1], across[1]]],
             profile: of.amplitude * contact.profile * phase,
+            force_by_profile: along.map(|along| along * by_profile),
             growth_by_load: derivatives.by_load.at_rail(lag) * growth,
-            growth_by_creepage: derivatives.by_creepage.map(|by| by.at_rail(lag) * growth),
+            growth_by_creepage: [by_along, by_across],
+            growth_by_profile: by_along * by_profile,
         }
     }
 
     fn numbers(self) -> [Complex64; NUMBERS] {
         let [a, b] = self.force_by_load;
         let [[c, d], [e, f]] = self.force_by_creepage;
-        let [i, j] = self.growth_by_creepage;
-        [a, b, c, d, e, f, self.profile, self.growth_by_load, i, j]
+        let [h, i] = self.force_by_profile;
+        let [k, l] = self.growth_by_creepage;
+        [
+            a,
+            b,
+            c,
+            d,
+            e,
+            f,
+            self.profile,
+            h,
+            i,
+            self.growth_by_load,
+            k,
+            l,
+            self.growth_by_profile,
+        ]
     }
 }

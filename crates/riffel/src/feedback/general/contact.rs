@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::contact::ContactDerivative;
+use crate::contact::{ContactDerivative, GeometricCreepage};
 use crate::wheelset::Motion;
 use crate::{Direction, EnergyWear, Error, Place, PlaceOfWear, Rail, RollingContact};
 
@@ -28,6 +28,9 @@ pub struct Contact {
     pub rolling: Arc<dyn RollingContact>,
     /// What holds or frees the surfaces along the rail and across it: compliant where track and wheel say how they yield.
     pub motion: [Motion<()>; 2],
+    /// Longitudinal creepage by geometry, of a contact that moves across the profiles; none where it stays. On a free axis
+    /// it changes nothing: the wheel turns with it.
+    pub geometry: Option<GeometricCreepage>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
     /// Law of wear.
@@ -64,6 +67,24 @@ impl Contact {
             Some(Motion::Free) => 0.0,
             _ => 1.0,
         }
+    }
+
+    /// Longitudinal creepage by geometry at a wavenumber \[rad/m\]: per lateral creepage, for the displacement of the wheel
+    /// against the rail is s = −iξ_t/k, and that of the profile Δ \[m\] of the rail under study \[-\].
+    pub(super) fn geometric_creepage(&self, wavenumber: f64, amplitude: f64) -> [Complex64; 2] {
+        let Some(geometry) = self
+            .geometry
+            .filter(|_| !matches!(self.motion[0], Motion::Free))
+        else {
+            return [Complex64::ZERO; 2];
+        };
+        let outward = match self.rail {
+            Rail::Right => 1.0,
+            Rail::Left => -1.0,
+        };
+        let by_lateral = Complex64::new(0.0, -outward * geometry.by_outward_shift / wavenumber);
+        let profile = amplitude * self.profile * self.phase(wavenumber);
+        [by_lateral, geometry.by_profile * profile]
     }
 
     /// Turn the rows of three axes from those of the track to those of the contact,

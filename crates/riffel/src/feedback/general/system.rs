@@ -174,8 +174,10 @@ impl System {
                     .unknown_of_lane(3 * index + axis, self.excitation[index], 0);
             contact.force_share(axis) * unknown
         });
-        let creepage: [Complex64; 2] =
-            std::array::from_fn(|axis| self.number(&self.creepages, 2 * index + axis, 0));
+        let [along, across] = [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, 0));
+        let wavenumber = 2.0 * PI / wavelength;
+        let [by_lateral, by_profile] = contact.geometric_creepage(wavenumber, of.amplitude);
+        let creepage = [along + by_lateral * across + by_profile, across];
         let lag = contact.place_of_wear.lag(wavelength);
         let mut energy = derivatives.by_load.energy * force[NORMAL];
         let mut at_rail = derivatives.by_load.at_rail(lag) * force[NORMAL];
@@ -183,7 +185,7 @@ impl System {
             energy += by.energy * creepage;
             at_rail += by.at_rail(lag) * creepage;
         }
-        let phase = contact.phase(2.0 * PI / wavelength);
+        let phase = contact.phase(wavenumber);
         let energy_at_rail = at_rail / (phase * contact.profile_or_one());
         let depth = contact.wear.depth_per_energy() * energy_at_rail.re;
         ContactState {

@@ -42,7 +42,7 @@ impl Turn<'_> {
     /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
     ///
     /// ```text
-    /// Q − F_P P − F_ξ ξ = 0        two rows a contact
+    /// Q − F_P P − F_ξ ξ = F_ξ ξ_g  two rows a contact, ξ_g by geometry and the profile
     /// P/k_H + (H f)_n = Δ p        one row
     /// ```
     #[inline(always)]
@@ -89,6 +89,7 @@ impl Turn<'_> {
                     answer.force_by_load[axis].negative(simd),
                 );
                 right.fill(zero.parts());
+                right[excitation] = answer.force_by_profile[axis].parts();
             }
             let (row, right) = rows[NORMAL * width..].split_at_mut(size);
             row.copy_from_slice(normal);
@@ -121,6 +122,7 @@ impl Turn<'_> {
             let Answer {
                 growth_by_load,
                 growth_by_creepage,
+                growth_by_profile,
                 ..
             } = answer;
             let mut displacements = [Vector::<S>::zero(simd); 2];
@@ -135,6 +137,7 @@ impl Turn<'_> {
             }
             let load = equations.unknown::<S>(3 * index + NORMAL, column);
             dissipation = growth_by_load.times_plus(simd, load, dissipation);
+            dissipation = dissipation.plus(simd, growth_by_profile);
             for axis in 0..NORMAL {
                 let creepage = match contact.motion[axis] {
                     Motion::Held => Vector::zero(simd),
