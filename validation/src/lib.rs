@@ -1,6 +1,7 @@
 //! What Riffel is held against: reference numbers and published statements, as a table.
 //!
-//! Each check is one function; the program prints them all, the tests run each under its name.
+//! Each check is one function; the program prints them all, the tests run each under its name and hold its row against
+//! the book's table.
 
 mod appendix;
 mod classes;
@@ -44,6 +45,19 @@ pub struct Row {
     pub holds: bool,
 }
 
+impl Row {
+    /// The row of [`markdown()`], with the end of its line.
+    fn markdown(&self) -> String {
+        let verdict = if self.holds { "holds" } else { "**fails**" };
+        format!(
+            "| {} | {} | {} | {} | {} | {verdict} |\n",
+            self.statement, self.source, self.expected, self.got, self.tolerance
+        )
+        .replace("|P₁", "\\|P₁")
+        .replace("P₀|", "P₀\\|")
+    }
+}
+
 /// A check with its name.
 pub struct Check {
     /// Unique name, that of the test.
@@ -66,6 +80,11 @@ macro_rules! checks {
                 fn $name() {
                     let row = super::$module::$name();
                     assert!(row.holds, "{row:#?}");
+                    let printed = row.markdown();
+                    assert!(
+                        include_str!("../../docs/src/validation.md").contains(&printed),
+                        "docs/src/validation.md is not current (cargo xtask generate); now: {printed}"
+                    );
                 }
             )+)+
         }
@@ -121,16 +140,7 @@ pub fn markdown() -> String {
         "| statement | source | expected | Riffel | tolerance and its cause | |\n|---|---|---|---|---|---|\n",
     );
     for check in CHECKS {
-        let row = (check.run)();
-        let verdict = if row.holds { "holds" } else { "**fails**" };
-        text.push_str(
-            &format!(
-                "| {} | {} | {} | {} | {} | {verdict} |\n",
-                row.statement, row.source, row.expected, row.got, row.tolerance
-            )
-            .replace("|P₁", "\\|P₁")
-            .replace("P₀|", "P₀\\|"),
-        );
+        text.push_str(&(check.run)().markdown());
     }
     text
 }

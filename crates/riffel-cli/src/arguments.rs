@@ -114,7 +114,7 @@ pub(crate) enum Command {
     /// Print the manual page, or write those of all commands.
     Man(ManPages),
     /// Hold the program against reference numbers and published statements.
-    Validate,
+    Validate(Validate),
 }
 
 /// A case file with overrides.
@@ -542,6 +542,14 @@ pub(crate) struct Schema {
     /// That of the plan of a study.
     #[arg(long)]
     pub(crate) study: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel validate hertz wheelset")]
+pub(crate) struct Validate {
+    /// Only the checks with one of these words in their names, which are those of the tests.
+    #[arg(value_name = "WORD")]
+    pub(crate) words: Vec<String>,
 }
 
 #[derive(Args)]

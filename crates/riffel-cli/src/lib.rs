@@ -97,7 +97,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Completions(arguments) => command::completions::run(&arguments)?,
         Command::Man(arguments) => command::man::run(&arguments)?,
         Command::Schema(arguments) => command::schema::run(&arguments)?,
-        Command::Validate => return command::validate::run(),
+        Command::Validate(arguments) => return command::validate::run(&arguments),
     }
     Ok(0)
 }
