@@ -32,6 +32,7 @@ def test_the_nominal_map_is_there(page):
     page.keep("explore", whole=True)
 
 
+@pytest.mark.without_curves
 def test_a_slider_changes_map_case_and_words(page):
     before, words = page.map(), page.text("#verdict")
     drag(page, "contact-friction", 0.15)
@@ -110,6 +111,7 @@ def check_branches(page, case, locale):
     page.keep(f"branches-{case}-{locale[:2]}")
 
 
+@pytest.mark.without_curves
 def test_inertia_slider_speaks_in_engineers_units(page):
     drag(page, "wheel-inertia", 400)
     page.settle()
@@ -127,6 +129,7 @@ def test_the_cursor_leads_loop_and_curves(page):
     assert "grows" in page.text("#why")
 
 
+@pytest.mark.without_curves
 def test_by_keyboard_alone(page):
     keys = page.page.keyboard
     page.page.locator("body").focus()
@@ -194,6 +197,7 @@ def test_a_case_file_with_an_error_says_so_and_what_was_open_stays(open_page, ch
     page.close(complaints=1)
 
 
+@pytest.mark.without_curves
 def test_an_error_that_is_typed_goes_when_it_is_mended(open_page):
     page = open_page()
     page.set("contact.normal_load", "-50")
@@ -205,6 +209,7 @@ def test_an_error_that_is_typed_goes_when_it_is_mended(open_page):
     page.close(complaints=1)
 
 
+@pytest.mark.without_curves
 def test_a_case_file_fills_the_form(page):
     open_case(page, (ROOT / "cases/discrete-supports.toml").read_text())
     page.until(lambda: page.page.locator("#key-track-model").input_value() == "two-layer-periodic")
@@ -212,6 +217,7 @@ def test_a_case_file_fills_the_form(page):
     assert page.page.locator("#key-title").input_value() != "BR main line, tangent track"
 
 
+@pytest.mark.without_curves
 def test_a_wheelset_is_shown_and_edited(open_page):
     page = open_page()
     open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
@@ -251,6 +257,7 @@ def test_a_wheelset_is_shown_and_edited(open_page):
     assert all("422" in complaint for complaint in page.complaints)
 
 
+@pytest.mark.without_curves
 def test_a_preset_of_a_wheelset_takes_the_place_of_the_wheel(page):
     page.set("wheelset.preset", "metro-trailer")
     page.settle()
@@ -258,6 +265,7 @@ def test_a_preset_of_a_wheelset_takes_the_place_of_the_wheel(page):
     assert page.page.locator("#key-wheelset-discs").get_attribute("placeholder").count("polar_inertia") > 1
 
 
+@pytest.mark.without_curves
 def test_a_link_opens_what_was_seen(page, open_page):
     page.set("contact.friction", "0.27")
     page.set("track.model", "two-layer")
@@ -289,6 +297,7 @@ def test_a_broken_link_opens_the_nominal_case(open_page, fragment):
     assert all("422" in complaint for complaint in page.complaints)
 
 
+@pytest.mark.without_curves
 def test_presets_show_their_sources_and_take_the_place_of_values(page):
     page.set("vehicle", "metro-motor-car")
     page.settle()
@@ -361,6 +370,7 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     assert again.value.suggested_filename == "trolley-report.html"
 
 
+@pytest.mark.without_curves
 def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     page.page.get_by_text("Take away").click()
     with page.page.expect_download(timeout=60_000) as download:
@@ -372,6 +382,7 @@ def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     assert "riffel-serve" not in report
 
 
+@pytest.mark.without_curves
 def test_a_file_that_is_no_profile_is_told_so(open_page):
     page = open_page()
     page.page.click("#tab-measure")
@@ -516,6 +527,7 @@ def test_the_map_follows_a_slider(page, capsys):
         print(f"\n# 50 steps of a slider to the map of 241 × 221 on the screen: median {statistics.median(times):.0f} ms, nine of ten within {tenths[8]:.0f} ms")
 
 
+@pytest.mark.without_curves
 def test_a_fast_hand_is_not_left_behind(open_page):
     page = open_page()
     page.page.evaluate(
@@ -541,6 +553,7 @@ def test_a_fast_hand_is_not_left_behind(open_page):
     assert all("503" in complaint for complaint in page.complaints)
 
 
+@pytest.mark.without_curves
 def test_a_busy_program_is_asked_again(open_page):
     page = open_page()
     turned_away = []
