@@ -220,7 +220,10 @@ def test_a_case_file_fills_the_form(page):
 @pytest.mark.without_curves
 def test_a_wheelset_is_shown_and_edited(open_page):
     page = open_page()
-    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    text = (ROOT / "cases/curve.toml").read_text()
+    assert '"150 mm" }' in text and '"15 m/s" }' in text
+    text = text.replace('"150 mm" }', '"150 mm", points = 31 }').replace('"15 m/s" }', '"15 m/s", points = 21 }')
+    open_case(page, text, "curve.toml")
     value = lambda key: page.page.locator(f"#key-{key}").input_value()
     page.until(lambda: value("wheelset-model") == "flexible")
     page.settle()
