@@ -13,9 +13,8 @@ impl Case {
     /// Wheel, track and contact of the case in time, at a speed \[m/s\].
     ///
     /// # Errors
-    /// [`CaseError`] where the case has what is not followed through time: several contacts or axes, supports that pass
-    /// under the wheel, a contact that answers late or is no formula, a wheel or a track that is not a model, a track
-    /// that is not causal.
+    /// [`CaseError`] where the case has what is not followed through time: several contacts or axes, a contact that answers
+    /// late or is no formula, a wheel or a track that is not a model, a track that is not causal.
     pub fn passage(&self, speed: f64) -> Result<PassageModel, CaseError> {
         self.check_in_time()?;
         let (keys, wheel) = (&self.keys, &self.file.wheel);
@@ -23,7 +22,10 @@ impl Case {
             Some(_) => "receptance of the track",
             None => "track.model",
         };
-        let response = ImpulseResponse::of(&*self.track.receptance, speed);
+        let response = match self.track.support_spacing() {
+            Some(_) => ImpulseResponse::over_supports(&self.moving_load_on_supports(speed)?),
+            None => ImpulseResponse::of(&*self.track.receptance, speed),
+        };
         let normal_force = self.hertz.normal_force();
         // The paper's law does without Kalker's coefficients, which have a table that ends.
         let law = match self.carter {
@@ -69,7 +71,7 @@ impl Case {
         })
     }
 
-    /// `Ok` if the case is one wheel on an even track, with longitudinal creepage by a formula.
+    /// `Ok` if the case is one wheel with longitudinal creepage by a formula.
     fn check_in_time(&self) -> Result<(), CaseError> {
         let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
         let file = &self.file;
@@ -84,14 +86,6 @@ impl Case {
                  [wheel] with longitudinal creepage"
             );
             return refuse(key, &message);
-        }
-        if self.track.support_spacing().is_some() {
-            let message = format!(
-                "`track.model` is \"{}\", whose supports pass under the wheel, but a passage in time takes a track that is \
-                 the same everywhere along the rail; choose its continuous counterpart",
-                file.track.model.name()
-            );
-            return refuse("track.model", &message);
         }
         if self.keys.given.wheel.is_some() {
             let message = "a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it";

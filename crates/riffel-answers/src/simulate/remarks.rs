@@ -1,6 +1,6 @@
 //! What the reader of a march should know.
 
-use riffel::passage::ImpulseResponse;
+use riffel::passage::{ImpulseResponse, Sinusoid};
 use riffel_keys::Remark;
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
@@ -22,6 +22,23 @@ pub(super) fn of_track(track: &ImpulseResponse) -> Option<Remark> {
             ),
         )
     })
+}
+
+/// That supports shake the wheel with a wave much as long as the profile's.
+pub(super) fn of_supports(track: &ImpulseResponse, profile: &Sinusoid) -> Option<Remark> {
+    let spacing = track.support_spacing()?;
+    let line = profile.shares_lines_with(spacing)?;
+    let length = 1e3 * spacing / line as f64;
+    Some(Remark::new(
+        format!(
+            "passing the supports shakes the wheel every {length:.1} mm as well, too close to this wave to tell them apart: \
+             harmonics hold both"
+        ),
+        format!(
+            "auch die Überfahrt der Stützpunkte regt das Rad alle {length:.1} mm an, zu nahe an dieser Welle, um beide zu \
+             trennen: die Harmonischen enthalten beides"
+        ),
+    ))
 }
 
 /// That a run ended before it was done, since the wheel was in the air.

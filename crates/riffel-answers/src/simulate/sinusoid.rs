@@ -66,7 +66,11 @@ impl SinusoidAnswer {
             })?;
         let radius = case.hertz.rolling_radius();
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
-        let remarks = remarks::of_track(&model.track).into_iter().chain(troughs);
+        let supports = remarks::of_supports(&model.track, &profile);
+        let remarks = remarks::of_track(&model.track)
+            .into_iter()
+            .chain(troughs)
+            .chain(supports);
         Ok(Self {
             remarks: remarks.collect(),
             request,
@@ -104,9 +108,8 @@ impl SinusoidAnswer {
     /// One wave, from crest to crest.
     pub fn course(&self) -> Course {
         let SinusoidRequest { profile, steps, .. } = self.request;
-        let wave = &self.settled.wave;
-        let crest = wave.last().copied();
-        let contacts: Vec<_> = crest.into_iter().chain(wave.iter().copied()).collect();
+        let wave = self.settled.wave.iter().copied();
+        let contacts: Vec<_> = std::iter::once(self.settled.crest).chain(wave).collect();
         let share = |step: usize| step as f64 / steps as f64;
         Course::new(
             (0..=steps)
@@ -122,6 +125,10 @@ impl SinusoidAnswer {
     /// One wave as strips.
     pub fn figure(&self, case: &Case) -> LineFigure {
         let SinusoidRequest { speed, profile, .. } = self.request;
+        let state = match self.model.track.support_spacing() {
+            Some(_) => "The last wave of many bays",
+            None => "Settled state",
+        };
         LineFigure {
             title: format!(
                 "A wave of {:.1} mm and {:.1} µm at {:.1} km/h",
@@ -129,7 +136,7 @@ impl SinusoidAnswer {
                 1e6 * profile.amplitude,
                 3.6 * speed
             ),
-            caption: format!("Settled state, wheel centre at x. {}", parameters(case)),
+            caption: format!("{state}, wheel centre at x. {}", parameters(case)),
             panels: self.course().panels(),
             arrangement: Arrangement::Strips,
         }

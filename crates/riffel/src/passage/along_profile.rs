@@ -21,7 +21,8 @@ pub struct Passage {
 
 impl PassageModel {
     /// Distance \[m\] after which a step of the rail is forgotten: the normal force stays within 10⁻⁴ of its largest
-    /// change, which is that of the contact's spring, ten times that of the wheel on the track.
+    /// change, which is that of the contact's spring, ten times that of the wheel on the track. On discrete supports the
+    /// change is that of the force which passing them makes, and the distance over which their sag sets in is added.
     ///
     /// # Errors
     /// [`Error::NotSettled`] where two seconds of rolling do not suffice.
@@ -35,8 +36,15 @@ impl PassageModel {
         const HEIGHT: f64 = 1e-8;
         let load = self.spring.normal_force();
         let mut march = self.march(STEP * self.speed)?;
+        let spacing = self.track.support_spacing();
+        let mut smooth = spacing.map(|_| march.clone());
         let steps = (PATIENCE / STEP) as usize;
-        let mut change = || (march.advance(HEIGHT).normal_force - load).abs();
+        let mut change = || {
+            let without = smooth
+                .as_mut()
+                .map_or(load, |smooth| smooth.advance(0.0).normal_force);
+            (march.advance(HEIGHT).normal_force - without).abs()
+        };
         let changes: Vec<f64> = (0..steps).map(|_| change()).collect();
         let largest = changes.iter().copied().fold(0.0, f64::max);
         let remembered = |change: &f64| *change > FORGOTTEN * largest;
@@ -47,16 +55,17 @@ impl PassageModel {
                 change: changes[last] / largest,
             });
         }
-        Ok((last + 2) as f64 * STEP * self.speed)
+        let onset = spacing.map_or(0.0, |spacing| March::ONSET_BAYS * spacing);
+        Ok(onset + (last + 2) as f64 * STEP * self.speed)
     }
 
     /// The wheel along a profile, in steps of at most the length given \[m\]; heights between samples are those of cubics
     /// through four of them.
     ///
-    /// The wheel comes from a smooth rail: before the profile lies its own beginning, mirrored on the straight line
-    /// through it and faded in over [`memory`](Self::memory), so that the motion is that of a rail which was rough before. A rail
-    /// that slopes where it begins has a kink there: over the first length of the memory forces may be off by a tenth of
-    /// their range.
+    /// On discrete supports the profile begins over one of them. The wheel comes from a smooth rail: before the profile lies
+    /// its own beginning, mirrored on the straight line through it and faded in over [`memory`](Self::memory), so that the
+    /// motion is that of a rail which was rough before. A rail that slopes where it begins has a kink there: over the first
+    /// length of the memory forces may be off by a tenth of their range.
     ///
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
@@ -83,7 +92,8 @@ impl PassageModel {
             }
         };
         let substeps = (spacing / largest_step).ceil().max(1.0);
-        let mut march = self.march(spacing / substeps)?;
+        let before = run_in as f64 * spacing;
+        let mut march = self.march_before(spacing / substeps, before)?;
         let mut roll = Roll::new(&mut march, substeps as usize);
         roll.along(rail, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();

@@ -110,7 +110,8 @@ impl Evolution {
     /// On by as many passages as the share of change allows, at most `most`; returns what the first of them was like.
     ///
     /// # Errors
-    /// Those of a march; [`Error::Airborne`] is not among them: a wheel may fly.
+    /// Those of a march, and [`Error::OutOfRange`] for a ring on discrete supports that is not of whole bays;
+    /// [`Error::Airborne`] is not among them: a wheel may fly.
     pub fn advance(
         &mut self,
         model: &PassageModel,
@@ -118,6 +119,17 @@ impl Evolution {
         memory: f64,
         most: u64,
     ) -> Result<PassageExtremes, Error> {
+        if let Some(spacing) = model.track.support_spacing() {
+            let bays = self.heights.len() as f64 * self.spacing / spacing;
+            if (bays - bays.round()).abs() > 1e-6 {
+                return Err(Error::OutOfRange {
+                    quantity: "length of the ring over the support spacing",
+                    value: bays,
+                    unit: "",
+                    rule: "must be a whole number",
+                });
+            }
+        }
         let (rate, depth, extremes) = self.rate(&self.heights, model, wear, memory)?;
         let passages = self
             .at_once(&rate, wear.share)
@@ -153,7 +165,7 @@ impl Evolution {
         let run_in = (memory / self.spacing).ceil();
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
         let substeps = (self.spacing / wear.largest_step).ceil().max(1.0);
-        let mut march = model.march(self.spacing / substeps)?;
+        let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
         let mut roll = Roll::new(&mut march, substeps as usize);
         let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
         roll.along(fading, -(run_in as isize), 0, |_| ());

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
+use super::over_supports::OverSupports;
 use super::vector_fitting::{PartialFraction, partial_fractions};
 use crate::{Error, Receptance};
 
@@ -25,6 +26,7 @@ use crate::{Error, Receptance};
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImpulseResponse {
     fractions: Vec<PartialFraction>,
+    bay: Option<OverSupports>,
     share_cut: f64,
     largest_error: f64,
 }
@@ -88,6 +90,7 @@ impl ImpulseResponse {
             let fractions = partial_fractions(&frequencies_fitted, &values_fitted, order);
             let mut fit = Self {
                 fractions,
+                bay: None,
                 share_cut: 0.0,
                 largest_error: 0.0,
             };
@@ -119,13 +122,27 @@ impl ImpulseResponse {
         }
     }
 
-    /// Its receptance \[m/N\] at the angular frequency ω \[rad/s\].
+    pub(super) fn new(
+        fractions: Vec<PartialFraction>,
+        bay: Option<OverSupports>,
+        share_cut: f64,
+        largest_error: f64,
+    ) -> Self {
+        Self {
+            fractions,
+            bay,
+            share_cut,
+            largest_error,
+        }
+    }
+
+    /// Its receptance \[m/N\] at the angular frequency ω \[rad/s\], on discrete supports the mean over the places of the load.
     pub fn receptance(&self, angular_frequency: f64) -> Complex64 {
         let s = Complex64::new(0.0, angular_frequency);
         self.fractions.iter().map(|fraction| fraction.at(s)).sum()
     }
 
-    /// g \[m/(N s)\] at the time t ≥ 0 \[s\] after the impulse.
+    /// g \[m/(N s)\] at the time t ≥ 0 \[s\] after the impulse, on discrete supports likewise.
     pub fn at(&self, time: f64) -> f64 {
         self.terms()
             .map(|(pole, residue)| (residue * (pole * time).exp()).re)
@@ -136,10 +153,17 @@ impl ImpulseResponse {
     pub(super) fn terms(&self) -> impl Iterator<Item = (Complex64, Complex64)> + '_ {
         self.fractions
             .iter()
-            .map(|&PartialFraction { pole, residue }| match pole.im == 0.0 {
-                true => (pole, residue),
-                false => (pole, 2.0 * residue),
-            })
+            .map(|fraction| (fraction.pole, fraction.of_term()))
+    }
+
+    /// What the place of the load changes; none where the track is even.
+    pub(super) fn bay(&self) -> Option<&OverSupports> {
+        self.bay.as_ref()
+    }
+
+    /// Distance of the supports \[m\] that pass under the load.
+    pub fn support_spacing(&self) -> Option<f64> {
+        self.bay.as_ref().map(|bay| bay.spacing)
     }
 
     /// Mean square of the relative error of its receptance, over frequencies that are even on a logarithmic scale: the

@@ -2,14 +2,20 @@
 //!
 //! Own, because a crate for dense matrices takes longer to build than all of this one.
 
-/// The x of least |A x − b|, by Householder reflections (Golub & Van Loan, *Matrix Computations*, 5.2): `columns` are
-/// those of A, each as long as `right`, b; all are used up. Columns of any size: each is first scaled to length one. A
+/// The x of least |A x − b|, as [`least_squares_of_several`] finds it.
+pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &[f64]) -> Vec<f64> {
+    least_squares_of_several(columns, vec![right.to_vec()]).swap_remove(0)
+}
+
+/// The x of least |A x − b| for each b, by Householder reflections (Golub & Van Loan, *Matrix Computations*, 5.2): `columns`
+/// are those of A, each as long as the `rights`, b; all are used up. Columns of any size: each is first scaled to length one. A
 /// column that depends on those before it to rounding takes no part, its unknown is zero.
 ///
-/// Cost: 2n²m operations for n unknowns and m equations.
-pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &mut [f64]) -> Vec<f64> {
-    /// Some hundred roundings of a column of length one.
-    const DEPENDENT: f64 = 3e-14;
+/// Cost: 2n²m operations for n unknowns and m equations, and 4nm for each b.
+pub(super) fn least_squares_of_several(
+    columns: &mut [Vec<f64>],
+    mut rights: Vec<Vec<f64>>,
+) -> Vec<Vec<f64>> {
     let length = |column: &Vec<f64>| Some(norm(column)).filter(|length| *length > 0.0);
     let scales: Vec<f64> = columns
         .iter()
@@ -18,15 +24,49 @@ pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &mut [f64]) -> Vec<
     for (column, scale) in columns.iter_mut().zip(&scales) {
         column.iter_mut().for_each(|entry| *entry /= scale);
     }
-    let mut solution = vec![0.0; columns.len()];
-    // Columns with their rows of R.
+    let taken = triangularise(columns, &mut rights);
+    let solve = |right: &Vec<f64>| {
+        let mut solution = vec![0.0; columns.len()];
+        for &(index, row) in taken.iter().rev() {
+            let after = taken.iter().filter(|(_, later)| *later > row);
+            let known: f64 = after
+                .map(|&(other, _)| columns[other][row] * solution[other])
+                .sum();
+            solution[index] = (right[row] - known) / columns[index][row];
+        }
+        for (value, scale) in solution.iter_mut().zip(&scales) {
+            *value /= scale;
+        }
+        solution
+    };
+    rights.iter().map(solve).collect()
+}
+
+/// What the columns after the first `count` leave of each other when those have taken their part: the least |A x − b|
+/// over the unknowns of the first columns is that of these rows over the others.
+pub(super) fn remainder(columns: &mut [Vec<f64>], count: usize) -> Vec<Vec<f64>> {
+    let taken = triangularise(columns, &mut []);
+    let from = taken.iter().filter(|(index, _)| *index < count).count();
+    let others = columns[count..].iter();
+    others
+        .map(|column| column[from..taken.len()].to_vec())
+        .collect()
+}
+
+/// Householder reflections, of the others too, that leave R in the columns, zeros below it; returns the columns that take
+/// part with their rows of R.
+fn triangularise(columns: &mut [Vec<f64>], others: &mut [Vec<f64>]) -> Vec<(usize, usize)> {
+    /// Some hundred roundings of a column.
+    const DEPENDENT: f64 = 3e-14;
+    let lengths: Vec<f64> = columns.iter().map(|column| norm(column)).collect();
     let mut taken: Vec<(usize, usize)> = Vec::new();
     for index in 0..columns.len() {
         let row = taken.len();
-        let (known, others) = columns.split_at_mut(index + 1);
+        let (known, later) = columns.split_at_mut(index + 1);
         let pivot = &mut known[index];
         let length = norm(&pivot[row..]);
-        if length <= DEPENDENT {
+        if length <= DEPENDENT * lengths[index] {
+            pivot[row..].fill(0.0);
             continue;
         }
         // The reflection that leaves the first entry alone.
@@ -36,28 +76,17 @@ pub(super) fn least_squares(columns: &mut [Vec<f64>], right: &mut [f64]) -> Vec<
         let factor = 2.0 / mirror.iter().map(|entry| entry * entry).sum::<f64>();
         let reflect = |column: &mut [f64]| {
             let share = factor * dot(&mirror, column);
-            for (entry, mirror) in column.iter_mut().zip(&mirror) {
-                *entry -= share * mirror;
-            }
+            take_off(column, share, &mirror);
         };
-        others
+        later
             .iter_mut()
+            .chain(others.iter_mut())
             .for_each(|column| reflect(&mut column[row..]));
-        reflect(&mut right[row..]);
         pivot[row] = first;
+        pivot[row + 1..].fill(0.0);
         taken.push((index, row));
     }
-    for &(index, row) in taken.iter().rev() {
-        let after = taken.iter().filter(|(_, later)| *later > row);
-        let known: f64 = after
-            .map(|&(other, _)| columns[other][row] * solution[other])
-            .sum();
-        solution[index] = (right[row] - known) / columns[index][row];
-    }
-    for (value, scale) in solution.iter_mut().zip(&scales) {
-        *value /= scale;
-    }
-    solution
+    taken
 }
 
 fn norm(column: &[f64]) -> f64 {
@@ -65,7 +94,34 @@ fn norm(column: &[f64]) -> f64 {
 }
 
 fn dot(one: &[f64], other: &[f64]) -> f64 {
-    one.iter().zip(other).map(|(one, other)| one * other).sum()
+    // Four sums, so that no addition waits for the one before.
+    let (ones, one_rest) = one.as_chunks::<4>();
+    let (others, other_rest) = other.as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for ([a, b, c, d], [e, f, g, h]) in ones.iter().zip(others) {
+        sums[0] += a * e;
+        sums[1] += b * f;
+        sums[2] += c * g;
+        sums[3] += d * h;
+    }
+    let rest = one_rest.iter().zip(other_rest);
+    let rest: f64 = rest.map(|(one, other)| one * other).sum();
+    rest + (sums[0] + sums[1]) + (sums[2] + sums[3])
+}
+
+/// column − share · other, for `other` of the same length.
+fn take_off(column: &mut [f64], share: f64, other: &[f64]) {
+    let (columns, column_rest) = column.as_chunks_mut::<4>();
+    let (others, other_rest) = other.as_chunks::<4>();
+    for ([a, b, c, d], [e, f, g, h]) in columns.iter_mut().zip(others) {
+        *a -= share * e;
+        *b -= share * f;
+        *c -= share * g;
+        *d -= share * h;
+    }
+    for (entry, other) in column_rest.iter_mut().zip(other_rest) {
+        *entry -= share * other;
+    }
 }
 
 #[cfg(test)]
@@ -85,7 +141,7 @@ mod tests {
                 .zip(sizes)
                 .map(|(column, size)| column.iter().map(|entry| size * entry).collect())
                 .collect();
-            let solution = least_squares(&mut columns.clone(), &mut right.clone());
+            let solution = least_squares(&mut columns.clone(), &right);
             let mut residual = right;
             for (column, value) in columns.iter().zip(&solution) {
                 for (residual, entry) in residual.iter_mut().zip(column) {
@@ -98,6 +154,27 @@ mod tests {
         }
     }
 
+    /// The unknowns of some columns are those of all of them.
+    #[test]
+    fn a_remainder_keeps_its_unknowns() {
+        let column = |seed: f64| -> Vec<f64> {
+            (0..12)
+                .map(|i| (seed * f64::from(i * i + 3)).sin())
+                .collect()
+        };
+        let columns: Vec<Vec<f64>> = [0.3, 1.1, 0.7, 2.3].map(column).to_vec();
+        let right = column(1.7);
+        let all = least_squares(&mut columns.clone(), &right);
+        let mut with_right = columns;
+        with_right.push(right);
+        let mut rest = remainder(&mut with_right, 2);
+        let right = rest.pop().unwrap();
+        let some = least_squares(&mut rest, &right);
+        for (one, other) in all[2..].iter().zip(&some) {
+            assert!((one - other).abs() < 1e-12, "{all:?} {some:?}");
+        }
+    }
+
     #[test]
     fn a_column_that_depends_on_others_takes_no_part() {
         let mut columns = [
@@ -105,7 +182,7 @@ mod tests {
             vec![-2.0, -4.0, -6.0],
             vec![0.0, 1.0, 1.0],
         ];
-        let solution = least_squares(&mut columns, &mut [2.0, 5.0, 7.0]);
+        let solution = least_squares(&mut columns, &[2.0, 5.0, 7.0]);
         let expected = [2.0, 0.0, 1.0];
         for (value, expected) in solution.iter().zip(expected) {
             assert!((value - expected).abs() < 1e-13, "{solution:?}");

@@ -1,5 +1,6 @@
 //! The motion of a wheel along a rail, step by step.
 
+use super::along_profile::faded;
 use super::track_motion::TrackMotion;
 use super::{PassageModel, Turning};
 use crate::contact::Creepages;
@@ -24,7 +25,7 @@ impl ContactInstant {
     }
 }
 
-/// A wheel under way.
+/// A wheel under way; on discrete supports it begins over one of them.
 ///
 /// Over a step all forces are linear in time, and track, wheel and rotation move exactly under them; the forces at its
 /// end follow from one equation for P, then one for Q. Second order in the step: without loss of contact halving it
@@ -41,17 +42,28 @@ pub struct March<'a> {
     now: ContactInstant,
     /// R²h/(2I_wV) \[1/N\]: what Q − Q₀ at the beginning or end of a step takes off the creepage; zero if held.
     creepage_per_force: f64,
+    /// Share of the sag between supports that has set in, and what each step adds.
+    onset: f64,
+    onset_step: f64,
     /// dQ/dξ met last \[N\].
     slope: f64,
 }
 
 impl<'a> March<'a> {
-    /// Steady rolling on a smooth rail, with steps of the given length \[m\].
-    pub(super) fn new(model: &'a PassageModel, step: f64) -> Self {
+    /// Bays over which the sag of the rail between supports sets in, so that a march does not begin with a blow.
+    pub(super) const ONSET_BAYS: f64 = 4.0;
+
+    /// Steady rolling on a smooth rail, with steps of the given length \[m\], from a distance before a support \[m\].
+    pub(super) fn new(model: &'a PassageModel, step: f64, distance: f64) -> Self {
         let step = step / model.speed;
         let creepage = model.mean.creepages.longitudinal;
         Self {
-            track: TrackMotion::new(&model.track, step),
+            track: TrackMotion::new(&model.track, step, model.speed, distance),
+            onset: model.track.support_spacing().map_or(1.0, |_| 0.0),
+            onset_step: match model.track.support_spacing() {
+                Some(spacing) => step * model.speed / (Self::ONSET_BAYS * spacing),
+                None => 0.0,
+            },
             step,
             wheel: [0.0; 2],
             now: ContactInstant {
@@ -85,7 +97,11 @@ impl<'a> March<'a> {
         let (h, mass) = (self.step, self.model.wheel_mass);
         // m_w z'' = −f, f = P − P₀ linear: what the force at the beginning does, and what that at the end adds.
         let force = self.now.normal_force - load;
-        let rail = self.track.advance(force);
+        let mut rail = self.track.advance(force);
+        if self.onset_step > 0.0 {
+            self.onset += self.onset_step;
+            rail += load * self.track.sag() * faded(self.onset);
+        }
         let wheel = place + h * speed - h * h / (3.0 * mass) * force;
         let wheel_by_new = h * h / (6.0 * mass);
         let give_way = self.track.by_new_force() + wheel_by_new;

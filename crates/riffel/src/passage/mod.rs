@@ -9,12 +9,14 @@
 //! and [`Settled`] the state over a sinusoid that repeats itself with every wave.
 
 mod along_profile;
+mod eigenvalues;
 mod evolution;
 mod hertz_spring;
 mod impulse_response;
 mod least_squares;
 mod march;
 mod model;
+mod over_supports;
 mod ring;
 mod settled;
 mod track_motion;

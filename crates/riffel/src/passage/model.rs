@@ -23,7 +23,8 @@ pub enum Turning {
 
 /// One wheel on a track, at one speed.
 ///
-/// * Track: displacement u_r = ∫ g(t − τ) (P − P₀) dτ from its position under the load at rest.
+/// * Track: displacement u_r = ∫ g(t − τ) (P − P₀) dτ from its position under the load at rest; on discrete supports g is
+///   that of the place where the wheel is at τ, and P₀ ΣĤ_n(0) e^{inΩt}, n ≠ 0, the sag between supports, is added.
 /// * Wheel: a rigid mass under a dead load, m_w d²z_w/dt² = P₀ − P, with z_w downward.
 /// * Contact: δ = δ₀ + z_w − u_r + r for a profile of height r, P = C_H δ^{3/2} or none.
 /// * Creep: Q of a steady law at the P and ξ of the instant, none without contact; dξ/dt = −(R²/I_wV)(Q − Q₀).
@@ -55,6 +56,14 @@ impl PassageModel {
     /// # Errors
     /// [`Error::OutOfRange`] unless step, speed, mass and inertia are positive.
     pub fn march(&self, step: f64) -> Result<March<'_>, Error> {
+        self.march_before(step, 0.0)
+    }
+
+    /// The same march from a distance before one of the supports on \[m\], where they are discrete.
+    ///
+    /// # Errors
+    /// Those of [`march`](Self::march).
+    pub fn march_before(&self, step: f64, distance: f64) -> Result<March<'_>, Error> {
         Error::unless_positive("step", step, "m")?;
         Error::unless_positive("speed", self.speed, "m/s")?;
         Error::unless_positive("mass", self.wheel_mass, "kg")?;
@@ -66,6 +75,6 @@ impl PassageModel {
             Error::unless_positive("inertia", inertia, "kg m2")?;
             Error::unless_positive("rolling radius", rolling_radius, "m")?;
         }
-        Ok(March::new(self, step))
+        Ok(March::new(self, step, distance))
     }
 }

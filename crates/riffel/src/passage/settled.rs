@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::{ContactInstant, PassageModel};
+use super::along_profile::faded;
+use super::{ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
 
 /// A profile Δ cos(2πx/λ), upward.
@@ -14,6 +15,22 @@ pub struct Sinusoid {
     pub amplitude: f64,
     /// Wavelength λ \[m\].
     pub wavelength: f64,
+}
+
+/// Bays that a state on discrete supports is averaged over, and lines of the window's spectrum from which on it leaves
+/// nothing: four widths to a bay.
+const BAYS: f64 = 16.0;
+const WIDTH: f64 = 4.0;
+
+impl Sinusoid {
+    /// The line m of what supports at a spacing \[m\] make of a load, d/m long, that a settled state cannot tell from this
+    /// wave, if there is one: |1/λ − m/d| < 1/4d, m = 1 … 8.
+    pub fn shares_lines_with(&self, spacing: f64) -> Option<usize> {
+        let waves = spacing / self.wavelength;
+        let line = waves.round() as usize;
+        let close = (waves - waves.round()).abs() < WIDTH / BAYS;
+        (close && (1..=ImpulseResponse::MOST_HARMONICS).contains(&line)).then_some(line)
+    }
 }
 
 /// Complex amplitudes of one harmonic, for exp(+inωt) relative to the profile Δ cos ωt; of harmonic zero the means.
@@ -29,7 +46,7 @@ pub struct Harmonic {
     pub dissipation: Complex64,
 }
 
-/// Rolling over a sinusoid, where every wave is like the one before.
+/// Rolling over a sinusoid, where every wave is like the one before, or on discrete supports every long stretch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Settled {
     /// Harmonics n = 0 … 5.
@@ -38,8 +55,10 @@ pub struct Settled {
     pub contact_loss: f64,
     /// Least and largest normal force \[N\].
     pub normal_force: [f64; 2],
-    /// The contact at equal steps over one wave, the crest last.
+    /// The contact at equal steps over the last wave, the crest last.
     pub wave: Vec<ContactInstant>,
+    /// The contact at the crest before that wave.
+    pub crest: ContactInstant,
     /// Waves rolled over until the state was settled.
     pub waves: usize,
 }
@@ -49,9 +68,16 @@ pub struct Settled {
 const REST: f64 = 0.1;
 const CHANGE: f64 = 1e-5;
 
+/// Share of the time without contact above which the wheel hops from crest to crest.
+const MOST_LOSS: f64 = 0.9;
+
 impl PassageModel {
     /// The settled state over a sinusoid, in `steps` steps to a wave: a march whose amplitude grows from nothing and that
     /// goes on until harmonics of a tenth of a second ago are those of now to 10⁻⁵ of the first.
+    ///
+    /// On discrete supports no wave is like the one before. There harmonics are those of 16 bays and eight waves or more after
+    /// the memory of the track, under a window of Blackman and Harris: means over the places of the bay, free to 10⁻⁴ of
+    /// what the supports make of the load, at d/m, unless 1/λ and m/d are [too close](Sinusoid::shares_lines_with).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless amplitude and wavelength are positive and there are 20 steps or more;
@@ -59,8 +85,6 @@ impl PassageModel {
     /// [`Error::Airborne`] where the wheel is in the air for more than nine tenths of a wave.
     pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Settled, Error> {
         const LEAST_STEPS: usize = 20;
-        /// Above, the wheel hops from crest to crest.
-        const MOST_LOSS: f64 = 0.9;
         /// Of rolling \[s\].
         const PATIENCE: f64 = 20.0;
         let Sinusoid {
@@ -76,6 +100,9 @@ impl PassageModel {
                 unit: "",
                 rule: "must be at least 20",
             });
+        }
+        if let Some(spacing) = self.track.support_spacing() {
+            return self.settle_over_supports(profile, steps, spacing);
         }
         let mut march = self.march(wavelength / steps as f64)?;
         let period = wavelength / self.speed;
@@ -118,6 +145,8 @@ impl PassageModel {
                             forces.clone().fold(f64::INFINITY, f64::min),
                             forces.fold(f64::NEG_INFINITY, f64::max),
                         ],
+                        // Every wave is like the one before.
+                        crest: wave[steps - 1],
                         wave,
                         waves: number + 1,
                     });
@@ -130,29 +159,105 @@ impl PassageModel {
             change,
         })
     }
+
+    fn settle_over_supports(
+        &self,
+        profile: Sinusoid,
+        steps: usize,
+        spacing: f64,
+    ) -> Result<Settled, Error> {
+        const WAVES: f64 = 8.0;
+        let Sinusoid {
+            amplitude,
+            wavelength,
+        } = profile;
+        let waves_of = |length: f64| (length / wavelength).ceil() as usize;
+        let (before, counted) = (
+            waves_of(self.memory()?),
+            waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
+        );
+        let step = wavelength / steps as f64;
+        let mut march = self.march_before(step, before as f64 * wavelength)?;
+        let mut contacts = Vec::with_capacity(counted * steps);
+        let onset = 0.25 * (before * steps) as f64;
+        for index in 1..=(before + counted) * steps {
+            let share = faded(index as f64 / onset);
+            let angle = TAU * (index % steps) as f64 / steps as f64;
+            let contact = march.advance(amplitude * share * angle.cos());
+            if index > before * steps {
+                contacts.push(contact);
+            }
+        }
+        let share = contact_loss(&contacts);
+        if share > MOST_LOSS {
+            return Err(Error::Airborne {
+                share,
+                amplitude,
+                wavelength,
+            });
+        }
+        let forces = contacts.iter().map(|instant| instant.normal_force);
+        Ok(Settled {
+            harmonics: windowed_harmonics(&contacts, steps),
+            contact_loss: share,
+            normal_force: [
+                forces.clone().fold(f64::INFINITY, f64::min),
+                forces.fold(f64::NEG_INFINITY, f64::max),
+            ],
+            crest: contacts[contacts.len() - steps - 1],
+            wave: contacts.split_off(contacts.len() - steps),
+            waves: before + counted,
+        })
+    }
+}
+
+/// Those of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).
+fn windowed_harmonics(contacts: &[ContactInstant], steps: usize) -> [Harmonic; 6] {
+    const WINDOW: [f64; 4] = [0.35875, -0.48829, 0.14128, -0.01168];
+    let length = contacts.len() as f64;
+    // The mean of the window is its first coefficient.
+    let weights = (1..=contacts.len()).map(|index| {
+        let angle = TAU * index as f64 / length;
+        let terms = WINDOW.iter().zip(0..);
+        let sum: f64 = terms
+            .map(|(part, n)| part * (angle * f64::from(n)).cos())
+            .sum();
+        sum / WINDOW[0]
+    });
+    weighted_harmonics(contacts.iter().zip(weights), length, steps)
 }
 
 /// Sums over equal steps: exact for all harmonics that the steps resolve.
 fn harmonics(wave: &[ContactInstant]) -> [Harmonic; 6] {
-    let steps = wave.len() as f64;
-    std::array::from_fn(|n| {
-        let mut harmonic = Harmonic {
-            normal_force: Complex64::ZERO,
-            tangential_force: Complex64::ZERO,
-            creepage: Complex64::ZERO,
-            dissipation: Complex64::ZERO,
-        };
-        let scale = if n == 0 { 1.0 } else { 2.0 } / steps;
-        for (step, instant) in wave.iter().enumerate() {
-            let angle = TAU * n as f64 * (step + 1) as f64 / steps;
-            let turn = Complex64::from_polar(scale, -angle);
+    let weighted = wave.iter().map(|instant| (instant, 1.0));
+    weighted_harmonics(weighted, wave.len() as f64, wave.len())
+}
+
+/// Sums over `length` instants with weights whose mean is one, `steps` to a wave, the last of them a crest.
+fn weighted_harmonics<'a>(
+    instants: impl Iterator<Item = (&'a ContactInstant, f64)>,
+    length: f64,
+    steps: usize,
+) -> [Harmonic; 6] {
+    let none = Harmonic {
+        normal_force: Complex64::ZERO,
+        tangential_force: Complex64::ZERO,
+        creepage: Complex64::ZERO,
+        dissipation: Complex64::ZERO,
+    };
+    let mut harmonics = [none; 6];
+    for (index, (instant, weight)) in instants.enumerate() {
+        for (n, harmonic) in harmonics.iter_mut().enumerate() {
+            let scale = if n == 0 { 1.0 } else { 2.0 } / length;
+            let angle = TAU * (n * (index + 1) % steps) as f64 / steps as f64;
+            let turn = Complex64::from_polar(scale * weight, -angle);
             harmonic.normal_force += turn * instant.normal_force;
             harmonic.tangential_force += turn * instant.tangential_force;
             harmonic.creepage += turn * instant.creepage;
             harmonic.dissipation += turn * instant.energy_per_metre();
         }
-        harmonic
-    })
+    }
+    harmonics
 }
 
 /// Largest difference of normal force and of creepage, each over its first harmonic.

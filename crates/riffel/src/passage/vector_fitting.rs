@@ -1,8 +1,10 @@
 //! A sum of partial fractions through the values of a transfer function.
 
 use num_complex::Complex64;
+use rayon::prelude::*;
 
-use super::least_squares::least_squares;
+use super::eigenvalues::eigenvalues;
+use super::least_squares::{least_squares, least_squares_of_several, remainder};
 
 /// A real pole, or one of a pair with the imaginary part above zero, and its residue. In time it is
 /// Re(residue · e^{pole · t}), twice that for a pair.
@@ -21,6 +23,14 @@ impl PartialFraction {
         }
         value + self.residue.conj() / (s - self.pole.conj())
     }
+
+    /// r of its part Re(r e^{pt}) in time.
+    pub(super) fn of_term(&self) -> Complex64 {
+        match self.pole.im == 0.0 {
+            true => self.residue,
+            false => 2.0 * self.residue,
+        }
+    }
 }
 
 /// Partial fractions with poles of negative real part that come near the values H(iω) at angular frequencies ω, as many
@@ -35,34 +45,108 @@ pub(super) fn partial_fractions(
     values: &[Complex64],
     order: usize,
 ) -> Vec<PartialFraction> {
+    let poles = poles(frequencies, values, order);
+    let sizes: Vec<f64> = values.iter().map(|value| value.norm()).collect();
+    residues(frequencies, &[values.to_vec()], &sizes, &poles).swap_remove(0)
+}
+
+/// The poles of [`partial_fractions`].
+fn poles(frequencies: &[f64], values: &[Complex64], order: usize) -> Vec<Complex64> {
     /// Poles rest after some six moves in every case seen.
     const MOVES: usize = 12;
     let scale = frequencies[frequencies.len() - 1];
-    let s: Vec<Complex64> = frequencies
-        .iter()
-        .map(|w| Complex64::new(0.0, w / scale))
-        .collect();
+    let s = scaled(frequencies, scale);
     let mut poles = starting_poles(frequencies[0] / scale, order);
     for _ in 0..MOVES {
         poles = moved(&s, values, &poles);
     }
-    let mut columns: Vec<Vec<f64>> = Vec::new();
-    for basis in basis(&s, &poles) {
-        let relative = basis.iter().zip(values).map(|(basis, value)| basis / value);
-        columns.push(parts(relative));
+    poles.iter().map(|pole| scale * pole).collect()
+}
+
+/// Poles that several transfer functions share, least squares of their errors over the size given at each frequency;
+/// where `dense` \[rad/s\] ends, lines may lie as close as a few frequencies.
+///
+/// Method: that of [`partial_fractions`]; the residues of each function are eliminated before the scaling function is found
+/// (Deschrijver, Mrozowski, Dhaene & De Zutter 2008, IEEE Microwave Wireless Comp. Lett. 18, 383–385).
+pub(super) fn shared_poles(
+    frequencies: &[f64],
+    functions: &[Vec<Complex64>],
+    sizes: &[f64],
+    order: usize,
+    dense: f64,
+) -> Vec<Complex64> {
+    /// The best of these is taken: further ones go to and fro.
+    const MOVES: usize = 3;
+    let scale = frequencies[frequencies.len() - 1];
+    let s = scaled(frequencies, scale);
+    let mut poles = starting_lines(frequencies[0] / scale, dense / scale, order);
+    let mut best = (f64::INFINITY, Vec::new());
+    for _ in 0..MOVES {
+        poles = moved_together(&s, functions, sizes, &poles);
+        let unscaled: Vec<Complex64> = poles.iter().map(|pole| scale * pole).collect();
+        let fits = residues(frequencies, functions, sizes, &unscaled);
+        let missed = functions.iter().zip(fits).map(|(values, fit)| {
+            let errors = frequencies
+                .iter()
+                .zip(values)
+                .zip(sizes)
+                .map(|((w, value), size)| {
+                    let s = Complex64::new(0.0, *w);
+                    let sum: Complex64 = fit.iter().map(|fraction| fraction.at(s)).sum();
+                    ((sum - value) / size).norm_sqr()
+                });
+            errors.sum::<f64>()
+        });
+        let missed: f64 = missed.sum();
+        if missed < best.0 {
+            best = (missed, unscaled);
+        }
     }
-    let mut right = parts(values.iter().map(|_| Complex64::ONE));
-    let coefficients = least_squares(&mut columns, &mut right);
-    let mut coefficients = coefficients.into_iter();
-    let mut next = || coefficients.next().unwrap_or_default();
-    let fractions = poles.iter().map(|&pole| PartialFraction {
-        residue: match pole.im == 0.0 {
-            true => scale * Complex64::from(next()),
-            false => scale * Complex64::new(next(), next()),
-        },
-        pole: scale * pole,
-    });
-    fractions.collect()
+    best.1
+}
+
+/// Partial fractions of each function with given poles, least squares of the error over the size given at each frequency.
+pub(super) fn residues(
+    frequencies: &[f64],
+    functions: &[Vec<Complex64>],
+    sizes: &[f64],
+    poles: &[Complex64],
+) -> Vec<Vec<PartialFraction>> {
+    let scale = frequencies[frequencies.len() - 1];
+    let s = scaled(frequencies, scale);
+    let scaled_poles: Vec<Complex64> = poles.iter().map(|pole| pole / scale).collect();
+    let over_size = |values: &[Complex64]| {
+        let pairs: Vec<Complex64> = values
+            .iter()
+            .zip(sizes)
+            .map(|(value, size)| value / size)
+            .collect();
+        parts(pairs.into_iter())
+    };
+    let mut columns: Vec<Vec<f64>> = basis(&s, &scaled_poles)
+        .iter()
+        .map(|basis| over_size(basis))
+        .collect();
+    let rights = functions.iter().map(|values| over_size(values)).collect();
+    let fractions = |coefficients: Vec<f64>| {
+        let mut coefficients = coefficients.into_iter();
+        let mut next = || coefficients.next().unwrap_or_default();
+        let fractions = poles.iter().map(|&pole| PartialFraction {
+            residue: match pole.im == 0.0 {
+                true => scale * Complex64::from(next()),
+                false => scale * Complex64::new(next(), next()),
+            },
+            pole,
+        });
+        fractions.collect()
+    };
+    let coefficients = least_squares_of_several(&mut columns, rights);
+    coefficients.into_iter().map(fractions).collect()
+}
+
+fn scaled(frequencies: &[f64], scale: f64) -> Vec<Complex64> {
+    let s = frequencies.iter().map(|w| Complex64::new(0.0, w / scale));
+    s.collect()
 }
 
 /// A third of the poles real, the others pairs of little damping, evenly over the decades below one.
@@ -73,6 +157,21 @@ fn starting_poles(lowest: f64, order: usize) -> Vec<Complex64> {
     let on_axis = (0..real).map(|index| Complex64::from(-place(index, real)));
     let off_axis = (0..pairs).map(|index| Complex64::new(-0.05, 1.0) * place(index, pairs));
     on_axis.chain(off_axis).collect()
+}
+
+/// A dozen real poles over the decades below one, and pairs of little damping: three quarters evenly up to `dense`, the others
+/// over the decades.
+fn starting_lines(lowest: f64, dense: f64, order: usize) -> Vec<Complex64> {
+    const REAL: usize = 12;
+    let pairs = order.saturating_sub(REAL) / 2;
+    let lines = pairs * 3 / 4;
+    let others = pairs - lines;
+    let place = |index: usize, count: usize| lowest.powf(1.0 - (index as f64 + 0.5) / count as f64);
+    let on_axis = (0..REAL).map(|index| Complex64::from(-place(index, REAL)));
+    let lines = (0..lines)
+        .map(|index| Complex64::new(-0.02, 1.0) * (dense * (index as f64 + 0.5) / lines as f64));
+    let others = (0..others).map(|index| Complex64::new(-0.05, 1.0) * place(index, others));
+    on_axis.chain(lines).chain(others).collect()
 }
 
 /// Functions of s with real coefficients: 1/(s − p), and for a pair their sum and i times their difference.
@@ -128,90 +227,90 @@ fn moved(s: &[Complex64], values: &[Complex64], poles: &[Complex64]) -> Vec<Comp
     }
     let mut right = vec![0.0; 2 * s.len() + 1];
     right[2 * s.len()] = count.sqrt();
-    let solution = least_squares(&mut columns, &mut right);
-    let d = solution[0];
-    let mut of_sigma = solution[1..=basis.len()].iter().map(|c| c / d);
-    let mut next = || of_sigma.next().unwrap_or_default();
-    let mut terms: Vec<(Complex64, Complex64)> = Vec::new();
-    for &pole in poles {
-        if pole.im == 0.0 {
-            terms.push((pole, next().into()));
-        } else {
-            let coefficient = Complex64::new(next(), next());
-            terms.push((pole, coefficient));
-            terms.push((pole.conj(), coefficient.conj()));
-        }
-    }
-    zeros(&terms)
+    let solution = least_squares(&mut columns, &right);
+    zeros_of_scaling(poles, &solution[..=basis.len()])
 }
 
-/// Zeros of σ = 1 + Σ c/(s − p), mirrored to the left half-plane: real ones, and of pairs those above the axis.
-///
-/// Method: Ehrlich (1967) and Aberth (1973), all zeros at once, with p'/p of the numerator as σ'/σ + Σ 1/(s − p): no
-/// product is formed that could leave the range of numbers. Begun at the poles, where zeros of vector fitting end.
-fn zeros(terms: &[(Complex64, Complex64)]) -> Vec<Complex64> {
-    const SWEEPS: usize = 200;
-    /// Of the size of a zero.
-    const ROUNDING: f64 = 1e-14;
-    let guesses = terms.iter().enumerate();
-    // Off the poles, and off the real axis, which no real zero leaves by itself.
-    let mut zeros: Vec<Complex64> = guesses
-        .map(|(index, (pole, _))| {
-            pole * Complex64::new(1.001, 1e-3 * (1.0 + index as f64 / terms.len() as f64))
+/// The same for several functions.
+fn moved_together(
+    s: &[Complex64],
+    functions: &[Vec<Complex64>],
+    sizes: &[f64],
+    poles: &[Complex64],
+) -> Vec<Complex64> {
+    let basis = basis(s, poles);
+    let count = basis.len();
+    let over_size = |values: &[Complex64]| {
+        let pairs = values.iter().zip(sizes);
+        let ratios: Vec<Complex64> = pairs.map(|(value, size)| value / size).collect();
+        parts(ratios.into_iter())
+    };
+    let remainders: Vec<Vec<Vec<f64>>> = functions
+        .par_iter()
+        .map(|values| {
+            let mut columns: Vec<Vec<f64>> = basis.iter().map(|basis| over_size(basis)).collect();
+            let negative: Vec<Complex64> = values.iter().map(|value| -value).collect();
+            columns.push(over_size(&negative));
+            for basis in &basis {
+                let pairs = basis.iter().zip(&negative);
+                let scaled: Vec<Complex64> = pairs.map(|(basis, value)| basis * value).collect();
+                columns.push(over_size(&scaled));
+            }
+            remainder(&mut columns, count)
         })
         .collect();
-    for _ in 0..SWEEPS {
-        let mut largest = 0f64;
-        for index in 0..zeros.len() {
-            let zero = zeros[index];
-            let (mut sigma, mut slope, mut poles) =
-                (Complex64::ONE, Complex64::ZERO, Complex64::ZERO);
-            for &(pole, coefficient) in terms {
-                let inverse = (zero - pole).inv();
-                sigma += coefficient * inverse;
-                slope -= coefficient * inverse * inverse;
-                poles += inverse;
-            }
-            let others = zeros
+    let frequencies = (s.len() as f64).sqrt();
+    let mut columns: Vec<Vec<f64>> = (0..=count)
+        .map(|index| {
+            let mut column: Vec<f64> = remainders
                 .iter()
-                .enumerate()
-                .filter(|&(other, _)| other != index);
-            let repulsion: Complex64 = others.map(|(_, other)| (zero - other).inv()).sum();
-            let step = sigma / (slope + sigma * (poles - repulsion));
-            // On a pole or on another zero to rounding: there it stays.
-            if step.is_finite() {
-                zeros[index] = zero - step;
-                largest = largest.max(step.norm() / zero.norm());
-            }
-        }
-        if largest <= ROUNDING {
-            break;
-        }
+                .flat_map(|columns| columns[index].iter().copied())
+                .collect();
+            // The mean of Re σ is one.
+            column.push(match index {
+                0 => frequencies,
+                _ => basis[index - 1].iter().map(|basis| basis.re).sum::<f64>() / frequencies,
+            });
+            column
+        })
+        .collect();
+    let mut right = vec![0.0; columns[0].len()];
+    if let Some(last) = right.last_mut() {
+        *last = frequencies;
     }
-    in_pairs(zeros)
+    let solution = least_squares(&mut columns, &right);
+    zeros_of_scaling(poles, &solution)
 }
 
-/// Roots of a real polynomial, each pair found where two are nearest to being conjugate.
-fn in_pairs(roots: Vec<Complex64>) -> Vec<Complex64> {
-    /// Part of its size by which rounding may part a root from the conjugate of its other.
-    const ROUNDING: f64 = 1e-6;
-    let stable = |root: Complex64| Complex64::new(-root.re.abs(), root.im);
-    let (above, mut below): (Vec<_>, Vec<_>) = roots.into_iter().partition(|root| root.im > 0.0);
-    let mut poles = Vec::new();
-    for root in above {
-        let distance = |other: &Complex64| (other.conj() - root).norm();
-        let nearest = (0..below.len())
-            .min_by(|&one, &other| distance(&below[one]).total_cmp(&distance(&below[other])));
-        match nearest {
-            Some(other) if distance(&below[other]) <= ROUNDING * root.norm() => {
-                below.swap_remove(other);
-                poles.push(stable(root));
-            }
-            _ => poles.push(Complex64::from(-root.norm())),
+/// Zeros of σ = d + Σ c_j φ_j from d and c, mirrored to the left half-plane: real ones, and of pairs those above the axis.
+///
+/// They are the eigenvalues of A − b cᵀ/d with the poles in A, real blocks of two rows for pairs (Gustavsen & Semlyen 1999).
+fn zeros_of_scaling(poles: &[Complex64], solution: &[f64]) -> Vec<Complex64> {
+    let count = solution.len() - 1;
+    let mut matrix = vec![vec![0.0; count]; count];
+    let mut inputs = Vec::with_capacity(count);
+    for pole in poles {
+        let row = inputs.len();
+        matrix[row][row] = pole.re;
+        if pole.im == 0.0 {
+            inputs.push(1.0);
+            continue;
+        }
+        matrix[row + 1][row + 1] = pole.re;
+        matrix[row][row + 1] = pole.im;
+        matrix[row + 1][row] = -pole.im;
+        inputs.extend([2.0, 0.0]);
+    }
+    for (row, input) in matrix.iter_mut().zip(inputs) {
+        for (entry, c) in row.iter_mut().zip(&solution[1..]) {
+            *entry -= input * c / solution[0];
         }
     }
-    poles.extend(below.into_iter().map(|root| Complex64::from(-root.norm())));
-    poles
+    let zeros = eigenvalues(matrix).into_iter();
+    let above = zeros.filter(|zero| zero.im >= 0.0);
+    above
+        .map(|zero| Complex64::new(-zero.re.abs(), zero.im))
+        .collect()
 }
 
 #[cfg(test)]

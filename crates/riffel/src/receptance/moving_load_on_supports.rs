@@ -130,7 +130,7 @@ impl MovingLoadOnSupports {
     }
 
     /// Receptance \[m/N\] with supports spread evenly, which Ĥ₀ would be.
-    fn evenly(&self, angular_frequency: f64) -> Complex64 {
+    pub(crate) fn evenly(&self, angular_frequency: f64) -> Complex64 {
         // Where the load does not oscillate, the limit of low frequency.
         let w = angular_frequency.abs().max(1e-3);
         let even = self.even.receptance(w, self.speed);
@@ -181,6 +181,11 @@ impl Harmonics {
             .ok()
             .and_then(|index| self.0.get(index).copied())
             .unwrap_or(Complex64::ZERO)
+    }
+
+    /// Ĥ₀ of an evenly supported track alone.
+    pub(crate) fn even(receptance: Complex64) -> Self {
+        Self(vec![receptance])
     }
 }
 

@@ -89,9 +89,17 @@ impl EvolutionRun {
     /// A run before any wheel.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::passage`], for a profile coarser than the patch is long, and for a record shorter than the
+    /// [`CaseError`] as of [`Case::passage`], for discrete supports, for a profile coarser than the patch is long, and for a record shorter than the
     /// motion remembers or than four of the longest waves kept.
     pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self, AnswerError> {
+        if case.track.support_spacing().is_some() {
+            let message = format!(
+                "`track.model` is \"{}\", whose supports pass under the wheel, but many passages take a track that is the same \
+                 everywhere along the rail; choose its continuous counterpart",
+                case.file.track.model.name()
+            );
+            Err(case.refuse("track.model", &message))?;
+        }
         let model = case.passage(request.speed)?;
         let wear = case
             .wear_of_passages(request.largest_step)
