@@ -22,6 +22,7 @@ mod program;
 mod quantity;
 mod records;
 mod roughness;
+mod simulate;
 mod study;
 mod tables;
 
@@ -58,6 +59,8 @@ mod _riffel {
         energy_mean, level, limits, mean_square, moving_peak_to_peak, moving_rms, read_roughness,
         remove_spikes, roll_over, synthesise, third_octaves,
     };
+    #[pymodule_export]
+    use crate::simulate::{evolve, simulate};
     #[pymodule_export]
     use crate::study::{Study, merge_study, sobol_indices, study_summary};
     /// Rows of a map are filled up to a multiple of this.

@@ -1,6 +1,7 @@
 //! The settled state over a sinusoid.
 
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 use riffel::passage::{PassageModel, Settled, Sinusoid};
 use riffel_case::Case;
@@ -34,13 +35,56 @@ pub struct SinusoidAnswer {
 }
 
 impl SinusoidRequest {
-    /// Steps to a wave where nothing else is asked: the error of a first harmonic is some 10⁻⁴. A slow wave takes more, so that
-    /// wheel and contact spring are followed, whose own oscillations last a millisecond.
-    pub fn usual_steps(wavelength: f64, speed: f64) -> usize {
-        const STEPS: f64 = 256.0;
+    /// Steps to a wave: fewer do not show the fifth harmonic, more take minutes.
+    const STEPS: RangeInclusive<f64> = 20.0..=16384.0;
+
+    /// A sinusoid at a speed \[m/s\], with as many steps to a wave as none is longer than asked \[m\].
+    ///
+    /// Where nothing is asked, the error of a first harmonic is some 10⁻⁴. A slow wave takes more steps, so that wheel and
+    /// contact spring are followed, whose own oscillations last a millisecond.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for a step or a slow wave that gives a wave too few or too many steps.
+    pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self, AnswerError> {
+        const USUAL: f64 = 256.0;
         /// \[s\]
         const LONGEST_STEP: f64 = 4e-5;
-        f64::max(STEPS, (wavelength / speed / LONGEST_STEP).ceil()) as usize
+        let wavelength = profile.wavelength;
+        let (least, most) = (Self::STEPS.start(), Self::STEPS.end());
+        let steps = match step {
+            Some(step) => (wavelength / step).ceil(),
+            None => f64::max(USUAL, (wavelength / speed / LONGEST_STEP).ceil()),
+        };
+        if Self::STEPS.contains(&steps) {
+            return Ok(Self {
+                speed,
+                profile,
+                steps: steps as usize,
+            });
+        }
+        Err(match step {
+            Some(step) => AnswerError::Argument {
+                argument: "--step",
+                value: format!("{step} m"),
+                rule: format!(
+                    "between {:.1e} and {:.1e} m, so that a wave has {least} to {most} steps",
+                    wavelength / most,
+                    wavelength / least,
+                ),
+            },
+            None => AnswerError::Argument {
+                argument: "--sinusoid",
+                value: format!("{wavelength} m, which passes in {:.2} s", wavelength / speed),
+                rule: "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by the \
+                       wheel"
+                    .to_owned(),
+            },
+        })
+    }
+
+    /// Length of a step \[m\].
+    pub fn step(&self) -> f64 {
+        self.profile.wavelength / self.steps as f64
     }
 }
 
@@ -81,17 +125,13 @@ impl SinusoidAnswer {
 
     /// The harmonics as data: what `riffel simulate --sinusoid --json` prints.
     pub fn document(&self) -> SinusoidDocument {
-        let SinusoidRequest {
-            speed,
-            profile,
-            steps,
-        } = self.request;
+        let SinusoidRequest { speed, profile, .. } = self.request;
         let [least, largest] = self.settled.normal_force;
         SinusoidDocument {
             wavelength_m: profile.wavelength,
             speed_m_per_s: speed,
             amplitude_m: profile.amplitude,
-            step_m: profile.wavelength / steps as f64,
+            step_m: self.request.step(),
             harmonics: self
                 .settled
                 .harmonics

@@ -3,15 +3,13 @@
 mod evolution;
 mod surface;
 
-use std::ops::RangeInclusive;
-
 use riffel::passage::Sinusoid;
 use riffel_answers::simulate::{
     EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, Surface,
 };
 use riffel_case::Case;
 
-use crate::arguments::{LengthPair, Simulate, positive};
+use crate::arguments::{Simulate, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{json, table};
@@ -47,16 +45,21 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     };
     let length = arguments.length.map(|_| "--length");
     arguments.only_for_profiles(arguments.layout.given().or(length))?;
-    let (sinusoid, steps) = wave(speed, step, sinusoid)?;
+    let [amplitude, wavelength] = sinusoid.of_sinusoid()?;
+    let sinusoid = Sinusoid {
+        amplitude,
+        wavelength,
+    };
+    let request = SinusoidRequest::new(speed, sinusoid, step).map_err(CliError::from)?;
     if let Some(passages) = passages {
         let request = EvolutionRequest {
             speed,
-            surface: Surface::of_sinusoid(sinusoid)?,
-            largest_step: sinusoid.wavelength / steps as f64,
+            surface: Surface::of_sinusoid(sinusoid).map_err(CliError::from)?,
+            largest_step: request.step(),
         };
         return Ok(evolution::run(arguments, &case, request, passages)?);
     }
-    over_sinusoid(arguments, &case, speed, sinusoid, steps)?;
+    over_sinusoid(arguments, &case, request)?;
     Ok(0)
 }
 
@@ -134,47 +137,11 @@ fn without_contact(share: f64) -> String {
     }
 }
 
-/// The sinusoid asked for and its steps to a wave.
-fn wave(
-    speed: f64,
-    step: Option<f64>,
-    sinusoid: &LengthPair,
-) -> Result<(Sinusoid, usize), CliError> {
-    let [amplitude, wavelength] = sinusoid.of_sinusoid()?;
-    let steps = match step {
-        None => match SinusoidRequest::usual_steps(wavelength, speed) {
-            steps if steps as f64 <= *STEPS.end() => steps,
-            _ => {
-                return Err(CliError::Argument {
-                    argument: "--sinusoid",
-                    value: format!("{wavelength} m, which passes in {:.2} s", wavelength / speed),
-                    rule: "a wave that passes in 0.65 s or less: what is slower is followed by the whole vehicle, not by \
-                           the wheel"
-                        .to_owned(),
-                });
-            }
-        },
-        Some(step) => steps_to_a_wave(wavelength, step)?,
-    };
-    let sinusoid = Sinusoid {
-        amplitude,
-        wavelength,
-    };
-    Ok((sinusoid, steps))
-}
-
 fn over_sinusoid(
     arguments: &Simulate,
     case: &Case,
-    speed: f64,
-    profile: Sinusoid,
-    steps: usize,
+    request: SinusoidRequest,
 ) -> Result<(), CliError> {
-    let request = SinusoidRequest {
-        speed,
-        profile,
-        steps,
-    };
     let answer = SinusoidAnswer::new(case, request)?;
     results(arguments).hand_out(
         || json(&answer.document()),
@@ -188,28 +155,6 @@ fn over_sinusoid(
     print_remarks(&case.remarks);
     print_remarks(&answer.remarks);
     Ok(())
-}
-
-/// Steps to a wave: fewer do not show the fifth harmonic, more take minutes.
-const STEPS: RangeInclusive<f64> = 20.0..=16384.0;
-
-/// As many steps to a wave as none is longer than asked.
-fn steps_to_a_wave(wavelength: f64, step: f64) -> Result<usize, CliError> {
-    let steps = (wavelength / step).ceil();
-    if STEPS.contains(&steps) {
-        return Ok(steps as usize);
-    }
-    Err(CliError::Argument {
-        argument: "--step",
-        value: format!("{step} m"),
-        rule: format!(
-            "between {:.1e} and {:.1e} m, so that a wave has {} to {} steps",
-            wavelength / STEPS.end(),
-            wavelength / STEPS.start(),
-            STEPS.start(),
-            STEPS.end()
-        ),
-    })
 }
 
 /// Harmonics for the terminal.

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
+import numpy.typing as npt
 import xarray as xr
 
-from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _riffel, _track
+from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _passage, _riffel, _track
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
 from riffel._receptance import GivenReceptance, checked_receptance
 from riffel._records import Date, Levels, RailRecord, checked_levels
@@ -830,6 +831,124 @@ class Case:
         from riffel._curving import curve  # noqa: PLC0415  # it takes cases
 
         return curve(self, overrides, radius=radius)
+
+    def simulate(
+        self,
+        profile: npt.ArrayLike | xr.DataArray | None = None,
+        *,
+        speed: Quantity,
+        spacing: Quantity | None = None,
+        sinusoid: Sequence[Quantity] | None = None,
+        step: Quantity | None = None,
+    ) -> xr.Dataset:
+        """The wheel along a rail in time, with loss of contact: once along a profile, or over a sinusoid until it is settled.
+
+        Parameters
+        ----------
+        profile : array-like or DataArray, optional
+            Heights in m, positive upward, without gaps. A `DataArray` over ``position`` needs no `spacing`.
+        speed : quantity
+            Speed of the wheel.
+        spacing : quantity, optional
+            Step between two heights.
+        sinusoid : pair of quantity, optional
+            Amplitude and wavelength, in place of a profile.
+        step : quantity, optional
+            Largest step in time, as a length; by default 0.5 mm, or 1/256 of the wavelength.
+
+        Returns
+        -------
+        Dataset
+            ``height``, ``normal_force``, ``tangential_force``, ``creepage``, ``dissipation`` and ``approach`` over
+            ``position``; of a sinusoid one wave, and ``normal_force_harmonics`` and the like over ``harmonic``, complex and relative
+            to the profile. ``contact_loss_fraction``, ``minimum_normal_force`` and ``maximum_normal_force`` are attributes.
+
+        Raises
+        ------
+        ValueError
+            For a case that is not followed through time, and a profile that is too short or too coarse.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> wave = case.simulate(sinusoid=("60 um", "55 mm"), speed="108 km/h")
+        >>> round(1e-3 * wave.attrs["maximum_normal_force"], 1), wave.sizes["harmonic"]
+        (95.6, 6)
+        """
+        return _passage.simulate(
+            self._case,
+            _passage.checked_surface(profile, spacing, sinusoid),
+            scalar(speed, "speed", "speed"),
+            None if step is None else scalar(step, "step", "length"),
+            self.title,
+        )
+
+    def evolve(
+        self,
+        profile: npt.ArrayLike | xr.DataArray | None = None,
+        *,
+        speed: Quantity,
+        passages: int,
+        spacing: Quantity | None = None,
+        sinusoid: Sequence[Quantity] | None = None,
+        periodic: bool = False,
+        step: Quantity | None = None,
+    ) -> xr.Dataset:
+        """A rail that wears under many wheels, beside the linear loop.
+
+        Parameters
+        ----------
+        profile : array-like or DataArray, optional
+            Heights in m before any wheel, positive upward, without gaps. Its ends are joined, unless it is `periodic`.
+        speed : quantity
+            Speed of the wheels.
+        passages : int
+            How many wheels.
+        spacing : quantity, optional
+            Step between two heights.
+        sinusoid : pair of quantity, optional
+            Amplitude and wavelength, in place of a profile.
+        periodic : bool
+            The profile goes on where it ends.
+        step : quantity, optional
+            Largest step in time, as a length; by default 0.5 mm, or 1/256 of the wavelength of a sinusoid.
+
+        Returns
+        -------
+        Dataset
+            ``level``, ``linear_level`` and ``shift`` over ``passages`` and ``wavelength``; growth, drift and
+            ``saturation_level`` over ``wavelength``, NaN where there is none; ``mean_depth``, loss of contact and forces over
+            ``passages``; ``height`` over ``profile_passages`` and ``position``.
+
+        Raises
+        ------
+        ValueError
+            For a case that is not followed through time, and a profile that is too short or too coarse.
+        KeyboardInterrupt
+            After Ctrl-C.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> worn = case.evolve(sinusoid=("0.1 um", "55 mm"), speed="108 km/h", passages=1_000_000)
+        >>> grown = worn.sel(wavelength=0.05, method="nearest")
+        >>> rate, linear = float(grown.first_growth_rate), float(grown.linear_growth_rate)
+        >>> abs(rate / linear - 1) < 0.01
+        True
+        """
+        if isinstance(passages, bool) or not isinstance(passages, (int, np.integer)) or passages < 1:
+            raise ValueError(f"passages is {passages!r}, but must be a whole number of at least 1")
+        if periodic and sinusoid is not None:
+            raise ValueError("periodic is for a profile: a sinusoid is periodic anyway")
+        return _passage.evolve(
+            self._case,
+            _passage.checked_surface(profile, spacing, sinusoid),
+            periodic,
+            scalar(speed, "speed", "speed"),
+            int(passages),
+            None if step is None else scalar(step, "step", "length"),
+            self.title,
+        )
 
     def noise(
         self,

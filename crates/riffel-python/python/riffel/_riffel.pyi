@@ -132,6 +132,20 @@ def compare(
     limit: str,
 ) -> tuple[_Floats, _Floats, list[dict[str, Any]]]: ...
 def compare_models(case: Case, models: Sequence[str] | None, speed: float | None) -> dict[str, Any]: ...
+def simulate(
+    case: Case,
+    surface: tuple[float, float] | tuple[float, float, _Floats],
+    speed: float,
+    step: float | None,
+) -> tuple[dict[str, _Floats], dict[str, Any]]: ...
+def evolve(
+    case: Case,
+    surface: tuple[float, float] | tuple[float, float, _Floats],
+    periodic: bool,
+    speed: float,
+    passages: int,
+    step: float | None,
+) -> tuple[dict[str, Any], list[int], _Floats, float, list[str]]: ...
 def noise(
     case: Case,
     spectrum: tuple[_Floats, _Floats],

@@ -1,0 +1,175 @@
+//! A wheel along a rail in time, and a rail under many wheels.
+
+use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray1};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use riffel::passage::Sinusoid;
+use riffel::roughness::Profile;
+use riffel_answers::simulate::{
+    Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer,
+    SinusoidRequest, Surface,
+};
+use riffel_keys::Remark;
+
+use crate::array::owned;
+use crate::case::Case;
+use crate::document::document;
+use crate::errors::{of_answer, of_physics};
+use crate::interrupt::interruptible;
+
+/// Amplitude and wavelength of a sinusoid \[m\], or where a profile begins \[m\], its spacing \[m\] and heights \[m\].
+#[derive(FromPyObject)]
+pub(crate) enum GivenSurface<'py> {
+    Sinusoid((f64, f64)),
+    Profile((f64, f64, PyReadonlyArray1<'py, f64>)),
+}
+
+enum Rail {
+    Sinusoid(Sinusoid),
+    Profile(Profile),
+}
+
+impl GivenSurface<'_> {
+    fn rail(&self) -> PyResult<Rail> {
+        Ok(match self {
+            Self::Sinusoid((amplitude, wavelength)) => Rail::Sinusoid(Sinusoid {
+                amplitude: *amplitude,
+                wavelength: *wavelength,
+            }),
+            Self::Profile((start, spacing, heights)) => {
+                Rail::Profile(Profile::new(*start, *spacing, owned(heights)).map_err(of_physics)?)
+            }
+        })
+    }
+}
+
+/// One array for each quantity.
+fn arrays<'py>(py: Python<'py>, course: Course) -> PyResult<Bound<'py, PyDict>> {
+    let arrays = PyDict::new(py);
+    for (name, values) in [
+        ("position", course.position_m),
+        ("height", course.height_m),
+        ("normal_force", course.normal_force_n),
+        ("tangential_force", course.tangential_force_n),
+        ("creepage", course.creepage),
+        ("dissipation", course.dissipation_j_per_m),
+        ("approach", course.approach_m),
+    ] {
+        arrays.set_item(name, values.into_pyarray(py))?;
+    }
+    Ok(arrays)
+}
+
+fn words(remarks: &[Remark]) -> Vec<String> {
+    remarks.iter().map(ToString::to_string).collect()
+}
+
+/// The course over a rail by name, and what else is told of it.
+#[pyfunction]
+pub(crate) fn simulate<'py>(
+    py: Python<'py>,
+    case: &Case,
+    surface: GivenSurface<'py>,
+    speed: f64,
+    step: Option<f64>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
+    let told = PyDict::new(py);
+    let course = match surface.rail()? {
+        Rail::Sinusoid(profile) => {
+            let request = SinusoidRequest::new(speed, profile, step).map_err(of_answer)?;
+            let answer = case.compute(py, move |case| SinusoidAnswer::new(case, request))?;
+            let answer = answer.map_err(of_answer)?;
+            let [least, largest] = answer.settled.normal_force;
+            told.set_item("harmonics", document(py, &answer.document().harmonics)?)?;
+            told.set_item("contact_loss_fraction", answer.settled.contact_loss)?;
+            told.set_item("minimum_normal_force", least)?;
+            told.set_item("maximum_normal_force", largest)?;
+            told.set_item("remarks", words(&answer.remarks))?;
+            answer.course()
+        }
+        Rail::Profile(profile) => {
+            let request = PassageRequest {
+                speed,
+                profile,
+                largest_step: step.unwrap_or(PassageRequest::USUAL_STEP),
+            };
+            let answer = case.compute(py, move |case| PassageAnswer::new(case, request))?;
+            let answer = answer.map_err(of_answer)?;
+            let [least, largest] = answer.passage.normal_force;
+            told.set_item("step", answer.passage.step)?;
+            told.set_item("run_in", answer.passage.run_in)?;
+            told.set_item("contact_loss_fraction", answer.passage.contact_loss)?;
+            told.set_item("minimum_normal_force", least)?;
+            told.set_item("maximum_normal_force", largest)?;
+            told.set_item("remarks", words(&answer.remarks))?;
+            answer.course()
+        }
+    };
+    Ok((arrays(py, course)?, told))
+}
+
+/// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
+/// \[m\]; remarks. After a signal it ends with the step under way.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn evolve<'py>(
+    py: Python<'py>,
+    case: &Case,
+    surface: GivenSurface<'py>,
+    periodic: bool,
+    speed: f64,
+    passages: u64,
+    step: Option<f64>,
+) -> PyResult<(
+    Bound<'py, PyAny>,
+    Vec<u64>,
+    Bound<'py, PyArray2<f64>>,
+    f64,
+    Vec<String>,
+)> {
+    let usual_step = step.unwrap_or(PassageRequest::USUAL_STEP);
+    let (surface, largest_step) = match surface.rail()? {
+        Rail::Sinusoid(sinusoid) => {
+            let step = SinusoidRequest::new(speed, sinusoid, step)
+                .map_err(of_answer)?
+                .step();
+            (Surface::of_sinusoid(sinusoid).map_err(of_answer)?, step)
+        }
+        Rail::Profile(profile) if periodic => (Surface::Ring(profile), usual_step),
+        Rail::Profile(profile) => (Surface::Record(profile), usual_step),
+    };
+    let request = EvolutionRequest {
+        speed,
+        surface,
+        largest_step,
+    };
+    let run = case.compute(py, move |case| EvolutionRun::new(case, request))?;
+    let mut run = run.map_err(of_answer)?;
+    let answer = loop {
+        let (back, reached) = interruptible(py, move || {
+            let reached = run.go_on(passages);
+            (run, reached)
+        })?;
+        run = back;
+        if let Some(answer) = reached.map_err(of_answer)? {
+            break answer;
+        }
+    };
+    let document = document(py, &answer.document())?;
+    let stages = answer.profiles.iter().map(|profile| profile.passages);
+    let stages: Vec<u64> = stages.collect();
+    let count = answer.profiles[0].heights_m.len();
+    let heights: Vec<f64> = answer
+        .profiles
+        .into_iter()
+        .flat_map(|profile| profile.heights_m)
+        .collect();
+    let heights = heights.into_pyarray(py).reshape([stages.len(), count])?;
+    Ok((
+        document,
+        stages,
+        heights,
+        answer.spacing,
+        words(&answer.remarks),
+    ))
+}

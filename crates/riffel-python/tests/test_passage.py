@@ -1,0 +1,69 @@
+"""A wheel along a rail in time: that of the program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import riffel
+
+
+def test_a_sinusoid_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case) -> None:
+    options = ("simulate", "cases/nominal.toml", "--speed", "30", "--sinusoid", "60um,55mm", "--json")
+    printed = program(*options)
+    found = nominal.simulate(sinusoid=("60 um", "55 mm"), speed=30.0)
+    assert found.attrs["contact_loss_fraction"] == printed["contact_loss_fraction"]
+    forces = [complex(*harmonic["normal_force_n"]) for harmonic in printed["harmonics"]]
+    np.testing.assert_array_equal(found.normal_force_harmonics, forces)
+    assert float(found.normal_force.max()) == printed["maximum_normal_force_n"]
+
+    worn = nominal.evolve(sinusoid=("60 um", "55 mm"), speed="108 km/h", passages=1000)
+    printed = program(*options, "--passages", "1000")
+    np.testing.assert_array_equal(worn.level.T, [band["level_db"] for band in printed["bands"]])
+    np.testing.assert_array_equal(worn.passages, printed["stages"]["passages"])
+    assert worn.height.sizes["profile_passages"] >= 2
+
+
+def test_a_profile_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case, tmp_path: Any) -> None:
+    position = 0.002 * np.arange(2000)
+    heights = 1e-5 * np.cos(2.0 * np.pi * position / 0.05)
+    rail = xr.DataArray(1e6 * heights, coords={"position": position}, dims="position", attrs={"units": "um"})
+    table = tmp_path / "rail.csv"
+    rows = "".join(f"{x:.3f},{z!r}\n" for x, z in zip(position, rail.values.tolist(), strict=True))
+    table.write_text(f"position_m,height_um\n{rows}")
+    printed = program("simulate", "cases/nominal.toml", "--speed", "30", "--profile", str(table), "--json")
+    found = nominal.simulate(rail, speed=30.0)
+    np.testing.assert_allclose(found.normal_force, printed["normal_force_n"], rtol=1e-9)
+    np.testing.assert_allclose(found.position, printed["position_m"], atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({}, "give either profile or sinusoid"),
+        ({"sinusoid": ("20 um", "55 mm"), "profile": [0.0] * 9}, "give either profile or sinusoid"),
+        ({"sinusoid": "20 um"}, "sinusoid is '20 um', but must be an amplitude and a wavelength"),
+        ({"sinusoid": ("20 um", "55 kg")}, r"sinusoid\[1\]: "),
+        ({"sinusoid": ("20 um", "55 mm"), "step": "20 mm"}, "step is 0.02 m, but must be between"),
+        ({"sinusoid": ("20 um", "55 mm"), "speed": 0.01}, "sinusoid is 0.055 m, which passes in 5.50 s"),
+        ({"profile": [0.0, float("nan"), 0.0, 0.0], "spacing": 1e-3}, "profile has gaps"),
+        ({"profile": [0.0, 1.0]}, "spacing is missing"),
+    ],
+)
+def test_what_is_not_allowed(nominal: riffel.Case, given: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(ValueError, match="^" + sentence):
+        nominal.simulate(**{"speed": 30.0, **given})
+
+
+def test_passages_are_whole(nominal: riffel.Case) -> None:
+    wave: dict[str, Any] = {"sinusoid": ("20 um", "55 mm"), "speed": 30.0}
+    refused: list[Any] = [0, -1, 2.5, True]
+    for passages in refused:
+        with pytest.raises(ValueError, match=f"^passages is {passages!r}, but must be a whole number"):
+            nominal.evolve(**wave, passages=passages)
+    with pytest.raises(ValueError, match="^periodic is for a profile"):
+        nominal.evolve(**wave, passages=1, periodic=True)
