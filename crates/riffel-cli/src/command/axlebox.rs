@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRail};
-use riffel_answers::roughness::{band_row, grind_row};
+use riffel_answers::roughness::band_row;
 use riffel_rail::AxleBoxFile;
 
-use super::roughness::limits;
+use super::roughness::{grind_table, limits};
 use crate::arguments::{AxleBox, stem};
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
@@ -124,31 +124,15 @@ fn heard(rail: &AxleBoxRail) -> String {
 }
 
 fn grind_in_words(answer: &AxleBoxAnswer) -> String {
-    /// Sections that a terminal shows; the file has all.
-    const SHOWN: usize = 20;
     let sections = answer.rails.iter().flat_map(|rail| {
         let own = rail.rail.sections.iter();
-        own.map(move |section| (&rail.rail.name, section))
+        own.map(move |section| (&rail.rail, section))
     });
     let sections: Vec<_> = sections.collect();
     if sections.is_empty() {
         return String::new();
     }
-    let mut rows = table(&[
-        "grind",
-        "rail",
-        "from m",
-        "to m",
-        "length m",
-        "worst band mm",
-        "rms/limit",
-    ]);
-    for (index, (rail, section)) in sections.iter().take(SHOWN).enumerate() {
-        rows.add_row(grind_row(index, rail, section));
-    }
-    let more = match sections.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        more => format!("{more} more in grind.csv\n"),
-    };
+    let (rows, more) = grind_table(&sections);
+    let more = more.map_or_else(String::new, |more| format!("{more}\n"));
     format!("{rows}\n{more}")
 }

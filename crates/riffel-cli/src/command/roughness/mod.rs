@@ -1,5 +1,6 @@
 //! `riffel roughness`
 
+mod grind;
 pub(crate) mod profile;
 mod spectra;
 mod synthesise;
@@ -12,6 +13,8 @@ use riffel_rail::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
 use crate::output::Progress;
+
+pub(crate) use grind::grind_table;
 
 pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
     if let Some(recipe) = &arguments.synthesise {

@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use riffel_answers::roughness::{ProfileAnswer, band_row, counted, grind_row};
+use riffel_answers::roughness::{ProfileAnswer, band_row, counted};
 use riffel_rail::{LimitTable, Record};
 
-use super::{folder, with_progress};
+use super::{folder, grind_table, with_progress};
 use crate::arguments::{Roughness, Statistics};
 use crate::messages::print_remarks;
 use crate::output::{json, print, table};
@@ -100,8 +100,6 @@ fn readable(profile: &ProfileAnswer, path: &Path) -> String {
 }
 
 fn grind_in_words(profile: &ProfileAnswer) -> String {
-    /// Sections that a terminal shows; the file has all.
-    const SHOWN: usize = 20;
     if !profile.knows_what_to_grind() {
         return String::new();
     }
@@ -109,21 +107,7 @@ fn grind_in_words(profile: &ProfileAnswer) -> String {
     if sections.is_empty() {
         return "nothing to grind: no band is over its limit anywhere\n".to_owned();
     }
-    let mut rows = table(&[
-        "grind",
-        "rail",
-        "from m",
-        "to m",
-        "length m",
-        "worst band mm",
-        "rms/limit",
-    ]);
-    for (index, (rail, section)) in sections.iter().take(SHOWN).enumerate() {
-        rows.add_row(grind_row(index, &rail.name, section));
-    }
-    let more = match sections.len().saturating_sub(SHOWN) {
-        0 => String::new(),
-        more => format!("{more} more in grind.csv; "),
-    };
+    let (rows, more) = grind_table(&sections);
+    let more = more.map_or_else(String::new, |more| format!("{more}; "));
     format!("{rows}\n{more}{}\n", profile.total())
 }
