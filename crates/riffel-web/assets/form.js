@@ -128,10 +128,16 @@ export class Form {
     }
     input.id = id;
     input.setAttribute('aria-describedby', `${unit.id} ${fault.id} ${echo.id}`);
-    // `typed` is what stands in the field by hand, with the value that it was read as; `asks` what waits for an answer.
-    const field = { key, node, input, unit, fault, echo, presets, shown: shownUnit(key, node.unit), typed: null, asks: null };
+    // `typed` is what stands in the field by hand, with the value that it was read as; `asks` what waits for an answer;
+    // while it is `writing`, no answer may replace its text.
+    const field = { key, node, input, unit, fault, echo, presets, shown: shownUnit(key, node.unit), typed: null, asks: null, writing: false };
     unit.textContent = presets.length ? '' : field.shown[0];
-    input.addEventListener('change', () => this.#read(field));
+    input.addEventListener('input', () => (field.writing = true));
+    input.addEventListener('blur', () => (field.writing = false));
+    input.addEventListener('change', () => {
+      field.writing = false;
+      this.#read(field);
+    });
     const row = element('div', { className: 'row' }, label, input, presets.length ? this.#sources(field) : unit, fault, echo);
     this.fields.set(key, field);
     return row;
@@ -211,6 +217,7 @@ export class Form {
 
   #showField(field) {
     const { key, node, input, echo, shown } = field;
+    if (field.writing) return;
     const written = bare(get(this.keys, key));
     const whole = this.complete && bare(get(this.complete, key));
     if (input.tagName === 'TEXTAREA') {
@@ -396,6 +403,7 @@ export class Form {
   forget() {
     for (const field of this.fields.values()) {
       field.typed = null;
+      field.writing = false;
       if (field.asks) this.#answered(field);
     }
   }

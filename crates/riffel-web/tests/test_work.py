@@ -168,6 +168,19 @@ def test_undo_and_redo_by_key_button_and_browser(page):
     assert friction(page) == 0.3 and field.input_value() == "0.3"
 
 
+def test_an_answer_leaves_what_is_being_written(page):
+    release = hold(page, "**/api/**")
+    page.set("contact.friction", "0.3")
+    field = page.page.locator("#key-contact-friction")
+    field.fill("0.2")
+    release()
+    page.settle()
+    assert field.input_value() == "0.2" and friction(page) == 0.3
+    field.press("Tab")
+    page.settle()
+    assert field.input_value() == "0.2" and friction(page) == 0.2
+
+
 def test_the_browser_goes_back_through_cases_and_views(page):
     page.set("contact.friction", "0.3")
     page.set("contact.friction", "0.2")
