@@ -6,8 +6,8 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use riffel::contact::{
-    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, KalkerCoefficients, TractionBound,
-    TransientRolling,
+    CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, HalfSpaceRolling, KalkerCoefficients,
+    OscillatingCreepages, TractionBound, TransientRolling,
 };
 use riffel::{ElasticMaterial, HertzContact};
 
@@ -82,26 +82,43 @@ fn steps(across: usize) -> Result<(f64, f64), Failure> {
     Ok((begun.elapsed().as_secs_f64() / count as f64, sum))
 }
 
+/// A sum of the responses at so many wavelengths from 2 to 100 semi-axes, in even ratios.
+fn sum_of_responses(
+    contact: &HalfSpace,
+    state: &HalfSpaceRolling,
+    creepages: OscillatingCreepages,
+    count: usize,
+) -> Result<f64, Failure> {
+    let a = hertz(LOAD)?.semi_axis_longitudinal();
+    let share = |index: usize| index as f64 / (count - 1) as f64;
+    let wavelength = |index| 2.0 * a * 50.0_f64.powf(share(index));
+    let wavelengths: Vec<f64> = (0..count).map(wavelength).collect();
+    let mut sum = 0.0;
+    for response in contact.responses(state, &wavelengths, creepages, || ()) {
+        let response = response?;
+        sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
+    }
+    Ok(sum)
+}
+
 /// Thirty wavelengths, both inputs, and the steady state before.
 fn response(across: usize) -> Result<(f64, f64), Failure> {
     let hertz = hertz(LOAD)?;
-    let a = hertz.semi_axis_longitudinal();
     let begun = Instant::now();
     let contact = HalfSpace::new(hertz, FRICTION, across)?;
     let state = contact.roll_at_tractive_ratio(0.3)?;
-    let mut sum = 0.0;
-    for index in 0..WAVELENGTHS {
-        let share = index as f64 / (WAVELENGTHS - 1) as f64;
-        let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
-        sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
-    }
+    let sum = sum_of_responses(
+        &contact,
+        &state,
+        OscillatingCreepages::Longitudinal,
+        WAVELENGTHS,
+    )?;
     Ok((begun.elapsed().as_secs_f64(), sum))
 }
 
 /// Sixty-four wavelengths and all four inputs about creepage in any direction, the steady state at hand.
 fn table(across: usize) -> Result<(f64, f64), Failure> {
     let hertz = hertz(LOAD)?;
-    let a = hertz.semi_axis_longitudinal();
     let contact = HalfSpace::new(hertz, FRICTION, across)?;
     let state = contact.roll_with(Creepages {
         longitudinal: 6e-4,
@@ -109,12 +126,7 @@ fn table(across: usize) -> Result<(f64, f64), Failure> {
         spin: 0.3,
     })?;
     let begun = Instant::now();
-    let mut sum = 0.0;
-    for index in 0..TABLE {
-        let share = index as f64 / (TABLE - 1) as f64;
-        let response = contact.response(&state, 2.0 * a * 50.0_f64.powf(share))?;
-        sum += response.by_longitudinal.force[0].norm() + response.by_load.force[0].norm();
-    }
+    let sum = sum_of_responses(&contact, &state, OscillatingCreepages::All, TABLE)?;
     Ok((begun.elapsed().as_secs_f64(), sum))
 }
 

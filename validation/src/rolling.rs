@@ -80,17 +80,16 @@ impl Responses {
         creepages: OscillatingCreepages,
     ) -> Self {
         let semi_axis = hertz(50e3).semi_axis_longitudinal();
-        let at = |ratio: f64| {
-            let response = contact.response_to(state, ratio * semi_axis, creepages);
-            response.expect("a response")
-        };
+        let ratios = [&[f64::INFINITY], wavelengths].concat();
+        let places: Vec<f64> = ratios.iter().map(|ratio| ratio * semi_axis).collect();
+        let responses = contact.responses(state, &places, creepages, || ());
+        let mut responses = responses
+            .into_iter()
+            .map(|response| response.expect("a response"));
         Self {
             tractive_ratio: contact.steady(state).tractive_ratio(),
-            slow: at(f64::INFINITY),
-            waves: wavelengths
-                .iter()
-                .map(|&ratio| (ratio, at(ratio)))
-                .collect(),
+            slow: responses.next().expect("the slow response"),
+            waves: wavelengths.iter().copied().zip(responses).collect(),
         }
     }
 

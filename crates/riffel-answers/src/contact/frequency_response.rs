@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use riffel::Complex64;
-use riffel::contact::{ContactDerivative, ContactResponse, GridError};
+use riffel::contact::{ContactDerivative, ContactResponse, GridError, OscillatingCreepages};
 use riffel_keys::CaseError;
 use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Scale, Series};
 
@@ -125,20 +125,24 @@ impl FrequencyResponse {
         ratios: Vec<f64>,
         progress: impl Fn(),
     ) -> Result<Self, CaseError> {
-        let at = |wavelength: f64, input: String| -> Result<ContactResponse, CaseError> {
-            let response = theories.half_space.response(&theories.state, wavelength);
-            progress();
-            response.map_err(refused(input))
-        };
-        let slow = at(f64::INFINITY, "the mean state of the case".to_owned())?;
-        let responses: Vec<ContactResponse> = ratios
-            .iter()
-            .map(|&ratio| {
-                let wavelength = ratio * theories.hertz.semi_axis_longitudinal();
-                at(wavelength, format!("λ/a = {ratio}"))
-            })
-            .collect::<Result<_, _>>()?;
         let normalized = theories.along_rail();
+        let creepages = match normalized {
+            true => OscillatingCreepages::Longitudinal,
+            false => OscillatingCreepages::All,
+        };
+        let semi_axis = theories.hertz.semi_axis_longitudinal();
+        let wavelengths = [f64::INFINITY].into_iter().chain(ratios.iter().copied());
+        let wavelengths: Vec<f64> = wavelengths.map(|ratio| ratio * semi_axis).collect();
+        let half_space = &theories.half_space;
+        let mut responses =
+            half_space.responses(&theories.state, &wavelengths, creepages, progress);
+        let slow = responses.remove(0);
+        let slow = slow.map_err(refused("the mean state of the case"))?;
+        let responses: Vec<ContactResponse> = responses
+            .into_iter()
+            .zip(&ratios)
+            .map(|(response, ratio)| response.map_err(refused(format!("λ/a = {ratio}"))))
+            .collect::<Result<_, _>>()?;
         let (inputs, outputs): (&[Input], &[Output]) = match normalized {
             true => (&[CREEPAGE, LOAD], &[FORCE, DISSIPATION, RAIL_DISSIPATION]),
             false => (

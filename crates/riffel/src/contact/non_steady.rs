@@ -4,15 +4,14 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
-use super::half_space::REMEDY;
+use super::half_space::{FoundResponses, REMEDY};
 use super::{
     ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
     OscillatingCreepages, RollingContact,
 };
 use crate::Error;
 
-/// Fewest and most intervals between the nodes of an octave.
-const FEWEST_INTERVALS: usize = 2;
+/// Most intervals between the nodes of an octave.
 const MOST_INTERVALS: usize = 64;
 
 /// The response of a [`HalfSpace`] about one mean state, for a loop: to load, longitudinal creepage, and the other
@@ -92,6 +91,9 @@ impl Node {
     }
 }
 
+/// The octaves up to an end of one, its response, and what that found.
+type End = (f64, Node, FoundResponses);
+
 impl NonSteady {
     /// The tolerance of cases: a hundredth of the error of the half-space itself.
     pub const DEFAULT_TOLERANCE: f64 = 1e-4;
@@ -114,21 +116,29 @@ impl NonSteady {
         let resolved = contact.shortest_wavelength();
         let below = (shortest / resolved).log2().floor();
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
-        let mut octaves: Vec<Octave> = Vec::new();
-        for octave in below as i32..above as i32 {
-            // The shortest wavelength is the longest of the octave before.
-            let known = octaves.last().and_then(|before| before.0.first().copied());
-            let node = |t: f64| match known.filter(|_| t == -1.0) {
-                Some(node) => Ok(node),
-                None => {
-                    let wavelength = resolved * (f64::from(octave) + 0.5 * (1.0 + t)).exp2();
-                    contact
-                        .response_to(state, wavelength, creepages)
-                        .map(Node::new)
-                }
+        let wavelength = |place: f64| resolved * place.exp2();
+        // The ends of the octaves from nothing, so that neither depends on the other octaves.
+        let mut sweep = contact.sweep(state, creepages);
+        let ends = (below as i32..=above as i32).map(|end| -> Result<_, Error> {
+            sweep.begin_with(&[]);
+            let node = Node::new(sweep.at(wavelength(f64::from(end)))?);
+            Ok((f64::from(end), node, sweep.found()))
+        });
+        let ends = ends.collect::<Result<Vec<End>, _>>()?;
+        let octave = |((begin, shortest, first), (_, longest, last)): (&End, &End)| {
+            sweep.begin_with(&[first, last]);
+            let node = |t: f64| {
+                let response = sweep.at(wavelength(begin + 0.5 * (1.0 + t)));
+                response.map(Node::new)
             };
-            octaves.push(Octave::new(node, steady.creepages.magnitude(), tolerance)?);
-        }
+            let creepage = steady.creepages.magnitude();
+            Octave::new([*longest, *shortest], node, creepage, tolerance)
+        };
+        let octaves = ends
+            .iter()
+            .zip(&ends[1..])
+            .map(octave)
+            .collect::<Result<_, _>>()?;
         Ok(Self {
             steady,
             creepages,
@@ -145,18 +155,17 @@ fn place(index: usize, intervals: usize) -> f64 {
 }
 
 impl Octave {
-    /// The octave of a function of t from −1, its shortest wavelength, to 1, its longest.
+    /// The octave of a function of t from −1, its shortest wavelength, to 1, its longest, both of which are known.
     fn new(
-        node: impl Fn(f64) -> Result<Node, Error>,
+        [longest, shortest]: [Node; 2],
+        mut node: impl FnMut(f64) -> Result<Node, Error>,
         creepage: f64,
         tolerance: f64,
     ) -> Result<Self, Error> {
-        let mut intervals = FEWEST_INTERVALS;
-        let at = |index, intervals| node(place(index, intervals));
-        let nodes = (0..=intervals).map(|index| at(index, intervals));
-        let mut octave = Self(nodes.collect::<Result<_, _>>()?);
+        let mut intervals = 2;
+        let mut octave = Self(vec![longest, node(0.0)?, shortest]);
         loop {
-            let between = (0..intervals).map(|index| at(2 * index + 1, 2 * intervals));
+            let between = (0..intervals).map(|index| node(place(2 * index + 1, 2 * intervals)));
             let between: Vec<Node> = between.collect::<Result<_, _>>()?;
             let misses = between.iter().enumerate().map(|(index, exact)| {
                 let got = octave.at(place(2 * index + 1, 2 * intervals));

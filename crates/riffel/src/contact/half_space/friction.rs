@@ -1,8 +1,9 @@
 //! Coulomb friction over one step of the material: tractions, stick and slip.
 
-use super::gmres::{Scalar, gmres, norm};
+use super::gmres::gmres;
 use super::influence::{Convolution, Field, Influence};
 use super::patch::Patch;
+use super::scalar::{Scalar, norm};
 use super::strips::{Diagonal, Strips};
 
 /// Residual of the linear equations of each step: an inexact Newton method (Dembo, Eisenstat & Steihaug

@@ -1,29 +1,6 @@
 //! Linear equations of which only the product with a vector is known.
 
-use num_complex::{Complex64, ComplexFloat};
-
-/// Real or complex numbers.
-pub(super) trait Scalar: ComplexFloat<Real = f64> {
-    fn of(value: f64) -> Self;
-}
-
-impl Scalar for f64 {
-    fn of(value: f64) -> Self {
-        value
-    }
-}
-
-impl Scalar for Complex64 {
-    fn of(value: f64) -> Self {
-        Self::from(value)
-    }
-}
-
-#[cfg(test)]
-thread_local! {
-    /// Products with a matrix since the thread began, the work that half-spaces cost.
-    pub(super) static PRODUCTS: std::cell::Cell<usize> = const { std::cell::Cell::new(0) };
-}
+use super::scalar::{Scalar, add_multiple, dot, norm};
 
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
 /// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.
@@ -48,14 +25,10 @@ pub(super) fn gmres<T: Scalar>(
         let mut direction = basis[step].clone();
         inverse(&mut direction);
         let mut next = product(&direction);
-        #[cfg(test)]
-        PRODUCTS.set(PRODUCTS.get() + 1);
         let mut column: Vec<T> = Vec::with_capacity(step + 2);
         for direction in &basis {
             let share = dot(direction, &next);
-            for (value, &other) in next.iter_mut().zip(direction) {
-                *value = *value - share * other;
-            }
+            add_multiple(&mut next, -share, direction);
             column.push(share);
         }
         let rest = norm(&next);
@@ -103,9 +76,7 @@ fn combine<T: Scalar>(basis: &[Vec<T>], columns: &[Vec<T>], rotated: &[T]) -> Ve
     }
     let mut solution = vec![T::zero(); basis[0].len()];
     for (direction, &share) in basis.iter().zip(&shares) {
-        for (value, &other) in solution.iter_mut().zip(direction) {
-            *value = *value + share * other;
-        }
+        add_multiple(&mut solution, share, direction);
     }
     solution
 }
@@ -114,27 +85,10 @@ fn scaled<T: Scalar>(values: &[T], factor: f64) -> Vec<T> {
     values.iter().map(|&value| value * T::of(factor)).collect()
 }
 
-/// In several sums, so that one addition need not wait for the one before.
-fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
-    const SUMS: usize = 4;
-    let mut sums = [T::zero(); SUMS];
-    let (a, b) = (a.chunks_exact(SUMS), b.chunks_exact(SUMS));
-    let rest = a.remainder().iter().zip(b.remainder());
-    let rest = rest.fold(T::zero(), |sum, (&a, &b)| sum + a.conj() * b);
-    for (a, b) in a.zip(b) {
-        for (sum, (&a, &b)) in sums.iter_mut().zip(a.iter().zip(b)) {
-            *sum = *sum + a.conj() * b;
-        }
-    }
-    sums.into_iter().fold(rest, |whole, sum| whole + sum)
-}
-
-pub(super) fn norm<T: Scalar>(a: &[T]) -> f64 {
-    dot(a, a).re().sqrt()
-}
-
 #[cfg(test)]
 mod tests {
+    use num_complex::Complex64;
+
     use super::*;
 
     /// A full matrix that is not symmetric, to the tolerance asked for.

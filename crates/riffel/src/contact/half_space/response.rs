@@ -4,15 +4,10 @@ use num_complex::Complex64;
 
 use super::Grid;
 use super::friction::{Slip, State, halves};
-use super::gmres::gmres;
 use super::influence::{Convolution, Field};
 use super::partial_slip::slipping_shares;
-use super::strips::Strips;
+use super::strips::{Diagonal, Strips};
 use crate::contact::{Creepages, GridError};
-
-/// Residual of the linear equations, as a share of their right-hand side.
-pub(super) const TOLERANCE: f64 = 1e-5;
-const MOST_PRODUCTS: usize = 400;
 
 /// What oscillates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -79,7 +74,7 @@ impl Response {
     }
 }
 
-/// Rolling contact about a steady state, linear, at one wavenumber k = ω/V.
+/// Rolling contact about a steady state, linear.
 ///
 /// An element that slips keeps its traction on the bound, p₁ = g₁ŝ + (g/|S|)(1 − ŝŝᵀ)S₁, one that sticks has S₁ = 0.
 /// Both are p₁ = dΠ(p₁ + rS₁) + g₁ŝ with the projection Π of [`State`]; along the slip, an element that slips in part
@@ -88,23 +83,18 @@ pub(super) struct Tangent<'a> {
     grid: &'a Grid,
     steady: &'a Slip,
     creepages: Creepages,
-    wavenumber: f64,
     /// The factor r \[Pa/m\].
     weight: f64,
-    /// Phase from the middle of a step of the material to its front.
-    half: Complex64,
     states: Vec<State>,
-    strips: Strips<'a, Complex64>,
+    /// The steady displacement u(x), u(x + dx) and ∂u/∂y at every step of the material.
+    here: Field<f64>,
+    ahead: Field<f64>,
+    across: Field<Complex64>,
 }
 
 impl<'a> Tangent<'a> {
-    /// About a steady state at these creepages, at the wavenumber k \[rad/m\].
-    pub(super) fn new(
-        grid: &'a Grid,
-        steady: &'a Slip,
-        creepages: Creepages,
-        wavenumber: f64,
-    ) -> Self {
+    /// About a steady state at these creepages.
+    pub(super) fn new(grid: &'a Grid, steady: &'a Slip, creepages: Creepages) -> Self {
         let (patch, influence) = (&grid.patch, &grid.influence);
         let weight = influence.own.recip();
         let shares = slipping_shares(patch, steady, &grid.bound, weight);
@@ -119,29 +109,80 @@ impl<'a> Tangent<'a> {
             });
             State::new(trial, grid.bound[index]).slipping_in_part(share)
         };
-        // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
-        // middle of the step.
-        let half = Complex64::cis(0.5 * wavenumber * patch.dx);
+        let mut convolution = Convolution::new(influence, patch);
+        let tractions = [0, 1].map(|part: usize| steady.tractions[part].as_slice());
+        let complex = tractions.map(|part| -> Vec<Complex64> {
+            part.iter().map(|&traction| traction.into()).collect()
+        });
         Self {
             grid,
             steady,
             creepages,
-            wavenumber,
             weight,
-            half,
             states: shares.into_iter().enumerate().map(state).collect(),
-            strips: Strips::new(patch, influence, [half, -half.conj()]),
+            here: convolution.real(tractions, [1.0, 0.0]),
+            ahead: convolution.real(tractions, [0.0, 1.0]),
+            across: convolution.slope_across([complex[0].as_slice(), complex[1].as_slice()]),
         }
     }
 
+    pub(super) fn grid(&self) -> &'a Grid {
+        self.grid
+    }
+
+    /// With everything oscillating at the wavenumber k \[rad/m\].
+    pub(super) fn at(&self, wavenumber: f64) -> Oscillation<'_> {
+        // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
+        // middle of the step.
+        let half = Complex64::cis(0.5 * wavenumber * self.grid.patch.dx);
+        Oscillation {
+            tangent: self,
+            wavenumber,
+            half,
+        }
+    }
+
+    /// The projection's derivative dΠ of a change, x part first.
+    pub(super) fn projected(&self, change: impl Fn(usize, usize) -> Complex64) -> Vec<Complex64> {
+        let count = self.states.len();
+        let mut image = vec![Complex64::ZERO; 2 * count];
+        for (index, state) in self.states.iter().enumerate() {
+            let projected = state.derivative([0, 1].map(|part| change(part, index)));
+            image[index] = projected[0];
+            image[count + index] = projected[1];
+        }
+        image
+    }
+
+    /// The factor r \[Pa/m\].
+    pub(super) fn weight(&self) -> f64 {
+        self.weight
+    }
+}
+
+/// A [`Tangent`] at one wavenumber.
+pub(super) struct Oscillation<'a> {
+    tangent: &'a Tangent<'a>,
+    wavenumber: f64,
+    /// Phase from the middle of a step of the material to its front.
+    half: Complex64,
+}
+
+/// The slip of each step without the unknown tractions \[m\], and the change of the bound as a share of it.
+pub(super) struct Forcing {
+    slip: Field<Complex64>,
+    growth_of_bound: f64,
+}
+
+impl Oscillation<'_> {
     /// The displacement over a step of the material: here less ahead.
-    fn difference(&self) -> [Complex64; 2] {
+    pub(super) fn difference(&self) -> [Complex64; 2] {
         [self.half, -self.half.conj()]
     }
 
-    /// The slip of each step without the unknown tractions \[m\], and the change of the bound as a share of it.
-    fn forcing(&self, input: Input, convolution: &mut Convolution) -> (Field<Complex64>, f64) {
-        let patch = &self.grid.patch;
+    pub(super) fn forcing(&self, input: Input) -> Forcing {
+        let tangent = self.tangent;
+        let patch = &tangent.grid.patch;
         let rigid = |slip: &dyn Fn((f64, f64)) -> [f64; 2]| {
             [0, 1].map(|part| -> Vec<Complex64> {
                 let steps = patch.steps.iter();
@@ -149,80 +190,100 @@ impl<'a> Tangent<'a> {
                 slip.collect()
             })
         };
+        let of_creepage = |slip| Forcing {
+            slip,
+            growth_of_bound: 0.0,
+        };
         match input {
-            Input::Longitudinal => (rigid(&|_| [1.0, 0.0]), 0.0),
-            Input::Lateral => (rigid(&|_| [0.0, 1.0]), 0.0),
-            Input::Spin => (rigid(&|(x, y)| [-y, x]), 0.0),
+            Input::Longitudinal => of_creepage(rigid(&|_| [1.0, 0.0])),
+            Input::Lateral => of_creepage(rigid(&|_| [0.0, 1.0])),
+            Input::Spin => of_creepage(rigid(&|(x, y)| [-y, x])),
             Input::Load => {
                 // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
                 // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
                 // by ε, and is carried along by the stretching; spin slides faster further out.
-                let [x, y] = [0, 1].map(|part| -> Vec<Complex64> {
-                    let tractions = self.steady.tractions[part].iter();
-                    tractions.map(|&traction| traction.into()).collect()
-                });
-                let tractions = [x.as_slice(), y.as_slice()];
                 let third = 1.0 / 3.0;
-                let step = convolution.complex(tractions, [-Complex64::ONE, Complex64::ONE]);
-                let stretched = convolution.complex(tractions, self.difference());
-                let across = convolution.slope_across(tractions);
-                let spin = self.creepages.spin;
-                let mut forcing = rigid(&|(x, y)| [-third * spin * y, third * spin * x]);
-                for part in 0..2 {
-                    for (index, forcing) in forcing[part].iter_mut().enumerate() {
+                let spin = tangent.creepages.spin;
+                let mut slip = rigid(&|(x, y)| [-third * spin * y, third * spin * x]);
+                let [of_here, of_ahead] = self.difference();
+                for (part, slip) in slip.iter_mut().enumerate() {
+                    for (index, slip) in slip.iter_mut().enumerate() {
                         let (x, y) = patch.steps[index].middle;
-                        let along = x * step[part][index] / patch.dx;
+                        let (here, ahead) = (tangent.here[part][index], tangent.ahead[part][index]);
+                        let along = x * (ahead - here) / patch.dx;
                         let carried = Complex64::new(0.0, self.wavenumber * patch.dx)
-                            * (along + y * across[part][index]);
-                        *forcing += third * (carried - step[part][index] - stretched[part][index]);
+                            * (along + y * tangent.across[part][index]);
+                        let stretched = of_here * here + of_ahead * ahead;
+                        *slip += third * (carried - (ahead - here) - stretched);
                     }
                 }
-                (forcing, third)
+                Forcing {
+                    slip,
+                    growth_of_bound: third,
+                }
             }
         }
     }
 
-    /// The response to an input; the residual reached if it does not converge.
-    pub(super) fn response(&self, input: Input) -> Result<Response, f64> {
-        let (grid, patch, steady) = (self.grid, &self.grid.patch, self.steady);
-        let (weight, half, wavenumber) = (self.weight, self.half, self.wavenumber);
-        let count = patch.len();
-        let mut convolution = Convolution::new(&grid.influence, patch);
-        let (forcing, growth_of_bound) = self.forcing(input, &mut convolution);
-
-        let mut right = vec![Complex64::ZERO; 2 * count];
-        for (index, state) in self.states.iter().enumerate() {
-            let pushed = state.derivative([0, 1].map(|part| weight * forcing[part][index]));
-            let bounded = state.by_bound(growth_of_bound * grid.bound[index]);
-            right[index] = pushed[0] + bounded[0];
-            right[count + index] = pushed[1] + bounded[1];
+    /// The right-hand side of the equations of the tractions.
+    pub(super) fn right(&self, forcing: &Forcing) -> Vec<Complex64> {
+        let tangent = self.tangent;
+        let count = tangent.states.len();
+        let mut right = tangent.projected(|part, index| tangent.weight * forcing.slip[part][index]);
+        for (index, state) in tangent.states.iter().enumerate() {
+            let bounded = state.by_bound(forcing.growth_of_bound * tangent.grid.bound[index]);
+            right[index] += bounded[0];
+            right[count + index] += bounded[1];
         }
-        let product = |tractions: &[Complex64]| {
-            let field = halves(tractions);
-            let moved = convolution.complex(field, self.difference());
-            let mut image = vec![Complex64::ZERO; 2 * count];
-            for (index, state) in self.states.iter().enumerate() {
-                let trial = [0, 1].map(|part| field[part][index] - weight * moved[part][index]);
-                let projected = state.derivative(trial);
-                image[index] = field[0][index] - projected[0];
-                image[count + index] = field[1][index] - projected[1];
-            }
-            image
-        };
-        let inverse = |index: usize, part| self.states[index].diagonal(part, weight);
-        let inverse = self.strips.inverse(inverse);
-        let inverse = |values: &mut [Complex64]| inverse.solve(values);
-        let solution = gmres(product, inverse, &right, TOLERANCE, MOST_PRODUCTS)?;
-        let field = halves(&solution);
-        let moved = convolution.complex(field, self.difference());
+        right
+    }
 
+    /// The left-hand side for some tractions.
+    pub(super) fn product(
+        &self,
+        tractions: &[Complex64],
+        convolution: &mut Convolution,
+    ) -> Vec<Complex64> {
+        let field = halves(tractions);
+        let moved = convolution.complex(field, self.difference());
+        let weight = self.tangent.weight;
+        let mut image = self
+            .tangent
+            .projected(|part, index| weight * moved[part][index] - field[part][index]);
+        for (image, traction) in image.iter_mut().zip(tractions) {
+            *image += traction;
+        }
+        image
+    }
+
+    /// Rows of elements by themselves, for an approximate inverse of [`product`](Self::product).
+    pub(super) fn strips(&self) -> Strips<'_, Complex64> {
+        let grid = self.tangent.grid;
+        Strips::new(&grid.patch, &grid.influence, self.difference())
+    }
+
+    /// The term to keep of the equation of an element and part.
+    pub(super) fn diagonal(&self, index: usize, part: usize) -> Diagonal {
+        self.tangent.states[index].diagonal(part, self.tangent.weight)
+    }
+
+    /// What comes of the tractions and of the displacement that they cause over every step.
+    pub(super) fn response(
+        &self,
+        forcing: &Forcing,
+        tractions: &[Complex64],
+        moved: &Field<Complex64>,
+    ) -> Response {
+        let (grid, steady) = (self.tangent.grid, self.tangent.steady);
+        let (patch, half, wavenumber) = (&grid.patch, self.half, self.wavenumber);
+        let field = halves(tractions);
         let mut result = Response {
             force: [Complex64::ZERO; 2],
             dissipation: Complex64::ZERO,
             rail_dissipation: Complex64::ZERO,
         };
         let area = patch.area();
-        let growth = growth_of_bound;
+        let growth = forcing.growth_of_bound;
         let parts = field.iter().zip(&steady.tractions);
         for (force, (changes, means)) in result.force.iter_mut().zip(parts) {
             for (change, mean) in changes.iter().zip(means) {
@@ -244,7 +305,7 @@ impl<'a> Tangent<'a> {
             let mut steady_density = 0.0;
             for part in 0..2 {
                 let slip = steady.distance[part][index] / patch.dx;
-                let slip_change = (forcing[part][index] - moved[part][index]) / patch.dx;
+                let slip_change = (forcing.slip[part][index] - moved[part][index]) / patch.dx;
                 steady_density += mean[part] * slip;
                 density += mean[part] * slip_change + change[part] * slip;
             }
@@ -255,6 +316,6 @@ impl<'a> Tangent<'a> {
             let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
             result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
         }
-        Ok(result)
+        result
     }
 }

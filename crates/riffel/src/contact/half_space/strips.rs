@@ -2,9 +2,11 @@
 
 use std::ops::Range;
 
-use super::gmres::Scalar;
+use pulp::{Arch, Simd, WithSimd};
+
 use super::influence::Influence;
 use super::patch::Patch;
+use super::scalar::{Scalar, add_multiple};
 
 /// The displacements along every row of elements, x and y part apart, by the tractions of that row and
 /// part alone. What is left out is smooth, so that few products with the whole matrix make up for it.
@@ -129,14 +131,23 @@ impl<T: Scalar> StripInverse<'_, T> {
                     *place = values[index] - factors.caused(values, run, index);
                 }
             }
-            factors.lower(&mut block, lines);
+            let arch = Arch::new();
+            arch.dispatch(Lower {
+                factors,
+                block: &mut block,
+                lines,
+            });
             for (line, run) in equations.runs.iter().enumerate() {
                 let beyond = block.iter_mut().skip(line).step_by(lines);
                 for value in beyond.skip(run.elements.len()) {
                     *value = T::zero();
                 }
             }
-            factors.upper(&mut block, lines);
+            arch.dispatch(Upper {
+                factors,
+                block: &mut block,
+                lines,
+            });
             for (line, run) in equations.runs.iter().enumerate() {
                 let solution = block.iter().skip(line).step_by(lines);
                 for (&solution, value) in solution.zip(&mut values[run.elements.clone()]) {
@@ -172,7 +183,7 @@ impl<T: Scalar> Factors<T> {
             }
             for other in rest.chunks_exact_mut(size) {
                 let (above, below) = other.split_at_mut(column + 1);
-                subtract(below, lower, above[column]);
+                add_multiple(below, -above[column], lower);
             }
         }
         Self {
@@ -192,37 +203,56 @@ impl<T: Scalar> Factors<T> {
                 sum + entry(cause) * tractions[cause]
             })
     }
+}
 
-    /// Solve with L for all lines of a block.
-    fn lower(&self, block: &mut [T], lines: usize) {
-        for column in 0..block.len().checked_div(lines).unwrap_or(0) {
-            let (known, rest) = block.split_at_mut((column + 1) * lines);
+/// Solve with L for all lines of a block.
+struct Lower<'a, T> {
+    factors: &'a Factors<T>,
+    block: &'a mut [T],
+    lines: usize,
+}
+
+impl<T: Scalar> WithSimd for Lower<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let (lines, size) = (self.lines, self.factors.size);
+        for column in 0..self.block.len().checked_div(lines).unwrap_or(0) {
+            let (known, rest) = self.block.split_at_mut((column + 1) * lines);
             let known = &known[column * lines..];
-            let factors = &self.values[column * self.size + column + 1..];
+            let factors = &self.factors.values[column * size + column + 1..];
             for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
-                subtract(values, known, factor);
-            }
-        }
-    }
-
-    /// Solve with U for all lines of a block.
-    fn upper(&self, block: &mut [T], lines: usize) {
-        for column in (0..block.len().checked_div(lines).unwrap_or(0)).rev() {
-            let factors = &self.values[column * self.size..];
-            let (rest, known) = block.split_at_mut(column * lines);
-            let known = &mut known[..lines];
-            for value in known.iter_mut() {
-                *value = *value / factors[column];
-            }
-            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
-                subtract(values, known, factor);
+                T::add_multiple(simd, values, -factor, known);
             }
         }
     }
 }
 
-fn subtract<T: Scalar>(values: &mut [T], others: &[T], factor: T) {
-    for (value, &other) in values.iter_mut().zip(others) {
-        *value = *value - factor * other;
+/// Solve with U for all lines of a block.
+struct Upper<'a, T> {
+    factors: &'a Factors<T>,
+    block: &'a mut [T],
+    lines: usize,
+}
+
+impl<T: Scalar> WithSimd for Upper<'_, T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let lines = self.lines;
+        for column in (0..self.block.len().checked_div(lines).unwrap_or(0)).rev() {
+            let factors = &self.factors.values[column * self.factors.size..];
+            let (rest, known) = self.block.split_at_mut(column * lines);
+            let known = &mut known[..lines];
+            let pivot = factors[column].recip();
+            for value in known.iter_mut() {
+                *value = *value * pivot;
+            }
+            for (values, &factor) in rest.chunks_exact_mut(lines).zip(factors) {
+                T::add_multiple(simd, values, -factor, known);
+            }
+        }
     }
 }

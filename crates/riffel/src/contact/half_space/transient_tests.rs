@@ -2,6 +2,7 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
+use super::super::grid_sweep::GridSweep;
 use super::super::{Grid, Input};
 use super::*;
 use crate::ElasticMaterial;
@@ -203,8 +204,8 @@ fn direct(across: usize, creepages: Creepages, input: Input) -> [Complex64; 4] {
     let grid = grid(&largest(across));
     let state = grid.roll(creepages, None).unwrap();
     let wavenumber = 2.0 * PI / (2.0 * across as f64 * grid.patch.dx);
-    let response = grid
-        .responses(&state, creepages, wavenumber, &[input])
+    let response = GridSweep::new(&grid, &state, creepages, &[input])
+        .at(wavenumber)
         .unwrap()[0];
     [
         response.force[0],
