@@ -18,7 +18,7 @@ const ROUNDS: usize = 11;
 /// Elements over a diameter, as in the times of CONTACT.
 const ACROSS: usize = 40;
 /// Elements of a frequency response, the default of the case file.
-const RESPONSE_ACROSS: usize = 48;
+const RESPONSE_ACROSS: usize = HalfSpace::DEFAULT_ELEMENTS;
 const CELLS: usize = 50;
 const WAVELENGTHS: usize = 30;
 const TABLE: usize = 64;

@@ -101,7 +101,8 @@ checks! {
         kalker_coefficients_printed, kalker_coefficients_contact, creep_curve, saturation_creepage,
         creepage_of_four_per_mille;
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
-        dissipation_at_the_rail, half_space_creep_forces, frequency_response_across_the_rail;
+        dissipation_at_the_rail, half_space_creep_forces, frequency_response_across_the_rail,
+        frequency_response_at_the_default;
     transient: carter_in_two_dimensions, slopes_of_the_half_space, shift_of_cattaneo,
         stiffness_of_mindlin, from_cattaneo_to_carter, frequency_response_by_time;
     contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,

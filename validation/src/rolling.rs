@@ -16,6 +16,7 @@ const FREQUENCY_RESPONSE: &str = include_str!("../reference/contact/frequency_re
 const FREQUENCY_RESPONSE_LATERAL: &str =
     include_str!("../reference/contact/frequency_response_lateral.csv");
 const CREEP_FORCES_VECTOR: &str = include_str!("../reference/contact/creep_forces_vector.csv");
+const RESPONSE_LIMITS: &str = include_str!("../reference/contact/response_limits.csv");
 const RAIL_DISSIPATION: &str = include_str!("../reference/contact/rail_fixed_dissipation.csv");
 
 /// The contact of the references.
@@ -102,7 +103,7 @@ impl Responses {
 
 /// The responses about longitudinal creepage, which three checks look at.
 static ALONG: LazyLock<[Responses; 2]> = LazyLock::new(|| {
-    let contact = contact(50e3, 48);
+    let contact = contact(50e3, HalfSpace::DEFAULT_ELEMENTS);
     [0.1, 0.6].map(|ratio| {
         let state = contact
             .roll_at_tractive_ratio(ratio)
@@ -191,7 +192,7 @@ pub(crate) fn frequency_response_to_creepage() -> Row {
     response_row(
         "Frequency response of rolling contact to creepage, wavelengths of 2–100 a, τ = 0.1 and 0.6",
         "xi",
-        "2 % and 0.02 rad, 0.01 where |H| < 0.1: 1 % and 0.01 rad of the reference, the rest for 48 elements",
+        "2 % and 0.02 rad, 0.01 where |H| < 0.1: 1 % and 0.01 rad of the reference, the rest for the default of 60 elements",
         (0.02, 0.02),
     )
 }
@@ -200,7 +201,7 @@ pub(crate) fn frequency_response_to_load() -> Row {
     response_row(
         "The same to load",
         "P",
-        "2 % and 0.02 rad, 0.01 where |H| < 0.1: less than the reference's own error, and that of 48 elements",
+        "2 % and 0.02 rad, 0.01 where |H| < 0.1: less than the reference's own error, and that of the default of 60 elements",
         (0.02, 0.02),
     )
 }
@@ -230,14 +231,14 @@ pub(crate) fn dissipation_at_the_rail() -> Row {
         source: "CONTACT stepped through time, `contact/rail_fixed_dissipation.csv`",
         expected: format!("{compared} complex responses"),
         got: format!("within {by_creepage:.3} for creepage, {by_load:.3} for load"),
-        tolerance: "0.03 and 0.05, absolute: the reference's own error of up to 0.02, the rest for 48 elements",
+        tolerance: "0.03 and 0.05, absolute: the reference's own error of up to 0.02, the rest for the default of 60 elements",
         holds: by_creepage <= 0.03 && by_load <= 0.05 && compared >= 30,
     }
 }
 
 /// Creep forces with lateral creepage and spin, and their work with that of the moment.
 pub(crate) fn half_space_creep_forces() -> Row {
-    let contact = contact(50e3, 48);
+    let contact = contact(50e3, HalfSpace::DEFAULT_ELEMENTS);
     let (mut of_force, mut of_energy): (f64, f64) = (0.0, 0.0);
     let mut compared = 0;
     for row in CREEP_FORCES_VECTOR.lines().skip(1).map(cells) {
@@ -258,7 +259,7 @@ pub(crate) fn half_space_creep_forces() -> Row {
         compared += 1;
     }
     Row {
-        statement: "Creep forces of the exact theory with lateral creepage and spin, 48 elements across",
+        statement: "Creep forces of the exact theory with lateral creepage and spin, 60 elements across",
         source: "CONTACT, `contact/creep_forces_vector.csv`",
         expected: format!(
             "{compared} forces along and across the rail, and their energy per metre"
@@ -275,7 +276,7 @@ pub(crate) fn half_space_creep_forces() -> Row {
 
 /// Responses to creepage about a steady state with lateral creepage. Those to load contradict themselves, see the README.
 pub(crate) fn frequency_response_across_the_rail() -> Row {
-    let contact = contact(50e3, 48);
+    let contact = contact(50e3, HalfSpace::DEFAULT_ELEMENTS);
     let rows = FREQUENCY_RESPONSE_LATERAL.lines().skip(1).map(cells);
     let rows: Vec<Vec<&str>> = rows.filter(|row| row[1] != "P").collect();
     // One steady state throughout.
@@ -323,5 +324,108 @@ pub(crate) fn frequency_response_across_the_rail() -> Row {
         got: format!("within {worst:.3}"),
         tolerance: "0.01, absolute: the reference's own error of up to 0.007",
         holds: worst <= 0.01 && compared >= 18,
+    }
+}
+
+/// The default number of elements against the limit of finer grids, of a contact that no number of the method was
+/// chosen by.
+pub(crate) fn frequency_response_at_the_default() -> Row {
+    let steel = ElasticMaterial::new(207e9, 0.3).expect("a steel");
+    let hertz = HertzContact::exact(steel, 0.4, 0.7, 80e3).expect("a contact");
+    let contact = HalfSpace::new(hertz, 0.3, HalfSpace::DEFAULT_ELEMENTS).expect("a grid");
+    let rows: Vec<Vec<&str>> = RESPONSE_LIMITS.lines().skip(1).map(cells).collect();
+    let mut worst = Misses::default();
+    let mut compared = 0;
+    for rows in rows.chunk_by(|a, b| a[..3] == b[..3]) {
+        let [longitudinal, lateral, spin] = [0, 1, 2].map(|column| number(rows[0][column]));
+        let creepages = Creepages {
+            longitudinal,
+            lateral,
+            spin,
+        };
+        let state = contact.roll_with(creepages).expect("a steady state");
+        let oscillating = match lateral == 0.0 {
+            true => OscillatingCreepages::Longitudinal,
+            false => OscillatingCreepages::All,
+        };
+        let waves: Vec<&[Vec<&str>]> = rows.chunk_by(|a, b| a[3] == b[3]).collect();
+        let wavelengths: Vec<f64> = waves
+            .iter()
+            .map(|rows| number(rows[0][3]) * hertz.semi_axis_longitudinal())
+            .collect();
+        let responses = contact.responses(&state, &wavelengths, oscillating, || ());
+        for (wave, response) in waves.iter().zip(responses) {
+            let response = response.expect("a response");
+            for (row, slow) in wave.iter().zip(waves[0]) {
+                let by = match row[4] {
+                    "load" => Some(response.by_load),
+                    "longitudinal" => Some(response.by_longitudinal),
+                    "lateral" => response.by_lateral,
+                    _ => response.by_spin,
+                };
+                worst.take(&by.expect("an input that oscillates"), row, slow);
+                compared += 1;
+            }
+        }
+    }
+    let Misses {
+        of_scale,
+        of_modulus,
+        at_rail_by_load,
+    } = worst;
+    Row {
+        statement: "Frequency response of rolling contact, 60 elements across, τ = 0.07 to 0.97 along the rail, 0.2 and 0.8 \
+                    with lateral creepage and spin, wavelengths of 2–20 a, against the limit of grids of 96 to 144",
+        source: "Riffel, `contact/response_limits.csv`",
+        expected: format!("{compared} responses to load, both creepages and spin"),
+        got: format!(
+            "within {:.1} % of the larger of the response and its quasi-static value; of its own modulus, or a tenth \
+             of that value, within {:.1} %, the energy at the rail by load {:.1} %",
+            100.0 * of_scale,
+            100.0 * of_modulus,
+            100.0 * at_rail_by_load
+        ),
+        tolerance: "2 %; energy at the rail by load, which passes zero, 10 % of the modulus",
+        holds: of_scale <= 0.02
+            && of_modulus <= 0.02
+            && at_rail_by_load <= 0.1
+            && compared == rows.len(),
+    }
+}
+
+/// Largest misses of a response.
+#[derive(Default)]
+struct Misses {
+    /// Relative to the larger of the response and its quasi-static value.
+    of_scale: f64,
+    /// Relative to the larger of the response and a tenth of that value; but for the next.
+    of_modulus: f64,
+    /// The same of the energy at the rail by load.
+    at_rail_by_load: f64,
+}
+
+impl Misses {
+    /// Take in a derivative, of which a row of the reference has the limit and another one the quasi-static value.
+    fn take(&mut self, by: &ContactDerivative, row: &[&str], slow: &[&str]) {
+        let values = |row: &[&str]| {
+            [5, 7, 9, 11].map(|column| Complex64::new(number(row[column]), number(row[column + 1])))
+        };
+        let (limit, slow) = (values(row), values(slow));
+        let got = [by.force[0], by.force[1], by.energy, by.at_rail(0.0)];
+        let size =
+            |values: &[Complex64]| values.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
+        let outputs: [std::ops::Range<usize>; 3] = [0..2, 2..3, 3..4];
+        for (output, range) in outputs.into_iter().enumerate() {
+            let (limit, slow) = (&limit[range.clone()], size(&slow[range.clone()]));
+            let gaps: Vec<Complex64> = got[range].iter().zip(limit).map(|(a, b)| a - b).collect();
+            let (gap, limit) = (size(&gaps), size(limit));
+            let of_modulus = gap / limit.max(0.1 * slow);
+            self.of_scale = self.of_scale.max(gap / limit.max(slow));
+            let worst = match (row[4], output) {
+                ("load", 2) => &mut self.at_rail_by_load,
+                _ => &mut self.of_modulus,
+            };
+            *worst = worst.max(of_modulus);
+        }
     }
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use axum::body::{Body, to_bytes};
 use axum::extract::{FromRequest, Request};
 use axum::http::{StatusCode, header};
+use riffel::contact::HalfSpace;
 use riffel_case::Case;
 use riffel_case::file::ContactDynamics;
 use serde::Deserialize;
@@ -25,7 +26,7 @@ const READING_TIME: Duration = Duration::from_secs(10);
 const MOST_MAP_POINTS: u64 = 250_000;
 
 /// Finest grid of a non-steady contact on the page: its table takes a minute beyond.
-const FINEST_GRID: u64 = 48;
+const FINEST_GRID: u64 = HalfSpace::DEFAULT_ELEMENTS as u64;
 
 /// A request in JSON.
 pub(crate) struct Asked<T>(pub(crate) T);

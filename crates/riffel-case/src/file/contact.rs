@@ -1,5 +1,6 @@
 //! The keys of the contact.
 
+use riffel::contact::HalfSpace;
 use riffel_keys::quantity::{
     Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, VelocityDecay,
 };
@@ -58,7 +59,7 @@ pub struct Contact {
 
 impl Contact {
     fn default_grid() -> u64 {
-        48
+        HalfSpace::DEFAULT_ELEMENTS as u64
     }
 }
 

@@ -22,8 +22,8 @@ const MOST_INTERVALS: usize = 64;
 /// included; the intervals between them are halved until the last polynomial misses the new points by less than the
 /// tolerance, relative to the force and to the energy of each input. An octave does not depend on the wavelengths that
 /// are asked for, so that a point and a map of any window agree bit for bit. The error of the grid is the larger one
-/// of the two nearest points. Returns NaN outside its octaves. Cost: some 0.1 s an octave and input, a microsecond to
-/// ask.
+/// of the two nearest points. Returns NaN outside its octaves. Each octave is a sweep of its own,
+/// about its two ends. Cost: some 0.1 s an octave and input, a microsecond to ask.
 pub struct NonSteady {
     steady: MeanRolling,
     creepages: OscillatingCreepages,
