@@ -7,6 +7,7 @@ mod contact;
 mod contestant;
 mod first_build;
 mod general;
+mod passage;
 mod python;
 mod roughness;
 mod study;
@@ -67,7 +68,8 @@ fn main() -> Result<(), Failure> {
         match &*section {
             "general" => general::report(&mut text, folder, &mut one, &mut two)?,
             "contact" => contact::report(&mut text, &mut one)?,
-            _ => return Err("sections are general and contact".into()),
+            "passage" => passage::report(&mut text, folder, &mut one)?,
+            _ => return Err("sections are general, contact and passage".into()),
         }
         println!("{text}");
         return Ok(());
@@ -113,6 +115,7 @@ fn contest() -> Result<(), Failure> {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
             "general" => general::task(track, points.parse()?)?,
+            "passage" => passage::task(track, points.parse()?)?,
             "study" => study::contest(points.parse()?)?,
             _ if task.starts_with("roughness") => roughness::contest(task, track, points.parse()?)?,
             _ => growth(task, track, points.parse()?)?,
@@ -288,6 +291,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     report_tracks(&mut text, &mut one)?;
     general::report(&mut text, folder, &mut one, &mut two)?;
     contact::report(&mut text, &mut one)?;
+    passage::report(&mut text, folder, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
     study::report(&mut text, folder, &mut one, &mut two)?;
 

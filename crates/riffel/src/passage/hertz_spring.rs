@@ -55,7 +55,8 @@ impl HertzSpring {
             let step =
                 ((cubic * root + 1.0) * root * root - gap) / ((3.0 * cubic * root + 2.0) * root);
             root -= step;
-            if step.abs() <= 4.0 * f64::EPSILON * root {
+            // What a step of Newton's leaves goes with its square.
+            if step.abs() <= 1e-8 * root {
                 break;
             }
         }

@@ -47,6 +47,8 @@ pub struct March<'a> {
     onset_step: f64,
     /// dQ/dξ met last \[N\].
     slope: f64,
+    /// Change of the creepage over the last step, at which the next begins.
+    drift: f64,
 }
 
 impl<'a> March<'a> {
@@ -80,6 +82,7 @@ impl<'a> March<'a> {
                 Turning::Held => 0.0,
             },
             slope: model.mean.forces.longitudinal / creepage,
+            drift: 0.0,
             model,
         }
     }
@@ -126,8 +129,8 @@ impl<'a> March<'a> {
     ///
     /// The left side grows with ξ where Q does. Secants within a bracket, since |Q| ≤ μP; bisection where they leave it.
     fn creep(&mut self, normal_force: f64) -> (f64, f64) {
-        /// Part of the creepage to which it is found.
-        const TOLERANCE: f64 = 1e-13;
+        /// Last change of the creepage, as a part of it: a secant leaves of it no more than c ΔdQ/dξ, 10⁻³ or less.
+        const TOLERANCE: f64 = 1e-8;
         let c = self.creepage_per_force;
         let mean = self.model.mean.forces.longitudinal;
         let goal = self.now.creepage - c * (self.now.tangential_force - 2.0 * mean);
@@ -144,7 +147,7 @@ impl<'a> March<'a> {
         }
         let most = c * law.friction() * normal_force;
         let (mut low, mut high) = (goal - most, goal + most);
-        let mut creepage = self.now.creepage.clamp(low, high);
+        let mut creepage = (self.now.creepage + self.drift).clamp(low, high);
         let mut tangential_force = force(creepage);
         for _ in 0..100 {
             let excess = creepage + c * tangential_force - goal;
@@ -169,6 +172,7 @@ impl<'a> March<'a> {
             let slope = (tangential_force - before.1) / (creepage - before.0);
             self.slope = slope.max(0.0);
         }
+        self.drift = creepage - self.now.creepage;
         (tangential_force, creepage)
     }
 }

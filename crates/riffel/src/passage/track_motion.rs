@@ -1,6 +1,7 @@
 //! Displacement of the track under a force that is given from step to step.
 
 use num_complex::Complex64;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::ImpulseResponse;
 
@@ -89,45 +90,74 @@ impl TrackMotion {
     }
 
     fn between(&self, value: impl Fn(&AtPlace) -> f64) -> f64 {
-        let (one, other, share) = self.neighbours();
-        let value_here = value(one);
-        value_here + share * (value(other) - value_here)
+        let (before, share) = self.before();
+        let here = value(&self.places[before]);
+        match self.places.get(before + 1) {
+            Some(after) => here + share * (value(after) - here),
+            None => here,
+        }
     }
 
-    /// The places at and after the force, and the share of the way between them.
-    fn neighbours(&self) -> (&AtPlace, &AtPlace, f64) {
-        let last = self.places.len() - 1;
-        let before = (self.place as usize).min(last.saturating_sub(1));
-        (
-            &self.places[before],
-            &self.places[last.min(before + 1)],
-            self.place - before as f64,
-        )
+    /// The place before the force, and its share of the way to the next.
+    fn before(&self) -> (usize, f64) {
+        let last = self.places.len().saturating_sub(2);
+        let before = (self.place as usize).min(last);
+        (before, self.place - before as f64)
     }
 
     /// A step begins with the force at its start; returns the displacement at its end but for the force there \[m\].
     pub(super) fn advance(&mut self, force: f64) -> f64 {
-        let mut states = std::mem::take(&mut self.states);
-        let mut sum = 0.0;
-        let (one, other, share) = self.neighbours();
-        if share == 0.0 {
-            let constants = self.decay.iter().zip(&one.by_force);
-            for (state, (decay, by_force)) in states.iter_mut().zip(constants) {
-                *state = decay * *state + by_force * force;
-                sum += state.re;
-            }
-        } else {
-            let constants = self
-                .decay
-                .iter()
-                .zip(one.by_force.iter().zip(&other.by_force));
-            for (state, (decay, (one, other))) in states.iter_mut().zip(constants) {
-                *state = decay * *state + (one + share * (other - one)) * force;
-                sum += state.re;
-            }
+        let (before, share) = self.before();
+        let after = (before + 1).min(self.places.len() - 1);
+        let sum = Arch::new().dispatch(Advance {
+            states: &mut self.states,
+            decay: &self.decay,
+            by_force: [before, after].map(|place| self.places[place].by_force.as_slice()),
+            forces: [(1.0 - share) * force, share * force],
+        });
+        self.place += self.stride;
+        // A step is shorter than a bay but for a coarse one.
+        while self.place >= Self::PLACES as f64 {
+            self.place -= Self::PLACES as f64;
         }
-        self.states = states;
-        self.place = (self.place + self.stride) % Self::PLACES as f64;
+        sum
+    }
+}
+
+/// Every state decays over the step and takes its share of the force, of which a part counts at either place; their sum.
+struct Advance<'a> {
+    states: &'a mut [Complex64],
+    decay: &'a [Complex64],
+    by_force: [&'a [Complex64]; 2],
+    forces: [f64; 2],
+}
+
+impl WithSimd for Advance<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> f64 {
+        let (states, last_states) = S::as_mut_simd_c64s(self.states);
+        let (decay, last_decay) = S::as_simd_c64s(self.decay);
+        let [(one, last_one), (other, last_other)] = self.by_force.map(S::as_simd_c64s);
+        let forces = self.forces.map(|force| simd.splat_c64s(force.into()));
+        let mut sum = simd.splat_c64s(Complex64::ZERO);
+        for (state, (&decay, (&one, &other))) in states
+            .iter_mut()
+            .zip(decay.iter().zip(one.iter().zip(other)))
+        {
+            let given = simd.mul_add_e_c64s(forces[1], other, simd.mul_e_c64s(forces[0], one));
+            *state = simd.mul_add_e_c64s(decay, *state, given);
+            sum = simd.add_c64s(sum, *state);
+        }
+        let mut sum = simd.reduce_sum_c64s(sum).re;
+        for (state, (decay, (one, other))) in last_states
+            .iter_mut()
+            .zip(last_decay.iter().zip(last_one.iter().zip(last_other)))
+        {
+            *state = decay * *state + one * self.forces[0] + other * self.forces[1];
+            sum += state.re;
+        }
         sum
     }
 }

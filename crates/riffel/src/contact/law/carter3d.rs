@@ -46,12 +46,9 @@ impl Carter3d {
         self.saturation_creepage
     }
 
-    /// ξ_max \[-\] under any load \[N\].
+    /// ξ_max ∝ P^{1/3} \[-\] under any load \[N\].
     fn saturation_under(&self, normal_force: f64) -> f64 {
-        if normal_force == self.hertz.normal_force() {
-            return self.saturation_creepage;
-        }
-        saturation_creepage(self.hertz.under(normal_force), self.friction)
+        self.saturation_creepage * (normal_force / self.hertz.normal_force()).cbrt()
     }
 }
 
