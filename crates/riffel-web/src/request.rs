@@ -25,7 +25,7 @@ const READING_TIME: Duration = Duration::from_secs(10);
 /// Most points of a map on the page; the program computes larger ones.
 const MOST_MAP_POINTS: u64 = 250_000;
 
-/// Finest grid of a non-steady contact on the page: its table takes a minute beyond.
+/// Finest grid of a non-steady contact on the page, the default: its table takes about a second.
 const FINEST_GRID: u64 = HalfSpace::DEFAULT_ELEMENTS as u64;
 
 /// A request in JSON.
