@@ -123,13 +123,16 @@ struct Member {
 
 impl Basis {
     fn learn(&mut self, tangent: &Tangent, convolution: &mut Convolution, found: Vec<Complex64>) {
+        /// Of what lies in the span already, no more than rounding is left.
+        const NOTHING_NEW: f64 = 1e-12;
+        let before = norm(&found);
         let mut tractions = found;
         for member in &self.members {
             let share = dot(&member.tractions, &tractions);
             add_multiple(&mut tractions, -share, &member.tractions);
         }
         let size = norm(&tractions);
-        if size == 0.0 {
+        if size <= NOTHING_NEW * before {
             return;
         }
         for value in &mut tractions {
