@@ -304,7 +304,7 @@ impl HalfSpace {
     ///
     /// Method: both grids; elements on the boundary of slip slip in part; extrapolation by ¾ of the difference,
     /// since errors are of first order in the length of an element on that boundary and of order 3/2 at the edge.
-    /// Every derivative comes with its [`GridError`].
+    /// Every derivative comes with its [`GridError`](super::GridError).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] if the wavelength has fewer than six elements, [`Error::NotConverged`].
