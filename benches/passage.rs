@@ -8,7 +8,8 @@ use std::time::Instant;
 
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::passage::{
-    Evolution, HertzSpring, ImpulseResponse, PassageModel, Turning, WearOfPassages,
+    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Turning,
+    WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
@@ -119,15 +120,23 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz()?.semi_axis_lateral())?,
         place: PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3),
         shortest: 2.0 * hertz()?.semi_axis_longitudinal(),
-        share: WearOfPassages::USUAL_SHARE,
+    };
+    let step = EvolutionStep {
+        largest_change: EvolutionStep::USUAL_CHANGE,
         largest_step: STEP,
     };
     let begun = Instant::now();
-    let memory = model.memory()?;
+    let wheel = PassingWheel {
+        memory: model.memory()?,
+        model,
+        wear,
+        share: 1.0,
+        traction_share: 1.0,
+    };
     let mut rail = Evolution::new(&profile);
     let mut steps = 0;
     while rail.passages() < passages {
-        rail.advance(&model, &wear, memory, passages - rail.passages())?;
+        rail.advance(&[&wheel], &step, passages - rail.passages())?;
         steps += 1;
     }
     Ok((begun.elapsed().as_secs_f64(), f64::from(steps)))

@@ -29,6 +29,7 @@ mod error;
 pub mod forecast;
 pub mod map;
 pub mod models;
+mod netcdf;
 pub mod noise;
 pub mod paper;
 mod parameters;

@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use riffel::contact::CreepLaw;
-use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning, WearOfPassages};
+use riffel::passage::{
+    HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Turning, WearOfPassages,
+};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -58,16 +60,28 @@ impl Case {
         })
     }
 
-    /// How passages of [`passage`](Self::passage) wear the rail, in steps of at most the length given \[m\]; none for a loop on
-    /// all axes.
-    pub fn wear_of_passages(&self, largest_step: f64) -> Option<WearOfPassages> {
-        let feedback = self.feedback.longitudinal()?;
-        Some(WearOfPassages {
-            wear: feedback.wear,
-            place: feedback.place_of_wear,
-            shortest: 2.0 * self.hertz.semi_axis_longitudinal(),
-            share: WearOfPassages::USUAL_SHARE,
-            largest_step,
+    /// The wheel of [`passage`](Self::passage) as one of those that wear the rail, the only one and always under traction.
+    ///
+    /// # Errors
+    /// Those of [`passage`](Self::passage), and a motion that forgets nothing in two seconds.
+    pub fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
+        let model = self.passage(speed)?;
+        let feedback = self.feedback.longitudinal().ok_or_else(|| {
+            self.refuse(
+                "contact.creepage",
+                "there is no loop of longitudinal creepage",
+            )
+        })?;
+        Ok(PassingWheel {
+            memory: self.keys.physics("track", model.memory())?,
+            model,
+            wear: WearOfPassages {
+                wear: feedback.wear,
+                place: feedback.place_of_wear,
+                shortest: 2.0 * self.hertz.semi_axis_longitudinal(),
+            },
+            share: 1.0,
+            traction_share: 1.0,
         })
     }
 

@@ -26,16 +26,18 @@ h1{font-size:1.15rem;margin:0 0 8px}\
 .panels{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,660px),1fr));gap:12px}\
 .stacked{grid-template-columns:1fr}\
 .panel{height:min(640px,88vh);min-height:420px;min-width:0}\
+.stage{display:flex;gap:12px;align-items:center;margin:0 0 8px;font-size:.9rem}\
+.stage input{flex:1;max-width:40em}\
 .caption{font-size:.85rem;max-width:75em;white-space:pre-line}";
 
 /// Draws all panels of a page; the sizes follow the window. What follows from other numbers of a
 /// map is computed here instead of being written out: the speed in m/s, the frequency, the zero
 /// contour.
 const SCRIPT: &str = "\
-const panels=JSON.parse(document.getElementById('figure').textContent);
+const stages=JSON.parse(document.getElementById('figure').textContent);
 const buttons=['select2d','lasso2d','autoScale2d'];
 const config={responsive:true,displaylogo:false,modeBarButtonsToRemove:buttons,toImageButtonOptions:{format:'svg'}};
-panels.forEach((panel,index)=>{
+const show=panels=>panels.forEach((panel,index)=>{
   const map=panel.data.find(trace=>trace.name==='map');
   if(map){
     const extra=panel.hover;
@@ -43,7 +45,15 @@ panels.forEach((panel,index)=>{
       [map.y[j]/3.6,1000*map.y[j]/(3.6*map.x[i]),extra?extra[j][i]:null]));
     panel.data.filter(trace=>trace.meta==='zero').forEach(zero=>Object.assign(zero,{x:map.x,y:map.y,z:map.z}));
   }
-  Plotly.newPlot('panel-'+index,panel.data,panel.layout,config);
+  Plotly.react('panel-'+index,panel.data,panel.layout,config);
+});
+show(stages[stages.length-1].panels);
+const slider=document.getElementById('stage');
+if(slider)slider.addEventListener('input',()=>{
+  const stage=stages[slider.value];
+  document.getElementById('stage-name').textContent=stage.name;
+  slider.setAttribute('aria-valuetext',stage.name);
+  show(stage.panels);
 });
 ";
 
@@ -51,11 +61,22 @@ panels.forEach((panel,index)=>{
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; \
                       img-src data: blob:; font-src data:";
 
-/// The page.
-pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePanel]) -> String {
-    let figure: Vec<Value> = panels
+/// What a page shows at a place of its slider.
+pub(crate) struct PageStage {
+    pub(crate) name: String,
+    pub(crate) panels: Vec<PagePanel>,
+}
+
+/// The page; with a slider if there are stages to choose from, at the last of them.
+pub(crate) fn page(title: &str, caption: &str, stacked: bool, stages: &[PageStage]) -> String {
+    let figure: Vec<Value> = stages
         .iter()
-        .map(|panel| json!({ "data": panel.data, "layout": panel.layout, "hover": panel.hover }))
+        .map(|stage| {
+            let panels = stage.panels.iter().map(
+                |panel| json!({ "data": panel.data, "layout": panel.layout, "hover": panel.hover }),
+            );
+            json!({ "name": stage.name, "panels": panels.collect::<Vec<Value>>() })
+        })
         .collect();
     // Inside a script element only "<" can end or confuse it.
     let figure = Value::from(figure).to_string().replace('<', "\\u003c");
@@ -71,9 +92,21 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePane
     } else {
         format!("<p class=\"caption\">{caption_lines}</p>\n")
     };
-    let places: String = (0..panels.len())
+    let last = stages.len().saturating_sub(1);
+    let places: String = (0..stages.last().map_or(0, |stage| stage.panels.len()))
         .map(|index| format!("<div class=\"panel\" id=\"panel-{index}\"></div>\n"))
         .collect();
+    let slider = match stages {
+        [] | [_] => String::new(),
+        [.., end] => {
+            let name = words(&end.name);
+            format!(
+                "<label class=\"stage\"><input type=\"range\" id=\"stage\" min=\"0\" max=\"{last}\" \
+                 value=\"{last}\" autocomplete=\"off\" aria-valuetext=\"{name}\"> \
+                 <output id=\"stage-name\" for=\"stage\">{name}</output></label>\n"
+            )
+        }
+    };
     let class = if stacked { "panels stacked" } else { "panels" };
     let page_title = if title.is_empty() { "Riffel" } else { &title };
     let plotly_script = plotly_script();
@@ -82,7 +115,7 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, panels: &[PagePane
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
          <title>{page_title}</title>\n<style>{STYLE}</style>\n{plotly_script}\n</head>\n<body>\n<main>\n\
-         {heading}<div class=\"{class}\">\n{places}</div>\n{caption}</main>\n\
+         {heading}{slider}<div class=\"{class}\">\n{places}</div>\n{caption}</main>\n\
          <script type=\"application/json\" id=\"figure\">{figure}</script>\n<script>{SCRIPT}</script>\n\
          </body>\n</html>\n"
     )
@@ -204,12 +237,19 @@ mod tests {
 
     #[test]
     fn words_cannot_leave_their_element() {
-        let panel = PagePanel {
+        let panel = || PagePanel {
             data: vec![json!({ "name": "</script><b>" })],
             layout: json!({}),
             hover: Value::Null,
         };
-        let page = page("a<b", "c</p>", false, &[panel]);
+        let stage = |name: &str| PageStage {
+            name: name.to_owned(),
+            panels: vec![panel()],
+        };
+        let slid = page("", "", false, &[stage("one"), stage("<two>")]);
+        assert!(slid.contains("max=\"1\"") && slid.contains(">&lt;two&gt;</output>"));
+        let page = page("a<b", "c</p>", false, &[stage("")]);
+        assert!(!page.contains("type=\"range\""));
         let tail = &page[page.find("<main>").unwrap()..];
         assert!(
             !tail.contains("</script><b>")

@@ -78,6 +78,7 @@ pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
 pub use html::plotly_js;
 pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+pub use line_page::html_of_stages;
 pub use map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};
 pub use rays::constant_frequency_rays;

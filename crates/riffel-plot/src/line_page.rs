@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::axis::{Scale, degree_step};
 use crate::error::PlotError;
-use crate::html::{self, PagePanel, coordinates, words};
+use crate::html::{self, PagePanel, PageStage, coordinates, words};
 use crate::line_drawing::series_color;
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
@@ -16,18 +16,32 @@ impl LineFigure {
     /// # Errors
     /// As [`svg`](LineFigure::svg).
     pub fn html(&self) -> Result<String, PlotError> {
-        html(self)
+        html_of_stages(&[("", self)])
     }
 }
 
-fn html(figure: &LineFigure) -> Result<String, PlotError> {
-    figure.check()?;
-    let panels: Vec<PagePanel> = figure.panels.iter().map(page_panel).collect();
+/// Figures with their names as one page with a slider, which begins at the last; title, caption and arrangement are its. Axes should
+/// have their ranges given, so that they stay.
+///
+/// # Errors
+/// [`PlotError::NoPanel`] without a figure, otherwise as [`svg`](LineFigure::svg).
+pub fn html_of_stages(stages: &[(&str, &LineFigure)]) -> Result<String, PlotError> {
+    let (_, last) = stages.last().ok_or(PlotError::NoPanel)?;
+    let stages: Result<Vec<PageStage>, PlotError> = stages
+        .iter()
+        .map(|(name, figure)| {
+            figure.check()?;
+            Ok(PageStage {
+                name: (*name).to_owned(),
+                panels: figure.panels.iter().map(page_panel).collect(),
+            })
+        })
+        .collect();
     Ok(html::page(
-        &figure.title,
-        &figure.caption,
-        figure.arrangement != Arrangement::SideBySide,
-        &panels,
+        &last.title,
+        &last.caption,
+        last.arrangement != Arrangement::SideBySide,
+        &stages?,
     ))
 }
 

@@ -6,7 +6,7 @@ use crate::color::{BEST_FIT, Rgb, growth_color};
 use crate::color_bar::Steps;
 use crate::error::PlotError;
 use crate::grid::{Grid, thinned_indices};
-use crate::html::{self, PagePanel, coordinates, number, words};
+use crate::html::{self, PagePanel, PageStage, coordinates, number, words};
 use crate::map_drawing::ZERO_CONTOUR;
 use crate::map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 use crate::map_marks::{MOST_RIDGE_MARKS, hertz};
@@ -34,7 +34,11 @@ fn html(figure: &MapFigure) -> Result<String, PlotError> {
         .iter()
         .map(|panel| page_panel(panel, &labels))
         .collect();
-    Ok(html::page(&figure.title, &figure.caption, false, &panels))
+    let stage = PageStage {
+        name: String::new(),
+        panels,
+    };
+    Ok(html::page(&figure.title, &figure.caption, false, &[stage]))
 }
 
 fn page_panel(panel: &MapPanel, labels: &[&str]) -> PagePanel {

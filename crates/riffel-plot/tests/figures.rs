@@ -396,7 +396,7 @@ fn pages_load_nothing() {
             assert!(!ours.contains(address), "{address}");
         }
         assert!(!page[start..end].contains("<script src"));
-        assert!(ours.contains("\"data\"") && ours.contains("Plotly.newPlot"));
+        assert!(ours.contains("\"data\"") && ours.contains("Plotly.react"));
     }
 }
 

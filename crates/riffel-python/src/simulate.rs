@@ -15,6 +15,7 @@ use crate::array::owned;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_physics};
+use crate::forecast::GivenTraffic;
 use crate::interrupt::interruptible;
 
 /// Amplitude and wavelength of a sinusoid \[m\], or where a profile begins \[m\], its spacing \[m\] and heights \[m\].
@@ -117,7 +118,7 @@ pub(crate) fn evolve<'py>(
     case: &Case,
     surface: GivenSurface<'py>,
     periodic: bool,
-    speed: f64,
+    traffic: GivenTraffic<'py>,
     passages: u64,
     step: Option<f64>,
 ) -> PyResult<(
@@ -127,19 +128,26 @@ pub(crate) fn evolve<'py>(
     f64,
     Vec<String>,
 )> {
+    let traffic = traffic.traffic()?;
     let usual_step = step.unwrap_or(PassageRequest::USUAL_STEP);
     let (surface, largest_step) = match surface.rail()? {
         Rail::Sinusoid(sinusoid) => {
-            let step = SinusoidRequest::new(speed, sinusoid, step)
+            let slowest = traffic.speeds().iter().map(|speeds| speeds.range().0);
+            let slowest = slowest.fold(f64::INFINITY, f64::min);
+            let step = SinusoidRequest::new(slowest, sinusoid, step)
                 .map_err(of_answer)?
                 .step();
-            (Surface::of_sinusoid(sinusoid).map_err(of_answer)?, step)
+            let bay = case.case.track.support_spacing();
+            (
+                Surface::of_sinusoid(sinusoid, bay).map_err(of_answer)?,
+                step,
+            )
         }
         Rail::Profile(profile) if periodic => (Surface::Ring(profile), usual_step),
         Rail::Profile(profile) => (Surface::Record(profile), usual_step),
     };
     let request = EvolutionRequest {
-        speed,
+        traffic,
         surface,
         largest_step,
     };

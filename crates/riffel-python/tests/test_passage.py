@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,35 @@ def test_a_sinusoid_is_that_of_the_program(program: Callable[..., Any], nominal:
     np.testing.assert_array_equal(worn.level.T, [band["level_db"] for band in printed["bands"]])
     np.testing.assert_array_equal(worn.passages, printed["stages"]["passages"])
     assert worn.height.sizes["profile_passages"] >= 2
+
+
+def test_traffic_on_supports_is_that_of_the_program(program: Callable[..., Any], tmp_path: Path) -> None:
+    losses = {
+        "track.pad.loss_factor": 0.0,
+        "track.ballast.loss_factor": 0.0,
+        "track.pad.damping": "40 kNs/m",
+        "track.ballast.damping": "60 kNs/m",
+        "rail.loss_factor": 0.01,
+    }
+    case = riffel.Case.from_toml("cases/discrete-supports.toml").with_(**losses)
+    trains = {"vehicle": [{"name": "train", "share": 1.0, "speeds": [{"speed": "100 km/h", "share": 1.0}]}]}
+    worn = case.evolve(sinusoid=("1 um", "60 mm"), traffic=trains, passages=1000, step="2 mm")
+    traffic = tmp_path / "traffic.toml"
+    traffic.write_text('[[vehicle]]\nname = "train"\nshare = 1\nspeed = { mean = "100 km/h" }\n')
+    sets = [text for key, value in losses.items() for text in ("--set", f"{key}={value}")]
+    out = tmp_path / "out"
+    program(
+        *("simulate", "cases/discrete-supports.toml", *sets, "--traffic", str(traffic), "--sinusoid", "1um,60mm"),
+        *("--passages", "1000", "--step", "2mm", "--json", "-o", str(out)),
+    )
+    with xr.open_dataset(out / "evolution.nc", engine="scipy") as written:
+        assert set(written.variables) == set(worn.variables)
+        for name in worn.variables:
+            np.testing.assert_array_equal(written[name], worn[name], err_msg=str(name))
+    assert (out / "passages.html").exists()
+    assert worn.attrs["speed"] == pytest.approx(100.0 / 3.6)
+    with pytest.raises(ValueError, match="^give speed or traffic"):
+        case.evolve(sinusoid=("1 um", "60 mm"), passages=1)
 
 
 def test_a_profile_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case, tmp_path: Any) -> None:

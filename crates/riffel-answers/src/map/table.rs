@@ -3,10 +3,10 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use netcdf3::{DataSet, FileWriter, Version};
 use riffel::{Complex64, GrowthMap};
 
 use crate::AnswerError;
+use crate::netcdf::{Variable, write_netcdf};
 
 /// A quantity of every point of a map.
 struct MapOutput {
@@ -65,63 +65,51 @@ pub fn map_csv(map: &GrowthMap, file: &mut impl Write, progress: impl Fn(usize))
     writer.flush()
 }
 
-/// The map on its grid as NetCDF-3 with coordinates, units and long names: what `xarray.open_dataset`,
-/// MATLAB's `ncread` and Panoply open.
+/// The map on its grid as NetCDF-3 with coordinates, units and long names.
 ///
 /// # Errors
 /// [`AnswerError::Grid`].
 pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), AnswerError> {
-    let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
     let rate = map.growth_rate_per_dissipation();
-    let axes = [
-        (
+    let axis = |name, axes, unit, long_name, axis: riffel::Axis| {
+        let values = axis.values();
+        Variable {
+            name,
+            axes,
+            unit,
+            long_name,
+            values: Box::new(move || values.clone()),
+        }
+    };
+    let mut variables = vec![
+        axis(
             "wavelength",
+            &["wavelength"],
             "m",
             "wavelength of the corrugation",
             map.wavelength(),
         ),
-        ("speed", "m/s", "speed of the vehicle", map.speed()),
+        axis(
+            "speed",
+            &["speed"],
+            "m/s",
+            "speed of the vehicle",
+            map.speed(),
+        ),
     ];
-
-    let define = || -> Result<DataSet, netcdf3::InvalidDataSet> {
-        let mut data_set = DataSet::new();
-        data_set.add_global_attr_string("title", title)?;
-        data_set.add_global_attr_string("source", concat!("riffel ", env!("CARGO_PKG_VERSION")))?;
-        data_set.add_global_attr_string("Conventions", "CF-1.8")?;
-        data_set.add_fixed_dim("speed", map.speed().points())?;
-        data_set.add_fixed_dim("wavelength", map.wavelength().points())?;
-        let mut define = |name: &str, dimensions: &[&str], unit: &str, long_name: &str| {
-            data_set.add_var_f64(name, dimensions)?;
-            data_set.add_var_attr_string(name, "units", unit)?;
-            data_set.add_var_attr_string(name, "long_name", long_name)
-        };
-        for (name, unit, long_name, _) in axes {
-            define(name, &[name], unit, long_name)?;
-        }
-        for output in &OUTPUTS {
-            define(
-                output.variable,
-                &["speed", "wavelength"],
-                "1",
-                output.long_name,
-            )?;
-        }
-        Ok(data_set)
-    };
-    let data_set = define().map_err(|error| wrong(&error))?;
-    let write = || -> Result<(), netcdf3::WriteError> {
-        let mut writer = FileWriter::create_new(path)?;
-        writer.set_def(&data_set, Version::Offset64Bit, 0)?;
-        for (name, _, _, axis) in axes {
-            writer.write_var_f64(name, &axis.values())?;
-        }
-        // One at a time: a large map is not held several times over.
-        for output in &OUTPUTS {
+    variables.extend(OUTPUTS.iter().map(|output| Variable {
+        name: output.variable,
+        axes: &["speed", "wavelength"],
+        unit: "1",
+        long_name: output.long_name,
+        values: Box::new(move || {
             let points = map.rows().flat_map(|(_, row)| row);
-            let values: Vec<f64> = points.map(|&value| (output.value)(value, rate)).collect();
-            writer.write_var_f64(output.variable, &values)?;
-        }
-        writer.close()
-    };
-    write().map_err(|error| wrong(&error))
+            points.map(|&value| (output.value)(value, rate)).collect()
+        }),
+    }));
+    let axes = [
+        ("speed", map.speed().points()),
+        ("wavelength", map.wavelength().points()),
+    ];
+    write_netcdf(path, title, &axes, &variables)
 }

@@ -1,10 +1,14 @@
 //! Profile, force, creepage and dissipation along the rail.
 
 use std::io::{self, Write};
+use std::path::Path;
 
 use riffel::passage::ContactInstant;
 use riffel_plot::{LinePanel, LineStyle, Series};
 use serde::Serialize;
+
+use crate::AnswerError;
+use crate::netcdf::{Variable, write_netcdf};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -38,6 +42,63 @@ impl Course {
             dissipation_j_per_m: all(ContactInstant::energy_per_metre),
             approach_m: all(|contact| contact.approach),
         }
+    }
+
+    /// All over `position` as NetCDF-3, under the names that Python has.
+    ///
+    /// # Errors
+    /// [`AnswerError::Grid`].
+    pub fn netcdf(&self, title: &str, path: &Path) -> Result<(), AnswerError> {
+        let of = |name, unit, long_name, values: &'_ [f64]| {
+            let values = values.to_vec();
+            Variable {
+                name,
+                axes: &["position"],
+                unit,
+                long_name,
+                values: Box::new(move || values.clone()),
+            }
+        };
+        let variables = [
+            of(
+                "position",
+                "m",
+                "place of the wheel centre",
+                &self.position_m,
+            ),
+            of(
+                "height",
+                "m",
+                "height of the rail, positive upward",
+                &self.height_m,
+            ),
+            of("normal_force", "N", "normal force", &self.normal_force_n),
+            of(
+                "tangential_force",
+                "N",
+                "creep force",
+                &self.tangential_force_n,
+            ),
+            of("creepage", "1", "creepage", &self.creepage),
+            of(
+                "dissipation",
+                "J/m",
+                "energy dissipated in a metre, at the wheel centre",
+                &self.dissipation_j_per_m,
+            ),
+            of(
+                "approach",
+                "m",
+                "approach of wheel and rail, below zero their distance",
+                &self.approach_m,
+            ),
+        ];
+        write_netcdf(
+            path,
+            title,
+            &[("position", self.position_m.len())],
+            &variables,
+        )
     }
 
     /// One row for each place.

@@ -1,5 +1,6 @@
 //! Traffic files: the vehicles of a line, and how fast corrugation grows under them.
 
+mod in_time;
 mod mix;
 mod on_case;
 mod reported_growth;
@@ -7,6 +8,7 @@ mod traffic_file;
 
 use riffel::roughness::ThirdOctave;
 
+pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
 pub use traffic_file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};

@@ -32,6 +32,13 @@ struct VehicleOnCase {
     remarks: Vec<String>,
 }
 
+/// The wheel of a vehicle, and how fast it runs.
+pub(super) struct WheelOnCase {
+    pub(super) wheel: Case,
+    pub(super) speeds: SpeedDistribution,
+    held: Option<Held>,
+}
+
 impl TrafficOnCase {
     /// Axle passages in a month of the mean calendar, if the file says how much traffic there is.
     pub fn passages_per_month(&self) -> Option<f64> {
@@ -112,13 +119,14 @@ impl Traffic {
         merged
     }
 
-    fn vehicle_on(
+    /// The wheel of a vehicle: the case with its keys, over the window of its speeds and the bands.
+    pub(super) fn wheel_on(
         &self,
         index: usize,
         case: &Case,
-        bands: &[ThirdOctave],
+        lines: &[f64],
         variant: &Variant,
-    ) -> Result<VehicleOnCase, CaseError> {
+    ) -> Result<WheelOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let own = overrides(vehicle);
@@ -126,8 +134,7 @@ impl Traffic {
             let message = format!("vehicle \"{}\": {error}", vehicle.name);
             self.source.refuse(&at(""), &message)
         })?;
-        let lines = band_lines(bands);
-        let window = window(&lines, &speeds);
+        let window = window(lines, &speeds);
         let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
         let held = Held::of(variant, case, &own_assignments, &window)?;
         let held_assignment = Held::assignments(held.as_ref());
@@ -170,6 +177,27 @@ impl Traffic {
             },
             error => error,
         })?;
+        Ok(WheelOnCase {
+            wheel,
+            speeds,
+            held,
+        })
+    }
+
+    fn vehicle_on(
+        &self,
+        index: usize,
+        case: &Case,
+        bands: &[ThirdOctave],
+        variant: &Variant,
+    ) -> Result<VehicleOnCase, CaseError> {
+        let vehicle = &self.file.vehicle[index];
+        let lines = band_lines(bands);
+        let WheelOnCase {
+            wheel,
+            speeds,
+            held,
+        } = self.wheel_on(index, case, &lines, variant)?;
         let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
         let (lowest, highest) = speeds.range();
         wheel.check_frequencies(lowest / longest, highest / shortest)?;
@@ -182,7 +210,8 @@ impl Traffic {
         );
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
-        let growth = growth.map_err(|error| self.source.refuse(&at(""), &error.to_string()))?;
+        let at = format!("vehicle[{index}]");
+        let growth = growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?;
         // That a preset of the case changes nothing for a vehicle with values of its own is no news.
         let presets = wheel.keys.text.remarks;
         let remarks = wheel.remarks.into_iter();
@@ -198,7 +227,7 @@ impl Traffic {
 }
 
 /// Overrides of the case by a vehicle, each with the key of the vehicle that it comes from.
-fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
+pub(super) fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let mut write = |key: &str, path: &str, value: Option<String>| {
         if let Some(value) = value {

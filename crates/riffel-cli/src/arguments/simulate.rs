@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{ArgGroup, Args};
+use riffel::passage::Sinusoid;
 use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
@@ -16,15 +17,31 @@ use crate::messages::print_remarks;
 #[command(
     group = ArgGroup::new("surface").required(true),
     after_help = "Example: riffel simulate case.toml --speed \"108 km/h\" --sinusoid 20um,55mm\n\n\
-        A rail that wears: riffel simulate case.toml --speed 30 --profile trolley.csv --length \"20 m\" --passages 1e6"
+        A rail that wears: riffel simulate case.toml --speed 30 --profile trolley.csv --length \"20 m\" --passages 1e6\n\n\
+        Under traffic: riffel simulate case.toml --traffic traffic.toml --spectrum iso-3095-2013 --passages 1e6"
 )]
 pub(crate) struct Simulate {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
     /// Speed, in m/s or with its unit.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
-    pub(crate) speed: Asked<Speed>,
+    #[arg(
+        long,
+        value_name = "SPEED",
+        allow_hyphen_values = true,
+        required_unless_present = "traffic"
+    )]
+    speed: Option<Asked<Speed>>,
+
+    /// Traffic file, in place of a speed: passages of every vehicle at the speeds of its distribution, each as often as its
+    /// share says.
+    #[arg(
+        long,
+        value_name = "FILE",
+        conflicts_with = "speed",
+        requires = "passages"
+    )]
+    pub(crate) traffic: Option<PathBuf>,
 
     /// Roll over a sinusoid of this amplitude and wavelength until every wave is like the one before.
     #[arg(
@@ -83,6 +100,19 @@ pub(crate) struct Simulate {
 }
 
 impl Simulate {
+    /// Speed of the wheel \[m/s\].
+    pub(crate) fn speed(&self) -> Result<f64, CliError> {
+        match &self.speed {
+            Some(speed) => speed.within("--speed"),
+            // The parser asks for it where there is no traffic, which is for passages.
+            None => Err(CliError::Argument {
+                argument: "--speed",
+                value: "missing".to_owned(),
+                rule: "given for one passage".to_owned(),
+            }),
+        }
+    }
+
     /// `Ok` without an argument that is for profiles of files.
     pub(crate) fn only_for_profiles(&self, given: Option<&'static str>) -> Result<(), CliError> {
         given.map_or(Ok(()), |argument| {
@@ -116,8 +146,8 @@ impl FromStr for LengthPair {
 }
 
 impl LengthPair {
-    /// Amplitude and wavelength \[m\] within their physical ranges. What is not usual is asked about on standard error.
-    pub(crate) fn of_sinusoid(&self) -> Result<[f64; 2], CliError> {
+    /// Amplitude and wavelength within their physical ranges. What is not usual is asked about on standard error.
+    pub(crate) fn of_sinusoid(&self) -> Result<Sinusoid, CliError> {
         let read = |key: &str, what: &str, text: &str| {
             let (si, remark) =
                 PhysicalRange::read::<Length>(key, text).map_err(|rule| CliError::Range {
@@ -128,10 +158,10 @@ impl LengthPair {
             Ok::<f64, CliError>(si)
         };
         let [amplitude, wavelength] = &self.0;
-        Ok([
-            read("corrugation.amplitude", "amplitude", amplitude)?,
-            read("--wavelength", "wavelength", wavelength)?,
-        ])
+        Ok(Sinusoid {
+            amplitude: read("corrugation.amplitude", "amplitude", amplitude)?,
+            wavelength: read("--wavelength", "wavelength", wavelength)?,
+        })
     }
 
     /// Both \[m\], above zero.

@@ -3,11 +3,12 @@
 mod evolution;
 mod surface;
 
-use riffel::passage::Sinusoid;
+use riffel::forecast::SpeedDistribution;
 use riffel_answers::simulate::{
     EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, Surface,
 };
 use riffel_case::Case;
+use riffel_case::traffic::Traffic;
 
 use crate::arguments::{Simulate, positive};
 use crate::error::CliError;
@@ -18,49 +19,67 @@ use surface::surface;
 
 pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let case = arguments.case.read()?;
-    let passages = arguments.passages.map(whole).transpose()?;
-    let speed = arguments.speed.within("--speed")?;
     let step = arguments
         .step
         .map(|step| positive("--step", step))
         .transpose()?;
-    let Some(sinusoid) = &arguments.sinusoid else {
-        let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
-        let surface = surface(arguments, &case, largest_step)?;
-        if let Some(passages) = passages {
-            let request = EvolutionRequest {
-                speed,
-                surface,
-                largest_step,
-            };
-            return Ok(evolution::run(arguments, &case, request, passages)?);
-        }
-        let request = PassageRequest {
-            speed,
-            profile: surface.into_profile(),
-            largest_step,
-        };
-        along_profile(arguments, &case, request)?;
-        return Ok(0);
-    };
-    let length = arguments.length.map(|_| "--length");
-    arguments.only_for_profiles(arguments.layout.given().or(length))?;
-    let [amplitude, wavelength] = sinusoid.of_sinusoid()?;
-    let sinusoid = Sinusoid {
-        amplitude,
-        wavelength,
-    };
-    let request = SinusoidRequest::new(speed, sinusoid, step).map_err(CliError::from)?;
-    if let Some(passages) = passages {
-        let request = EvolutionRequest {
-            speed,
-            surface: Surface::of_sinusoid(sinusoid).map_err(CliError::from)?,
-            largest_step: request.step(),
-        };
-        return Ok(evolution::run(arguments, &case, request, passages)?);
+    if arguments.sinusoid.is_some() {
+        let length = arguments.length.map(|_| "--length");
+        arguments.only_for_profiles(arguments.layout.given().or(length))?;
     }
-    over_sinusoid(arguments, &case, request)?;
+    if let Some(passages) = arguments.passages {
+        return many(arguments, &case, whole(passages)?, step);
+    }
+    let speed = arguments.speed()?;
+    if let Some(sinusoid) = &arguments.sinusoid {
+        let request = SinusoidRequest::new(speed, sinusoid.of_sinusoid()?, step);
+        over_sinusoid(arguments, &case, request.map_err(CliError::from)?)?;
+        return Ok(0);
+    }
+    let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
+    let request = PassageRequest {
+        speed,
+        profile: surface(arguments, &case, largest_step)?.into_profile(),
+        largest_step,
+    };
+    along_profile(arguments, &case, request)?;
     Ok(0)
+}
+
+/// Passages of the wheel at one speed, or of those of a traffic.
+fn many(arguments: &Simulate, case: &Case, passages: u64, step: Option<f64>) -> miette::Result<u8> {
+    let traffic = match &arguments.traffic {
+        Some(path) => Traffic::read(path)?,
+        None => {
+            let speed = SpeedDistribution::single(arguments.speed()?);
+            Traffic::of_case(speed.map_err(|error| CliError::Physics {
+                input: "--speed".to_owned(),
+                error,
+            })?)
+        }
+    };
+    print_remarks(traffic.remarks());
+    let (surface, largest_step) = match &arguments.sinusoid {
+        Some(sinusoid) => {
+            let sinusoid = sinusoid.of_sinusoid()?;
+            let slowest = traffic.speeds().iter().map(|speeds| speeds.range().0);
+            let slowest = slowest.fold(f64::INFINITY, f64::min);
+            let request = SinusoidRequest::new(slowest, sinusoid, step);
+            let step = request.map_err(CliError::from)?.step();
+            let surface = Surface::of_sinusoid(sinusoid, case.track.support_spacing());
+            (surface.map_err(CliError::from)?, step)
+        }
+        None => {
+            let step = step.unwrap_or(PassageRequest::USUAL_STEP);
+            (surface(arguments, case, step)?, step)
+        }
+    };
+    let request = EvolutionRequest {
+        traffic,
+        surface,
+        largest_step,
+    };
+    Ok(evolution::run(arguments, case, request, passages)?)
 }
 
 /// A number of passages.
@@ -88,6 +107,10 @@ fn along_profile(
         |staging| {
             staging.write_figure("passage", &answer.figure(case))?;
             staging.write_with("passage.csv", |file| answer.course().csv(file))?;
+            let figure = answer.figure(case);
+            answer
+                .course()
+                .netcdf(&figure.title, &staging.path("passage.nc"))?;
             staging.write("passage.json", json(&answer.document()))
         },
         || readable_passage(case, &answer),
@@ -148,6 +171,10 @@ fn over_sinusoid(
         |staging| {
             staging.write_figure("wave", &answer.figure(case))?;
             staging.write_with("wave.csv", |file| answer.course().csv(file))?;
+            let figure = answer.figure(case);
+            answer
+                .course()
+                .netcdf(&figure.title, &staging.path("wave.nc"))?;
             staging.write("harmonics.json", json(&answer.document()))
         },
         || readable(case, &answer),

@@ -88,3 +88,78 @@ fn a_run_goes_on_where_it_was_left() {
         refused.text
     );
 }
+
+/// Stiff pads with viscous loss, which is causal.
+const ON_SUPPORTS: &str = "cases/discrete-supports.toml --set track.pad.loss_factor=0 --set track.ballast.loss_factor=0 \
+    --set track.pad.damping=40e3 --set track.ballast.damping=60e3 --set rail.loss_factor=0.01";
+
+/// On discrete supports a small wave grows as in the harmonic balance of its own, to 1 %, and the pitch of the supports prints
+/// itself beside it; a rail that is made is of whole bays, and one whose ends do not meet there is refused.
+#[test]
+fn supports_print_themselves_beside_a_wave() {
+    let sandbox = Sandbox::new();
+    let run = sandbox.json(&format!(
+        "simulate {ON_SUPPORTS} --speed 30 --step 0.5mm --sinusoid 0.1um,55mm --passages 2e5 --json"
+    ));
+    let bays = number(&run["length_m"]) / 0.6;
+    assert!((bays - bays.round()).abs() < 1e-9, "{bays}");
+    let bands = run["bands"].as_array().unwrap();
+    let band = bands
+        .iter()
+        .find(|band| (number(&band["wavelength_m"]) - 0.0501).abs() < 1e-4)
+        .unwrap();
+    let (own, linear) = (
+        number(&band["first_growth_per_passage"]),
+        number(&band["first_linear_growth_per_passage"]),
+    );
+    assert!((own / linear - 1.0).abs() < 1e-2, "{own} {linear}");
+    let pattern = run["stages"]["support_pattern_level_db"]
+        .as_array()
+        .unwrap();
+    let last = number(pattern.last().unwrap());
+    assert!(number(&pattern[0]) < -100.0 && last > -40.0, "{last}");
+}
+
+/// Vehicles of a traffic pass at the speeds of their distributions; without a spread it is the case at that speed, bit for bit.
+#[test]
+fn traffic_passes_by_its_shares() {
+    let sandbox = Sandbox::new();
+    let wave = "--sinusoid 0.1um,55mm --passages 1e5 --json";
+    let alone = sandbox.json(&format!("simulate {CASE} --speed 30 {wave}"));
+    for (keys, same) in [
+        ("speed = { mean = 30 }", true),
+        ("speed = { mean = 30, standard_deviation = 2 }", false),
+        ("speed = { mean = 30 }\ntraction_share = 0.5", false),
+    ] {
+        let text = format!("[[vehicle]]\nname = \"train\"\nshare = 1\n{keys}\n");
+        fs::write(sandbox.path("traffic.toml"), text).unwrap();
+        let run = sandbox.json(&format!("simulate {CASE} --traffic traffic.toml {wave}"));
+        assert_eq!(run["bands"] == alone["bands"], same, "{keys}");
+        let band = &run["bands"][2];
+        let (own, linear) = (
+            number(&band["first_growth_per_passage"]),
+            number(&band["first_linear_growth_per_passage"]),
+        );
+        assert!((own / linear - 1.0).abs() < 1e-2, "{keys}: {own} {linear}");
+        assert_eq!(
+            run["vehicles"][0]["speeds"] == 17,
+            keys.contains("deviation")
+        );
+    }
+    for (arguments, words) in [
+        (
+            "--traffic traffic.toml --speed 30 --sinusoid 1um,55mm --passages 5",
+            "cannot be used with",
+        ),
+        ("--traffic traffic.toml --sinusoid 1um,55mm", "--passages"),
+        ("--sinusoid 1um,55mm", "--speed"),
+    ] {
+        let refused = sandbox.riffel(&format!("simulate {CASE} {arguments}"));
+        assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
+        assert!(
+            refused.text.contains(words),
+            "{arguments}: {}",
+            refused.text
+        );
+    }
+}

@@ -887,8 +887,10 @@ class Case:
         self,
         profile: npt.ArrayLike | xr.DataArray | None = None,
         *,
-        speed: Quantity,
         passages: int,
+        speed: Quantity | None = None,
+        speed_deviation: Quantity | None = None,
+        traffic: Traffic | None = None,
         spacing: Quantity | None = None,
         sinusoid: Sequence[Quantity] | None = None,
         periodic: bool = False,
@@ -900,10 +902,15 @@ class Case:
         ----------
         profile : array-like or DataArray, optional
             Heights in m before any wheel, positive upward, without gaps. Its ends are joined, unless it is `periodic`.
-        speed : quantity
-            Speed of the wheels.
         passages : int
             How many wheels.
+        speed : quantity
+            Speed of the wheels; for a traffic, `traffic`.
+        speed_deviation : quantity, optional
+            Standard deviation of the speed.
+        traffic : path or mapping, optional
+            A traffic file or its keys, in place of a speed: every vehicle at the speeds of its distribution, as often as its
+            share says.
         spacing : quantity, optional
             Step between two heights.
         sinusoid : pair of quantity, optional
@@ -918,7 +925,8 @@ class Case:
         Dataset
             ``level``, ``linear_level`` and ``shift`` over ``passages`` and ``wavelength``; growth, drift and
             ``saturation_level`` over ``wavelength``, NaN where there is none; ``mean_depth``, loss of contact and forces over
-            ``passages``; ``height`` over ``profile_passages`` and ``position``.
+            ``passages``; ``height`` over ``profile_passages`` and ``position``. On discrete supports ``support_pattern_level`` as
+            well, the level of the waves that fit between two of them.
 
         Raises
         ------
@@ -940,11 +948,13 @@ class Case:
             raise ValueError(f"passages is {passages!r}, but must be a whole number of at least 1")
         if periodic and sinusoid is not None:
             raise ValueError("periodic is for a profile: a sinusoid is periodic anyway")
+        if traffic is None and speed is None:
+            raise ValueError("give speed or traffic")
         return _passage.evolve(
             self._case,
             _passage.checked_surface(profile, spacing, sinusoid),
             periodic,
-            scalar(speed, "speed", "speed"),
+            self._traffic(traffic, speed, speed_deviation),
             int(passages),
             None if step is None else scalar(step, "step", "length"),
             self.title,

@@ -83,13 +83,13 @@ def evolve(
     case: _riffel.Case,
     surface: tuple[float, float] | tuple[float, float, Any],
     periodic: bool,
-    speed: float,
+    traffic: str | dict[str, Any] | tuple[float, float],
     passages: int,
     step: float | None,
     title: str | None,
 ) -> xr.Dataset:
     """Levels and profiles over passages."""
-    found, kept, heights, spacing, remarks = _riffel.evolve(case, surface, periodic, speed, passages, step)
+    found, kept, heights, spacing, remarks = _riffel.evolve(case, surface, periodic, traffic, passages, step)
     stages, bands = found["stages"], found["bands"]
 
     def over_passages(key: str, unit: str, words: str) -> tuple[str, Any, dict[str, str]]:
@@ -105,8 +105,13 @@ def evolve(
     growth = "growth rate of the amplitude per passage"
     shift = "shift of the waves per passage, in the direction of travel"
     loss = "share of the time without contact of the passage before"
+    pattern = {}
+    if "support_pattern_level_db" in stages:
+        words = "level of the waves that fit between two supports"
+        pattern["support_pattern_level"] = over_passages("support_pattern_level_db", "dB re 1 µm", words)
     return xr.Dataset(
         {
+            **pattern,
             "level": of_both("level_db", _LEVEL),
             "linear_level": of_both("linear_level_db", {**_LEVEL, "long_name": "level of the linear loop"}),
             "shift": of_both("shift_m", {"units": "m", "long_name": "shift of the waves, in the direction of travel"}),
@@ -136,5 +141,10 @@ def evolve(
                 {"units": "m", "long_name": "position on the ring"},
             ),
         },
-        {**_datasets.attributes(title), "speed": speed, "step": found["step_m"], "remarks": remarks},
+        {
+            **_datasets.attributes(title),
+            "speed": found["speed_m_per_s"],
+            "step": found["step_m"],
+            "remarks": remarks,
+        },
     )

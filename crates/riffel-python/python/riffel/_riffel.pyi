@@ -142,7 +142,7 @@ def evolve(
     case: Case,
     surface: tuple[float, float] | tuple[float, float, _Floats],
     periodic: bool,
-    speed: float,
+    traffic: _Traffic,
     passages: int,
     step: float | None,
 ) -> tuple[dict[str, Any], list[int], _Floats, float, list[str]]: ...

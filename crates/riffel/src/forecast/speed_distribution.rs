@@ -145,6 +145,30 @@ impl SpeedDistribution {
         }
     }
 
+    /// Speeds \[m/s\] with weights that sum to one, so few that a wheel may be followed through time at each of them: of
+    /// shares these themselves, of a normal distribution those of the trapezoidal rule in halves of a standard deviation.
+    ///
+    /// The mean of cos kV is right to 10⁻⁴, what the tails hold, for kσ ≤ 8; a resonance as narrow as half a standard
+    /// deviation may fall between two of them.
+    pub fn nodes(&self) -> Vec<(f64, f64)> {
+        const HALVES: i32 = 2 * TAIL as i32;
+        let (mean, deviation) = match &self.kind {
+            Kind::Shares(speeds) => return speeds.clone(),
+            Kind::Normal { mean, deviation } => (*mean, *deviation),
+        };
+        let at = |half: i32| {
+            let z = 0.5 * f64::from(half);
+            let end = if half.abs() == HALVES { 0.5 } else { 1.0 };
+            (mean + z * deviation, end * (-0.5 * z * z).exp())
+        };
+        let nodes: Vec<(f64, f64)> = (-HALVES..=HALVES).map(at).collect();
+        let sum: f64 = nodes.iter().map(|(_, weight)| weight).sum();
+        nodes
+            .into_iter()
+            .map(|(speed, weight)| (speed, weight / sum))
+            .collect()
+    }
+
     /// Means of what `at` gives at a speed \[m/s\]: N quantities at each of some places.
     ///
     /// Of shares the weighted sum, exact. Of a normal distribution the trapezoidal rule over ±4 standard
@@ -256,6 +280,12 @@ mod tests {
             let found = speeds.means(|v| vec![[1.0 + (k * v).cos()]]);
             let expected = 1.0 + (k * mean).cos() * (-0.5 * (k * deviation).powi(2)).exp();
             let [value] = found.values[0];
+            let nodes = speeds.nodes();
+            let of_nodes: f64 = nodes.iter().map(|(v, share)| share * (k * v).cos()).sum();
+            assert!(
+                (1.0 + of_nodes - expected).abs() < 1.3e-4,
+                "{k}: {of_nodes}"
+            );
             assert!(
                 (value - expected).abs() < 1.3e-4,
                 "k {k}: {value} {expected}"

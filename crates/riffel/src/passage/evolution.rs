@@ -1,6 +1,7 @@
 //! A profile that wears under many passages.
 
 use num_complex::Complex64;
+use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
 use super::PassageModel;
@@ -8,7 +9,7 @@ use super::along_profile::{Roll, faded};
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
 
-/// How a profile is worn.
+/// What a passage takes off the rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WearOfPassages {
     /// Depth by energy.
@@ -17,15 +18,35 @@ pub struct WearOfPassages {
     pub place: PlaceOfWear,
     /// Waves shorter than this do not wear \[m\]: the patch, 2a, covers them.
     pub shortest: f64,
-    /// Share by which no band of the profile changes at once \[-\].
+}
+
+/// One of the wheels that pass a rail again and again.
+#[derive(Clone)]
+pub struct PassingWheel {
+    /// Wheel, track and contact, at its speed.
+    pub model: PassageModel,
+    /// What it takes off the rail.
+    pub wear: WearOfPassages,
+    /// [`memory`](PassageModel::memory) of the model \[m\].
+    pub memory: f64,
+    /// Its share of the passages \[-\], of all one.
     pub share: f64,
+    /// Part of these that run under traction \[-\]; the others roll free and wear nothing.
+    pub traction_share: f64,
+}
+
+/// How far a rail goes at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EvolutionStep {
+    /// Share by which no band of the profile changes at once \[-\].
+    pub largest_change: f64,
     /// Longest step of a march \[m\].
     pub largest_step: f64,
 }
 
-impl WearOfPassages {
+impl EvolutionStep {
     /// A share of change at once that leaves a part of 10⁻³ of a growth rate: its square over six.
-    pub const USUAL_SHARE: f64 = 0.08;
+    pub const USUAL_CHANGE: f64 = 0.08;
 }
 
 /// A rail under one wheel after another.
@@ -34,7 +55,8 @@ impl WearOfPassages {
 /// waves are those of a Fourier series. The energy e(x) = Qξ of a passage lowers it by k_w/(ρ 2b) times the part that
 /// oscillates; the mean is only counted, as [`mean_depth`](Self::mean_depth). Many passages are taken at once, by Heun's
 /// method, as many as change no third-octave band by more than a share, or one at least. A band below a hundredth of
-/// the profile's rms counts as that.
+/// the profile's rms counts as that. Of several wheels the mean by their shares is taken, which is what many passages in
+/// any order leave; N of them drawn one by one would scatter about it like 1/√N.
 ///
 /// The state is the profile and its number of passages alone: every march begins anew, with a run-in around the ring.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,10 +67,10 @@ pub struct Evolution {
     mean_depth: f64,
 }
 
-/// Loss of contact and forces of a passage.
+/// Loss of contact and forces of a passage, or of one of each wheel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassageExtremes {
-    /// Share of the time without contact \[-\].
+    /// Share of the time without contact \[-\], in the mean of the passages.
     pub contact_loss: f64,
     /// Least and largest normal force \[N\].
     pub normal_force: [f64; 2],
@@ -109,30 +131,25 @@ impl Evolution {
 
     /// On by as many passages as the share of change allows, at most `most`; returns what the first of them was like.
     ///
+    /// Cost: two marches around the ring, and over the run-in before it, for each of the wheels, on all threads.
+    ///
     /// # Errors
     /// Those of a march, and [`Error::OutOfRange`] for a ring on discrete supports that is not of whole bays;
     /// [`Error::Airborne`] is not among them: a wheel may fly.
     pub fn advance(
         &mut self,
-        model: &PassageModel,
-        wear: &WearOfPassages,
-        memory: f64,
+        wheels: &[&PassingWheel],
+        step: &EvolutionStep,
         most: u64,
     ) -> Result<PassageExtremes, Error> {
-        if let Some(spacing) = model.track.support_spacing() {
-            let bays = self.heights.len() as f64 * self.spacing / spacing;
-            if (bays - bays.round()).abs() > 1e-6 {
-                return Err(Error::OutOfRange {
-                    quantity: "length of the ring over the support spacing",
-                    value: bays,
-                    unit: "",
-                    rule: "must be a whole number",
-                });
+        for wheel in wheels {
+            if let Some(spacing) = wheel.model.track.support_spacing() {
+                self.check_bays(spacing)?;
             }
         }
-        let (rate, depth, extremes) = self.rate(&self.heights, model, wear, memory)?;
+        let before = self.change(&self.heights, wheels, step.largest_step)?;
         let passages = self
-            .at_once(&rate, wear.share)
+            .at_once(&before.profile, step.largest_change)
             .clamp(1.0, most.max(1) as f64);
         let moved = |by: &[f64]| -> Vec<f64> {
             self.heights
@@ -141,30 +158,78 @@ impl Evolution {
                 .map(|(height, rate)| height + passages * rate)
                 .collect()
         };
-        let (rate_after, depth_after, _) = self.rate(&moved(&rate), model, wear, memory)?;
-        let mean: Vec<f64> = rate
+        let after = self.change(&moved(&before.profile), wheels, step.largest_step)?;
+        let mean: Vec<f64> = before
+            .profile
             .iter()
-            .zip(&rate_after)
+            .zip(&after.profile)
             .map(|(one, other)| 0.5 * (one + other))
             .collect();
         self.heights = moved(&mean);
-        self.mean_depth += 0.5 * passages * (depth + depth_after);
+        self.mean_depth += 0.5 * passages * (before.depth + after.depth);
         self.passages += passages as u64;
-        Ok(extremes)
+        Ok(before.extremes)
     }
 
-    /// Change of the profile by one passage \[m\], its mean depth \[m\], and what the passage was like.
-    fn rate(
+    /// `Ok` if the ring is of whole bays of the length given \[m\], to a part of 10⁻⁶.
+    fn check_bays(&self, spacing: f64) -> Result<(), Error> {
+        let bays = self.heights.len() as f64 * self.spacing / spacing;
+        if (bays - bays.round()).abs() <= 1e-6 && bays > 0.5 {
+            return Ok(());
+        }
+        Err(Error::OutOfRange {
+            quantity: "length of the ring over the support spacing",
+            value: bays,
+            unit: "",
+            rule: "must be a whole number",
+        })
+    }
+
+    /// What a passage changes, in the mean of the wheels.
+    fn change(
         &self,
         heights: &[f64],
-        model: &PassageModel,
-        wear: &WearOfPassages,
-        memory: f64,
-    ) -> Result<(Vec<f64>, f64, PassageExtremes), Error> {
+        wheels: &[&PassingWheel],
+        largest_step: f64,
+    ) -> Result<Change, Error> {
+        let changes = wheels
+            .par_iter()
+            .map(|wheel| self.change_by(heights, wheel, largest_step));
+        let mut mean = Change {
+            profile: vec![0.0; heights.len()],
+            depth: 0.0,
+            extremes: PassageExtremes {
+                contact_loss: 0.0,
+                normal_force: [f64::INFINITY, f64::NEG_INFINITY],
+            },
+        };
+        // One after the other, so that sums do not depend on threads.
+        for (wheel, change) in wheels.iter().zip(changes.collect::<Vec<_>>()) {
+            let change = change?;
+            let worn = wheel.share * wheel.traction_share;
+            for (sum, rate) in mean.profile.iter_mut().zip(&change.profile) {
+                *sum += worn * rate;
+            }
+            mean.depth += worn * change.depth;
+            mean.extremes.contact_loss += wheel.share * change.extremes.contact_loss;
+            let ([least, largest], [own_least, own_largest]) =
+                (mean.extremes.normal_force, change.extremes.normal_force);
+            mean.extremes.normal_force = [least.min(own_least), largest.max(own_largest)];
+        }
+        Ok(mean)
+    }
+
+    fn change_by(
+        &self,
+        heights: &[f64],
+        wheel: &PassingWheel,
+        largest_step: f64,
+    ) -> Result<Change, Error> {
+        let PassingWheel { model, wear, .. } = wheel;
         let count = heights.len() as isize;
-        let run_in = (memory / self.spacing).ceil();
+        let run_in = (wheel.memory / self.spacing).ceil();
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
-        let substeps = (self.spacing / wear.largest_step).ceil().max(1.0);
+        let substeps = (self.spacing / largest_step).ceil().max(1.0);
         let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
         let mut roll = Roll::new(&mut march, substeps as usize);
         let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
@@ -190,11 +255,14 @@ impl Evolution {
                 }
             };
         }
-        let extremes = PassageExtremes {
-            contact_loss: roll.lost as f64 / roll.steps as f64,
-            normal_force: roll.normal_force,
-        };
-        Ok((series(waves, heights.len()), per_energy * mean, extremes))
+        Ok(Change {
+            profile: series(waves, heights.len()),
+            depth: per_energy * mean,
+            extremes: PassageExtremes {
+                contact_loss: roll.lost as f64 / roll.steps as f64,
+                normal_force: roll.normal_force,
+            },
+        })
     }
 
     /// Passages after which the first third-octave band has changed by a share.
@@ -220,6 +288,15 @@ impl Evolution {
             .fold(f64::INFINITY, f64::min)
             .floor()
     }
+}
+
+/// What a passage changes.
+struct Change {
+    /// Heights \[m\].
+    profile: Vec<f64>,
+    /// Depth worn off everywhere \[m\].
+    depth: f64,
+    extremes: PassageExtremes,
 }
 
 /// Coefficients of the Fourier series, not scaled.

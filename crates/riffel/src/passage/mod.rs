@@ -23,7 +23,7 @@ mod track_motion;
 mod vector_fitting;
 
 pub use along_profile::Passage;
-pub use evolution::{Evolution, PassageExtremes, WearOfPassages};
+pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
 pub use hertz_spring::HertzSpring;
 pub use impulse_response::ImpulseResponse;
 pub use march::{ContactInstant, March};

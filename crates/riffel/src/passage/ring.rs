@@ -14,9 +14,12 @@ impl Evolution {
     /// sin and cos over a quarter of a period: the power of a rough rail stays as it is. The ring is shorter than the record by
     /// that length, and waves shorter than 2.6 spacings are gone.
     ///
+    /// With a `bay` \[m\], the support spacing, the ring is as many whole bays as the record has: its spacing is changed for
+    /// that by less than half of itself over the whole length.
+    ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a record shorter than four of the longest wavelengths, and those of the filter.
-    pub fn of_record(record: &Profile, longest: f64) -> Result<Self, Error> {
+    /// [`Error::OutOfRange`] for a record shorter than four of the longest wavelengths or than a bay, and those of the filter.
+    pub fn of_record(record: &Profile, longest: f64, bay: Option<f64>) -> Result<Self, Error> {
         /// Wavelengths that a record must be long, in the longest.
         const LEAST: f64 = 4.0;
         /// Shortest wavelength of a filter, in spacings.
@@ -34,7 +37,21 @@ impl Evolution {
         let filter = BandPass::new(spacing, record.heights().len(), &[kept])?;
         let heights = filter.filter(record).swap_remove(0);
         let overlap = (longest / spacing).round() as usize;
-        let count = heights.len() - overlap;
+        let mut count = heights.len() - overlap;
+        let mut spacing = spacing;
+        if let Some(bay) = bay {
+            let bays = ((count as f64 + 0.5) * spacing / bay).floor();
+            if bays < 1.0 {
+                return Err(Error::OutOfRange {
+                    quantity: "length of the record without what its ends are joined over",
+                    value: count as f64 * spacing,
+                    unit: "m",
+                    rule: "must be a support spacing or more",
+                });
+            }
+            count = count.min((bays * bay / spacing).round() as usize);
+            spacing = bays * bay / count as f64;
+        }
         let ring = (0..count).map(|index| {
             let share = (index as f64 + 0.5) / overlap as f64;
             if share >= 1.0 {
@@ -79,8 +96,11 @@ mod tests {
         let heights = recipe.heights()?.into_iter().enumerate();
         let sloping = heights.map(|(index, height)| height + 1e-6 * index as f64);
         let record = Profile::new(7.0, 1e-3, sloping.collect())?;
-        let ring = Evolution::of_record(&record, 1.0)?;
+        let ring = Evolution::of_record(&record, 1.0, None)?;
         assert_eq!(ring.heights().len(), 49_000);
+        let of_bays = Evolution::of_record(&record, 1.0, Some(0.6501))?;
+        let bays = of_bays.heights().len() as f64 * of_bays.spacing() / 0.6501;
+        assert!((bays - 75.0).abs() < 1e-9 && (of_bays.spacing() / 1e-3 - 1.0).abs() < 2e-5);
         for wavelength in [0.05, 0.1] {
             let half = 10f64.powf(0.05);
             let band = (wavelength / half, wavelength * half);
@@ -103,7 +123,7 @@ mod tests {
         let short = record
             .between(7.0, 10.9)
             .ok_or(Error::Measurement { index: 0, rule: "" })?;
-        assert!(Evolution::of_record(&short, 1.0).is_err());
+        assert!(Evolution::of_record(&short, 1.0, None).is_err());
         Ok(())
     }
 }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, JohnsonVermeulen, MeanState, QuasiStatic, ShenHedrickElkins};
 use riffel::passage::{
-    Evolution, HertzSpring, ImpulseResponse, PassageModel, Settled, Sinusoid, Turning,
-    WearOfPassages,
+    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Settled,
+    Sinusoid, Turning, WearOfPassages,
 };
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
@@ -322,8 +322,6 @@ fn growth_over_passages_is_linear_growth() {
             wear: feedback.wear,
             place: feedback.place_of_wear,
             shortest: 2.0 * semi_axis,
-            share: WearOfPassages::USUAL_SHARE,
-            largest_step: 1e-3,
         };
         let (length, count) = (2.4, 2400);
         let heights = (0..count).map(|index| {
@@ -332,11 +330,21 @@ fn growth_over_passages_is_linear_growth() {
         });
         let profile = Profile::new(0.0, length / f64::from(count), heights.collect()).unwrap();
         let mut evolution = Evolution::new(&profile);
-        let memory = model.memory().unwrap();
+        let wheel = PassingWheel {
+            memory: model.memory().unwrap(),
+            model,
+            wear,
+            share: 1.0,
+            traction_share: 1.0,
+        };
+        let step = EvolutionStep {
+            largest_change: EvolutionStep::USUAL_CHANGE,
+            largest_step: 1e-3,
+        };
         let amplitude = |evolution: &Evolution, waves: usize| evolution.waves()[waves - 1].1.norm();
         let before = [40, 30].map(|waves| amplitude(&evolution, waves));
         for _ in 0..4 {
-            evolution.advance(&model, &wear, memory, u64::MAX).unwrap();
+            evolution.advance(&[&wheel], &step, u64::MAX).unwrap();
         }
         let passages = evolution.passages() as f64;
         for (index, (waves, wavelength)) in [(40, 0.06), (30, 0.08)].into_iter().enumerate() {

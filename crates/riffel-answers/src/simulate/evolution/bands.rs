@@ -10,10 +10,14 @@ use riffel_case::traffic::bands_of;
 
 /// The bands of a case that wear and have a wave on the ring, the shortest first, each with its places in
 /// [`waves`](riffel::passage::Evolution::waves).
-pub(super) struct Bands(Vec<(ThirdOctave, Range<usize>)>);
+pub(super) struct Bands {
+    bands: Vec<(ThirdOctave, Range<usize>)>,
+    /// Bays of the ring, where supports are discrete.
+    bays: Option<usize>,
+}
 
 impl Bands {
-    /// Those above the shortest wavelength that wears \[m\], on a ring of the given length \[m\].
+    /// Those above the shortest wavelength that wears \[m\], on a ring of the given length \[m\], of whole bays.
     pub(super) fn new(case: &Case, shortest: f64, length: f64) -> Self {
         let places = |band: ThirdOctave| {
             let (low, high) = band.wavelength_range();
@@ -22,15 +26,19 @@ impl Bands {
             (low >= shortest).then_some((band, first..(length / low).floor() as usize))
         };
         let bands = bands_of(case).into_iter().filter_map(places);
-        Self(bands.filter(|(_, places)| !places.is_empty()).collect())
+        let bay = case.track.support_spacing();
+        Self {
+            bands: bands.filter(|(_, places)| !places.is_empty()).collect(),
+            bays: bay.map(|bay| (length / bay).round() as usize),
+        }
     }
 
     pub(super) fn count(&self) -> usize {
-        self.0.len()
+        self.bands.len()
     }
 
     pub(super) fn iter(&self) -> impl Iterator<Item = (ThirdOctave, Range<usize>)> + '_ {
-        self.0.iter().cloned()
+        self.bands.iter().cloned()
     }
 
     /// Mean square of each band \[m²\].
@@ -39,6 +47,15 @@ impl Bands {
         self.iter()
             .map(|(_, places)| waves[places].iter().map(power).sum())
             .collect()
+    }
+
+    /// Mean square of the waves that fit into a bay, those of the bands alone \[m²\]; none on a track that is even.
+    pub(super) fn mean_square_of_bay(&self, waves: &[(f64, Complex64)]) -> Option<f64> {
+        let bays = self.bays?;
+        let places = self.iter().flat_map(|(_, places)| places);
+        // The wave n of the ring is the entry n − 1.
+        let of_bay = places.filter(|place| (place + 1).is_multiple_of(bays));
+        Some(of_bay.map(|place| 0.5 * waves[place].1.norm_sqr()).sum())
     }
 
     /// How far the waves of each band have moved along the rail \[m\], in the mean of their power; less than half a wave.

@@ -3,14 +3,16 @@
 use riffel::roughness::level;
 use serde::Serialize;
 
-use super::EvolutionAnswer;
 use super::linear::LinearBand;
+use super::{EvolutionAnswer, PassingVehicle};
 
 /// A rail after many wheels.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EvolutionDocument {
-    /// Speed.
+    /// Mean speed of the passages.
     pub speed_m_per_s: f64,
+    /// The wheels that passed.
+    pub vehicles: Vec<PassingVehicle>,
     /// Step of the marches.
     pub step_m: f64,
     /// Length of the ring.
@@ -34,6 +36,9 @@ pub struct StagesDocument {
     pub passages: Vec<u64>,
     /// Depth worn off everywhere.
     pub mean_depth_m: Vec<f64>,
+    /// Level of the waves that fit between two supports, d/n; left out on an even track.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub support_pattern_level_db: Option<Vec<f64>>,
     /// Share of the time without contact of the passage before; none before any.
     pub contact_loss_fraction: Vec<Option<f64>>,
     /// Least normal force of that passage.
@@ -78,7 +83,8 @@ impl EvolutionAnswer {
         };
         let last = &stages[stages.len() - 1];
         EvolutionDocument {
-            speed_m_per_s: self.speed,
+            speed_m_per_s: self.mean_speed,
+            vehicles: self.vehicles.clone(),
             step_m: self.step,
             length_m: self.profiles[0].heights_m.len() as f64 * self.spacing,
             passages: last.passages,
@@ -87,6 +93,10 @@ impl EvolutionAnswer {
             stages: StagesDocument {
                 passages: stages.iter().map(|stage| stage.passages).collect(),
                 mean_depth_m: stages.iter().map(|stage| stage.mean_depth_m).collect(),
+                support_pattern_level_db: stages
+                    .iter()
+                    .map(|stage| stage.bay_mean_square_m2.map(level))
+                    .collect(),
                 contact_loss_fraction: extremes(|passage| passage.contact_loss_fraction),
                 minimum_normal_force_n: extremes(|passage| passage.minimum_normal_force_n),
                 maximum_normal_force_n: extremes(|passage| passage.maximum_normal_force_n),

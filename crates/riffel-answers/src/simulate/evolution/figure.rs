@@ -34,6 +34,89 @@ impl EvolutionAnswer {
 
     /// The same stretch of rail at several stages, with the waves of the bands alone.
     pub fn profile_figure(&self, case: &Case) -> LineFigure {
+        let stretch = self.stretch();
+        let shown = spread(self.profiles.len(), MOST).into_iter();
+        LineFigure {
+            title: self.title(case),
+            caption: format!(
+                "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
+                parameters(case)
+            ),
+            panels: shown
+                .map(|index| {
+                    let subtitle = after(self.profiles[index].passages);
+                    stretch.panel(&[(index, "")], subtitle)
+                })
+                .collect(),
+            arrangement: Arrangement::Strips,
+        }
+    }
+
+    /// Every profile that was kept with its levels, beside those before any wheel: for a page with a slider over passages.
+    pub fn stage_figures(&self, case: &Case) -> Vec<(String, LineFigure)> {
+        let stretch = self.stretch();
+        let bands = self.linear.bands();
+        let wavelengths: Vec<f64> = bands
+            .iter()
+            .map(|band| 1e3 * band.band.wavelength())
+            .collect();
+        let all: Vec<Vec<f64>> = self
+            .profiles
+            .iter()
+            .map(|profile| self.linear.levels(profile, self.spacing))
+            .map(|levels| levels.into_iter().map(drawn).collect())
+            .collect();
+        let (low, high) = all
+            .iter()
+            .flatten()
+            .filter(|level| level.is_finite())
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &level| {
+                (low.min(level), high.max(level))
+            });
+        let caption = format!(
+            "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
+             rail before any wheel. {}",
+            parameters(case)
+        );
+        let curve = |label: &str, y: Vec<f64>, style, color| Series {
+            label: label.to_owned(),
+            x: wavelengths.clone(),
+            y,
+            style,
+            color: Some(color),
+        };
+        let figure = |(index, profile): (usize, &WornProfile)| {
+            let linear = bands.iter().map(|band| drawn(band.level(profile.passages)));
+            let levels = LinePanel {
+                y_range: Some(around(low, high)),
+                ..level_panel(vec![
+                    curve(
+                        "before any wheel",
+                        all[0].clone(),
+                        LineStyle::Dotted,
+                        Rgb::BLACK,
+                    ),
+                    curve("linear", linear.collect(), LineStyle::Dashed, OKABE_ITO[1]),
+                    curve("now", all[index].clone(), LineStyle::Solid, OKABE_ITO[2]),
+                ])
+            };
+            let name = after(profile.passages);
+            let figure = LineFigure {
+                title: self.title(case),
+                caption: caption.clone(),
+                panels: vec![
+                    levels,
+                    stretch.panel(&[(0, "before any wheel"), (index, "now")], String::new()),
+                ],
+                arrangement: Arrangement::Stacked,
+            };
+            (name, figure)
+        };
+        self.profiles.iter().enumerate().map(figure).collect()
+    }
+
+    /// Some waves of the band that is highest at the end.
+    fn stretch(&self) -> Stretch {
         /// Waves that are shown.
         const WAVES: f64 = 16.0;
         /// Points of the shortest of them.
@@ -49,54 +132,33 @@ impl EvolutionAnswer {
         let places: Vec<f64> = (0..=count as usize)
             .map(|index| shown * index as f64 / count)
             .collect();
-        let chosen: Vec<&WornProfile> = spread(self.profiles.len(), MOST)
-            .into_iter()
-            .map(|index| &self.profiles[index])
-            .collect();
-        let heights: Vec<Vec<f64>> = chosen
+        let heights: Vec<Vec<f64>> = self
+            .profiles
             .iter()
             .map(|profile| self.linear.heights(profile, self.spacing, &places))
             .map(|heights| heights.iter().map(|height| 1e6 * height).collect())
             .collect();
-        let largest = heights
-            .iter()
-            .flatten()
-            .copied()
-            .map(f64::abs)
-            .fold(0.0, f64::max);
-        let panels = chosen
-            .iter()
-            .zip(heights)
-            .map(|(profile, heights)| LinePanel {
-                subtitle: after(profile.passages),
-                x_label: "place along the rail x [m]".to_owned(),
-                y_label: "height [µm]".to_owned(),
-                y_range: Some((-1.05 * largest, 1.05 * largest)),
-                series: vec![Series {
-                    x: places.clone(),
-                    y: heights,
-                    ..Series::default()
-                }],
-                ..LinePanel::default()
-            });
-        LineFigure {
-            title: self.title(case),
-            caption: format!(
-                "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
-                parameters(case)
-            ),
-            panels: panels.collect(),
-            arrangement: Arrangement::Strips,
+        let largest = heights.iter().flatten().copied().map(f64::abs);
+        Stretch {
+            largest: largest.fold(0.0, f64::max),
+            places,
+            heights,
         }
     }
 
-    fn title(&self, case: &Case) -> String {
+    /// What the run was, for titles.
+    pub fn title(&self, case: &Case) -> String {
         let passages = self.stages[self.stages.len() - 1].passages;
         let title = case.file.title.as_deref().unwrap_or("A rail");
         format!(
-            "{title}: {} passages at {:.1} km/h",
+            "{title}: {} passages at {:.1} km/h{}",
             in_words(passages),
-            3.6 * self.speed
+            3.6 * self.mean_speed,
+            if self.vehicles.len() > 1 || self.vehicles[0].speeds > 1 {
+                " in the mean"
+            } else {
+                ""
+            }
         )
     }
 
@@ -213,6 +275,47 @@ impl EvolutionAnswer {
             .collect();
         chosen.dedup();
         chosen
+    }
+}
+
+/// A stretch of the rail at every profile that was kept.
+struct Stretch {
+    /// \[m\]
+    places: Vec<f64>,
+    /// \[µm\]
+    heights: Vec<Vec<f64>>,
+    /// Largest height of any of them \[µm\].
+    largest: f64,
+}
+
+impl Stretch {
+    /// Profiles by their numbers, each with its name.
+    fn panel(&self, shown: &[(usize, &str)], subtitle: String) -> LinePanel {
+        let last = shown.len() - 1;
+        let series = shown
+            .iter()
+            .enumerate()
+            .map(|(place, (index, label))| Series {
+                label: (*label).to_owned(),
+                x: self.places.clone(),
+                y: self.heights[*index].clone(),
+                style: match place == last {
+                    true => LineStyle::Solid,
+                    false => LineStyle::Dotted,
+                },
+                color: match place == last {
+                    true => None,
+                    false => Some(Rgb::BLACK),
+                },
+            });
+        LinePanel {
+            subtitle,
+            x_label: "place along the rail x [m]".to_owned(),
+            y_label: "height [µm]".to_owned(),
+            y_range: Some((-1.05 * self.largest, 1.05 * self.largest)),
+            series: series.collect(),
+            ..LinePanel::default()
+        }
     }
 }
 

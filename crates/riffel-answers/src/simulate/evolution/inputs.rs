@@ -25,11 +25,21 @@ impl Inputs {
         ];
         let mut inputs = Map::new();
         inputs.insert("version of Riffel".into(), env!("CARGO_PKG_VERSION").into());
-        inputs.insert("--speed".into(), request.speed.into());
         inputs.insert("--step".into(), request.largest_step.into());
         if let Ok(Value::Object(mut keys)) = serde_json::to_value(&case.file) {
             keys.retain(|key, _| !IDLE.contains(&key.as_str()));
             flatten("", Value::Object(keys), &mut inputs);
+        }
+        for (index, vehicle) in request.traffic.file.vehicle.iter().enumerate() {
+            let mut keys = serde_json::to_value(vehicle).unwrap_or_default();
+            if let Some(keys) = keys.as_object_mut() {
+                keys.remove("name");
+            }
+            flatten(&format!("vehicle[{index}]"), keys, &mut inputs);
+        }
+        // That of the case has none in a file.
+        if let [speeds] = request.traffic.speeds() {
+            inputs.insert("--speed".into(), speeds.mean().into());
         }
         inputs.retain(|key, _| !key.starts_with("map.speed"));
         Self(inputs)

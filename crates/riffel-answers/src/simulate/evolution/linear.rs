@@ -3,13 +3,17 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use rayon::prelude::*;
 use riffel::Complex64;
 use riffel::passage::Evolution;
 use riffel::roughness::{Profile, ThirdOctave, level};
 use riffel_case::Case;
+use riffel_case::traffic::VehicleInTime;
+use riffel_keys::CaseError;
 
 use super::WornProfile;
 use super::bands::Bands;
+use crate::AnswerError;
 
 /// Waves of a rail that grow as the linear loop says.
 pub(super) struct Linear(Vec<LinearBand>);
@@ -31,41 +35,70 @@ struct LinearWave {
     shift: f64,
 }
 
+/// Growth of a wave \[m\] under a wheel: −k_w/ρ2b of the energy at the rail by the height, in a passage.
+type Growth<'a> = dyn Fn(f64) -> Result<Complex64, CaseError> + Sync + 'a;
+
 impl Linear {
-    /// The waves of a ring before any wheel, of heights \[m\] at equal distances \[m\].
+    /// The waves of a ring before any wheel, of heights \[m\] at equal distances \[m\], under the mean of the wheels.
+    ///
+    /// On discrete supports the growth is that of a wave [alone](riffel::growth::GrowthWithNeighbours::alone).
+    ///
+    /// # Errors
+    /// Those of [`Case::growth_with_neighbours`].
     pub(super) fn new(
-        case: &Case,
-        speed: f64,
+        vehicles: &[VehicleInTime],
         bands: &Bands,
         heights: &[f64],
         spacing: f64,
-    ) -> Self {
-        let ring = Profile::new(0.0, spacing, heights.to_vec());
-        // A case in time has that loop, and a ring that rolls its heights.
-        let (Some(feedback), Ok(ring)) = (case.feedback.longitudinal(), ring) else {
-            return Self(Vec::new());
-        };
+    ) -> Result<Self, AnswerError> {
+        let ring = Profile::new(0.0, spacing, heights.to_vec())?;
         let waves = Evolution::new(&ring).waves();
+        let growth: &Growth<'_> = &|wavelength| {
+            let mut mean = Complex64::ZERO;
+            for vehicle in vehicles {
+                for wheel in &vehicle.wheels {
+                    let rate = rate(&vehicle.case, wavelength, wheel.model.speed)?;
+                    mean += wheel.share * wheel.traction_share * rate;
+                }
+            }
+            Ok(mean)
+        };
         let grown = |&(wavelength, amplitude): &(f64, Complex64)| {
-            let state = feedback.at(wavelength, speed);
-            let energy = state.dissipation_at_rail / speed / feedback.amplitude;
-            let rate = -feedback.wear.depth_per_energy() * energy;
-            LinearWave {
+            let rate = growth(wavelength)?;
+            Ok(LinearWave {
                 mean_square: 0.5 * amplitude.norm_sqr(),
                 growth: rate.re,
                 shift: -rate.im * wavelength / TAU,
-            }
+            })
         };
-        let of_band = |(band, places): (ThirdOctave, Range<usize>)| LinearBand {
-            band,
-            waves: waves[places.clone()].iter().map(grown).collect(),
-            places,
+        let of_band = |(band, places): (ThirdOctave, Range<usize>)| {
+            let waves: Result<Vec<LinearWave>, CaseError> =
+                waves[places.clone()].par_iter().map(grown).collect();
+            Ok(LinearBand {
+                band,
+                waves: waves?,
+                places,
+            })
         };
-        Self(bands.iter().map(of_band).collect())
+        let linear: Result<Vec<LinearBand>, AnswerError> = bands.iter().map(of_band).collect();
+        Ok(Self(linear?))
     }
 
     pub(super) fn bands(&self) -> &[LinearBand] {
         &self.0
+    }
+
+    /// Levels of the bands of a profile \[dB re 1 µm\].
+    pub(super) fn levels(&self, profile: &WornProfile, spacing: f64) -> Vec<f64> {
+        let Ok(ring) = Profile::new(0.0, spacing, profile.heights_m.clone()) else {
+            return vec![f64::NAN; self.0.len()];
+        };
+        let waves = Evolution::new(&ring).waves();
+        let power = |(_, amplitude): &(f64, Complex64)| 0.5 * amplitude.norm_sqr();
+        let bands = self.0.iter();
+        bands
+            .map(|band| level(waves[band.places.clone()].iter().map(power).sum()))
+            .collect()
     }
 
     /// Heights \[m\] at places \[m\] of a profile, with the waves of the bands alone.
@@ -87,6 +120,23 @@ impl Linear {
         };
         places.iter().map(height).collect()
     }
+}
+
+fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError> {
+    /// Neighbours of a wave on each side, where these have a wavelength.
+    const NEIGHBOURS: usize = 3;
+    if let Some(spacing) = case.track.support_spacing() {
+        let most = (0.99 * spacing / wavelength) as usize;
+        let growth = case.growth_with_neighbours(wavelength, speed, most.min(NEIGHBOURS))?;
+        return Ok(growth.alone());
+    }
+    // A case in time has that loop.
+    let feedback = case.feedback.longitudinal();
+    Ok(feedback.map_or(Complex64::ZERO, |feedback| {
+        let state = feedback.at(wavelength, speed);
+        let energy = state.dissipation_at_rail / speed / feedback.amplitude;
+        -feedback.wear.depth_per_energy() * energy
+    }))
 }
 
 impl LinearBand {

@@ -10,10 +10,12 @@ mod table;
 
 use std::f64::consts::TAU;
 
-use riffel::passage::{Evolution, PassageModel, Sinusoid, WearOfPassages};
+use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::Case;
+use riffel_case::traffic::{Traffic, VehicleInTime};
 use riffel_keys::{CaseError, Remark};
+use serde::Serialize;
 
 use super::along_rail::{check_sampling, refused};
 use super::remarks;
@@ -26,10 +28,10 @@ use state::EvolutionState;
 pub use state::{Extremes, Stage, WornProfile};
 
 /// A rail and how it is rolled over.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct EvolutionRequest {
-    /// \[m/s\].
-    pub speed: f64,
+    /// The wheels that pass, such as that of the case at one speed.
+    pub traffic: Traffic,
     /// The rail before any wheel.
     pub surface: Surface,
     /// Longest step of the marches \[m\].
@@ -53,18 +55,52 @@ impl Surface {
         }
     }
 
-    /// One wave, from crest to crest.
+    /// Waves of the same height, one from crest to crest or, with a support spacing \[m\], as many as whole bays have.
+    ///
+    /// Of 4 to 32 bays those are taken whose length comes nearest to whole waves, the fewest that come as near as a part of
+    /// 10⁻³; the wavelength is changed for that by 1/64 of a wave in four bays at most.
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for a wavelength that is not positive.
-    pub fn of_sinusoid(sinusoid: Sinusoid) -> Result<Self, AnswerError> {
-        /// Heights of the wave: its tenth harmonic has twelve.
+    pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self, AnswerError> {
+        /// Heights of a wave: its tenth harmonic has twelve.
         const HEIGHTS: usize = 128;
-        let share = |index: usize| index as f64 / HEIGHTS as f64;
-        let heights = (0..HEIGHTS).map(|index| sinusoid.amplitude * (TAU * share(index)).cos());
-        let spacing = sinusoid.wavelength / HEIGHTS as f64;
-        Ok(Self::Ring(Profile::new(0.0, spacing, heights.collect())?))
+        let (waves, length) = match bay {
+            None => (1, sinusoid.wavelength),
+            Some(bay) => whole_waves(sinusoid.wavelength, bay),
+        };
+        let count = HEIGHTS * waves;
+        let height = |index: usize| {
+            let share = (index % HEIGHTS) as f64 / HEIGHTS as f64;
+            sinusoid.amplitude * (TAU * share).cos()
+        };
+        let spacing = length / count as f64;
+        Ok(Self::Ring(Profile::new(
+            0.0,
+            spacing,
+            (0..count).map(height).collect(),
+        )?))
     }
+}
+
+/// Number of waves of some wavelength \[m\] that bays have, and the length of these \[m\].
+fn whole_waves(wavelength: f64, bay: f64) -> (usize, f64) {
+    /// Part of a wavelength that is near enough.
+    const NEAR: f64 = 1e-3;
+    let tried = (4..=32).map(|bays| {
+        let length = f64::from(bays) * bay;
+        let waves = (length / wavelength).round().max(1.0);
+        (
+            waves as usize,
+            length,
+            (length / waves / wavelength - 1.0).abs(),
+        )
+    });
+    let all: Vec<(usize, f64, f64)> = tried.collect();
+    let near = all.iter().find(|(_, _, change)| *change <= NEAR);
+    let nearest = || all.iter().min_by(|one, other| one.2.total_cmp(&other.2));
+    near.or_else(nearest)
+        .map_or((1, wavelength), |&(waves, length, _)| (waves, length))
 }
 
 /// A rail on its way to a number of passages.
@@ -72,11 +108,8 @@ impl Surface {
 /// What was asked is given once, the work is done by [`go_on`](Self::go_on) step by step, and between two steps the run may be
 /// saved and left. A run resumed from its [`state`](Self::state) is the same run, bit for bit.
 pub struct EvolutionRun {
-    case: Case,
-    request: EvolutionRequest,
-    model: PassageModel,
-    wear: WearOfPassages,
-    memory: f64,
+    vehicles: Vec<VehicleInTime>,
+    step: EvolutionStep,
     bands: Bands,
     evolution: Evolution,
     state: EvolutionState,
@@ -89,22 +122,12 @@ impl EvolutionRun {
     /// A run before any wheel.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::passage`], for discrete supports, for a profile coarser than the patch is long, and for a record shorter than the
-    /// motion remembers or than four of the longest waves kept.
+    /// [`CaseError`] as of [`Case::passage`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
+    /// or than four of the longest waves kept, and for a ring on discrete supports that is not of whole bays.
     pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self, AnswerError> {
-        if case.track.support_spacing().is_some() {
-            let message = format!(
-                "`track.model` is \"{}\", whose supports pass under the wheel, but many passages take a track that is the same \
-                 everywhere along the rail; choose its continuous counterpart",
-                case.file.track.model.name()
-            );
-            Err(case.refuse("track.model", &message))?;
-        }
-        let model = case.passage(request.speed)?;
-        let wear = case
-            .wear_of_passages(request.largest_step)
-            .ok_or_else(|| case.refuse("contact.creepage", "no loop of longitudinal creepage"))?;
-        let memory = model.memory().map_err(refused)?;
+        let vehicles = request.traffic.in_time(case)?;
+        let wheels = || vehicles.iter().flat_map(|vehicle| &vehicle.wheels);
+        let memory = wheels().map(|wheel| wheel.memory).fold(0.0, f64::max);
         let evolution = match &request.surface {
             Surface::Record(record) => {
                 check_sampling(case, record)?;
@@ -115,12 +138,20 @@ impl EvolutionRun {
                     }))?;
                 }
                 let longest = f64::max(Self::LONGEST_KEPT, 1.3 * case.wavelength.max());
-                Evolution::of_record(record, longest).map_err(refused)?
+                Evolution::of_record(record, longest, case.track.support_spacing())
+                    .map_err(refused)?
             }
             Surface::Ring(ring) => Evolution::new(ring),
         };
+        // What the patch of any of them covers does not wear.
+        let shortest = wheels()
+            .map(|wheel| wheel.wear.shortest)
+            .fold(0.0, f64::max);
         let length = evolution.heights().len() as f64 * evolution.spacing();
-        let bands = Bands::new(case, wear.shortest, length);
+        if let Some(bay) = case.track.support_spacing() {
+            check_bays(length, bay)?;
+        }
+        let bands = Bands::new(case, shortest, length);
         if bands.count() == 0 {
             return Err(AnswerError::Argument {
                 argument: "--passages",
@@ -132,11 +163,11 @@ impl EvolutionRun {
         let inputs = Inputs::new(case, &request);
         Ok(Self {
             state: EvolutionState::new(inputs, &evolution, &bands),
-            case: case.clone(),
-            request,
-            model,
-            wear,
-            memory,
+            step: EvolutionStep {
+                largest_change: EvolutionStep::USUAL_CHANGE,
+                largest_step: request.largest_step,
+            },
+            vehicles,
             bands,
             evolution,
         })
@@ -186,8 +217,9 @@ impl EvolutionRun {
         if self.passages() < passages && !state.reached.is_airborne() {
             let most = passages - self.passages();
             let mut evolution = self.evolution.clone();
+            let wheels: Vec<&PassingWheel> = self.wheels().collect();
             let extremes = evolution
-                .advance(&self.model, &self.wear, self.memory, most)
+                .advance(&wheels, &self.step, most)
                 .map_err(|error| CaseError::Physics {
                     input: "--passages".to_owned(),
                     error,
@@ -199,10 +231,14 @@ impl EvolutionRun {
                 return Ok(None);
             }
         }
-        Ok(Some(self.answer(state)))
+        self.answer(state).map(Some)
     }
 
-    fn answer(&self, state: EvolutionState) -> EvolutionAnswer {
+    fn wheels(&self) -> impl Iterator<Item = &PassingWheel> {
+        self.vehicles.iter().flat_map(|vehicle| &vehicle.wheels)
+    }
+
+    fn answer(&self, state: EvolutionState) -> Result<EvolutionAnswer, AnswerError> {
         let EvolutionState {
             stages,
             profiles,
@@ -214,32 +250,84 @@ impl EvolutionRun {
         let stages: Vec<Stage> = stages.entries.into_iter().chain([reached]).collect();
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
         let last = &stages[stages.len() - 1];
-        let track = remarks::of_track(&self.model.track);
+        let tracks = self.wheels().map(|wheel| &wheel.model.track);
+        let worst = tracks.max_by(|one, other| one.share_cut().total_cmp(&other.share_cut()));
         let airborne = last.is_airborne();
         let airborne = airborne.then(|| remarks::of_air(last.passages));
-        EvolutionAnswer {
+        let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
+        Ok(EvolutionAnswer {
             linear: Linear::new(
-                &self.case,
-                self.request.speed,
+                &self.vehicles,
                 &self.bands,
                 &profiles[0].heights_m,
                 spacing_m,
-            ),
-            speed: self.request.speed,
-            step: spacing_m / (spacing_m / self.request.largest_step).ceil().max(1.0),
+            )?,
+            mean_speed: passing.sum(),
+            vehicles: self.vehicles.iter().map(PassingVehicle::of).collect(),
+            step: spacing_m / (spacing_m / self.step.largest_step).ceil().max(1.0),
             spacing: spacing_m,
-            share_cut: self.model.track.share_cut(),
-            remarks: track.into_iter().chain(airborne).collect(),
+            share_cut: worst.map_or(0.0, |track| track.share_cut()),
+            remarks: worst
+                .and_then(remarks::of_track)
+                .into_iter()
+                .chain(airborne)
+                .collect(),
             stages,
             profiles,
+        })
+    }
+}
+
+/// `Ok` if a ring \[m\] is of whole bays \[m\].
+fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
+    let bays = length / bay;
+    if (bays - bays.round()).abs() <= 1e-6 && bays > 0.5 {
+        return Ok(());
+    }
+    Err(AnswerError::Argument {
+        argument: "--length",
+        value: format!("{length} m"),
+        rule: format!(
+            "a whole number of support spacings of {bay} m for a rail that goes on where it ends, such as {:.3} m",
+            bays.ceil() * bay
+        ),
+    })
+}
+
+/// A kind of wheel that passed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PassingVehicle {
+    /// Name of the vehicle.
+    pub name: String,
+    /// Its share of the passages.
+    pub share: f64,
+    /// Mean of its speed.
+    pub speed_m_per_s: f64,
+    /// Standard deviation of its speed.
+    pub speed_deviation_m_per_s: f64,
+    /// Speeds at which it was followed.
+    pub speeds: usize,
+}
+
+impl PassingVehicle {
+    fn of(vehicle: &VehicleInTime) -> Self {
+        let [speed_m_per_s, speed_deviation_m_per_s] = vehicle.speed;
+        Self {
+            name: vehicle.name.clone(),
+            share: vehicle.share,
+            speed_m_per_s,
+            speed_deviation_m_per_s,
+            speeds: vehicle.wheels.len(),
         }
     }
 }
 
 /// A rail after many wheels.
 pub struct EvolutionAnswer {
-    /// \[m/s\].
-    pub speed: f64,
+    /// Mean speed of the passages \[m/s\].
+    pub mean_speed: f64,
+    /// The wheels that passed.
+    pub vehicles: Vec<PassingVehicle>,
     /// Step of the marches \[m\].
     pub step: f64,
     /// Distance of heights \[m\].

@@ -46,6 +46,8 @@ pub struct Stage {
     pub mean_depth_m: f64,
     /// Mean square of each band.
     pub mean_squares_m2: Vec<f64>,
+    /// Mean square of the waves that fit between two supports; none on an even track.
+    pub bay_mean_square_m2: Option<f64>,
     /// How far the waves of each band have moved in the direction of travel since the beginning.
     pub shifts_m: Vec<f64>,
     /// The passage before; none before any.
@@ -131,6 +133,7 @@ impl EvolutionState {
             passages: 0,
             mean_depth_m: 0.0,
             mean_squares_m2: bands.mean_squares(&evolution.waves()),
+            bay_mean_square_m2: bands.mean_square_of_bay(&evolution.waves()),
             shifts_m: vec![0.0; bands.count()],
             extremes: None,
         };
@@ -173,6 +176,7 @@ impl EvolutionState {
             passages: after.passages(),
             mean_depth_m: after.mean_depth(),
             mean_squares_m2: bands.mean_squares(&new),
+            bay_mean_square_m2: bands.mean_square_of_bay(&new),
             shifts_m: shifts.map(|(before, by)| before + by).collect(),
             extremes: Some(extremes.into()),
         };

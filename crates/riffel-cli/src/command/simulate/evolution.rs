@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use riffel_answers::forecast::{number, per_million};
 use riffel_answers::simulate::{EvolutionAnswer, EvolutionRequest, EvolutionRun};
 use riffel_case::Case;
+use riffel_plot::html_of_stages;
 
 use super::{results, without_contact};
 use crate::arguments::Simulate;
@@ -77,8 +78,10 @@ pub(super) fn run(
         |staging| {
             staging.write_figure("spectrum", &answer.spectrum_figure(case))?;
             staging.write_figure("profile", &answer.profile_figure(case))?;
+            staging.write("passages.html", passages_page(&answer, case)?)?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
             staging.write_with("profile.csv", |file| answer.profiles_csv(file))?;
+            answer.netcdf(&answer.title(case), &staging.path("evolution.nc"))?;
             staging.write("evolution.json", json(&answer.document()))
         },
         || readable(case, &answer),
@@ -86,6 +89,13 @@ pub(super) fn run(
     print_remarks(&case.remarks);
     print_remarks(&answer.remarks);
     Ok(0)
+}
+
+/// Levels and profile with a slider over passages.
+fn passages_page(answer: &EvolutionAnswer, case: &Case) -> Result<String, CliError> {
+    let figures = answer.stage_figures(case);
+    let stages = figures.iter().map(|(name, figure)| (name.as_str(), figure));
+    Ok(html_of_stages(&stages.collect::<Vec<_>>())?)
 }
 
 /// Go on from the state in the folder, if there is one.
@@ -181,8 +191,31 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             without_contact(passage.contact_loss_fraction)
         )
     });
+    let supports = document.stages.support_pattern_level_db.as_ref();
+    let supports = supports.map_or_else(String::new, |levels| {
+        let [first, last] = [levels[0], levels[levels.len() - 1]].map(|level| match level {
+            level if level > -100.0 => format!("{level:.1} dB"),
+            _ => "nothing".to_owned(),
+        });
+        format!("waves that fit between two supports: from {first} to {last}\n")
+    });
+    let vehicles = match &document.vehicles[..] {
+        [one] if one.speeds == 1 => String::new(),
+        vehicles => vehicles
+            .iter()
+            .map(|vehicle| {
+                format!(
+                    "  {:.1} %  {}, {:.1} ± {:.1} km/h\n",
+                    100.0 * vehicle.share,
+                    vehicle.name,
+                    3.6 * vehicle.speed_m_per_s,
+                    3.6 * vehicle.speed_deviation_m_per_s
+                )
+            })
+            .collect(),
+    };
     format!(
-        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{rows}\n{saturated}\n{forces}worn off everywhere \
+        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{forces}worn off everywhere \
          {} µm\n",
         case.file
             .title

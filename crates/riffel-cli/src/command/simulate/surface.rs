@@ -42,8 +42,15 @@ pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::R
             rule: "left out: it is for --spectrum".to_owned(),
         })?;
     }
-    if let Some(name) = &arguments.spectrum {
+    let made = || {
         let length = length.unwrap_or(USUAL_LENGTH);
+        match case.track.support_spacing() {
+            Some(bay) if arguments.passages.is_some() => whole_bays(length, bay),
+            _ => length,
+        }
+    };
+    if let Some(name) = &arguments.spectrum {
+        let length = made();
         return Ok(Surface::Ring(drawn(
             name,
             arguments.seed.unwrap_or(1),
@@ -53,11 +60,7 @@ pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::R
         )?));
     }
     if let Some(weld) = &arguments.weld {
-        return Ok(Surface::Ring(dipped(
-            weld,
-            length.unwrap_or(USUAL_LENGTH),
-            step,
-        )?));
+        return Ok(Surface::Ring(dipped(weld, made(), step)?));
     }
     // The parser asks for one of them.
     let path = arguments
@@ -65,6 +68,17 @@ pub(super) fn surface(arguments: &Simulate, case: &Case, step: f64) -> miette::R
         .as_deref()
         .unwrap_or_else(|| Path::new(""));
     Ok(Surface::Record(record(path, &arguments.layout, length)?))
+}
+
+/// A length of whole bays, the next longer one.
+fn whole_bays(length: f64, bay: f64) -> f64 {
+    let whole = (length / bay - 1e-6).ceil() * bay;
+    if (whole / length - 1.0).abs() > 1e-6 {
+        say(format_args!(
+            "note: the rail is {whole:.3} m long, whole bays of {bay} m, so that its end meets its beginning"
+        ));
+    }
+    whole
 }
 
 /// A rail with the levels of a limit or a file, but those of waves that the patch covers.

@@ -1,0 +1,84 @@
+//! Traffic whose wheels are followed through time.
+
+use rayon::prelude::*;
+use riffel::forecast::{SpeedDistribution, band_lines};
+use riffel::passage::PassingWheel;
+use riffel_keys::{CaseError, Remark};
+
+use super::on_case::overrides;
+use super::{Traffic, bands_of};
+use crate::{Case, Variant};
+
+/// The wheel of a vehicle at the speeds of its distribution.
+pub struct VehicleInTime {
+    /// Name of the vehicle.
+    pub name: String,
+    /// Its share of the passages \[-\], of all vehicles one.
+    pub share: f64,
+    /// Mean and standard deviation of its speed \[m/s\].
+    pub speed: [f64; 2],
+    /// The case with its wheel.
+    pub case: Case,
+    /// Its wheels at each speed, with their shares of all passages.
+    pub wheels: Vec<PassingWheel>,
+}
+
+impl Traffic {
+    /// The wheels of every vehicle on a case, at each of the [`nodes`](riffel::forecast::SpeedDistribution::nodes) of its speed.
+    ///
+    /// Cost: that of [`Case::passage`] for each, on all threads.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key of the vehicle, and those of [`Case::passing_wheel`].
+    pub fn in_time(&self, case: &Case) -> Result<Vec<VehicleInTime>, CaseError> {
+        let lines = band_lines(&bands_of(case));
+        let all: f64 = self
+            .file
+            .vehicle
+            .iter()
+            .map(|vehicle| vehicle.share.si())
+            .sum();
+        let vehicles = self.file.vehicle.iter().enumerate();
+        vehicles
+            .map(|(index, vehicle)| {
+                let speeds = &self.speeds[index];
+                let wheel = match overrides(vehicle).is_empty() {
+                    true => case.clone(),
+                    false => {
+                        self.wheel_on(index, case, &lines, &Variant::none(""))?
+                            .wheel
+                    }
+                };
+                let share = vehicle.share.si() / all;
+                let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
+                let at = |&(speed, part): &(f64, f64)| {
+                    Ok(PassingWheel {
+                        share: share * part,
+                        traction_share,
+                        ..wheel.passing_wheel(speed)?
+                    })
+                };
+                let nodes = speeds.nodes();
+                let wheels: Result<Vec<PassingWheel>, CaseError> =
+                    nodes.par_iter().map(at).collect();
+                Ok(VehicleInTime {
+                    name: vehicle.name.clone(),
+                    share,
+                    speed: [speeds.mean(), speeds.deviation()],
+                    wheels: wheels?,
+                    case: wheel,
+                })
+            })
+            .collect()
+    }
+
+    /// Speeds of each vehicle.
+    pub fn speeds(&self) -> &[SpeedDistribution] {
+        &self.speeds
+    }
+
+    /// What is to be asked about values of the file that are not usual.
+    pub fn remarks(&self) -> &[Remark] {
+        &self.remarks
+    }
+}
