@@ -78,6 +78,7 @@ fn model() -> Result<PassageModel, Failure> {
         track: response()?,
         wheel_mass: 350.0,
         spring: HertzSpring::new(50e3, hertz.stiffness())?,
+        late: None,
         law: Arc::new(law),
         turning: Turning::Inertia {
             inertia: RigidInertia::reduced_inertia(350.0, 0.46),

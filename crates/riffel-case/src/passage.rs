@@ -9,16 +9,35 @@ use riffel::passage::{
 use riffel_keys::CaseError;
 
 use crate::Case;
+use crate::build::ContactInTime;
 use crate::file::{ContactDynamics, Rotation};
 
 impl Case {
     /// Wheel, track and contact of the case in time, at a speed \[m/s\].
     ///
     /// # Errors
-    /// [`CaseError`] where the case has what is not followed through time: several contacts or axes, a contact that answers
-    /// late or is no formula, a wheel or a track that is not a model, a track that is not causal.
+    /// [`CaseError`] where the case has what is not followed through time: several contacts or axes, a spring and a dashpot in
+    /// the contact, a wheel or a track that is not a model, a track that is not causal.
     pub fn passage(&self, speed: f64) -> Result<PassageModel, CaseError> {
+        self.passage_on(&self.contact_in_time()?, speed)
+    }
+
+    /// The creep law of the case, and what it makes of the past, for passages at any speed.
+    pub(crate) fn contact_in_time(&self) -> Result<ContactInTime, CaseError> {
         self.check_in_time()?;
+        let (keys, friction) = (&self.keys, self.steady.friction);
+        // The paper's law does without Kalker's coefficients, which have a table that ends.
+        let law = match self.carter {
+            Some(carter) => Some(Arc::new(carter) as Arc<dyn CreepLaw>),
+            None => keys.creep_law(self.hertz, friction)?,
+        };
+        match law {
+            Some(law) => Ok(ContactInTime { law, late: None }),
+            None => keys.exact_in_time(self.hertz, friction),
+        }
+    }
+
+    fn passage_on(&self, contact: &ContactInTime, speed: f64) -> Result<PassageModel, CaseError> {
         let (keys, wheel) = (&self.keys, &self.file.wheel);
         let key = match self.keys.given.track {
             Some(_) => "receptance of the track",
@@ -29,15 +48,6 @@ impl Case {
             None => ImpulseResponse::of(&*self.track.receptance, speed),
         };
         let normal_force = self.hertz.normal_force();
-        // The paper's law does without Kalker's coefficients, which have a table that ends.
-        let law = match self.carter {
-            Some(carter) => Some(Arc::new(carter) as Arc<dyn CreepLaw>),
-            None => keys.creep_law(self.hertz, self.steady.friction)?,
-        };
-        let law = law.ok_or_else(|| {
-            let message = "`contact.creep_law` is \"half-space\", but a passage in time takes a law that is a formula";
-            self.refuse("contact.creep_law", message)
-        })?;
         let mass = keys.required("wheel.mass", wheel.mass)?.si();
         let inertia = keys.required("wheel.inertia", wheel.inertia)?.si();
         Ok(PassageModel {
@@ -47,7 +57,8 @@ impl Case {
                 "contact",
                 HertzSpring::new(normal_force, self.hertz.stiffness()),
             )?,
-            law,
+            law: contact.law.clone(),
+            late: contact.late.clone(),
             turning: match wheel.rotation() {
                 Rotation::ConstantCreepage => Turning::Held,
                 _ => Turning::Inertia {
@@ -65,7 +76,15 @@ impl Case {
     /// # Errors
     /// Those of [`passage`](Self::passage), and a motion that forgets nothing in two seconds.
     pub fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        let model = self.passage(speed)?;
+        self.passing_wheel_on(&self.contact_in_time()?, speed)
+    }
+
+    pub(crate) fn passing_wheel_on(
+        &self,
+        contact: &ContactInTime,
+        speed: f64,
+    ) -> Result<PassingWheel, CaseError> {
+        let model = self.passage_on(contact, speed)?;
         let feedback = self.feedback.longitudinal().ok_or_else(|| {
             self.refuse(
                 "contact.creepage",
@@ -85,7 +104,7 @@ impl Case {
         })
     }
 
-    /// `Ok` if the case is one wheel with longitudinal creepage by a formula.
+    /// `Ok` if the case is one wheel with longitudinal creepage.
     fn check_in_time(&self) -> Result<(), CaseError> {
         let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
         let file = &self.file;
@@ -105,9 +124,9 @@ impl Case {
             let message = "a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it";
             return refuse("wheel", message);
         }
-        if file.contact.response != ContactDynamics::QuasiStatic {
-            let message = "`contact.response` must be \"quasi-static\" for a passage in time: a contact that answers late \
-                           is known for small oscillations only";
+        if file.contact.response == ContactDynamics::SpringDashpot {
+            let message = "`contact.response` is \"spring-dashpot\", which is known for small oscillations only; for a passage in \
+                           time choose \"quasi-static\" or \"non-steady\"";
             return refuse("contact.response", message);
         }
         if file.wheel.rotation() == Rotation::ConstantTangentialForce {
@@ -144,8 +163,10 @@ mod tests {
                 &["wheel.rotation=constant-tangential-force"][..],
                 "leaves the rail",
             ),
-            (&["contact.response=spring-dashpot"], "answers late"),
-            (&["contact.creep_law=half-space"], "a formula"),
+            (
+                &["contact.response=spring-dashpot"],
+                "small oscillations only",
+            ),
             (&["train.wheels=[0, 2.5]"], "one wheel"),
         ] {
             let Err(error) = passage(overrides) else {

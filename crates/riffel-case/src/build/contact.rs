@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepLaw, HalfSpace, HalfSpaceRolling, MeanState, NonSteady, OscillatingCreepages, QuasiStatic,
-    QuasiStaticHalfSpace, SpringDashpot,
+    CreepLaw, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
+    OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
 };
+use riffel::passage::LateContact;
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
 
@@ -28,6 +29,13 @@ pub(super) struct BuiltContact {
     pub(super) rolling: Arc<dyn RollingContact>,
     /// The paper's law, where it is the one of the case.
     pub(super) carter: Option<Carter3d>,
+}
+
+/// How a contact creeps in time.
+pub(crate) struct ContactInTime {
+    pub(crate) law: Arc<dyn CreepLaw>,
+    /// What it makes of the past.
+    pub(crate) late: Option<Arc<LateContact>>,
 }
 
 impl CheckedKeys {
@@ -177,6 +185,44 @@ impl CheckedKeys {
             MeanState::Creepages(creepages) => contact.roll_with(creepages),
         };
         self.physics(mean_key(mean), state)
+    }
+
+    /// The exact theory as a law that is asked at every step in time, and what it makes of the past where it answers late.
+    pub(crate) fn exact_in_time(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+    ) -> Result<ContactInTime, CaseError> {
+        /// Longest wave of a response, in semi-axes, from where on it is that of slow changes.
+        const LONGEST: f64 = 100.0;
+        /// Shortest, as far as the grid resolves one so short: no wave of a profile that is shorter moves the wheel as a point does.
+        const SHORTEST: f64 = 1.0;
+        let contact = self.half_space_of(hertz, friction)?;
+        let state = self.exact_state(&contact, self.mean_state()?)?;
+        let law = self.physics("contact", HalfSpaceCurve::new(&contact, &state))?;
+        let late = match self.file.contact.response {
+            ContactDynamics::NonSteady => {
+                let a = hertz.semi_axis_longitudinal();
+                let shortest = contact.shortest_wavelength().max(SHORTEST * a);
+                let range = [shortest, LONGEST * a];
+                let table = NonSteady::new(
+                    &contact,
+                    &state,
+                    OscillatingCreepages::Longitudinal,
+                    range[0],
+                    range[1],
+                    NonSteady::DEFAULT_TOLERANCE,
+                );
+                let table = self.physics("contact.grid", table)?;
+                let late = LateContact::new(&table, &law, a, range);
+                Some(Arc::new(self.physics("contact.grid", late)?))
+            }
+            _ => None,
+        };
+        Ok(ContactInTime {
+            law: Arc::new(law),
+            late,
+        })
     }
 
     fn half_space(

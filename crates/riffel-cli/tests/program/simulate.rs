@@ -42,6 +42,45 @@ fn small_amplitudes_are_those_of_the_point() {
     assert!(least < 50e3 && 50e3 < largest);
 }
 
+/// A contact that answers late, over a wave of three semi-axes and one of ten: forces of the point to 10⁻³, and growth over passages
+/// its rate to 1 %. About the same state a contact that answers at once has another force.
+#[test]
+fn a_late_contact_is_that_of_the_point() {
+    const LATE: &str = "--set contact.response=non-steady --set contact.grid=24 --set map.wavelength.min=\"15 mm\"";
+    let sandbox = Sandbox::new();
+    for millimetres in [18, 55] {
+        let point = sandbox.json(&format!(
+            "point {CASE} {LATE} --wavelength {millimetres}mm --speed 30 --set corrugation.amplitude=1e-7 --json"
+        ));
+        let simulate = |keys: &str| {
+            format!("simulate {CASE} {keys} --speed 30 --sinusoid 0.1um,{millimetres}mm --json")
+        };
+        let settled = sandbox.json(&simulate(LATE));
+        let exact = complex(&point["tangential_force_n"]);
+        let miss = |settled: &Value| {
+            let got = complex(&settled["harmonics"][1]["tangential_force_n"]);
+            (got[0] - exact[0]).hypot(got[1] - exact[1]) / exact[0].hypot(exact[1])
+        };
+        assert!(miss(&settled) < 1e-3, "{millimetres}: {}", miss(&settled));
+        if millimetres > 20 {
+            continue;
+        }
+        let at_once = sandbox.json(&simulate(
+            "--set contact.creep_law=half-space --set contact.grid=24",
+        ));
+        assert!(miss(&at_once) > 0.1, "{millimetres}: {}", miss(&at_once));
+        let worn = sandbox.json(&format!("{} --passages 1e5", simulate(LATE)));
+        let rate = point["growth_rate_per_passage"].as_f64().unwrap();
+        let bands = worn["bands"].as_array().unwrap().iter();
+        let rates = bands.filter_map(|band| band["first_growth_per_passage"].as_f64());
+        // The others are harmonics, of nothing before.
+        let nearest = rates
+            .map(|own| (own / rate - 1.0).abs())
+            .fold(1.0, f64::min);
+        assert!(nearest < 1e-2, "{millimetres}: {nearest}");
+    }
+}
+
 /// Files of a wave that lifts the wheel, and the note on troughs that it does not reach.
 #[test]
 fn a_high_wave_is_drawn() {

@@ -4,6 +4,7 @@
 mod conformity;
 mod ellipse;
 mod half_space;
+mod half_space_curve;
 mod law;
 mod load_wear;
 mod mean_state;
@@ -23,6 +24,7 @@ pub use half_space::{
     ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
     TransientRolling, TransientStep,
 };
+pub use half_space_curve::HalfSpaceCurve;
 pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
 pub use law::{
     Carter2d, Carter3d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw,

@@ -1,5 +1,7 @@
 //! A profile that wears under many passages.
 
+use std::f64::consts::TAU;
+
 use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
@@ -14,7 +16,8 @@ use crate::{EnergyWear, Error, PlaceOfWear};
 pub struct WearOfPassages {
     /// Depth by energy.
     pub wear: EnergyWear,
-    /// Where the energy of the wheel is left: [`PlaceOfWear`] of the linear loop, for which it is a pure shift.
+    /// Where the energy of the wheel is left: [`PlaceOfWear`] of the linear loop, for which it is a pure shift. Not asked where
+    /// the contact answers late and tells what the rail receives.
     pub place: PlaceOfWear,
     /// Waves shorter than this do not wear \[m\]: the patch, 2a, covers them.
     pub shortest: f64,
@@ -240,7 +243,7 @@ impl Evolution {
         roll.along(ring, 0, count, |contact| {
             // The wheel is now at the next height; the last is the first.
             index = (index + 1) % heights.len();
-            energies[index] = contact.energy_per_metre();
+            energies[index] = contact.energy_at_rail;
         });
         let per_energy = wear.wear.depth_per_energy();
         let length = heights.len() as f64 * self.spacing;
@@ -251,7 +254,11 @@ impl Evolution {
             *wave = match n == 0 || wavelength < wear.shortest {
                 true => Complex64::ZERO,
                 false => {
-                    -per_energy * *wave * Complex64::from_polar(1.0, -wear.place.lag(wavelength))
+                    let ahead = match &model.late {
+                        None => -wear.place.lag(wavelength),
+                        Some(late) => TAU * late.behind() / wavelength,
+                    };
+                    -per_energy * *wave * Complex64::from_polar(1.0, ahead)
                 }
             };
         }

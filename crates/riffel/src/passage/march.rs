@@ -1,9 +1,9 @@
 //! The motion of a wheel along a rail, step by step.
 
 use super::along_profile::faded;
+use super::late_contact::LateMotion;
 use super::track_motion::TrackMotion;
 use super::{PassageModel, Turning};
-use crate::contact::Creepages;
 
 /// The contact at one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,10 +16,14 @@ pub struct ContactInstant {
     pub creepage: f64,
     /// Approach δ of wheel and rail \[m\]; below zero their distance.
     pub approach: f64,
+    /// Energy left on a metre of rail \[J/m\]: Qξ of a steady law, and of a contact that answers late what the place
+    /// [`behind`](super::LateContact::behind) has received.
+    pub energy_at_rail: f64,
 }
 
 impl ContactInstant {
-    /// Energy dissipated per metre of rail, Qξ \[J/m\], at the wheel centre.
+    /// Energy dissipated per metre of rail, Qξ \[J/m\], at the wheel centre: the work of the creep force, of which a contact that
+    /// answers late stores a part for a while.
     pub fn energy_per_metre(&self) -> f64 {
         self.tangential_force * self.creepage
     }
@@ -40,6 +44,7 @@ pub struct March<'a> {
     /// Displacement and speed of the wheel from its position at rest, downward \[m, m/s\].
     wheel: [f64; 2],
     now: ContactInstant,
+    late: Option<LateMotion>,
     /// R²h/(2I_wV) \[1/N\]: what Q − Q₀ at the beginning or end of a step takes off the creepage; zero if held.
     creepage_per_force: f64,
     /// Share of the sag between supports that has set in, and what each step adds.
@@ -57,6 +62,8 @@ impl<'a> March<'a> {
 
     /// Steady rolling on a smooth rail, with steps of the given length \[m\], from a distance before a support \[m\].
     pub(super) fn new(model: &'a PassageModel, step: f64, distance: f64) -> Self {
+        let late = model.late.as_deref();
+        let late = late.map(|late| LateMotion::new(late, step));
         let step = step / model.speed;
         let creepage = model.mean.creepages.longitudinal;
         Self {
@@ -73,7 +80,9 @@ impl<'a> March<'a> {
                 tangential_force: model.mean.forces.longitudinal,
                 creepage,
                 approach: model.spring.approach(),
+                energy_at_rail: model.mean.forces.longitudinal * creepage,
             },
+            late,
             creepage_per_force: match model.turning {
                 Turning::Inertia {
                     inertia,
@@ -100,6 +109,10 @@ impl<'a> March<'a> {
         let (h, mass) = (self.step, self.model.wheel_mass);
         // m_w z'' = −f, f = P − P₀ linear: what the force at the beginning does, and what that at the end adds.
         let force = self.now.normal_force - load;
+        let mean_creepage = self.model.mean.creepages.longitudinal;
+        if let Some(late) = &mut self.late {
+            late.advance(force, self.now.creepage - mean_creepage);
+        }
         let mut rail = self.track.advance(force);
         if self.onset_step > 0.0 {
             self.onset += self.onset_step;
@@ -121,6 +134,14 @@ impl<'a> March<'a> {
             tangential_force,
             creepage,
             approach,
+            energy_at_rail: match &self.late {
+                None => tangential_force * creepage,
+                Some(late) => {
+                    let felt = late.for_energy(new_force, creepage - mean_creepage);
+                    let creepage = mean_creepage + felt.creepage;
+                    creepage * self.model.steady_force(load + felt.load, creepage)
+                }
+            },
         };
         self.now
     }
@@ -129,23 +150,34 @@ impl<'a> March<'a> {
     ///
     /// The left side grows with ξ where Q does. Secants within a bracket, since |Q| ≤ μP; bisection where they leave it.
     fn creep(&mut self, normal_force: f64) -> (f64, f64) {
-        /// Last change of the creepage, as a part of it: a secant leaves of it no more than c ΔdQ/dξ, 10⁻³ or less.
-        const TOLERANCE: f64 = 1e-8;
+        /// Last change of the creepage, as a part of its change over the step: a secant leaves of it no more than
+        /// c ΔdQ/dξ, 10⁻³ or less. And as a part of itself, where it does not change.
+        const TOLERANCE: f64 = 1e-4;
+        const ROUNDING: f64 = 1e-13;
         let c = self.creepage_per_force;
         let mean = self.model.mean.forces.longitudinal;
         let goal = self.now.creepage - c * (self.now.tangential_force - 2.0 * mean);
         if normal_force <= 0.0 {
             return (0.0, goal);
         }
-        let law = &self.model.law;
-        let force = |creepage: f64| {
-            law.forces(normal_force, Creepages::longitudinal(creepage))
-                .longitudinal
+        let model = self.model;
+        let bound = model.law.friction() * normal_force;
+        let (load, mean_creepage) = (
+            model.spring.normal_force(),
+            model.mean.creepages.longitudinal,
+        );
+        let force = |creepage: f64| match &self.late {
+            None => model.steady_force(normal_force, creepage),
+            Some(late) => {
+                let felt = late.for_force(normal_force - load, creepage - mean_creepage);
+                let force = model.steady_force(load + felt.load, mean_creepage + felt.creepage);
+                force.clamp(-bound, bound)
+            }
         };
         if c == 0.0 {
             return (force(goal), goal);
         }
-        let most = c * law.friction() * normal_force;
+        let most = c * bound;
         let (mut low, mut high) = (goal - most, goal + most);
         let mut creepage = (self.now.creepage + self.drift).clamp(low, high);
         let mut tangential_force = force(creepage);
@@ -163,7 +195,8 @@ impl<'a> March<'a> {
             };
             let before = (creepage, tangential_force);
             creepage = next;
-            if (creepage - before.0).abs() <= TOLERANCE * creepage.abs() {
+            let change = (creepage - self.now.creepage).abs();
+            if (creepage - before.0).abs() <= TOLERANCE * change + ROUNDING * creepage.abs() {
                 // The force that goes with the creepage in the equation of the wheel, to second order in what is left.
                 tangential_force += self.slope * (creepage - before.0);
                 break;

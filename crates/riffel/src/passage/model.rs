@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{HertzSpring, ImpulseResponse, March};
+use super::{HertzSpring, ImpulseResponse, LateContact, March};
 use crate::Error;
-use crate::contact::{CreepLaw, MeanRolling};
+use crate::contact::{CreepLaw, Creepages, MeanRolling};
 
 /// How the wheel turns under the creep force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,11 +27,11 @@ pub enum Turning {
 ///   that of the place where the wheel is at τ, and P₀ ΣĤ_n(0) e^{inΩt}, n ≠ 0, the sag between supports, is added.
 /// * Wheel: a rigid mass under a dead load, m_w d²z_w/dt² = P₀ − P, with z_w downward.
 /// * Contact: δ = δ₀ + z_w − u_r + r for a profile of height r, P = C_H δ^{3/2} or none.
-/// * Creep: Q of a steady law at the P and ξ of the instant, none without contact; dξ/dt = −(R²/I_wV)(Q − Q₀).
+/// * Creep: Q of a steady law at the P and ξ of the instant or what a contact that answers late feels of them, none without contact; dξ/dt = −(R²/I_wV)(Q − Q₀).
 ///
 /// Both means follow of themselves: a wheel that goes on rolling has the mean normal force P₀, and one with inertia the
-/// mean creep force Q₀. Range of validity: that of the steady law, waves much longer than the patch; the profile is not
-/// averaged over the patch; a wheel without a suspension of its own, so above some 10 Hz.
+/// mean creep force Q₀. Range of validity: that of the steady law, waves much longer than the patch, unless the contact answers
+/// [late](LateContact); the profile is not averaged over the patch; a wheel without a suspension of its own, so above some 10 Hz.
 #[derive(Clone)]
 pub struct PassageModel {
     /// The track.
@@ -42,6 +42,8 @@ pub struct PassageModel {
     pub spring: HertzSpring,
     /// The creep law.
     pub law: Arc<dyn CreepLaw>,
+    /// What of load and creepage the law is asked about, where the contact answers late.
+    pub late: Option<Arc<LateContact>>,
     /// The wheel's rotation.
     pub turning: Turning,
     /// The mean state, at which a march begins.
@@ -76,5 +78,14 @@ impl PassageModel {
             Error::unless_positive("rolling radius", rolling_radius, "m")?;
         }
         Ok(March::new(self, step, distance))
+    }
+
+    /// Q of the steady law \[N\]; none without a load.
+    pub(super) fn steady_force(&self, normal_force: f64, creepage: f64) -> f64 {
+        if normal_force <= 0.0 {
+            return 0.0;
+        }
+        let creepages = Creepages::longitudinal(creepage);
+        self.law.forces(normal_force, creepages).longitudinal
     }
 }

@@ -3,10 +3,13 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use riffel::contact::{CreepLaw, JohnsonVermeulen, MeanState, QuasiStatic, ShenHedrickElkins};
+use riffel::contact::{
+    CreepLaw, HalfSpace, HalfSpaceCurve, JohnsonVermeulen, MeanState, NonSteady,
+    OscillatingCreepages, QuasiStatic, ShenHedrickElkins,
+};
 use riffel::passage::{
-    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Settled,
-    Sinusoid, Turning, WearOfPassages,
+    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, LateContact, PassageModel,
+    PassingWheel, Settled, Sinusoid, Turning, WearOfPassages,
 };
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
@@ -74,6 +77,7 @@ fn both(
         wheel_mass: MASS,
         spring: HertzSpring::new(50e3, hertz.stiffness()).unwrap(),
         law,
+        late: None,
         turning: Turning::Inertia {
             inertia,
             rolling_radius: RADIUS,
@@ -359,5 +363,82 @@ fn growth_over_passages_is_linear_growth() {
             );
         }
         assert!(evolution.mean_depth() > 0.0);
+    }
+}
+
+/// A contact that answers late, by the exact theory: over waves as short as two semi-axes the first harmonics are those of the
+/// linear loop with the table of that contact, and growth is its growth rate.
+#[test]
+fn a_late_contact_is_that_of_the_linear_loop() {
+    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let a = hertz.semi_axis_longitudinal();
+    let contact = HalfSpace::new(hertz, 0.4, 24).unwrap();
+    let state = contact.roll_at_tractive_ratio(0.4).unwrap();
+    let law = Arc::new(HalfSpaceCurve::new(&contact, &state).unwrap());
+    let table = NonSteady::new(
+        &contact,
+        &state,
+        OscillatingCreepages::Longitudinal,
+        1.01 * a,
+        100.0 * a,
+        1e-4,
+    );
+    let table = Arc::new(table.unwrap());
+    let late = LateContact::new(&*table, &*law, a, [1.01 * a, 100.0 * a]).unwrap();
+    let (feedback, model) = both(two_layers(), |_| law.clone(), 0.4, 30.0, 1e-7);
+    let feedback = FeedbackLoop {
+        contact: table.clone(),
+        ..feedback
+    };
+    let model = PassageModel {
+        mean: riffel::RollingContact::steady(&*table),
+        late: Some(Arc::new(late)),
+        ..model
+    };
+    for wavelength in [0.06, 5.0 * a, 2.0 * a] {
+        let linear = feedback.at(wavelength, 30.0);
+        let first = settle(&model, 1e-7, wavelength, 512).harmonics[1];
+        let creepage = -linear.angular_velocity * RADIUS / 30.0;
+        for (got, expected) in [
+            (first.normal_force, linear.normal_force),
+            (first.tangential_force, linear.tangential_force),
+            (first.creepage, creepage),
+        ] {
+            let error = (got - expected).norm() / expected.norm();
+            assert!(error < 1e-3, "{wavelength}: {got} {expected} {error:e}");
+        }
+    }
+    let wheel = PassingWheel {
+        memory: model.memory().unwrap(),
+        model,
+        wear: WearOfPassages {
+            wear: feedback.wear,
+            place: feedback.place_of_wear,
+            shortest: a,
+        },
+        share: 1.0,
+        traction_share: 1.0,
+    };
+    let step = EvolutionStep {
+        largest_change: EvolutionStep::USUAL_CHANGE,
+        largest_step: 2e-4,
+    };
+    let (length, count) = (1.2, 6000);
+    let lines = [20usize, 60];
+    let heights = (0..count).map(|index| {
+        let share = f64::from(index) / f64::from(count);
+        let waves = lines.iter().map(|&line| (TAU * share * line as f64).cos());
+        1e-7 * waves.sum::<f64>()
+    });
+    let ring = Profile::new(0.0, length / f64::from(count), heights.collect()).unwrap();
+    let mut rail = Evolution::new(&ring);
+    rail.advance(&[&wheel], &step, 1).unwrap();
+    for line in lines {
+        let change = rail.waves()[line - 1].1 / 1e-7 - 1.0;
+        let linear = feedback.at(length / line as f64, 30.0);
+        let expected = -feedback.wear.depth_per_energy() * linear.dissipation_at_rail
+            / (30.0 * feedback.amplitude);
+        let error = (change - expected).norm() / expected.norm();
+        assert!(error < 2e-3, "{line}: {change} {expected} {error:e}");
     }
 }

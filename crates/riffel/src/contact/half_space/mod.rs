@@ -277,7 +277,7 @@ impl HalfSpace {
     }
 
     /// Shortest wavelength \[m\] that the grid resolves.
-    pub(super) fn shortest_wavelength(&self) -> f64 {
+    pub fn shortest_wavelength(&self) -> f64 {
         /// A step of 2π/6 in phase from one element to the next on the coarse grid.
         const FEWEST_ELEMENTS: f64 = 6.0;
         FEWEST_ELEMENTS * self.coarse.patch.dx

@@ -98,7 +98,7 @@ impl CreepDerivatives {
     /// Completes the two derivatives by creepage for a law of the form
     /// F = P Φ(ξ P^{−1/3}, η P^{−1/3}, φ), to which every frictional contact of a Hertzian ellipse
     /// belongs: P ∂F/∂P = F − (ξ ∂F/∂ξ + η ∂F/∂η)/3.
-    fn of_ellipse(
+    pub(in crate::contact) fn of_ellipse(
         normal_force: f64,
         creepages: Creepages,
         forces: CreepForces,
