@@ -79,6 +79,7 @@ fn model() -> Result<PassageModel, Failure> {
         wheel_mass: 350.0,
         spring: HertzSpring::new(50e3, hertz.stiffness())?,
         late: None,
+        contact_filter: None,
         law: Arc::new(law),
         turning: Turning::Inertia {
             inertia: RigidInertia::reduced_inertia(350.0, 0.46),

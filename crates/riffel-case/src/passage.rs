@@ -59,6 +59,7 @@ impl Case {
             )?,
             law: contact.law.clone(),
             late: contact.late.clone(),
+            contact_filter: None,
             turning: match wheel.rotation() {
                 Rotation::ConstantCreepage => Turning::Held,
                 _ => Turning::Inertia {

@@ -73,11 +73,15 @@ pub(crate) fn simulate<'py>(
     surface: GivenSurface<'py>,
     speed: f64,
     step: Option<f64>,
+    contact_filter: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let told = PyDict::new(py);
     let course = match surface.rail()? {
         Rail::Sinusoid(profile) => {
-            let request = SinusoidRequest::new(speed, profile, step).map_err(of_answer)?;
+            let request = SinusoidRequest {
+                contact_filter,
+                ..SinusoidRequest::new(speed, profile, step).map_err(of_answer)?
+            };
             let answer = case.compute(py, move |case| SinusoidAnswer::new(case, request))?;
             let answer = answer.map_err(of_answer)?;
             let [least, largest] = answer.settled.normal_force;
@@ -93,6 +97,7 @@ pub(crate) fn simulate<'py>(
                 speed,
                 profile,
                 largest_step: step.unwrap_or(PassageRequest::USUAL_STEP),
+                contact_filter,
             };
             let answer = case.compute(py, move |case| PassageAnswer::new(case, request))?;
             let answer = answer.map_err(of_answer)?;
@@ -121,6 +126,7 @@ pub(crate) fn evolve<'py>(
     traffic: GivenTraffic<'py>,
     passages: u64,
     step: Option<f64>,
+    contact_filter: bool,
 ) -> PyResult<(
     Bound<'py, PyAny>,
     Vec<u64>,
@@ -150,6 +156,7 @@ pub(crate) fn evolve<'py>(
         traffic,
         surface,
         largest_step,
+        contact_filter,
     };
     let run = case.compute(py, move |case| EvolutionRun::new(case, request))?;
     let mut run = run.map_err(of_answer)?;

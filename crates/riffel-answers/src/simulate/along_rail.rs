@@ -1,5 +1,6 @@
 //! A wheel along a measured profile.
 
+use riffel::contact::ContactFilter;
 use riffel::passage::{Passage, PassageModel};
 use riffel::roughness::Profile;
 use riffel_case::Case;
@@ -18,6 +19,8 @@ pub struct PassageRequest {
     pub profile: Profile,
     /// Longest step of the march \[m\].
     pub largest_step: f64,
+    /// The wheel feels the mean over the patch in the place of the height.
+    pub contact_filter: bool,
 }
 
 impl PassageRequest {
@@ -46,7 +49,11 @@ impl PassageAnswer {
     pub fn new(case: &Case, request: PassageRequest) -> Result<Self, AnswerError> {
         let profile = &request.profile;
         check_sampling(case, profile)?;
-        let model = case.passage(request.speed)?;
+        check_step(request.largest_step)?;
+        let mut model = case.passage(request.speed)?;
+        model.contact_filter = request
+            .contact_filter
+            .then(|| ContactFilter::of(&case.hertz));
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
             remarks: remarks::of_track(&model.track).into_iter().collect(),
@@ -96,6 +103,19 @@ impl PassageAnswer {
             arrangement: Arrangement::Strips,
         }
     }
+}
+
+/// `Ok` if a step along a profile \[m\] is no shorter than a micrometre, a million to a metre.
+pub(super) fn check_step(step: f64) -> Result<(), AnswerError> {
+    const LEAST: f64 = 1e-6;
+    if step >= LEAST {
+        return Ok(());
+    }
+    Err(AnswerError::Argument {
+        argument: "--step",
+        value: format!("{step:e} m"),
+        rule: format!("at least {LEAST:e} m, a million steps to a metre"),
+    })
 }
 
 /// `Ok` if a profile is sampled at least once in a semi-axis of the contact.

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
+use riffel::contact::ContactFilter;
 use riffel::passage::{PassageModel, Settled, Sinusoid};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Remark};
@@ -20,6 +21,8 @@ pub struct SinusoidRequest {
     pub profile: Sinusoid,
     /// Steps to a wave.
     pub steps: usize,
+    /// The wheel feels the mean over the patch in the place of the height.
+    pub contact_filter: bool,
 }
 
 /// The settled state of a case over a sinusoid.
@@ -60,6 +63,7 @@ impl SinusoidRequest {
                 speed,
                 profile,
                 steps: steps as usize,
+                contact_filter: false,
             });
         }
         Err(match step {
@@ -99,9 +103,11 @@ impl SinusoidAnswer {
             speed,
             profile,
             steps,
+            contact_filter,
         } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
-        let model = case.passage(speed)?;
+        let mut model = case.passage(speed)?;
+        model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
         let settled = model
             .settle(profile, steps)
             .map_err(|error| CaseError::Physics {

@@ -60,9 +60,23 @@ impl Traffic {
                         ..wheel.passing_wheel_on(&contact, speed)?
                     })
                 };
+                // Which of several wheels it is about.
+                let named = |node: &(f64, f64)| {
+                    at(node).map_err(|error| match self.source.table().contains_key("vehicle") {
+                        false => error,
+                        true => self.source.refuse(
+                            &format!("vehicle[{index}]"),
+                            &format!(
+                                "vehicle \"{}\" at {:.1} km/h: {error}",
+                                vehicle.name,
+                                3.6 * node.0
+                            ),
+                        ),
+                    })
+                };
                 let nodes = speeds.nodes();
                 let wheels: Result<Vec<PassingWheel>, CaseError> =
-                    nodes.par_iter().map(at).collect();
+                    nodes.par_iter().map(named).collect();
                 Ok(VehicleInTime {
                     name: vehicle.name.clone(),
                     share,

@@ -83,6 +83,10 @@ pub(crate) struct Simulate {
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = plain_number)]
     pub(crate) passages: Option<f64>,
 
+    /// Let the wheel feel the mean of the profile over the patch in the place of its height: sin(ka)/(ka) of a wave.
+    #[arg(long)]
+    pub(crate) contact_filter: bool,
+
     #[command(flatten)]
     pub(crate) layout: Layout,
 
@@ -119,7 +123,11 @@ impl Simulate {
             Err(CliError::Argument {
                 argument,
                 value: "given".to_owned(),
-                rule: "left out: it is for --profile".to_owned(),
+                rule: match argument {
+                    "--length" => "left out: it is for --profile, --spectrum and --weld",
+                    _ => "left out: it is for --profile",
+                }
+                .to_owned(),
             })
         })
     }

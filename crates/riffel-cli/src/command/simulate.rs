@@ -33,7 +33,11 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let speed = arguments.speed()?;
     if let Some(sinusoid) = &arguments.sinusoid {
         let request = SinusoidRequest::new(speed, sinusoid.of_sinusoid()?, step);
-        over_sinusoid(arguments, &case, request.map_err(CliError::from)?)?;
+        let request = SinusoidRequest {
+            contact_filter: arguments.contact_filter,
+            ..request.map_err(CliError::from)?
+        };
+        over_sinusoid(arguments, &case, request)?;
         return Ok(0);
     }
     let largest_step = step.unwrap_or(PassageRequest::USUAL_STEP);
@@ -41,6 +45,7 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
         speed,
         profile: surface(arguments, &case, largest_step)?.into_profile(),
         largest_step,
+        contact_filter: arguments.contact_filter,
     };
     along_profile(arguments, &case, request)?;
     Ok(0)
@@ -78,6 +83,7 @@ fn many(arguments: &Simulate, case: &Case, passages: u64, step: Option<f64>) -> 
         traffic,
         surface,
         largest_step,
+        contact_filter: arguments.contact_filter,
     };
     Ok(evolution::run(arguments, case, request, passages)?)
 }

@@ -81,6 +81,45 @@ fn a_late_contact_is_that_of_the_point() {
     }
 }
 
+/// sin(ka)/(ka) of a wave of 25 mm is left, of a sinusoid and of a profile with its heights.
+#[test]
+fn the_patch_takes_the_mean_of_the_profile() {
+    let sandbox = Sandbox::new();
+    let wave: String = (0..8000)
+        .map(|index| f64::from(index) * 1e-3)
+        .map(|x| format!("{x:.3},{:e}\n", (std::f64::consts::TAU * x / 0.025).cos()))
+        .collect();
+    std::fs::write(
+        sandbox.path("wave.csv"),
+        format!("position_m,height_um\n{wave}"),
+    )
+    .unwrap();
+    let point = sandbox.json(&format!("point {CASE} --wavelength 25mm --speed 30 --json"));
+    let angle = std::f64::consts::TAU / 0.025 * point["semi_axis_longitudinal_m"].as_f64().unwrap();
+    for surface in ["--sinusoid 1um,25mm", "--profile wave.csv"] {
+        let largest = |more: &str| {
+            let run = sandbox.json(&format!(
+                "simulate {CASE} --speed 30 {surface} {more} --json"
+            ));
+            let largest = match run["normal_force_n"].as_array() {
+                // Far from where the wave begins.
+                Some(forces) => forces[4000..]
+                    .iter()
+                    .filter_map(Value::as_f64)
+                    .fold(0.0, f64::max),
+                None => run["maximum_normal_force_n"].as_f64().unwrap(),
+            };
+            largest - 50e3
+        };
+        let left = largest("--contact-filter") / largest("");
+        // Forces of 3 % of the load are linear to 2 % of themselves.
+        assert!(
+            (left / (angle.sin() / angle) - 1.0).abs() < 3e-2,
+            "{surface}: {left}"
+        );
+    }
+}
+
 /// Files of a wave that lifts the wheel, and the note on troughs that it does not reach.
 #[test]
 fn a_high_wave_is_drawn() {
@@ -188,7 +227,7 @@ fn rails_are_made() {
     for (arguments, words) in [
         (
             "--spectrum iso-3095-2013 --length 2",
-            "13 times the longest wavelength",
+            "thirteen of the longest waves",
         ),
         ("--spectrum iso-3095-2013 --length 1e9", "at most 1000 m"),
         ("--spectrum grassie-1999", "limits of the RMS"),

@@ -840,6 +840,7 @@ class Case:
         spacing: Quantity | None = None,
         sinusoid: Sequence[Quantity] | None = None,
         step: Quantity | None = None,
+        contact_filter: bool = False,
     ) -> xr.Dataset:
         """The wheel along a rail in time, with loss of contact: once along a profile, or over a sinusoid until it is settled.
 
@@ -855,6 +856,8 @@ class Case:
             Amplitude and wavelength, in place of a profile.
         step : quantity, optional
             Largest step in time, as a length; by default 0.5 mm, or 1/256 of the wavelength.
+        contact_filter : bool
+            The wheel feels the mean of the profile over the patch in the place of its height.
 
         Returns
         -------
@@ -880,6 +883,7 @@ class Case:
             _passage.checked_surface(profile, spacing, sinusoid),
             scalar(speed, "speed", "speed"),
             None if step is None else scalar(step, "step", "length"),
+            contact_filter,
             self.title,
         )
 
@@ -895,6 +899,7 @@ class Case:
         sinusoid: Sequence[Quantity] | None = None,
         periodic: bool = False,
         step: Quantity | None = None,
+        contact_filter: bool = False,
     ) -> xr.Dataset:
         """A rail that wears under many wheels, beside the linear loop.
 
@@ -919,6 +924,8 @@ class Case:
             The profile goes on where it ends.
         step : quantity, optional
             Largest step in time, as a length; by default 0.5 mm, or 1/256 of the wavelength of a sinusoid.
+        contact_filter : bool
+            The wheels feel the mean of the profile over the patch in the place of its height.
 
         Returns
         -------
@@ -957,6 +964,7 @@ class Case:
             self._traffic(traffic, speed, speed_deviation),
             int(passages),
             None if step is None else scalar(step, "step", "length"),
+            contact_filter,
             self.title,
         )
 

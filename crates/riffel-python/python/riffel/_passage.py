@@ -58,10 +58,11 @@ def simulate(
     surface: tuple[float, float] | tuple[float, float, Any],
     speed: float,
     step: float | None,
+    contact_filter: bool,
     title: str | None,
 ) -> xr.Dataset:
     """One passage, or one wave of the settled state with its harmonics."""
-    course, told = _riffel.simulate(case, surface, speed, step)
+    course, told = _riffel.simulate(case, surface, speed, step, contact_filter)
     harmonics = told.pop("harmonics", None)
     columns: dict[str, Any] = {
         name: ("position", course[name], {"units": unit, "long_name": words})
@@ -86,10 +87,13 @@ def evolve(
     traffic: str | dict[str, Any] | tuple[float, float],
     passages: int,
     step: float | None,
+    contact_filter: bool,
     title: str | None,
 ) -> xr.Dataset:
     """Levels and profiles over passages."""
-    found, kept, heights, spacing, remarks = _riffel.evolve(case, surface, periodic, traffic, passages, step)
+    found, kept, heights, spacing, remarks = _riffel.evolve(
+        case, surface, periodic, traffic, passages, step, contact_filter
+    )
     stages, bands = found["stages"], found["bands"]
 
     def over_passages(key: str, unit: str, words: str) -> tuple[str, Any, dict[str, str]]:

@@ -137,6 +137,7 @@ def simulate(
     surface: tuple[float, float] | tuple[float, float, _Floats],
     speed: float,
     step: float | None,
+    contact_filter: bool,
 ) -> tuple[dict[str, _Floats], dict[str, Any]]: ...
 def evolve(
     case: Case,
@@ -145,6 +146,7 @@ def evolve(
     traffic: _Traffic,
     passages: int,
     step: float | None,
+    contact_filter: bool,
 ) -> tuple[dict[str, Any], list[int], _Floats, float, list[str]]: ...
 def noise(
     case: Case,

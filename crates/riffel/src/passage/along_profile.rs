@@ -25,7 +25,7 @@ impl PassageModel {
     /// change is that of the force which passing them makes, and the distance over which their sag sets in is added.
     ///
     /// # Errors
-    /// [`Error::NotSettled`] where two seconds of rolling do not suffice.
+    /// [`Error::NotConverged`] where two seconds of rolling do not suffice.
     pub fn memory(&self) -> Result<f64, Error> {
         /// \[s\]: a fiftieth of the period of the contact's own oscillations.
         const STEP: f64 = 2e-5;
@@ -50,9 +50,12 @@ impl PassageModel {
         let remembered = |change: &f64| *change > FORGOTTEN * largest;
         let last = changes.iter().rposition(remembered).unwrap_or(0);
         if last + 1 == steps {
-            return Err(Error::NotSettled {
-                seconds: PATIENCE,
-                change: changes[last] / largest,
+            return Err(Error::NotConverged {
+                problem: "motion of the wheel after a step of the rail, two seconds later,",
+                residual: changes[last] / largest,
+                tolerance: FORGOTTEN,
+                remedy: "give the rail more loss, or damping in N s/m in the place of loss factors: what is nearly free of \
+                         loss may swing up in time",
             });
         }
         let onset = spacing.map_or(0.0, |spacing| March::ONSET_BAYS * spacing);
@@ -62,6 +65,7 @@ impl PassageModel {
     /// The wheel along a profile, in steps of at most the length given \[m\]; heights between samples are those of cubics
     /// through four of them.
     ///
+    /// With a contact filter the wheel feels the mean over the patch; beyond the ends of the profile its last heights go on.
     /// On discrete supports the profile begins over one of them. The wheel comes from a smooth rail: before the profile lies
     /// its own beginning, mirrored on the straight line through it and faded in over [`memory`](Self::memory), so that the
     /// motion is that of a rail which was rough before. A rail that slopes where it begins has a kink there: over the first
@@ -70,8 +74,12 @@ impl PassageModel {
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
-        let heights = profile.heights();
         let spacing = profile.spacing();
+        let averaged = match self.contact_filter {
+            Some(filter) => Some(averaged(profile, filter.semi_axis_longitudinal())),
+            None => None,
+        };
+        let heights = averaged.as_deref().unwrap_or(profile.heights());
         let memory = self.memory()?;
         let run_in = (memory / spacing).ceil() as usize;
         if run_in + 1 >= heights.len() {
@@ -110,6 +118,38 @@ impl PassageModel {
             run_in: run_in as f64 * spacing,
         })
     }
+}
+
+/// The mean of a profile from a semi-axis \[m\] behind each height to one before it, (I(x + a) − I(x − a))/2a.
+///
+/// I is the integral by the cubic through four heights, and between heights the cubic with the heights as its slopes: fourth order in
+/// the spacing.
+fn averaged(profile: &Profile, semi_axis: f64) -> Vec<f64> {
+    let heights = profile.heights();
+    let last = heights.len() as isize - 1;
+    let height = |index: isize| heights[index.clamp(0, last) as usize];
+    let reach = semi_axis / profile.spacing();
+    let beyond = reach.ceil() as isize + 1;
+    // In numbers of heights, from `beyond` before the first on.
+    let mut integral = vec![0.0];
+    for index in -beyond..last + beyond {
+        let [a, b, c, d] = [-1, 0, 1, 2].map(|by| height(index + by));
+        integral.push(integral[integral.len() - 1] + (13.0 * (b + c) - a - d) / 24.0);
+    }
+    let integral_at = |place: f64| {
+        let from = place.floor();
+        let (index, t) = (from as isize, place - from);
+        let [one, other] = [0, 1].map(|by| integral[(index + by + beyond) as usize]);
+        let (first, last) = (height(index), height(index + 1));
+        let rise = other - one;
+        one + t * (first + t * (3.0 * rise - 2.0 * first - last + t * (first + last - 2.0 * rise)))
+    };
+    (0..=last)
+        .map(|index| {
+            let place = index as f64;
+            (integral_at(place + reach) - integral_at(place - reach)) / (2.0 * reach)
+        })
+        .collect()
 }
 
 /// A straight line over the number of a height.
@@ -216,6 +256,29 @@ mod tests {
     fn lines_are_found() {
         let line = Line::through(&[1.0, 3.5, 6.0, 8.5]);
         assert!((line.at(0.0) - 1.0).abs() < 1e-14 && (line.slope - 2.5).abs() < 1e-14);
+    }
+
+    /// sin(ka)/(ka) of a wave of 24 heights, to the fourth power of 2π/24 over 30; a straight line stays.
+    #[test]
+    fn the_mean_over_the_patch_is_the_contact_filter() -> Result<(), Error> {
+        use std::f64::consts::TAU;
+        let k = TAU / 24.0;
+        for semi_axis in [0.4, 3.0, 7.7, 12.0] {
+            let wave = (0..400).map(|index| (k * f64::from(index) + 0.3).cos());
+            let mean = averaged(&Profile::new(0.0, 1.0, wave.collect())?, semi_axis);
+            let filter = (k * semi_axis).sin() / (k * semi_axis);
+            for (index, got) in mean.iter().enumerate().take(380).skip(20) {
+                let exact = filter * (k * index as f64 + 0.3).cos();
+                assert!(
+                    (got - exact).abs() < 2e-4,
+                    "{semi_axis} {index}: {got} {exact}"
+                );
+            }
+            let line = (0..100).map(f64::from).collect();
+            let mean = averaged(&Profile::new(0.0, 1.0, line)?, semi_axis);
+            assert!((mean[50] - 50.0).abs() < 1e-10);
+        }
+        Ok(())
     }
 
     #[test]

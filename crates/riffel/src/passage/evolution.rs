@@ -229,6 +229,8 @@ impl Evolution {
         largest_step: f64,
     ) -> Result<Change, Error> {
         let PassingWheel { model, wear, .. } = wheel;
+        let averaged = self.felt(heights, model);
+        let heights = averaged.as_deref().unwrap_or(heights);
         let count = heights.len() as isize;
         let run_in = (wheel.memory / self.spacing).ceil();
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
@@ -270,6 +272,17 @@ impl Evolution {
                 normal_force: roll.normal_force,
             },
         })
+    }
+
+    /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.
+    fn felt(&self, heights: &[f64], model: &PassageModel) -> Option<Vec<f64>> {
+        model.contact_filter?;
+        let length = heights.len() as f64 * self.spacing;
+        let mut waves = spectrum(heights);
+        for (n, wave) in waves.iter_mut().enumerate().skip(1) {
+            *wave *= model.felt(length / n as f64);
+        }
+        Some(series(waves, heights.len()))
     }
 
     /// Passages after which the first third-octave band has changed by a share.

@@ -1,10 +1,11 @@
 //! Wheel, track and contact of a march.
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::{HertzSpring, ImpulseResponse, LateContact, March};
 use crate::Error;
-use crate::contact::{CreepLaw, Creepages, MeanRolling};
+use crate::contact::{ContactFilter, CreepLaw, Creepages, MeanRolling};
 
 /// How the wheel turns under the creep force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +32,7 @@ pub enum Turning {
 ///
 /// Both means follow of themselves: a wheel that goes on rolling has the mean normal force P₀, and one with inertia the
 /// mean creep force Q₀. Range of validity: that of the steady law, waves much longer than the patch, unless the contact answers
-/// [late](LateContact); the profile is not averaged over the patch; a wheel without a suspension of its own, so above some 10 Hz.
+/// [late](LateContact); the profile is averaged over the patch only by a contact filter; a wheel without a suspension of its own, so above some 10 Hz.
 #[derive(Clone)]
 pub struct PassageModel {
     /// The track.
@@ -44,6 +45,9 @@ pub struct PassageModel {
     pub law: Arc<dyn CreepLaw>,
     /// What of load and creepage the law is asked about, where the contact answers late.
     pub late: Option<Arc<LateContact>>,
+    /// The mean of the profile over the patch that the wheel feels in the place of its height, H = sin(ka)/(ka); none for a contact
+    /// in a point.
+    pub contact_filter: Option<ContactFilter>,
     /// The wheel's rotation.
     pub turning: Turning,
     /// The mean state, at which a march begins.
@@ -78,6 +82,13 @@ impl PassageModel {
             Error::unless_positive("rolling radius", rolling_radius, "m")?;
         }
         Ok(March::new(self, step, distance))
+    }
+
+    /// What the patch leaves of a wave \[m\]: its contact filter, one without.
+    pub fn felt(&self, wavelength: f64) -> f64 {
+        let along = TAU / wavelength;
+        self.contact_filter
+            .map_or(1.0, |filter| filter.amplitude(along, 0.0))
     }
 
     /// Q of the steady law \[N\]; none without a load.

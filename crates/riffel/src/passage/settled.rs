@@ -75,6 +75,8 @@ impl PassageModel {
     /// The settled state over a sinusoid, in `steps` steps to a wave: a march whose amplitude grows from nothing and that
     /// goes on until harmonics of a tenth of a second ago are those of now to 10⁻⁵ of the first.
     ///
+    /// With a contact filter the wheel feels what this leaves of the amplitude.
+    ///
     /// On discrete supports no wave is like the one before. There harmonics are those of 16 bays and eight waves or more after
     /// the memory of the track, under a window of Blackman and Harris: means over the places of the bay, free to 10⁻⁴ of
     /// what the supports make of the load, at d/m, unless 1/λ and m/d are [too close](Sinusoid::shares_lines_with).
@@ -101,8 +103,13 @@ impl PassageModel {
                 rule: "must be at least 20",
             });
         }
+        let amplitude = amplitude * self.felt(wavelength);
         if let Some(spacing) = self.track.support_spacing() {
-            return self.settle_over_supports(profile, steps, spacing);
+            let felt = Sinusoid {
+                amplitude,
+                wavelength,
+            };
+            return self.settle_over_supports(felt, steps, spacing);
         }
         let mut march = self.march(wavelength / steps as f64)?;
         let period = wavelength / self.speed;

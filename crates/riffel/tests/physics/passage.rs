@@ -78,6 +78,7 @@ fn both(
         spring: HertzSpring::new(50e3, hertz.stiffness()).unwrap(),
         law,
         late: None,
+        contact_filter: None,
         turning: Turning::Inertia {
             inertia,
             rolling_radius: RADIUS,

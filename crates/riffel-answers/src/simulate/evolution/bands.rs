@@ -17,13 +17,13 @@ pub(super) struct Bands {
 }
 
 impl Bands {
-    /// Those above the shortest wavelength that wears \[m\], on a ring of the given length \[m\], of whole bays.
-    pub(super) fn new(case: &Case, shortest: f64, length: f64) -> Self {
+    /// Those above the shortest wavelength that wears \[m\], on a ring of the given number of heights and length \[m\], of whole bays.
+    pub(super) fn new(case: &Case, shortest: f64, heights: usize, length: f64) -> Self {
         let places = |band: ThirdOctave| {
             let (low, high) = band.wavelength_range();
             // The wave n of length/n is the entry n − 1.
-            let first = (length / high).floor() as usize;
-            (low >= shortest).then_some((band, first..(length / low).floor() as usize))
+            let place = |wavelength: f64| ((length / wavelength).floor() as usize).min(heights / 2);
+            (low >= shortest).then_some((band, place(high)..place(low)))
         };
         let bands = bands_of(case).into_iter().filter_map(places);
         let bay = case.track.support_spacing();

@@ -20,7 +20,7 @@ impl EvolutionAnswer {
             caption: format!(
                 "One-third-octave levels, growth of the level and shift of the waves along the rail. The linear loop is taken wave \
                  by wave from the rail before any wheel. {}",
-                parameters(case)
+                self.parameters(case)
             ),
             panels: vec![
                 self.levels(&bands),
@@ -40,7 +40,7 @@ impl EvolutionAnswer {
             title: self.title(case),
             caption: format!(
                 "Part of the rail, with the waves of map.wavelength alone. What is worn off everywhere is left out. {}",
-                parameters(case)
+                self.parameters(case)
             ),
             panels: shown
                 .map(|index| {
@@ -56,10 +56,6 @@ impl EvolutionAnswer {
     pub fn stage_figures(&self, case: &Case) -> Vec<(String, LineFigure)> {
         let stretch = self.stretch();
         let bands = self.linear.bands();
-        let wavelengths: Vec<f64> = bands
-            .iter()
-            .map(|band| 1e3 * band.band.wavelength())
-            .collect();
         let all: Vec<Vec<f64>> = self
             .profiles
             .iter()
@@ -76,14 +72,13 @@ impl EvolutionAnswer {
         let caption = format!(
             "Levels, and part of the rail with the waves of map.wavelength alone. The linear loop is taken wave by wave from the \
              rail before any wheel. {}",
-            parameters(case)
+            self.parameters(case)
         );
         let curve = |label: &str, y: Vec<f64>, style, color| Series {
             label: label.to_owned(),
-            x: wavelengths.clone(),
-            y,
             style,
             color: Some(color),
+            ..over_bands(bands.iter().map(|band| band.band.wavelength()).zip(y))
         };
         let figure = |(index, profile): (usize, &WornProfile)| {
             let linear = bands.iter().map(|band| drawn(band.level(profile.passages)));
@@ -115,7 +110,16 @@ impl EvolutionAnswer {
         self.profiles.iter().enumerate().map(figure).collect()
     }
 
-    /// Some waves of the band that is highest at the end.
+    /// Place of the largest height before any wheel \[m\], such as a weld.
+    fn highest(&self) -> f64 {
+        let sizes = self.profiles[0].heights_m.iter().map(|height| height.abs());
+        let largest = sizes
+            .enumerate()
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        largest.map_or(0.0, |(index, _)| index as f64 * self.spacing)
+    }
+
+    /// Some waves of the band that is highest at the end, about the highest place of the rail.
     fn stretch(&self) -> Stretch {
         /// Waves that are shown.
         const WAVES: f64 = 16.0;
@@ -129,8 +133,9 @@ impl EvolutionAnswer {
         let shown = WAVES * leading.map_or(0.1, |band| band.wavelength_m);
         let shortest = bands.first().map_or(0.01, |band| band.wavelength_m);
         let count = (shown / shortest * POINTS).ceil();
+        let begin = self.highest() - 0.5 * shown;
         let places: Vec<f64> = (0..=count as usize)
-            .map(|index| shown * index as f64 / count)
+            .map(|index| begin.max(0.0) + shown * index as f64 / count)
             .collect();
         let heights: Vec<Vec<f64>> = self
             .profiles
@@ -144,6 +149,32 @@ impl EvolutionAnswer {
             places,
             heights,
         }
+    }
+
+    /// Of the case, and what passed in the place of its wheel.
+    fn parameters(&self, case: &Case) -> String {
+        let alone = self.vehicles.len() == 1 && self.vehicles[0].speeds == 1;
+        if alone {
+            return parameters(case);
+        }
+        let vehicles = self.vehicles.iter().map(|vehicle| {
+            format!(
+                "{:.1} % {}, {:.1} ± {:.1} km/h, P₀ = {:.1} kN, τ = {:.3} on {:.0} % of its axles",
+                100.0 * vehicle.share,
+                vehicle.name,
+                3.6 * vehicle.speed_m_per_s,
+                3.6 * vehicle.speed_deviation_m_per_s,
+                1e-3 * vehicle.normal_load_n,
+                vehicle.tractive_ratio,
+                100.0 * vehicle.traction_share
+            )
+        });
+        let vehicles: Vec<String> = vehicles.collect();
+        format!(
+            "Traffic: {}. All else, and what a vehicle does not say, is that of the case. {}",
+            vehicles.join("; "),
+            parameters(case)
+        )
     }
 
     /// What the run was, for titles.
@@ -166,10 +197,13 @@ impl EvolutionAnswer {
     fn levels(&self, bands: &[BandDocument]) -> LinePanel {
         let curve = |label: String, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
             label,
-            x: bands.iter().map(|band| 1e3 * band.wavelength_m).collect(),
-            y: bands.iter().map(of).map(drawn).collect(),
             style,
             color: Some(color),
+            ..over_bands(
+                bands
+                    .iter()
+                    .map(|band| (band.wavelength_m, drawn(of(band)))),
+            )
         };
         let mut series: Vec<Series> = self
             .evenly(MOST)
@@ -334,13 +368,13 @@ fn growth(bands: &[BandDocument]) -> LinePanel {
     let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
     let curve = |label: &str, style, color, of: fn(&BandDocument) -> Option<f64>| Series {
         label: label.to_owned(),
-        x: wavelengths.clone(),
-        y: bands
-            .iter()
-            .map(|band| of(band).map_or(f64::NAN, per_million))
-            .collect(),
         style,
         color: Some(color),
+        ..over_bands(
+            bands
+                .iter()
+                .map(|band| (band.wavelength_m, of(band).map_or(f64::NAN, per_million))),
+        )
     };
     rate_panel(vec![
         curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| {
@@ -364,11 +398,10 @@ fn drift(bands: &[BandDocument]) -> LinePanel {
     let wavelengths: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
     let curve = |label: &str, style, color, of: &dyn Fn(&BandDocument) -> f64| Series {
         label: label.to_owned(),
-        x: wavelengths.clone(),
-        // [m] in a passage are [mm] in a thousand, and a thousand of them in a million.
-        y: bands.iter().map(|band| 1e9 * of(band)).collect(),
         style,
         color: Some(color),
+        // [m] in a passage are [mm] in a thousand, and a thousand of them in a million.
+        ..over_bands(bands.iter().map(|band| (band.wavelength_m, 1e9 * of(band))))
     };
     LinePanel {
         x_label: "wavelength λ [mm]".to_owned(),
@@ -385,6 +418,24 @@ fn drift(bands: &[BandDocument]) -> LinePanel {
         ],
         ..LinePanel::default()
     }
+}
+
+/// A curve over bands by their wavelengths \[m\], broken where one is left out.
+fn over_bands(values: impl Iterator<Item = (f64, f64)>) -> Series {
+    /// Ratio of two wavelengths that are not neighbours.
+    const GAP: f64 = 1.4;
+    let mut series = Series::default();
+    let mut before = f64::INFINITY;
+    for (wavelength, value) in values {
+        if wavelength > GAP * before {
+            series.x.push(1e3 * (wavelength * before).sqrt());
+            series.y.push(f64::NAN);
+        }
+        before = wavelength;
+        series.x.push(1e3 * wavelength);
+        series.y.push(value);
+    }
+    series
 }
 
 /// A range of levels with room above and below \[dB\].

@@ -26,6 +26,9 @@ impl Inputs {
         let mut inputs = Map::new();
         inputs.insert("version of Riffel".into(), env!("CARGO_PKG_VERSION").into());
         inputs.insert("--step".into(), request.largest_step.into());
+        if request.contact_filter {
+            inputs.insert("--contact-filter".into(), true.into());
+        }
         if let Ok(Value::Object(mut keys)) = serde_json::to_value(&case.file) {
             keys.retain(|key, _| !IDLE.contains(&key.as_str()));
             flatten("", Value::Object(keys), &mut inputs);

@@ -58,7 +58,8 @@ impl Linear {
             for vehicle in vehicles {
                 for wheel in &vehicle.wheels {
                     let rate = rate(&vehicle.case, wavelength, wheel.model.speed)?;
-                    mean += wheel.share * wheel.traction_share * rate;
+                    let felt = wheel.model.felt(wavelength);
+                    mean += wheel.share * wheel.traction_share * felt * rate;
                 }
             }
             Ok(mean)

@@ -10,6 +10,7 @@ mod table;
 
 use std::f64::consts::TAU;
 
+use riffel::contact::ContactFilter;
 use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::Case;
@@ -17,7 +18,7 @@ use riffel_case::traffic::{Traffic, VehicleInTime};
 use riffel_keys::{CaseError, Remark};
 use serde::Serialize;
 
-use super::along_rail::{check_sampling, refused};
+use super::along_rail::{check_sampling, check_step, refused};
 use super::remarks;
 use crate::AnswerError;
 use bands::Bands;
@@ -36,6 +37,8 @@ pub struct EvolutionRequest {
     pub surface: Surface,
     /// Longest step of the marches \[m\].
     pub largest_step: f64,
+    /// The wheels feel the mean over their patch in the place of the height.
+    pub contact_filter: bool,
 }
 
 /// The rail before any wheel.
@@ -125,19 +128,23 @@ impl EvolutionRun {
     /// [`CaseError`] as of [`Case::passage`], for a profile coarser than the patch is long, for a record shorter than the motion remembers
     /// or than four of the longest waves kept, and for a ring on discrete supports that is not of whole bays.
     pub fn new(case: &Case, request: EvolutionRequest) -> Result<Self, AnswerError> {
-        let vehicles = request.traffic.in_time(case)?;
+        /// Mean square of a band that is nothing but rounding \[m²\].
+        const STILL: f64 = 1e-30;
+        check_step(request.largest_step)?;
+        let mut vehicles = request.traffic.in_time(case)?;
+        if request.contact_filter {
+            for vehicle in &mut vehicles {
+                let filter = Some(ContactFilter::of(&vehicle.case.hertz));
+                let wheels = vehicle.wheels.iter_mut();
+                wheels.for_each(|wheel| wheel.model.contact_filter = filter);
+            }
+        }
         let wheels = || vehicles.iter().flat_map(|vehicle| &vehicle.wheels);
-        let memory = wheels().map(|wheel| wheel.memory).fold(0.0, f64::max);
         let evolution = match &request.surface {
             Surface::Record(record) => {
                 check_sampling(case, record)?;
-                if record.length() < memory {
-                    Err(refused(riffel::Error::ProfileTooShort {
-                        length: record.length(),
-                        memory,
-                    }))?;
-                }
                 let longest = f64::max(Self::LONGEST_KEPT, 1.3 * case.wavelength.max());
+                check_length(record, longest)?;
                 Evolution::of_record(record, longest, case.track.support_spacing())
                     .map_err(refused)?
             }
@@ -151,13 +158,23 @@ impl EvolutionRun {
         if let Some(bay) = case.track.support_spacing() {
             check_bays(length, bay)?;
         }
-        let bands = Bands::new(case, shortest, length);
-        if bands.count() == 0 {
+        let bands = Bands::new(case, shortest, evolution.heights().len(), length);
+        // Harmonics of a wave come of themselves, and what supports print: but there must be something to begin with.
+        let is_still = bands
+            .mean_squares(&evolution.waves())
+            .iter()
+            .all(|square| *square < STILL);
+        if bands.count() == 0 || is_still && case.track.support_spacing().is_none() {
             return Err(AnswerError::Argument {
                 argument: "--passages",
                 value: "given".to_owned(),
-                rule: "left out: the profile has no wave in map.wavelength of the case that is longer than the patch"
-                    .to_owned(),
+                rule: format!(
+                    "left out: the profile has no wave in map.wavelength of the case, {:.1} to {:.1} mm, that is longer than \
+                     the patch, {:.1} mm",
+                    1e3 * case.wavelength.min(),
+                    1e3 * case.wavelength.max(),
+                    1e3 * shortest
+                ),
             });
         }
         let inputs = Inputs::new(case, &request);
@@ -278,6 +295,21 @@ impl EvolutionRun {
     }
 }
 
+/// `Ok` if a record is long enough to be joined, four of the longest waves kept \[m\].
+fn check_length(record: &Profile, longest: f64) -> Result<(), AnswerError> {
+    let least = 4.0 * longest;
+    if record.length() >= least {
+        return Ok(());
+    }
+    Err(AnswerError::Argument {
+        argument: "--profile",
+        value: format!("{:.3} m long", record.length()),
+        rule: format!(
+            "at least {least:.1} m long, four of the longest waves that are kept, so that its ends can be joined"
+        ),
+    })
+}
+
 /// `Ok` if a ring \[m\] is of whole bays \[m\].
 fn check_bays(length: f64, bay: f64) -> Result<(), AnswerError> {
     let bays = length / bay;
@@ -301,6 +333,12 @@ pub struct PassingVehicle {
     pub name: String,
     /// Its share of the passages.
     pub share: f64,
+    /// Part of these under traction.
+    pub traction_share: f64,
+    /// Normal load of a wheel.
+    pub normal_load_n: f64,
+    /// Tractive ratio of those under traction.
+    pub tractive_ratio: f64,
     /// Mean of its speed.
     pub speed_m_per_s: f64,
     /// Standard deviation of its speed.
@@ -315,6 +353,12 @@ impl PassingVehicle {
         Self {
             name: vehicle.name.clone(),
             share: vehicle.share,
+            traction_share: vehicle
+                .wheels
+                .first()
+                .map_or(1.0, |wheel| wheel.traction_share),
+            normal_load_n: vehicle.case.steady.normal_force,
+            tractive_ratio: vehicle.case.steady.tractive_ratio(),
             speed_m_per_s,
             speed_deviation_m_per_s,
             speeds: vehicle.wheels.len(),

@@ -45,7 +45,7 @@ impl EvolutionAnswer {
         let names = self
             .profiles
             .iter()
-            .map(|profile| format!("height_after_{}_m", profile.passages));
+            .map(|profile| format!("height_after_{}_passages_m", profile.passages));
         writer.write_record(["position_m".to_owned()].into_iter().chain(names))?;
         for index in 0..self.profiles[0].heights_m.len() {
             let heights = self.profiles.iter().map(|profile| profile.heights_m[index]);

@@ -20,6 +20,9 @@ use crate::staging::{Existing, INTERRUPTED, stop_on_interrupt, write_file};
 /// What a run that was stopped is gone on from, in the folder of its results.
 const STATE: &str = "state.json";
 
+/// Level below which nothing is told \[dB re 1 µm\]: ten picometres.
+const NOTHING: f64 = -100.0;
+
 /// Time from one state to the next.
 const STATE_EVERY: Duration = Duration::from_secs(1);
 
@@ -107,6 +110,12 @@ fn resume(run: &mut EvolutionRun, path: &Path, passages: u64) -> Result<(), CliE
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(reason) if reason.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(reason) if reason.kind() == io::ErrorKind::NotADirectory => {
+            return Err(CliError::Write {
+                path: path.parent().unwrap_or(path).to_owned(),
+                reason,
+            });
+        }
         Err(reason) => return Err(refuse(reason.to_string())),
     };
     run.resume(&text).map_err(refuse)?;
@@ -146,25 +155,34 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
         "drift mm/10⁶",
         "linear",
     ]);
-    let decibels = |level: f64| format!("{level:.1}");
-    let growth = |rate: Option<f64>| {
-        rate.map_or_else(String::new, |rate| format!("{:.2}", per_million(rate)))
+    // Less is rounding, as of the harmonics of a sinusoid before any wheel.
+    let is_something = |level: f64| level > NOTHING;
+    let decibels = |level: f64| match is_something(level) {
+        true => format!("{level:.1}"),
+        false => String::new(),
+    };
+    let growth = |level: f64, rate: Option<f64>| match rate {
+        Some(rate) if is_something(level) => format!("{:.2}", per_million(rate)),
+        _ => String::new(),
     };
     // [m] in a passage are 10⁹ [mm] in a million.
-    let drift = |shift: f64| format!("{:.2}", 1e9 * shift);
+    let drift = |level: f64, shift: Option<f64>| match shift {
+        Some(shift) if is_something(level) => format!("{:.2}", 1e9 * shift),
+        _ => String::new(),
+    };
     for band in &document.bands {
         let last = band.level_db.len() - 1;
+        let (first, end) = (band.level_db[0], band.level_db[last]);
         rows.add_row([
             format!("{:.1}", 1e3 * band.wavelength_m),
             decibels(band.level_db[0]),
             decibels(band.level_db[last]),
             decibels(band.linear_level_db[last]),
-            growth(band.first_growth_per_passage),
-            growth(band.first_linear_growth_per_passage),
-            growth(band.last_growth_per_passage),
-            band.first_shift_m_per_passage
-                .map_or_else(String::new, drift),
-            drift(band.linear_shift_m_per_passage),
+            growth(first, band.first_growth_per_passage),
+            growth(first, band.first_linear_growth_per_passage),
+            growth(end, band.last_growth_per_passage),
+            drift(first, band.first_shift_m_per_passage),
+            drift(first, Some(band.linear_shift_m_per_passage)),
         ]);
     }
     let saturated: Vec<String> = document
@@ -194,7 +212,7 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
     let supports = document.stages.support_pattern_level_db.as_ref();
     let supports = supports.map_or_else(String::new, |levels| {
         let [first, last] = [levels[0], levels[levels.len() - 1]].map(|level| match level {
-            level if level > -100.0 => format!("{level:.1} dB"),
+            level if level > NOTHING => format!("{level:.1} dB"),
             _ => "nothing".to_owned(),
         });
         format!("waves that fit between two supports: from {first} to {last}\n")

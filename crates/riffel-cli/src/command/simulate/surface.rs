@@ -107,9 +107,25 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
             1e3 * patch
         ));
     }
-    Ok(kept
-        .drawn(length, step, seed)
-        .map_err(|error| of("--spectrum", error))?)
+    let longest = kept
+        .levels()
+        .last()
+        .map_or(0.0, |level| level.band.wavelength());
+    Ok(kept.drawn(length, step, seed).map_err(|error| match error {
+        riffel::Error::OutOfRange {
+            quantity: "length of the profile",
+            ..
+        } => CliError::Argument {
+            argument: "--length",
+            value: format!("{length} m"),
+            rule: format!(
+                "at least {:.1} m, thirteen of the longest waves of the spectrum, {longest:.3} m, so that every band has \
+                 three waves",
+                13.0 * longest
+            ),
+        },
+        error => of("--spectrum", error),
+    })?)
 }
 
 /// A rail with a weld in its middle.
@@ -168,6 +184,12 @@ fn record(path: &Path, layout: &Layout, length: Option<f64>) -> miette::Result<P
         return Ok(profile.clone());
     };
     let start = profile.start();
+    if length > profile.length() + profile.spacing() {
+        Err(refuse(format!(
+            "--length is {length} m, but the profile has {:.3} m without a gap",
+            profile.length()
+        )))?;
+    }
     let part = profile.between(start, start + length);
     Ok(part.ok_or_else(|| refuse(format!("--length is {length} m, less than two samples")))?)
 }

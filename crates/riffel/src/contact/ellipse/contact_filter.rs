@@ -65,6 +65,11 @@ impl ContactFilter {
         }
     }
 
+    /// Semi-axis a along the rail \[m\].
+    pub fn semi_axis_longitudinal(&self) -> f64 {
+        self.semi_axis_longitudinal
+    }
+
     /// H \[-\] for a wave with the wave numbers k_x along and k_y across the rail \[rad/m\].
     pub fn amplitude(&self, along: f64, across: f64) -> f64 {
         let angle = (along * self.semi_axis_longitudinal).hypot(across * self.semi_axis_lateral);
