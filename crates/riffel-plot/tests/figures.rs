@@ -408,7 +408,8 @@ fn page_carries_the_map_and_its_marks() {
     let figure: serde_json::Value =
         serde_json::from_str(&page[start..start + page[start..].find("</script>").unwrap()])
             .unwrap();
-    let data = figure[0]["data"].as_array().unwrap();
+    let panel = &figure[0]["panels"][0];
+    let data = panel["data"].as_array().unwrap();
     let map = data.iter().find(|trace| trace["name"] == "map").unwrap();
     assert_eq!(
         (
@@ -434,7 +435,7 @@ fn page_carries_the_map_and_its_marks() {
             .unwrap()
             .contains("growth rate per passage")
     );
-    assert_eq!(figure[0]["hover"].as_array().unwrap().len(), 56);
+    assert_eq!(panel["hover"].as_array().unwrap().len(), 56);
     let names: Vec<&str> = data
         .iter()
         .filter_map(|trace| trace["name"].as_str())

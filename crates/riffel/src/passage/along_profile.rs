@@ -75,10 +75,9 @@ impl PassageModel {
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
         let spacing = profile.spacing();
-        let averaged = match self.contact_filter {
-            Some(filter) => Some(averaged(profile, filter.semi_axis_longitudinal())),
-            None => None,
-        };
+        let averaged = self
+            .contact_filter
+            .map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
         let heights = averaged.as_deref().unwrap_or(profile.heights());
         let memory = self.memory()?;
         let run_in = (memory / spacing).ceil() as usize;
