@@ -115,7 +115,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 18] = [
+    const PICTURES: [(&[&str], &str, &str); 20] = [
         (
             &[
                 "forecast",
@@ -179,6 +179,38 @@ fn pictures(program: &Path) -> Outcome {
             ],
             "noise.png",
             "noise.png",
+        ),
+        (
+            &[
+                "simulate",
+                "cases/bhaskar-track.toml",
+                "--speed",
+                "30",
+                "--spectrum",
+                "validation/reference/sbb-track-noise/rail_roughness.csv",
+                "--length",
+                "12 m",
+                "--passages",
+                "8e7",
+            ],
+            "spectrum.png",
+            "evolution.png",
+        ),
+        (
+            &[
+                "simulate",
+                "cases/bhaskar-track.toml",
+                "--speed",
+                "30",
+                "--spectrum",
+                "validation/reference/sbb-track-noise/rail_roughness.csv",
+                "--length",
+                "12 m",
+                "--passages",
+                "2e7",
+            ],
+            "profile.png",
+            "evolution-profile.png",
         ),
         (&["map", "cases/nominal.toml"], "map.png", "nominal-map.png"),
         (

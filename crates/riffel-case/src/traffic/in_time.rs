@@ -1,12 +1,14 @@
 //! Traffic whose wheels are followed through time.
 
 use rayon::prelude::*;
-use riffel::forecast::{SpeedDistribution, band_lines};
+use riffel::forecast::SpeedDistribution;
 use riffel::passage::PassingWheel;
+use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Remark};
 
 use super::on_case::overrides;
 use super::{Traffic, bands_of};
+use crate::file::ContactDynamics;
 use crate::{Case, Variant};
 
 /// The wheel of a vehicle at the speeds of its distribution.
@@ -31,7 +33,10 @@ impl Traffic {
     /// # Errors
     /// [`CaseError`] with the key of the vehicle, and those of [`Case::passing_wheel`].
     pub fn in_time(&self, case: &Case) -> Result<Vec<VehicleInTime>, CaseError> {
-        let lines = band_lines(&bands_of(case));
+        let bands = bands_of(case);
+        // To the edges of the bands, as far as the linear loop is asked beside.
+        let edges = bands.iter().copied().map(ThirdOctave::wavelength_range);
+        let lines: Vec<f64> = edges.flat_map(|(low, high)| [low, high]).collect();
         let all: f64 = self
             .file
             .vehicle
@@ -42,7 +47,9 @@ impl Traffic {
         vehicles
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
-                let wheel = match overrides(vehicle).is_empty() {
+                let wheel = match overrides(vehicle).is_empty()
+                    && case.file.contact.response != ContactDynamics::NonSteady
+                {
                     true => case.clone(),
                     false => {
                         self.wheel_on(index, case, &lines, &Variant::none(""))?
