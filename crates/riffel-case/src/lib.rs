@@ -24,6 +24,7 @@ mod curving;
 pub mod file;
 mod fill_in;
 mod general_keys;
+mod general_passage;
 mod given;
 mod held;
 mod hold;

@@ -49,7 +49,7 @@ impl CheckedKeys {
     }
 
     /// The ellipse of a contact of the transverse radius \[m\] under the load \[N\].
-    pub(super) fn hertz_of(
+    pub(crate) fn hertz_of(
         &self,
         steel: ElasticMaterial,
         across: f64,

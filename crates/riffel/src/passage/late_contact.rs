@@ -6,7 +6,7 @@ use num_complex::Complex64;
 
 use super::ImpulseResponse;
 use super::track_motion::TrackMotion;
-use super::vector_fitting::{residues, shared_poles};
+use super::vector_fitting::{Sampled, residues, shared_poles, starting_lines};
 use crate::Error;
 use crate::contact::{CreepLaw, RollingContact};
 
@@ -79,7 +79,16 @@ impl LateContact {
             .map(|function| rows.iter().map(|row| row[function]).collect())
             .collect();
         let sizes = vec![1.0; wavenumbers.len()];
-        let poles = shared_poles(&wavenumbers, &functions, &sizes, ORDER, wavenumbers[count]);
+        let sampled: Vec<Sampled<'_>> = functions
+            .iter()
+            .map(|values| Sampled {
+                values,
+                sizes: &sizes,
+            })
+            .collect();
+        let band = [wavenumbers[0], wavenumbers[count]];
+        let starting = starting_lines(band, wavenumbers[count], ORDER);
+        let poles = shared_poles(&wavenumbers, &sampled, &starting);
         let mut filters = residues(&wavenumbers, &functions, &sizes, &poles)
             .into_iter()
             .map(|fractions| ImpulseResponse::new(fractions, None, 0.0, 0.0));

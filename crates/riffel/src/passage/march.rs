@@ -12,8 +12,12 @@ pub struct ContactInstant {
     pub normal_force: f64,
     /// Creep force Q \[N\].
     pub tangential_force: f64,
+    /// Creep force across the rail Q_t \[N\]; zero where nothing moves across.
+    pub lateral_force: f64,
     /// Creepage ξ \[-\].
     pub creepage: f64,
+    /// Lateral creepage η \[-\].
+    pub lateral_creepage: f64,
     /// Approach δ of wheel and rail \[m\]; below zero their distance.
     pub approach: f64,
     /// Energy left on a metre of rail \[J/m\]: Qξ of a steady law, and of a contact that answers late what the place
@@ -22,10 +26,10 @@ pub struct ContactInstant {
 }
 
 impl ContactInstant {
-    /// Energy dissipated per metre of rail, Qξ \[J/m\], at the wheel centre: the work of the creep force, of which a contact that
+    /// Energy dissipated per metre of rail, Qξ + Q_tη \[J/m\], at the wheel centre: the work of the creep force, of which a contact that
     /// answers late stores a part for a while.
     pub fn energy_per_metre(&self) -> f64 {
-        self.tangential_force * self.creepage
+        self.tangential_force * self.creepage + self.lateral_force * self.lateral_creepage
     }
 }
 
@@ -78,7 +82,9 @@ impl<'a> March<'a> {
             now: ContactInstant {
                 normal_force: model.spring.normal_force(),
                 tangential_force: model.mean.forces.longitudinal,
+                lateral_force: 0.0,
                 creepage,
+                lateral_creepage: 0.0,
                 approach: model.spring.approach(),
                 energy_at_rail: model.mean.forces.longitudinal * creepage,
             },
@@ -132,7 +138,9 @@ impl<'a> March<'a> {
         self.now = ContactInstant {
             normal_force,
             tangential_force,
+            lateral_force: 0.0,
             creepage,
+            lateral_creepage: 0.0,
             approach,
             energy_at_rail: match &self.late {
                 None => tangential_force * creepage,

@@ -8,6 +8,7 @@
 //! [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
 //! and [`Settled`] the state over a sinusoid that repeats itself with every wave.
 
+mod all_axes;
 mod along_profile;
 mod eigenvalues;
 mod evolution;
@@ -20,9 +21,11 @@ mod model;
 mod over_supports;
 mod ring;
 mod settled;
+mod step_weights;
 mod track_motion;
 mod vector_fitting;
 
+pub use all_axes::{ContactInTime, GeneralMarch, GeneralPassage, StructuresInTime};
 pub use along_profile::Passage;
 pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
 pub use hertz_spring::HertzSpring;

@@ -6,7 +6,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::ImpulseResponse;
-use super::vector_fitting::{PartialFraction, residues, shared_poles};
+use super::vector_fitting::{PartialFraction, Sampled, residues, shared_poles, starting_lines};
 use crate::Error;
 use crate::receptance::{Harmonics, MovingLoadOnSupports};
 
@@ -182,7 +182,13 @@ impl Transfer {
             parts,
             sizes,
         } = self;
-        let poles = shared_poles(frequencies, &parts[..STRONGEST], sizes, order, discrete);
+        let strongest: Vec<Sampled<'_>> = parts[..STRONGEST]
+            .iter()
+            .map(|values| Sampled { values, sizes })
+            .collect();
+        let band = [frequencies[0], frequencies[frequencies.len() - 1]];
+        let starting = starting_lines(band, discrete, order);
+        let poles = shared_poles(frequencies, &strongest, &starting);
         let fits = residues(frequencies, parts, sizes, &poles);
         let judged = frequencies.iter().filter(|&&w| w < TAU * JUDGED).count();
         let (mut share_cut, mut largest_error) = (0.0, 0f64);

@@ -23,6 +23,22 @@ const BAYS: f64 = 16.0;
 const WIDTH: f64 = 4.0;
 
 impl Sinusoid {
+    /// `Ok` if it is a wave that so many steps resolve.
+    pub(super) fn check(&self, steps: usize) -> Result<(), Error> {
+        const LEAST_STEPS: usize = 20;
+        Error::unless_positive("amplitude", self.amplitude, "m")?;
+        Error::unless_positive("wavelength", self.wavelength, "m")?;
+        match steps < LEAST_STEPS {
+            false => Ok(()),
+            true => Err(Error::OutOfRange {
+                quantity: "number of steps to a wave",
+                value: steps as f64,
+                unit: "",
+                rule: "must be at least 20",
+            }),
+        }
+    }
+
     /// The line m of what supports at a spacing \[m\] make of a load, d/m long, that a settled state cannot tell from this
     /// wave, if there is one: |1/λ − m/d| < 1/4d, m = 1 … 8.
     pub fn shares_lines_with(&self, spacing: f64) -> Option<usize> {
@@ -40,8 +56,12 @@ pub struct Harmonic {
     pub normal_force: Complex64,
     /// \[N\]
     pub tangential_force: Complex64,
+    /// \[N\]
+    pub lateral_force: Complex64,
     /// \[-\]
     pub creepage: Complex64,
+    /// \[-\]
+    pub lateral_creepage: Complex64,
     /// Of the energy per metre at the wheel centre \[J/m\].
     pub dissipation: Complex64,
 }
@@ -65,11 +85,13 @@ pub struct Settled {
 
 /// Time over which a settled state no longer changes \[s\], and the largest change of any harmonic of normal force or
 /// creepage, over the first: waves follow one another a hundred times faster.
-const REST: f64 = 0.1;
-const CHANGE: f64 = 1e-5;
+pub(super) const REST: f64 = 0.1;
+pub(super) const CHANGE: f64 = 1e-5;
+/// Of rolling, after which a state that is not settled is given up \[s\].
+pub(super) const PATIENCE: f64 = 20.0;
 
 /// Share of the time without contact above which the wheel hops from crest to crest.
-const MOST_LOSS: f64 = 0.9;
+pub(super) const MOST_LOSS: f64 = 0.9;
 
 impl PassageModel {
     /// The settled state over a sinusoid, in `steps` steps to a wave: a march whose amplitude grows from nothing and that
@@ -86,23 +108,11 @@ impl PassageModel {
     /// [`Error::NotSettled`] where the motion does not take the period of the profile within 20 s of rolling, and
     /// [`Error::Airborne`] where the wheel is in the air for more than nine tenths of a wave.
     pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Settled, Error> {
-        const LEAST_STEPS: usize = 20;
-        /// Of rolling \[s\].
-        const PATIENCE: f64 = 20.0;
+        profile.check(steps)?;
         let Sinusoid {
             amplitude,
             wavelength,
         } = profile;
-        Error::unless_positive("amplitude", amplitude, "m")?;
-        Error::unless_positive("wavelength", wavelength, "m")?;
-        if steps < LEAST_STEPS {
-            return Err(Error::OutOfRange {
-                quantity: "number of steps to a wave",
-                value: steps as f64,
-                unit: "",
-                rule: "must be at least 20",
-            });
-        }
         let amplitude = amplitude * self.felt(wavelength);
         if let Some(spacing) = self.track.support_spacing() {
             let felt = Sinusoid {
@@ -235,7 +245,7 @@ fn windowed_harmonics(contacts: &[ContactInstant], steps: usize) -> [Harmonic; 6
 }
 
 /// Sums over equal steps: exact for all harmonics that the steps resolve.
-fn harmonics(wave: &[ContactInstant]) -> [Harmonic; 6] {
+pub(super) fn harmonics(wave: &[ContactInstant]) -> [Harmonic; 6] {
     let weighted = wave.iter().map(|instant| (instant, 1.0));
     weighted_harmonics(weighted, wave.len() as f64, wave.len())
 }
@@ -249,7 +259,9 @@ fn weighted_harmonics<'a>(
     let none = Harmonic {
         normal_force: Complex64::ZERO,
         tangential_force: Complex64::ZERO,
+        lateral_force: Complex64::ZERO,
         creepage: Complex64::ZERO,
+        lateral_creepage: Complex64::ZERO,
         dissipation: Complex64::ZERO,
     };
     let mut harmonics = [none; 6];
@@ -260,7 +272,9 @@ fn weighted_harmonics<'a>(
             let turn = Complex64::from_polar(scale * weight, -angle);
             harmonic.normal_force += turn * instant.normal_force;
             harmonic.tangential_force += turn * instant.tangential_force;
+            harmonic.lateral_force += turn * instant.lateral_force;
             harmonic.creepage += turn * instant.creepage;
+            harmonic.lateral_creepage += turn * instant.lateral_creepage;
             harmonic.dissipation += turn * instant.energy_per_metre();
         }
     }
@@ -283,7 +297,7 @@ fn largest_change(before: &[Harmonic; 6], now: &[Harmonic; 6]) -> f64 {
 }
 
 /// Share of a wave with the approach below zero, linear between steps.
-fn contact_loss(wave: &[ContactInstant]) -> f64 {
+pub(super) fn contact_loss(wave: &[ContactInstant]) -> f64 {
     let following = wave.iter().skip(1).chain(wave.first());
     let parts = wave.iter().zip(following).map(|(one, other)| {
         let (one, other) = (one.approach, other.approach);

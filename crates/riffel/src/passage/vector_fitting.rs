@@ -63,33 +63,36 @@ fn poles(frequencies: &[f64], values: &[Complex64], order: usize) -> Vec<Complex
     poles.iter().map(|pole| scale * pole).collect()
 }
 
-/// Poles that several transfer functions share, least squares of their errors over the size given at each frequency;
-/// where `dense` \[rad/s\] ends, lines may lie as close as a few frequencies.
+/// A transfer function at some frequencies, and the size over which an error counts at each.
+pub(super) struct Sampled<'a> {
+    pub(super) values: &'a [Complex64],
+    pub(super) sizes: &'a [f64],
+}
+
+/// Poles \[rad/s\] that several transfer functions share, least squares of their errors, from poles to start from.
 ///
 /// Method: that of [`partial_fractions`]; the residues of each function are eliminated before the scaling function is found
 /// (Deschrijver, Mrozowski, Dhaene & De Zutter 2008, IEEE Microwave Wireless Comp. Lett. 18, 383–385).
 pub(super) fn shared_poles(
     frequencies: &[f64],
-    functions: &[Vec<Complex64>],
-    sizes: &[f64],
-    order: usize,
-    dense: f64,
+    functions: &[Sampled<'_>],
+    starting: &[Complex64],
 ) -> Vec<Complex64> {
     /// The best of these is taken: further ones go to and fro.
     const MOVES: usize = 3;
     let scale = frequencies[frequencies.len() - 1];
     let s = scaled(frequencies, scale);
-    let mut poles = starting_lines(frequencies[0] / scale, dense / scale, order);
+    let mut poles: Vec<Complex64> = starting.iter().map(|pole| pole / scale).collect();
     let mut best = (f64::INFINITY, Vec::new());
     for _ in 0..MOVES {
-        poles = moved_together(&s, functions, sizes, &poles);
+        poles = moved_together(&s, functions, &poles);
         let unscaled: Vec<Complex64> = poles.iter().map(|pole| scale * pole).collect();
-        let fits = residues(frequencies, functions, sizes, &unscaled);
-        let missed = functions.iter().zip(fits).map(|(values, fit)| {
+        let missed = functions.par_iter().map(|Sampled { values, sizes }| {
+            let fit = residues(frequencies, &[values.to_vec()], sizes, &unscaled).swap_remove(0);
             let errors = frequencies
                 .iter()
-                .zip(values)
-                .zip(sizes)
+                .zip(*values)
+                .zip(*sizes)
                 .map(|((w, value), size)| {
                     let s = Complex64::new(0.0, *w);
                     let sum: Complex64 = fit.iter().map(|fraction| fraction.at(s)).sum();
@@ -97,7 +100,7 @@ pub(super) fn shared_poles(
                 });
             errors.sum::<f64>()
         });
-        let missed: f64 = missed.sum();
+        let missed = missed.collect::<Vec<f64>>().iter().sum();
         if missed < best.0 {
             best = (missed, unscaled);
         }
@@ -159,14 +162,20 @@ fn starting_poles(lowest: f64, order: usize) -> Vec<Complex64> {
     on_axis.chain(off_axis).collect()
 }
 
-/// A dozen real poles over the decades below one, and pairs of little damping: three quarters evenly up to `dense`, the others
-/// over the decades.
-fn starting_lines(lowest: f64, dense: f64, order: usize) -> Vec<Complex64> {
+/// Poles \[rad/s\] to start from: a dozen real ones over the decades, and pairs of little damping, three quarters evenly up
+/// to `dense`, the others over the decades; where `dense` \[rad/s\] ends, lines may lie as close as a few frequencies.
+pub(super) fn starting_lines(
+    [lowest, highest]: [f64; 2],
+    dense: f64,
+    order: usize,
+) -> Vec<Complex64> {
     const REAL: usize = 12;
     let pairs = order.saturating_sub(REAL) / 2;
     let lines = pairs * 3 / 4;
     let others = pairs - lines;
-    let place = |index: usize, count: usize| lowest.powf(1.0 - (index as f64 + 0.5) / count as f64);
+    let place = |index: usize, count: usize| {
+        highest * (lowest / highest).powf(1.0 - (index as f64 + 0.5) / count as f64)
+    };
     let on_axis = (0..REAL).map(|index| Complex64::from(-place(index, REAL)));
     let lines = (0..lines)
         .map(|index| Complex64::new(-0.02, 1.0) * (dense * (index as f64 + 0.5) / lines as f64));
@@ -234,20 +243,19 @@ fn moved(s: &[Complex64], values: &[Complex64], poles: &[Complex64]) -> Vec<Comp
 /// The same for several functions.
 fn moved_together(
     s: &[Complex64],
-    functions: &[Vec<Complex64>],
-    sizes: &[f64],
+    functions: &[Sampled<'_>],
     poles: &[Complex64],
 ) -> Vec<Complex64> {
     let basis = basis(s, poles);
     let count = basis.len();
-    let over_size = |values: &[Complex64]| {
-        let pairs = values.iter().zip(sizes);
-        let ratios: Vec<Complex64> = pairs.map(|(value, size)| value / size).collect();
-        parts(ratios.into_iter())
-    };
     let remainders: Vec<Vec<Vec<f64>>> = functions
         .par_iter()
-        .map(|values| {
+        .map(|Sampled { values, sizes }| {
+            let over_size = |values: &[Complex64]| {
+                let pairs = values.iter().zip(*sizes);
+                let ratios: Vec<Complex64> = pairs.map(|(value, size)| value / size).collect();
+                parts(ratios.into_iter())
+            };
             let mut columns: Vec<Vec<f64>> = basis.iter().map(|basis| over_size(basis)).collect();
             let negative: Vec<Complex64> = values.iter().map(|value| -value).collect();
             columns.push(over_size(&negative));

@@ -255,6 +255,42 @@ impl GeneralLoop {
         system.at_first().map(|matrix| matrix[2][2])
     }
 
+    /// Receptances H of track and wheels together between all contacts \[m/N\] in their axes x, t, n, by rows.
+    pub fn contact_receptances(&self, angular_frequency: f64, speed: f64) -> Vec<Complex64> {
+        let mut system = System::new(self);
+        system.receptances(self, angular_frequency, speed);
+        system.turn_axes(self);
+        system.together()
+    }
+
+    /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
+    /// rolling radius. Between all contacts in their axes, by rows.
+    pub(crate) fn free_motion(&self) -> Vec<f64> {
+        /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
+        const SLOW: f64 = 0.3;
+        /// \[1/kg\]: what springs and rounding leave.
+        const NOTHING: f64 = 1e-9;
+        // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
+        const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
+        let mut system = System::new(self);
+        let size = 3 * self.contacts.len();
+        let mut free = vec![0.0; size * size];
+        for (times, share) in SHARES {
+            let w = times * SLOW;
+            system.receptances(self, w, 1.0);
+            system.turn_axes(self);
+            for (free, value) in free.iter_mut().zip(system.of_wheels()) {
+                *free -= share * w * w * value.re;
+            }
+        }
+        for free in &mut free {
+            if free.abs() < NOTHING {
+                *free = 0.0;
+            }
+        }
+        free
+    }
+
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
     pub fn growth_rate_per_dissipation(&self) -> f64 {
         let first = &self.contacts[0];

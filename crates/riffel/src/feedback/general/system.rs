@@ -203,6 +203,17 @@ impl System {
         turn_axes(of, &mut self.wheels);
     }
 
+    /// Receptances of track and wheels together at the point asked last, by rows.
+    pub(super) fn together(&self) -> Vec<Complex64> {
+        let both = self.track.iter().zip(&self.wheels);
+        both.map(|(track, wheels)| track + wheels).collect()
+    }
+
+    /// Receptances of the wheels at the point asked last, by rows.
+    pub(super) fn of_wheels(&self) -> impl Iterator<Item = Complex64> + '_ {
+        self.wheels.iter().copied()
+    }
+
     /// Receptance matrices of track and wheel at the first contact and the point asked last.
     pub(super) fn at_first(&self) -> [[[Complex64; 3]; 3]; 2] {
         [&self.track, &self.wheels].map(|matrix| {

@@ -1,0 +1,249 @@
+//! The motion of wheels along rails on all axes, step by step.
+
+use super::motion::StructuresMotion;
+use super::{ContactInTime, GeneralPassage};
+use crate::contact::{CreepForces, Creepages};
+use crate::passage::ContactInstant;
+
+/// Wheels under way.
+///
+/// Over a step all forces are linear in time, and track and wheels move exactly under them; the forces at its end follow from
+/// one equation for P and two for Q at each contact in turn, until those of the others change nothing. Second order in the step
+/// (test `second_order_on_all_axes`).
+#[derive(Clone)]
+pub struct GeneralMarch<'a> {
+    model: &'a GeneralPassage,
+    motion: StructuresMotion<'a>,
+    now: Vec<ContactInstant>,
+    /// f − f₀ at the contacts and axes.
+    forces: Vec<f64>,
+    /// Displacements and speeds at the end of the step but for the forces there.
+    displacement: Vec<f64>,
+    speed: Vec<f64>,
+}
+
+impl<'a> GeneralMarch<'a> {
+    pub(super) fn new(model: &'a GeneralPassage, step: f64) -> Self {
+        let size = model.structures.size();
+        let at_rest = |contact: &ContactInTime| {
+            let (mean, forces) = (contact.mean.creepages, contact.mean.forces);
+            let energy = contact.mean.energy_per_metre();
+            ContactInstant {
+                normal_force: contact.spring.normal_force(),
+                tangential_force: forces.longitudinal,
+                lateral_force: forces.lateral,
+                creepage: mean.longitudinal,
+                lateral_creepage: mean.lateral,
+                approach: contact.spring.approach(),
+                energy_at_rail: energy,
+            }
+        };
+        Self {
+            motion: StructuresMotion::new(&model.structures, step / model.speed),
+            now: model.contacts.iter().map(at_rest).collect(),
+            forces: vec![0.0; size],
+            displacement: vec![0.0; size],
+            speed: vec![0.0; size],
+            model,
+        }
+    }
+
+    /// The contacts where the march stands.
+    pub fn now(&self) -> &[ContactInstant] {
+        &self.now
+    }
+
+    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals.
+    pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
+        /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
+        const SWEEPS: usize = 40;
+        const REST: f64 = 1e-10;
+        self.motion
+            .advance(&self.forces, &mut self.displacement, &mut self.speed);
+        for _ in 0..SWEEPS {
+            let mut change = 0f64;
+            for (index, height) in heights.iter().enumerate() {
+                change = change.max(self.meet(index, *height));
+            }
+            if change < REST {
+                break;
+            }
+        }
+        self.motion.end(&self.forces);
+        &self.now
+    }
+
+    /// One contact under the present forces of all others; the change of its forces over its mean load.
+    fn meet(&mut self, index: usize, height: f64) -> f64 {
+        let size = self.forces.len();
+        let [displacement_by, speed_by] = &self.motion.by_new_force;
+        let contact = &self.model.contacts[index];
+        let own = 3 * index;
+        let load = contact.spring.normal_force();
+        let sum = |by: &[f64], row: usize| -> f64 {
+            let row = &by[row * size..][..size];
+            row.iter().zip(&self.forces).map(|(a, b)| a * b).sum()
+        };
+        let entry = |by: &[f64], row: usize, column: usize| by[row * size + column];
+        let normal = own + 2;
+        let give_way = entry(displacement_by, normal, normal);
+        let others = self.displacement[normal] + sum(displacement_by, normal)
+            - give_way * self.forces[normal];
+        let gap = contact.spring.approach() + height - others + give_way * load;
+        let before = self.now[index];
+        let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
+
+        // Speeds but for those by its own creep forces.
+        let by_own = [0, 1].map(|row| [0, 1].map(|to| entry(speed_by, own + row, own + to)));
+        let mean = &contact.mean;
+        let held = &contact.held;
+        let known = [0, 1].map(|axis| {
+            let row = own + axis;
+            let own_share: f64 = (0..2)
+                .map(|from| by_own[axis][from] * self.forces[own + from])
+                .sum();
+            let by_load =
+                entry(speed_by, row, normal) * (normal_force - load - self.forces[normal]);
+            self.speed[row] + sum(speed_by, row) + by_load - own_share
+        });
+        let at_rest = [mean.creepages.longitudinal, mean.creepages.lateral];
+        let mean_force = [mean.forces.longitudinal, mean.forces.lateral];
+        let v = self.model.speed;
+        let equation = TangentEquation {
+            contact,
+            normal_force,
+            known: [0, 1].map(|axis| match held[axis] {
+                true => at_rest[axis],
+                false => at_rest[axis] - known[axis] / v,
+            }),
+            by_force: [0, 1].map(|axis| match held[axis] {
+                true => [0.0; 2],
+                false => by_own[axis].map(|by| by / v),
+            }),
+            mean_force,
+        };
+        let creepage = equation.solve([before.creepage, before.lateral_creepage]);
+        let force = equation.force(creepage);
+        let new = [
+            force[0] - mean_force[0],
+            force[1] - mean_force[1],
+            normal_force - load,
+        ];
+        let old = &mut self.forces[own..=normal];
+        let change = old
+            .iter()
+            .zip(new)
+            .fold(0f64, |most, (old, new)| most.max((old - new).abs()));
+        old.copy_from_slice(&new);
+        let at_rest_energy = creepage[0] * force[0] + creepage[1] * force[1];
+        self.now[index] = ContactInstant {
+            normal_force,
+            tangential_force: force[0],
+            lateral_force: force[1],
+            creepage: creepage[0],
+            lateral_creepage: creepage[1],
+            approach,
+            energy_at_rail: at_rest_energy,
+        };
+        change / load
+    }
+}
+
+/// ξ + B (Q(P, ξ) − Q₀) = ξ_known in the plane of contact.
+struct TangentEquation<'a> {
+    contact: &'a ContactInTime,
+    normal_force: f64,
+    known: [f64; 2],
+    by_force: [[f64; 2]; 2],
+    mean_force: [f64; 2],
+}
+
+impl TangentEquation<'_> {
+    fn creepages(&self, [longitudinal, lateral]: [f64; 2]) -> Creepages {
+        Creepages {
+            longitudinal,
+            lateral,
+            spin: self.contact.mean.creepages.spin,
+        }
+    }
+
+    fn force(&self, creepage: [f64; 2]) -> [f64; 2] {
+        if self.normal_force <= 0.0 {
+            return [0.0; 2];
+        }
+        pair(
+            self.contact
+                .law
+                .forces(self.normal_force, self.creepages(creepage)),
+        )
+    }
+
+    fn missed(&self, creepage: [f64; 2]) -> [f64; 2] {
+        let force = self.force(creepage);
+        let beyond = [force[0] - self.mean_force[0], force[1] - self.mean_force[1]];
+        [0, 1].map(|axis| {
+            let [a, b] = self.by_force[axis];
+            creepage[axis] + a * beyond[0] + b * beyond[1] - self.known[axis]
+        })
+    }
+
+    /// Newton's method from a creepage near by, with shorter steps where a step leads away; to 10⁻¹² of the creepage.
+    fn solve(&self, near: [f64; 2]) -> [f64; 2] {
+        const STEPS: usize = 60;
+        const SMALL: f64 = 1e-12;
+        let size = |pair: [f64; 2]| pair[0].hypot(pair[1]);
+        let mut creepage = near;
+        let mut missed = self.missed(creepage);
+        for _ in 0..STEPS {
+            // What the known creepages, tiny as they may be, are told to.
+            if size(missed) <= SMALL * (size(self.known) + 1e-6) {
+                break;
+            }
+            let [[a, b], [c, d]] = self.slopes(creepage);
+            let determinant = a * d - b * c;
+            let step = match determinant.abs() > f64::MIN_POSITIVE {
+                true => [
+                    (d * missed[0] - b * missed[1]) / determinant,
+                    (a * missed[1] - c * missed[0]) / determinant,
+                ],
+                false => missed,
+            };
+            let mut share = 1.0;
+            loop {
+                let next = [creepage[0] - share * step[0], creepage[1] - share * step[1]];
+                let left = self.missed(next);
+                if size(left) < size(missed) || share < 1e-4 {
+                    (creepage, missed) = (next, left);
+                    break;
+                }
+                share *= 0.5;
+            }
+        }
+        creepage
+    }
+
+    /// Derivatives of what is missed by the creepages, by rows.
+    fn slopes(&self, creepage: [f64; 2]) -> [[f64; 2]; 2] {
+        if self.normal_force <= 0.0 {
+            return [[1.0, 0.0], [0.0, 1.0]];
+        }
+        let derivatives = self
+            .contact
+            .law
+            .derivatives(self.normal_force, self.creepages(creepage));
+        let [along, across] = [derivatives.by_longitudinal, derivatives.by_lateral].map(pair);
+        [0, 1].map(|axis| {
+            let [a, b] = self.by_force[axis];
+            let mut row = [
+                a * along[0] + b * along[1],
+                a * across[0] + b * across[1],
+            ];
+            row[axis] += 1.0;
+            row
+        })
+    }
+}
+
+fn pair(forces: CreepForces) -> [f64; 2] {
+    [forces.longitudinal, forces.lateral]
+}

@@ -1,0 +1,14 @@
+//! Wheels on all axes in time: lateral creepage, wheelsets that twist and bend, both rails, several wheels.
+//!
+//! [`StructuresInTime`] are track and wheels together in time, [`GeneralPassage`] they and their contacts, and
+//! [`GeneralMarch`] their motion.
+
+mod march;
+mod model;
+mod motion;
+mod settled;
+mod structures;
+
+pub use march::GeneralMarch;
+pub use model::{ContactInTime, GeneralPassage};
+pub use structures::StructuresInTime;

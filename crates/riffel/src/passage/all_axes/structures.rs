@@ -1,0 +1,340 @@
+//! Track and wheels in time, at all contacts.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+use rayon::prelude::*;
+
+use crate::Error;
+use crate::feedback::GeneralLoop;
+use crate::passage::ImpulseResponse;
+use crate::passage::vector_fitting::{Sampled, residues, shared_poles};
+
+/// Displacement of the wheels against the rail after impulses at all contacts of a loop, in their axes x, t, n:
+///
+/// ```text
+/// g(t) = A t + Σ Re(R_j e^{p_j t})        Re p_j < 0;  A, R_j symmetric matrices over contacts and axes
+/// ```
+///
+/// A \[1/kg\] is the motion of wheels that nothing holds, as their spin; the rest is the causal function whose receptance
+/// comes nearest to that of track and wheels together without A, by vector fitting with poles that all entries share.
+///
+/// The receptance counts as it is up to [`KNOWN`](Self::KNOWN), and as a hint, of which an error counts a twentieth, from there to
+/// [`HIGHEST`](Self::HIGHEST): axles and webs have lines without end, and none above moves a contact that corrugation excites. An error
+/// counts over √|H_ii H_jj|. Frequencies stand closer where the receptance turns quickly, and around the natural frequencies that are told.
+/// Accuracy: [`share_cut`](Self::share_cut) and [`largest_error`](Self::largest_error) up to 3 kHz; 10⁻⁴ rms on viscous tracks under
+/// flexible wheelsets. A loss factor is not causal, see [`ImpulseResponse`]. Cost: some seconds for two contacts.
+///
+/// Range of validity: tracks that are even along the rail, or one place of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StructuresInTime {
+    size: usize,
+    /// One of each pair.
+    poles: Vec<Complex64>,
+    /// R_j by rows, one for each pole.
+    residues: Vec<Vec<Complex64>>,
+    /// A by rows.
+    free: Vec<f64>,
+    share_cut: f64,
+    largest_error: f64,
+}
+
+/// Receptances at one frequency.
+struct Sample {
+    w: f64,
+    /// H by rows.
+    whole: Vec<Complex64>,
+}
+
+impl StructuresInTime {
+    /// Frequencies \[Hz\] up to which receptances count as they are, and up to which as a hint.
+    pub const KNOWN: f64 = 5e3;
+    /// The end of the fit \[Hz\].
+    pub const HIGHEST: f64 = 20e3;
+
+    /// Those of a loop at a speed \[m/s\]; `natural_frequencies` \[rad/s\] of the wheels, as far as they are known, are where
+    /// the search for poles begins.
+    ///
+    /// # Errors
+    /// [`Error::NotCausal`] if no causal response comes near enough, [`Error::OutOfRange`] for a receptance that is not finite.
+    pub fn of(
+        feedback: &GeneralLoop,
+        speed: f64,
+        natural_frequencies: &[f64],
+    ) -> Result<Self, Error> {
+        /// Poles beside those of the wheels, pairs counted twice.
+        const POLES: [usize; 3] = [40, 64, 88];
+        /// An rms below needs no more poles.
+        const FINE: f64 = 3e-5;
+        let lines: Vec<f64> = natural_frequencies
+            .iter()
+            .copied()
+            .filter(|&w| w < TAU * Self::KNOWN)
+            .collect();
+        let transfer = Transfer::of(feedback, speed, &lines)?;
+        let mut best: Option<Self> = None;
+        for order in POLES {
+            let fit = transfer.fit(order, &lines);
+            if best
+                .as_ref()
+                .is_none_or(|best| fit.share_cut < best.share_cut)
+            {
+                best = Some(fit);
+            }
+            if best
+                .as_ref()
+                .is_some_and(|best| best.share_cut <= FINE * FINE)
+            {
+                break;
+            }
+        }
+        // Not a number is no share.
+        match best {
+            Some(best) if best.share_cut <= ImpulseResponse::LARGEST_SHARE_CUT => Ok(best),
+            best => Err(Error::NotCausal {
+                share: best.map_or(f64::NAN, |best| best.share_cut),
+                largest: ImpulseResponse::LARGEST_SHARE_CUT,
+            }),
+        }
+    }
+
+    /// Rows of the matrices: three for each contact.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// Receptances \[m/N\] at the angular frequency ω \[rad/s\], by rows.
+    pub fn receptances(&self, angular_frequency: f64) -> Vec<Complex64> {
+        let s = Complex64::new(0.0, angular_frequency);
+        let mut sum: Vec<Complex64> = self.free.iter().map(|free| free / (s * s)).collect();
+        for (pole, residues) in self.poles.iter().zip(&self.residues) {
+            let [one, other] = [(s - pole).inv(), (s - pole.conj()).inv()];
+            for (entry, residue) in sum.iter_mut().zip(residues) {
+                *entry += 0.5 * (residue * one + residue.conj() * other);
+            }
+        }
+        sum
+    }
+
+    /// Mean square of the relative error of the receptances up to 3 kHz, over frequencies that are even on a logarithmic scale.
+    pub fn share_cut(&self) -> f64 {
+        self.share_cut
+    }
+
+    /// Largest relative error of any entry at any of these frequencies, over √|H_ii H_jj|.
+    pub fn largest_error(&self) -> f64 {
+        self.largest_error
+    }
+
+    /// Poles p_j and residue matrices R_j by rows.
+    pub(super) fn terms(&self) -> impl Iterator<Item = (Complex64, &[Complex64])> + '_ {
+        let residues = self.residues.iter().map(Vec::as_slice);
+        self.poles.iter().copied().zip(residues)
+    }
+
+    /// A by rows.
+    pub(super) fn free(&self) -> &[f64] {
+        &self.free
+    }
+}
+
+/// Transfer functions over frequency.
+struct Transfer {
+    size: usize,
+    frequencies: Vec<f64>,
+    /// H + A/ω² of each entry of the upper triangle that is not zero.
+    entries: Vec<Entry>,
+    free: Vec<f64>,
+}
+
+struct Entry {
+    row: usize,
+    column: usize,
+    values: Vec<Complex64>,
+    /// √|H_ii H_jj|.
+    sizes: Vec<f64>,
+}
+
+impl Transfer {
+    fn of(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Self, Error> {
+        /// What an error counts where receptances are a hint.
+        const HINT: f64 = 0.05;
+        /// Entries below this share of the largest they could have are rounding.
+        const NOTHING: f64 = 1e-9;
+        let size = 3 * feedback.contacts().len();
+        let free = feedback.free_motion();
+        let samples = samples(feedback, speed, lines)?;
+        let mut entries = Vec::new();
+        for row in 0..size {
+            for column in row..size {
+                let sizes: Vec<f64> = samples
+                    .iter()
+                    .map(|sample| {
+                        let own = |axis: usize| sample.whole[axis * (size + 1)].norm();
+                        (own(row) * own(column)).sqrt()
+                    })
+                    .collect();
+                let values: Vec<Complex64> = samples
+                    .iter()
+                    .map(|Sample { w, whole }| {
+                        whole[row * size + column] + free[row * size + column] / (w * w)
+                    })
+                    .collect();
+                let counts = values
+                    .iter()
+                    .zip(&sizes)
+                    .any(|(value, size)| value.norm() > NOTHING * size);
+                if !counts {
+                    continue;
+                }
+                let sizes = samples.iter().zip(sizes).map(|(sample, size)| {
+                    match sample.w < TAU * StructuresInTime::KNOWN {
+                        true => size,
+                        false => size / HINT,
+                    }
+                });
+                entries.push(Entry {
+                    row,
+                    column,
+                    values,
+                    sizes: sizes.collect(),
+                });
+            }
+        }
+        Ok(Self {
+            size,
+            frequencies: samples.iter().map(|sample| sample.w).collect(),
+            entries,
+            free,
+        })
+    }
+
+    fn fit(&self, order: usize, lines: &[f64]) -> StructuresInTime {
+        /// Up to here errors count \[Hz\].
+        const JUDGED: f64 = 3e3;
+        let Self {
+            size, frequencies, ..
+        } = self;
+        let sampled: Vec<Sampled<'_>> = self
+            .entries
+            .iter()
+            .map(|Entry { values, sizes, .. }| Sampled { values, sizes })
+            .collect();
+        let band = [frequencies[0], frequencies[frequencies.len() - 1]];
+        let poles = shared_poles(frequencies, &sampled, &starting(band, order, lines));
+        let fits: Vec<_> = self
+            .entries
+            .par_iter()
+            .map(|Entry { values, sizes, .. }| {
+                residues(frequencies, &[values.clone()], sizes, &poles).swap_remove(0)
+            })
+            .collect();
+        let mut matrices = vec![vec![Complex64::ZERO; size * size]; poles.len()];
+        for (Entry { row, column, .. }, fit) in self.entries.iter().zip(&fits) {
+            for (matrix, fraction) in matrices.iter_mut().zip(fit) {
+                let residue = fraction.of_term();
+                matrix[row * size + column] = residue;
+                matrix[column * size + row] = residue;
+            }
+        }
+        let (mut share_cut, mut weights, mut largest_error) = (0.0, 0.0, 0f64);
+        for (index, w) in frequencies.iter().enumerate() {
+            if *w > TAU * JUDGED {
+                break;
+            }
+            let next = frequencies.get(index + 1).copied().unwrap_or(*w);
+            let weight = (next / w).ln();
+            let s = Complex64::new(0.0, *w);
+            for (Entry { values, sizes, .. }, fit) in self.entries.iter().zip(&fits) {
+                let value: Complex64 = fit.iter().map(|fraction| fraction.at(s)).sum();
+                let error = ((value - values[index]) / sizes[index]).norm_sqr();
+                share_cut += weight * error;
+                weights += weight;
+                largest_error = largest_error.max(error.sqrt());
+            }
+        }
+        StructuresInTime {
+            size: *size,
+            poles,
+            residues: matrices,
+            free: self.free.clone(),
+            share_cut: share_cut / weights,
+            largest_error,
+        }
+    }
+}
+
+/// Poles to start from \[rad/s\]: a pair of little damping at each line; of the others a third real, all over the decades.
+fn starting([lowest, highest]: [f64; 2], order: usize, lines: &[f64]) -> Vec<Complex64> {
+    let pairs = order / 3;
+    let real = order - 2 * pairs;
+    let place = |index: usize, count: usize| {
+        highest * (lowest / highest).powf(1.0 - (index as f64 + 0.5) / count as f64)
+    };
+    let on_axis = (0..real).map(|index| Complex64::from(-place(index, real)));
+    let off_axis = (0..pairs).map(|index| Complex64::new(-0.05, 1.0) * place(index, pairs));
+    let lines = lines.iter().map(|&line| Complex64::new(-0.003, 1.0) * line);
+    on_axis.chain(off_axis).chain(lines).collect()
+}
+
+/// Receptances over the band: evenly over the decades, around the lines, and between neighbours that differ much.
+fn samples(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Vec<Sample>, Error> {
+    const TO_A_DECADE: f64 = 60.0;
+    /// How far around a line, over its frequency.
+    const AROUND: [f64; 7] = [-0.01, -0.003, -0.001, 0.0, 0.001, 0.003, 0.01];
+    /// Largest change between neighbours, over the smaller.
+    const CHANGE: f64 = 0.4;
+    const HALVINGS: usize = 8;
+    /// More frequencies would be fitted for minutes.
+    const MOST: usize = 2500;
+    let (lowest, _) = ImpulseResponse::BAND;
+    let highest = TAU * StructuresInTime::HIGHEST;
+    let count = ((highest / lowest).log10() * TO_A_DECADE).ceil();
+    let mut frequencies: Vec<f64> = (0..=count as usize)
+        .map(|index| lowest * (highest / lowest).powf(index as f64 / count))
+        .collect();
+    for line in lines {
+        frequencies.extend(AROUND.map(|by| (1.0 + by) * line));
+    }
+    frequencies.retain(|w| (lowest..=highest).contains(w));
+    frequencies.sort_by(f64::total_cmp);
+    frequencies.dedup();
+    let take = |frequencies: Vec<f64>| -> Result<Vec<Sample>, Error> {
+        frequencies
+            .into_par_iter()
+            .map(|w| {
+                let whole = feedback.contact_receptances(w, speed);
+                match whole.iter().all(|value| value.is_finite()) {
+                    true => Ok(Sample { w, whole }),
+                    false => Err(Error::OutOfRange {
+                        quantity: "frequency of a receptance that is not finite",
+                        value: w / TAU,
+                        unit: "Hz",
+                        rule: "motion in time needs all frequencies: give track and wheelset some damping",
+                    }),
+                }
+            })
+            .collect()
+    };
+    let size = 3 * feedback.contacts().len();
+    let far = |one: &Sample, other: &Sample| {
+        (0..size).any(|axis| {
+            let [one, other] = [one, other].map(|sample| sample.whole[axis * (size + 1)]);
+            (one - other).norm() > CHANGE * one.norm().min(other.norm())
+        })
+    };
+    let mut samples = take(frequencies)?;
+    for _ in 0..HALVINGS {
+        let between: Vec<f64> = samples
+            .windows(2)
+            .filter(|pair| pair[0].w < TAU * StructuresInTime::KNOWN && far(&pair[0], &pair[1]))
+            .map(|pair| (pair[0].w * pair[1].w).sqrt())
+            .collect();
+        if between.is_empty() || samples.len() + between.len() > MOST {
+            break;
+        }
+        samples.extend(take(between)?);
+        samples.sort_by(|one, other| one.w.total_cmp(&other.w));
+    }
+    Ok(samples)
+}
