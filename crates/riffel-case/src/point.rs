@@ -1,13 +1,13 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
+use riffel::Complex64;
 use riffel::feedback::State;
-use riffel::{Complex64, Rail};
 use riffel_keys::CaseError;
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::Case;
+use crate::{Case, ContactName};
 
 /// A quantity at one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -321,10 +321,9 @@ pub struct AllAxes {
 /// One of the contacts of a loop on all axes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactPoint {
-    /// Number of the wheel from the first on, which is 1.
-    pub wheel: usize,
-    /// Its rail, "left" or "right".
-    pub rail: &'static str,
+    /// Which.
+    #[serde(flatten)]
+    pub name: ContactName,
     /// Oscillating normal force.
     pub normal_force_n: PointValue,
     /// Oscillating longitudinal force.
@@ -338,21 +337,11 @@ pub struct ContactPoint {
 impl AllAxes {
     fn new(case: &Case, state: &State) -> Option<Self> {
         let (general, state) = (case.feedback.general()?, state.general()?);
-        let mut places: Vec<f64> = Vec::new();
-        let contacts = general.contacts().iter().zip(&state.contacts);
-        let contacts = contacts.map(|(contact, at)| {
-            let known = places.iter().position(|&along| along == contact.along);
-            let wheel = known.unwrap_or_else(|| {
-                places.push(contact.along);
-                places.len() - 1
-            });
+        let contacts = ContactName::all(general).into_iter().zip(&state.contacts);
+        let contacts = contacts.map(|(name, at)| {
             let [tangential, lateral, normal] = at.force.map(PointValue::Complex);
             ContactPoint {
-                wheel: 1 + wheel,
-                rail: match contact.rail {
-                    Rail::Left => "left",
-                    Rail::Right => "right",
-                },
+                name,
                 normal_force_n: normal,
                 tangential_force_n: tangential,
                 lateral_force_n: lateral,

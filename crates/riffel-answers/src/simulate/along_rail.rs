@@ -1,13 +1,13 @@
 //! A wheel along a measured profile.
 
 use riffel::contact::ContactFilter;
-use riffel::passage::{Passage, PassageModel};
+use riffel::passage::{ContactInstant, LoopInTime, Passage};
 use riffel::roughness::Profile;
-use riffel_case::Case;
+use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure};
 
-use super::{Course, PassageDocument, remarks};
+use super::{ContactCourseDocument, Course, PassageDocument, remarks};
 use crate::{AnswerError, parameters};
 
 /// A profile to roll over.
@@ -35,7 +35,10 @@ pub struct PassageAnswer {
     /// The passage.
     pub passage: Passage,
     /// The model, of which the answer is.
-    pub model: PassageModel,
+    pub model: LoopInTime,
+    /// Names of all contacts of a loop on all axes, and how far each is ahead of the first wheel \[m\], below zero behind it; none of
+    /// one wheel and one axis.
+    pub contacts: Vec<(ContactName, f64)>,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
 }
@@ -50,13 +53,22 @@ impl PassageAnswer {
         let profile = &request.profile;
         check_sampling(case, profile)?;
         check_step(request.largest_step)?;
-        let mut model = case.passage(request.speed)?;
-        model.contact_filter = request
+        let mut model = case.in_time(request.speed)?;
+        let filter = request
             .contact_filter
             .then(|| ContactFilter::of(&case.hertz));
+        model.set_contact_filter(filter);
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
-            remarks: remarks::of_track(&model.track).into_iter().collect(),
+            remarks: remarks::of_track(&model).into_iter().collect(),
+            contacts: match case.feedback.general() {
+                None => Vec::new(),
+                Some(feedback) => case
+                    .contact_names()
+                    .into_iter()
+                    .zip(feedback.contacts().iter().map(|contact| contact.along))
+                    .collect(),
+            },
             request,
             passage,
             model,
@@ -77,20 +89,40 @@ impl PassageAnswer {
             contact_loss_fraction: self.passage.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
-            track_share_cut: self.model.track.share_cut(),
+            track_share_cut: self.model.share_cut(),
             course,
+            other_contacts: self.other_courses(),
         }
     }
 
-    /// The passage, height by height.
+    /// The passage of the first contact, height by height.
     pub fn course(&self) -> Course {
+        self.course_of(&self.passage.contacts, 0.0)
+    }
+
+    /// That of all others, each at its own places.
+    pub fn other_courses(&self) -> Vec<ContactCourseDocument> {
+        let others = self.contacts.iter().skip(1).zip(&self.passage.others);
+        let others = others.map(|(&(name, along), contacts)| ContactCourseDocument {
+            name,
+            course: self.course_of(contacts, along),
+        });
+        others.collect()
+    }
+
+    fn course_of(&self, contacts: &[ContactInstant], along: f64) -> Course {
         let profile = &self.request.profile;
+        let (spacing, heights) = (profile.spacing(), profile.heights());
+        let place = |index: usize| profile.position(index) + along;
+        let height = |index: usize| {
+            let nearest = (index as f64 + along / spacing).round();
+            heights[(nearest.max(0.0) as usize).min(heights.len() - 1)]
+        };
         Course::new(
-            (0..profile.heights().len())
-                .map(|index| profile.position(index))
-                .collect(),
-            profile.heights().to_vec(),
-            &self.passage.contacts,
+            (0..heights.len()).map(place).collect(),
+            (0..heights.len()).map(height).collect(),
+            contacts,
+            !self.contacts.is_empty(),
         )
     }
 

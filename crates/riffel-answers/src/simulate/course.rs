@@ -21,8 +21,14 @@ pub struct Course {
     pub normal_force_n: Vec<f64>,
     /// Creep force.
     pub tangential_force_n: Vec<f64>,
+    /// Creep force across the rail, of a loop on all axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lateral_force_n: Option<Vec<f64>>,
     /// Creepage.
     pub creepage: Vec<f64>,
+    /// Lateral creepage, of a loop on all axes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lateral_creepage: Option<Vec<f64>>,
     /// Energy dissipated per metre.
     pub dissipation_j_per_m: Vec<f64>,
     /// Approach of wheel and rail; below zero their distance.
@@ -30,10 +36,18 @@ pub struct Course {
 }
 
 impl Course {
-    /// Places \[m\], heights \[m\] and contacts in the same order.
-    pub(super) fn new(places: Vec<f64>, heights: Vec<f64>, contacts: &[ContactInstant]) -> Self {
+    /// Places \[m\], heights \[m\] and contacts in the same order; with what is across the rail where the loop is `on_all_axes`.
+    pub(super) fn new(
+        places: Vec<f64>,
+        heights: Vec<f64>,
+        contacts: &[ContactInstant],
+        on_all_axes: bool,
+    ) -> Self {
         let all = |of: fn(&ContactInstant) -> f64| contacts.iter().map(of).collect();
+        let across = |of: fn(&ContactInstant) -> f64| on_all_axes.then(|| all(of));
         Self {
+            lateral_force_n: across(|contact| contact.lateral_force),
+            lateral_creepage: across(|contact| contact.lateral_creepage),
             position_m: places,
             height_m: heights,
             normal_force_n: all(|contact| contact.normal_force),
@@ -59,7 +73,7 @@ impl Course {
                 values: Box::new(move || values.clone()),
             }
         };
-        let variables = [
+        let mut variables = vec![
             of(
                 "position",
                 "m",
@@ -93,6 +107,26 @@ impl Course {
                 &self.approach_m,
             ),
         ];
+        for (name, unit, long_name, values) in [
+            (
+                "lateral_force",
+                "N",
+                "creep force across the rail",
+                &self.lateral_force_n,
+            ),
+            (
+                "lateral_creepage",
+                "1",
+                "lateral creepage",
+                &self.lateral_creepage,
+            ),
+        ] {
+            variables.extend(
+                values
+                    .as_ref()
+                    .map(|values| of(name, unit, long_name, values)),
+            );
+        }
         write_netcdf(
             path,
             title,
@@ -107,7 +141,7 @@ impl Course {
     /// Those of the file.
     pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        let columns = [
+        let mut columns = vec![
             ("position_m", &self.position_m),
             ("height_m", &self.height_m),
             ("normal_force_n", &self.normal_force_n),
@@ -116,9 +150,17 @@ impl Course {
             ("dissipation_j_per_m", &self.dissipation_j_per_m),
             ("approach_m", &self.approach_m),
         ];
-        writer.write_record(columns.map(|(name, _)| name))?;
+        let across = [
+            ("lateral_force_n", &self.lateral_force_n),
+            ("lateral_creepage", &self.lateral_creepage),
+        ];
+        for (name, column) in across {
+            columns.extend(column.as_ref().map(|column| (name, column)));
+        }
+        writer.write_record(columns.iter().map(|(name, _)| name))?;
         for index in 0..self.position_m.len() {
-            writer.serialize(columns.map(|(_, column)| column[index]))?;
+            let row: Vec<f64> = columns.iter().map(|(_, column)| column[index]).collect();
+            writer.serialize(row)?;
         }
         writer.flush()
     }
@@ -149,12 +191,19 @@ impl Course {
                 color: None,
             });
         }
-        vec![
-            strip("profile [µm]", &self.height_m, 1e6),
-            force,
-            strip("creep force Q [kN]", &self.tangential_force_n, 1e-3),
-            strip("creepage ξ [%]", &self.creepage, 100.0),
-            strip("dissipation [J/m]", &self.dissipation_j_per_m, 1.0),
-        ]
+        let mut panels = vec![force];
+        if self.height_m.iter().any(|height| *height != 0.0) {
+            panels.insert(0, strip("profile [µm]", &self.height_m, 1e6));
+        }
+        panels.push(strip("creep force Q [kN]", &self.tangential_force_n, 1e-3));
+        if let Some(lateral) = &self.lateral_force_n {
+            panels.push(strip("lateral creep force [kN]", lateral, 1e-3));
+        }
+        panels.push(strip("creepage ξ [%]", &self.creepage, 100.0));
+        if let Some(lateral) = &self.lateral_creepage {
+            panels.push(strip("lateral creepage [%]", lateral, 100.0));
+        }
+        panels.push(strip("dissipation [J/m]", &self.dissipation_j_per_m, 1.0));
+        panels
     }
 }

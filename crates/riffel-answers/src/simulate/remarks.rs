@@ -1,14 +1,14 @@
 //! What the reader of a march should know.
 
-use riffel::passage::{ImpulseResponse, Sinusoid};
+use riffel::passage::{LoopInTime, Sinusoid};
 use riffel_keys::Remark;
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
 const WORTH_A_REMARK: f64 = 1e-4;
 
 /// That a loss factor was made causal, where that is worth a word.
-pub(super) fn of_track(track: &ImpulseResponse) -> Option<Remark> {
-    let share = track.share_cut();
+pub(super) fn of_track(model: &LoopInTime) -> Option<Remark> {
+    let share = model.share_cut();
     (share > WORTH_A_REMARK).then(|| {
         let per_cent = 100.0 * share.sqrt();
         Remark::new(
@@ -25,8 +25,8 @@ pub(super) fn of_track(track: &ImpulseResponse) -> Option<Remark> {
 }
 
 /// That supports shake the wheel with a wave much as long as the profile's.
-pub(super) fn of_supports(track: &ImpulseResponse, profile: &Sinusoid) -> Option<Remark> {
-    let spacing = track.support_spacing()?;
+pub(super) fn of_supports(model: &LoopInTime, profile: &Sinusoid) -> Option<Remark> {
+    let spacing = model.support_spacing()?;
     let line = profile.shares_lines_with(spacing)?;
     let length = 1e3 * spacing / line as f64;
     Some(Remark::new(

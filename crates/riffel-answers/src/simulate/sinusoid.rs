@@ -4,12 +4,12 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 use riffel::contact::ContactFilter;
-use riffel::passage::{PassageModel, Settled, Sinusoid};
-use riffel_case::Case;
+use riffel::passage::{LoopInTime, Settled, Sinusoid};
+use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure};
 
-use super::{Course, HarmonicDocument, SinusoidDocument, remarks};
+use super::{ContactOverSinusoidDocument, Course, HarmonicDocument, SinusoidDocument, remarks};
 use crate::{AnswerError, parameters};
 
 /// A sinusoid to roll over.
@@ -30,9 +30,13 @@ pub struct SinusoidAnswer {
     /// What was asked.
     pub request: SinusoidRequest,
     /// The model, of which the answer is.
-    pub model: PassageModel,
-    /// The state.
+    pub model: LoopInTime,
+    /// The state of the first contact.
     pub settled: Settled,
+    /// Names of all contacts of a loop on all axes, and states of those after the first; none of one wheel and one axis.
+    pub contacts: Vec<ContactName>,
+    /// Those states.
+    pub others: Vec<Settled>,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
 }
@@ -106,9 +110,9 @@ impl SinusoidAnswer {
             contact_filter,
         } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
-        let mut model = case.passage(speed)?;
-        model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
-        let settled = model
+        let mut model = case.in_time(speed)?;
+        model.set_contact_filter(contact_filter.then(|| ContactFilter::of(&case.hertz)));
+        let mut settled = model
             .settle(profile, steps)
             .map_err(|error| CaseError::Physics {
                 input: "--sinusoid".to_owned(),
@@ -116,8 +120,8 @@ impl SinusoidAnswer {
             })?;
         let radius = case.hertz.rolling_radius();
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
-        let supports = remarks::of_supports(&model.track, &profile);
-        let remarks = remarks::of_track(&model.track)
+        let supports = remarks::of_supports(&model, &profile);
+        let remarks = remarks::of_track(&model)
             .into_iter()
             .chain(troughs)
             .chain(supports);
@@ -125,7 +129,9 @@ impl SinusoidAnswer {
             remarks: remarks.collect(),
             request,
             model,
-            settled,
+            contacts: case.contact_names(),
+            settled: settled.remove(0),
+            others: settled,
         })
     }
 
@@ -138,17 +144,32 @@ impl SinusoidAnswer {
             speed_m_per_s: speed,
             amplitude_m: profile.amplitude,
             step_m: self.request.step(),
-            harmonics: self
-                .settled
-                .harmonics
-                .iter()
-                .map(HarmonicDocument::from)
-                .collect(),
+            harmonics: self.harmonics(&self.settled),
             contact_loss_fraction: self.settled.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
-            track_share_cut: self.model.track.share_cut(),
+            track_share_cut: self.model.share_cut(),
+            contacts: self
+                .contacts
+                .iter()
+                .zip(std::iter::once(&self.settled).chain(&self.others))
+                .map(|(&name, settled)| ContactOverSinusoidDocument {
+                    name,
+                    harmonics: self.harmonics(settled),
+                    contact_loss_fraction: settled.contact_loss,
+                    minimum_normal_force_n: settled.normal_force[0],
+                    maximum_normal_force_n: settled.normal_force[1],
+                })
+                .collect(),
         }
+    }
+
+    fn harmonics(&self, settled: &Settled) -> Vec<HarmonicDocument> {
+        let on_all_axes = !self.contacts.is_empty();
+        let harmonics = settled.harmonics.iter();
+        harmonics
+            .map(|harmonic| HarmonicDocument::new(harmonic, on_all_axes))
+            .collect()
     }
 
     /// One wave, from crest to crest.
@@ -165,13 +186,14 @@ impl SinusoidAnswer {
                 .map(|step| profile.amplitude * (TAU * share(step)).cos())
                 .collect(),
             &contacts,
+            !self.contacts.is_empty(),
         )
     }
 
     /// One wave as strips.
     pub fn figure(&self, case: &Case) -> LineFigure {
         let SinusoidRequest { speed, profile, .. } = self.request;
-        let state = match self.model.track.support_spacing() {
+        let state = match self.model.support_spacing() {
             Some(_) => "The last wave of many bays",
             None => "Settled state",
         };

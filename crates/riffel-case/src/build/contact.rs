@@ -32,7 +32,7 @@ pub(super) struct BuiltContact {
 }
 
 /// How a contact creeps in time.
-pub(crate) struct ContactInTime {
+pub(crate) struct CreepInTime {
     pub(crate) law: Arc<dyn CreepLaw>,
     /// What it makes of the past.
     pub(crate) late: Option<Arc<LateContact>>,
@@ -192,7 +192,7 @@ impl CheckedKeys {
         &self,
         hertz: HertzContact,
         friction: f64,
-    ) -> Result<ContactInTime, CaseError> {
+    ) -> Result<CreepInTime, CaseError> {
         /// Longest wave of a response, in semi-axes, from where on it is that of slow changes.
         const LONGEST: f64 = 100.0;
         /// Shortest, as far as the grid resolves one so short: no wave of a profile that is shorter moves the wheel as a point does.
@@ -219,7 +219,7 @@ impl CheckedKeys {
             }
             _ => None,
         };
-        Ok(ContactInTime {
+        Ok(CreepInTime {
             law: Arc::new(law),
             late,
         })

@@ -18,7 +18,7 @@ use riffel::{
 };
 use riffel_keys::{CaseError, Remark};
 
-pub(crate) use contact::{ContactInTime, mean_key};
+pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
 
 use crate::checked_keys::CheckedKeys;

@@ -58,13 +58,12 @@ impl Traffic {
                 };
                 let share = vehicle.share.si() / all;
                 let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
-                // One for all speeds: the exact theory takes seconds.
-                let contact = wheel.contact_in_time()?;
+                let prepared = wheel.wheels_in_time()?;
                 let at = |&(speed, part): &(f64, f64)| {
                     Ok(PassingWheel {
                         share: share * part,
                         traction_share,
-                        ..wheel.passing_wheel_on(&contact, speed)?
+                        ..prepared.passing_wheel(speed)?
                     })
                 };
                 // Which of several wheels it is about.

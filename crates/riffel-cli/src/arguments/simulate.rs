@@ -18,6 +18,7 @@ use crate::messages::print_remarks;
     group = ArgGroup::new("surface").required(true),
     after_help = "Example: riffel simulate case.toml --speed \"108 km/h\" --sinusoid 20um,55mm\n\n\
         A rail that wears: riffel simulate case.toml --speed 30 --profile trolley.csv --length \"20 m\" --passages 1e6\n\n\
+        Squeal: riffel simulate curve.toml --speed \"36 km/h\" --smooth\n\n\
         Under traffic: riffel simulate case.toml --traffic traffic.toml --spectrum iso-3095-2013 --passages 1e6"
 )]
 pub(crate) struct Simulate {
@@ -73,6 +74,15 @@ pub(crate) struct Simulate {
         allow_hyphen_values = true
     )]
     pub(crate) weld: Option<LengthPair>,
+
+    /// Roll on a smooth rail after a small push, with a wheelset or with creepage on two axes: rest, or the limit cycle of a loop
+    /// that is unstable without any profile, as squeal and as stick and slip.
+    #[arg(
+        long,
+        group = "surface",
+        conflicts_with_all = ["passages", "traffic", "seed", "length", "contact_filter"]
+    )]
+    pub(crate) smooth: bool,
 
     /// Take this much of the profile [default: all], or make the rail so long [default: 20 m].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]

@@ -194,8 +194,8 @@ fn contacts(case: &Case, state: &State) -> String {
         .zip(state.general().iter().flat_map(|all| &all.contacts))
     {
         table.add_row([
-            point.wheel.to_string(),
-            point.rail.to_owned(),
+            point.name.wheel.to_string(),
+            point.name.rail.to_owned(),
             format!("{:.4}", 1e-3 * at.force[2].norm()),
             at.growth_rate
                 .map_or_else(|| "smooth".to_owned(), |rate| format!("{rate:.3e}")),

@@ -5,7 +5,8 @@ mod surface;
 
 use riffel::forecast::SpeedDistribution;
 use riffel_answers::simulate::{
-    EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest, Surface,
+    EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
+    SmoothRailAnswer, Surface,
 };
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
@@ -31,6 +32,11 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
         return many(arguments, &case, whole(passages)?, step);
     }
     let speed = arguments.speed()?;
+    if arguments.smooth {
+        arguments.only_for_profiles(arguments.layout.given())?;
+        on_smooth_rail(arguments, &case, speed, step)?;
+        return Ok(0);
+    }
     if let Some(sinusoid) = &arguments.sinusoid {
         let request = SinusoidRequest::new(speed, sinusoid.of_sinusoid()?, step);
         let request = SinusoidRequest {
@@ -117,6 +123,10 @@ fn along_profile(
             answer
                 .course()
                 .netcdf(&figure.title, &staging.path("passage.nc"))?;
+            for other in answer.other_courses() {
+                let name = format!("passage-{}-{}", other.name.wheel, other.name.rail);
+                staging.write_with(&format!("{name}.csv"), |file| other.course.csv(file))?;
+            }
             staging.write("passage.json", json(&answer.document()))
         },
         || readable_passage(case, &answer),
@@ -166,6 +176,86 @@ fn without_contact(share: f64) -> String {
     }
 }
 
+/// Wheels on a smooth rail.
+fn on_smooth_rail(
+    arguments: &Simulate,
+    case: &Case,
+    speed: f64,
+    step: Option<f64>,
+) -> Result<(), CliError> {
+    let answer = SmoothRailAnswer::new(case, speed, step)?;
+    results(arguments).hand_out(
+        || json(&answer.document()),
+        |staging| {
+            let figure = answer.figure(case);
+            staging.write_figure("smooth", &figure)?;
+            staging.write_with("smooth.csv", |file| answer.course().csv(file))?;
+            answer
+                .course()
+                .netcdf(&figure.title, &staging.path("smooth.nc"))?;
+            staging.write("smooth.json", json(&answer.document()))
+        },
+        || readable_motion(case, &answer),
+    )?;
+    print_remarks(&case.remarks);
+    print_remarks(&answer.remarks);
+    Ok(())
+}
+
+/// What became of a push, for the terminal.
+fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
+    let document = answer.document();
+    let mut rows = table(&[
+        "wheel",
+        "rail",
+        "normal force kN",
+        "creep force kN",
+        "lateral kN",
+        "creepage %",
+        "lateral %",
+        "stick %",
+        "dissipation J/m",
+    ]);
+    let range = |[least, most]: [f64; 2], scale: f64, digits: usize| {
+        format!("{:.digits$} to {:.digits$}", scale * least, scale * most)
+    };
+    for contact in &document.contacts {
+        rows.add_row([
+            contact.name.wheel.to_string(),
+            contact.name.rail.to_owned(),
+            range(contact.normal_force_n, 1e-3, 2),
+            range(contact.tangential_force_n, 1e-3, 2),
+            range(contact.lateral_force_n, 1e-3, 2),
+            range(contact.creepage, 100.0, 3),
+            range(contact.lateral_creepage, 100.0, 3),
+            format!("{:.0}", 100.0 * contact.stick_fraction),
+            format!("{:.1}", contact.mean_dissipation_j_per_m),
+        ]);
+    }
+    let outcome = match (document.outcome, document.frequency_hz) {
+        ("limit-cycle", Some(frequency)) => format!("a limit cycle of {frequency:.1} Hz"),
+        (_, Some(frequency)) => format!("no period, strongest at {frequency:.1} Hz"),
+        (_, None) => "the push dies out".to_owned(),
+    };
+    let linear = match (document.linear_unstable_roots, document.linear_frequency_hz) {
+        (Some(0), _) => "the linear loop is stable".to_owned(),
+        (Some(_), Some(frequency)) => {
+            format!("the linear loop is unstable near {frequency:.0} Hz")
+        }
+        (Some(_), None) => "the linear loop is unstable".to_owned(),
+        (None, _) => "the linear loop cannot be judged".to_owned(),
+    };
+    format!(
+        "{}\nsmooth rail at {:.1} km/h, {:.1} s: {outcome}; {linear}\n{rows}\n",
+        case.file
+            .title
+            .as_deref()
+            .unwrap_or("Wheels on a smooth rail"),
+        3.6 * document.speed_m_per_s,
+        document.rolled_s,
+    )
+}
+
 fn over_sinusoid(
     arguments: &Simulate,
     case: &Case,
@@ -194,19 +284,24 @@ fn over_sinusoid(
 fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
     let SinusoidRequest { speed, profile, .. } = answer.request;
     let settled = &answer.settled;
-    let mut rows = table(&[
+    let on_all_axes = !answer.contacts.is_empty();
+    let mut heads = vec![
         "harmonic",
         "normal force kN",
         "creep force kN",
         "creepage %",
         "dissipation J/m",
-    ]);
+    ];
+    if on_all_axes {
+        heads.extend(["lateral force kN", "lateral creepage %"]);
+    }
+    let mut rows = table(&heads);
     for (n, harmonic) in settled.harmonics.iter().enumerate() {
         let size = |value: riffel::Complex64, scale: f64| match n {
             0 => format!("{:.4}", scale * value.re),
             _ => format!("{:.4}", scale * value.norm()),
         };
-        rows.add_row([
+        let mut row = vec![
             if n == 0 {
                 "mean".to_owned()
             } else {
@@ -216,7 +311,12 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
             size(harmonic.tangential_force, 1e-3),
             size(harmonic.creepage, 100.0),
             size(harmonic.dissipation, 1.0),
-        ]);
+        ];
+        if on_all_axes {
+            row.push(size(harmonic.lateral_force, 1e-3));
+            row.push(size(harmonic.lateral_creepage, 100.0));
+        }
+        rows.add_row(row);
     }
     let [least, largest] = settled.normal_force;
     format!(

@@ -1,17 +1,21 @@
-//! A wheel along a given profile.
+//! Wheels along a given profile.
 
+use super::on_rail::OnRail;
 use super::{ContactInstant, March, PassageModel};
 use crate::Error;
+use crate::contact::ContactFilter;
 use crate::roughness::Profile;
 
-/// What a wheel did along a profile.
+/// What wheels did along a profile.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passage {
-    /// The contact at every height of the profile.
+    /// The contact of the first wheel at every height of the profile.
     pub contacts: Vec<ContactInstant>,
-    /// Share of the time without contact \[-\].
+    /// All other contacts at the same times, where there are several, in their order.
+    pub others: Vec<Vec<ContactInstant>>,
+    /// Share of the time without contact \[-\], in the mean of all contacts.
     pub contact_loss: f64,
-    /// Least and largest normal force at any step \[N\].
+    /// Least and largest normal force of any at any step \[N\].
     pub normal_force: [f64; 2],
     /// Step of the march \[m\].
     pub step: f64,
@@ -74,49 +78,67 @@ impl PassageModel {
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
-        let spacing = profile.spacing();
-        let averaged = self
-            .contact_filter
-            .map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
-        let heights = averaged.as_deref().unwrap_or(profile.heights());
-        let memory = self.memory()?;
-        let run_in = (memory / spacing).ceil() as usize;
-        if run_in + 1 >= heights.len() {
-            return Err(Error::ProfileTooShort {
-                length: profile.length(),
-                memory,
-            });
-        }
-        let trend = Line::through(&heights[..=run_in]);
-        let rail = |index: isize| match usize::try_from(index) {
-            // Past the end the last height goes on, which only the cubic before it sees.
-            Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
-            Err(_) => {
-                let before = index.unsigned_abs().min(run_in);
-                let rough = heights[before] - trend.at(before as f64);
-                let share = 1.0 - before as f64 / run_in as f64;
-                (trend.slope * index as f64 + rough) * faded(share)
-            }
-        };
-        let substeps = (spacing / largest_step).ceil().max(1.0);
-        let before = run_in as f64 * spacing;
-        let mut march = self.march_before(spacing / substeps, before)?;
-        let mut roll = Roll::new(&mut march, substeps as usize);
-        roll.along(rail, -(run_in as isize), 0, |_| ());
-        roll.begin_to_count();
-        let mut contacts = Vec::with_capacity(heights.len());
-        contacts.push(roll.march.now());
-        roll.along(rail, 0, heights.len() as isize - 1, |contact| {
-            contacts.push(contact)
-        });
-        Ok(Passage {
-            contacts,
-            contact_loss: roll.lost as f64 / roll.steps as f64,
-            normal_force: roll.normal_force,
-            step: spacing / substeps,
-            run_in: run_in as f64 * spacing,
-        })
+        let start = |step, before| self.march_before(step, before);
+        pass(
+            profile,
+            largest_step,
+            self.memory()?,
+            self.contact_filter,
+            start,
+        )
     }
+}
+
+/// A march along a profile after a run-in of the length of a memory \[m\]; `start` begins it with a step, a distance before the
+/// profile \[m\].
+pub(super) fn pass<M: OnRail>(
+    profile: &Profile,
+    largest_step: f64,
+    memory: f64,
+    contact_filter: Option<ContactFilter>,
+    start: impl FnOnce(f64, f64) -> Result<M, Error>,
+) -> Result<Passage, Error> {
+    let spacing = profile.spacing();
+    let averaged = contact_filter.map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
+    let heights = averaged.as_deref().unwrap_or(profile.heights());
+    let run_in = (memory / spacing).ceil() as usize;
+    if run_in + 1 >= heights.len() {
+        return Err(Error::ProfileTooShort {
+            length: profile.length(),
+            memory,
+        });
+    }
+    let trend = Line::through(&heights[..=run_in]);
+    let rail = |index: isize| match usize::try_from(index) {
+        // Past the end the last height goes on, which only the cubic before it sees.
+        Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
+        Err(_) => {
+            let before = index.unsigned_abs().min(run_in);
+            let rough = heights[before] - trend.at(before as f64);
+            let share = 1.0 - before as f64 / run_in as f64;
+            (trend.slope * index as f64 + rough) * faded(share)
+        }
+    };
+    let substeps = (spacing / largest_step).ceil().max(1.0);
+    let mut march = start(spacing / substeps, run_in as f64 * spacing)?;
+    let mut roll = Roll::new(&mut march, substeps as usize, spacing);
+    roll.along(rail, -(run_in as isize), 0, |_| ());
+    roll.begin_to_count();
+    let first = roll.march.contacts();
+    let mut contacts: Vec<Vec<ContactInstant>> = first.iter().map(|&first| vec![first]).collect();
+    roll.along(rail, 0, heights.len() as isize - 1, |now| {
+        for (contacts, now) in contacts.iter_mut().zip(now) {
+            contacts.push(*now);
+        }
+    });
+    Ok(Passage {
+        contact_loss: roll.contact_loss(),
+        normal_force: roll.normal_force,
+        step: spacing / substeps,
+        run_in: run_in as f64 * spacing,
+        contacts: contacts.remove(0),
+        others: contacts,
+    })
 }
 
 /// The mean of a profile from a semi-axis \[m\] behind each height to one before it, (I(x + a) − I(x − a))/2a.
@@ -187,19 +209,22 @@ pub(super) fn faded(share: f64) -> f64 {
 }
 
 /// A march along heights at equal distances, with steps between them, and what is counted of it.
-pub(super) struct Roll<'a, 'b> {
-    pub(super) march: &'a mut March<'b>,
+pub(super) struct Roll<'a, M> {
+    pub(super) march: &'a mut M,
     substeps: usize,
-    pub(super) steps: usize,
-    pub(super) lost: usize,
+    /// Distance of the heights \[m\].
+    spacing: f64,
+    steps: usize,
+    lost: usize,
     pub(super) normal_force: [f64; 2],
 }
 
-impl<'a, 'b> Roll<'a, 'b> {
-    pub(super) fn new(march: &'a mut March<'b>, substeps: usize) -> Self {
+impl<'a, M: OnRail> Roll<'a, M> {
+    pub(super) fn new(march: &'a mut M, substeps: usize, spacing: f64) -> Self {
         Self {
             march,
             substeps,
+            spacing,
             steps: 0,
             lost: 0,
             normal_force: [f64::INFINITY, f64::NEG_INFINITY],
@@ -213,26 +238,41 @@ impl<'a, 'b> Roll<'a, 'b> {
         self.normal_force = [f64::INFINITY, f64::NEG_INFINITY];
     }
 
-    /// On from one height to another; `visit` is shown the contact at each height after the first.
+    /// Share of the time without contact \[-\], in the mean of all contacts.
+    pub(super) fn contact_loss(&self) -> f64 {
+        self.lost as f64 / self.steps as f64
+    }
+
+    /// On from one height to another; `visit` is shown the contacts when the first wheel is at each height after the first.
     pub(super) fn along(
         &mut self,
         heights: impl Fn(isize) -> f64,
         from: isize,
         to: isize,
-        mut visit: impl FnMut(ContactInstant),
+        mut visit: impl FnMut(&[ContactInstant]),
     ) {
+        let around = |index: isize| [-1, 0, 1, 2].map(|by| heights(index + by));
         for index in from..to {
-            let around = [-1, 0, 1, 2].map(|by| heights(index + by));
+            let under_first = around(index);
             for step in 1..=self.substeps {
-                let height = cubic(around, step as f64 / self.substeps as f64);
-                let contact = self.march.advance(height);
-                let [least, largest] = &mut self.normal_force;
-                *least = least.min(contact.normal_force);
-                *largest = largest.max(contact.normal_force);
-                self.steps += 1;
-                self.lost += usize::from(contact.normal_force <= 0.0);
+                let share = step as f64 / self.substeps as f64;
+                self.march.advance_over(|ahead| {
+                    if ahead == 0.0 {
+                        return cubic(under_first, share);
+                    }
+                    let place = share + ahead / self.spacing;
+                    let before = place.floor();
+                    cubic(around(index + before as isize), place - before)
+                });
+                for contact in self.march.contacts() {
+                    let [least, largest] = &mut self.normal_force;
+                    *least = least.min(contact.normal_force);
+                    *largest = largest.max(contact.normal_force);
+                    self.steps += 1;
+                    self.lost += usize::from(contact.normal_force <= 0.0);
+                }
             }
-            visit(self.march.now());
+            visit(self.march.contacts());
         }
     }
 }

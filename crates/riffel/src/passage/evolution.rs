@@ -6,8 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-use super::PassageModel;
+use super::LoopInTime;
 use super::along_profile::{Roll, faded};
+use super::on_rail::OnRail;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
 
@@ -23,14 +24,15 @@ pub struct WearOfPassages {
     pub shortest: f64,
 }
 
-/// One of the wheels that pass a rail again and again.
+/// One of the wheels that pass a rail again and again, or several that are coupled: then a passage is that of one of
+/// them, and takes off the mean of what they do.
 #[derive(Clone)]
 pub struct PassingWheel {
-    /// Wheel, track and contact, at its speed.
-    pub model: PassageModel,
-    /// What it takes off the rail.
+    /// Wheels, track and contacts, at their speed.
+    pub model: LoopInTime,
+    /// What a wheel takes off the rail under study.
     pub wear: WearOfPassages,
-    /// [`memory`](PassageModel::memory) of the model \[m\].
+    /// [`memory`](LoopInTime::memory) of the model \[m\].
     pub memory: f64,
     /// Its share of the passages \[-\], of all one.
     pub share: f64,
@@ -146,7 +148,7 @@ impl Evolution {
         most: u64,
     ) -> Result<PassageExtremes, Error> {
         for wheel in wheels {
-            if let Some(spacing) = wheel.model.track.support_spacing() {
+            if let Some(spacing) = wheel.model.support_spacing() {
                 self.check_bays(spacing)?;
             }
         }
@@ -228,55 +230,83 @@ impl Evolution {
         wheel: &PassingWheel,
         largest_step: f64,
     ) -> Result<Change, Error> {
+        let before = (wheel.memory / self.spacing).ceil() * self.spacing;
+        let substeps = (self.spacing / largest_step).ceil().max(1.0);
+        let step = self.spacing / substeps;
+        match &wheel.model {
+            LoopInTime::Longitudinal(model) => {
+                self.change_along(heights, wheel, model.march_before(step, before)?, substeps)
+            }
+            LoopInTime::General(model) => {
+                self.change_along(heights, wheel, model.march(step)?, substeps)
+            }
+        }
+    }
+
+    fn change_along(
+        &self,
+        heights: &[f64],
+        wheel: &PassingWheel,
+        mut march: impl OnRail,
+        substeps: f64,
+    ) -> Result<Change, Error> {
         let PassingWheel { model, wear, .. } = wheel;
         let averaged = self.felt(heights, model);
         let heights = averaged.as_deref().unwrap_or(heights);
         let count = heights.len() as isize;
         let run_in = (wheel.memory / self.spacing).ceil();
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
-        let substeps = (self.spacing / largest_step).ceil().max(1.0);
-        let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
-        let mut roll = Roll::new(&mut march, substeps as usize);
+        let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
         roll.along(fading, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
-        let mut energies = vec![0.0; heights.len()];
+        let worn = model.on_rail_under_study();
+        let mut energies = vec![vec![0.0; heights.len()]; worn.len()];
         let mut index = 0;
-        roll.along(ring, 0, count, |contact| {
-            // The wheel is now at the next height; the last is the first.
+        roll.along(ring, 0, count, |contacts| {
+            // The first wheel is now at the next height; the last is the first.
             index = (index + 1) % heights.len();
-            energies[index] = contact.energy_at_rail;
+            for (energies, (contact, _)) in energies.iter_mut().zip(&worn) {
+                energies[index] = contacts[*contact].energy_at_rail;
+            }
         });
-        let per_energy = wear.wear.depth_per_energy();
+        let per_energy = wear.wear.depth_per_energy() / worn.len() as f64;
         let length = heights.len() as f64 * self.spacing;
-        let mut waves = spectrum(&energies);
-        let mean = waves[0].re / heights.len() as f64;
-        for (n, wave) in waves.iter_mut().enumerate() {
-            let wavelength = length / n as f64;
-            *wave = match n == 0 || wavelength < wear.shortest {
-                true => Complex64::ZERO,
-                false => {
-                    let ahead = match &model.late {
+        let mut change = vec![Complex64::ZERO; heights.len() / 2 + 1];
+        let mut depth = 0.0;
+        for (energies, (_, along)) in energies.iter().zip(&worn) {
+            let waves = spectrum(energies);
+            depth += per_energy * waves[0].re / heights.len() as f64;
+            for (n, (sum, wave)) in change.iter_mut().zip(waves).enumerate().skip(1) {
+                let wavelength = length / n as f64;
+                if wavelength < wear.shortest {
+                    continue;
+                }
+                let ahead = match model {
+                    LoopInTime::Longitudinal(model) => match &model.late {
                         None => -wear.place.lag(wavelength),
                         Some(late) => TAU * late.behind() / wavelength,
-                    };
-                    -per_energy * *wave * Complex64::from_polar(1.0, ahead)
-                }
-            };
+                    },
+                    LoopInTime::General(_) => {
+                        -wear.place.lag(wavelength) - TAU * along / wavelength
+                    }
+                };
+                *sum -= per_energy * wave * Complex64::from_polar(1.0, ahead);
+            }
         }
         Ok(Change {
-            profile: series(waves, heights.len()),
-            depth: per_energy * mean,
+            profile: series(change, heights.len()),
+            depth,
             extremes: PassageExtremes {
-                contact_loss: roll.lost as f64 / roll.steps as f64,
+                contact_loss: roll.contact_loss(),
                 normal_force: roll.normal_force,
             },
         })
     }
 
     /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.
-    fn felt(&self, heights: &[f64], model: &PassageModel) -> Option<Vec<f64>> {
-        model.contact_filter?;
+    fn felt(&self, heights: &[f64], model: &LoopInTime) -> Option<Vec<f64>> {
+        model.contact_filter()?;
         let length = heights.len() as f64 * self.spacing;
         let mut waves = spectrum(heights);
         for (n, wave) in waves.iter_mut().enumerate().skip(1) {

@@ -107,6 +107,10 @@ impl<'a> March<'a> {
         self.now
     }
 
+    pub(super) fn at_contact(&self) -> &ContactInstant {
+        &self.now
+    }
+
     /// One step on, to a place where the profile has the height r \[m\], upward.
     pub fn advance(&mut self, height: f64) -> ContactInstant {
         let spring = &self.model.spring;

@@ -5,8 +5,9 @@
 //! surfaces part, and the creep force at the normal force and creepage of the instant. Small amplitudes give the linear
 //! loop again.
 //!
-//! [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
-//! and [`Settled`] the state over a sinusoid that repeats itself with every wave.
+//! [`LoopInTime`] is a loop of either kind. Of one wheel along one axis [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
+//! and [`Settled`] the state over a sinusoid that repeats itself with every wave;
+//! [`GeneralPassage`] is any number of contacts on all axes.
 
 mod all_axes;
 mod along_profile;
@@ -16,8 +17,10 @@ mod hertz_spring;
 mod impulse_response;
 mod late_contact;
 mod least_squares;
+mod loop_in_time;
 mod march;
 mod model;
+mod on_rail;
 mod over_supports;
 mod ring;
 mod settled;
@@ -25,12 +28,16 @@ mod step_weights;
 mod track_motion;
 mod vector_fitting;
 
-pub use all_axes::{ContactInTime, GeneralMarch, GeneralPassage, StructuresInTime};
+pub use all_axes::{
+    ContactInTime, ContactSwing, GeneralMarch, GeneralPassage, Outcome, SmoothRail,
+    StructuresInTime,
+};
 pub use along_profile::Passage;
 pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
 pub use hertz_spring::HertzSpring;
 pub use impulse_response::ImpulseResponse;
 pub use late_contact::LateContact;
+pub use loop_in_time::LoopInTime;
 pub use march::{ContactInstant, March};
 pub use model::{PassageModel, Turning};
 pub use settled::{Harmonic, Settled, Sinusoid};

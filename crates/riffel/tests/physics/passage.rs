@@ -337,7 +337,7 @@ fn growth_over_passages_is_linear_growth() {
         let mut evolution = Evolution::new(&profile);
         let wheel = PassingWheel {
             memory: model.memory().unwrap(),
-            model,
+            model: model.into(),
             wear,
             share: 1.0,
             traction_share: 1.0,
@@ -411,7 +411,7 @@ fn a_late_contact_is_that_of_the_linear_loop() {
     }
     let wheel = PassingWheel {
         memory: model.memory().unwrap(),
-        model,
+        model: model.into(),
         wear: WearOfPassages {
             wear: feedback.wear,
             place: feedback.place_of_wear,

@@ -275,7 +275,7 @@ const STEP: EvolutionStep = EvolutionStep {
 
 fn wheel(feedback: &FeedbackLoop, model: PassageModel, memory: f64) -> PassingWheel {
     PassingWheel {
-        model,
+        model: model.into(),
         wear: WearOfPassages {
             wear: feedback.wear,
             place: feedback.place_of_wear,
@@ -329,7 +329,8 @@ fn wheels_wear_by_their_shares() {
         model: PassageModel {
             speed: 35.0,
             ..model()
-        },
+        }
+        .into(),
         share: 0.4,
         traction_share: 0.5,
         ..slow.clone()

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use rayon::prelude::*;
-use riffel::Complex64;
 use riffel::passage::Evolution;
 use riffel::roughness::{Profile, ThirdOctave, level};
+use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::traffic::VehicleInTime;
 use riffel_keys::CaseError;
@@ -57,7 +57,7 @@ impl Linear {
             let mut mean = Complex64::ZERO;
             for vehicle in vehicles {
                 for wheel in &vehicle.wheels {
-                    let rate = rate(&vehicle.case, wavelength, wheel.model.speed)?;
+                    let rate = rate(&vehicle.case, wavelength, wheel.model.speed())?;
                     let felt = wheel.model.felt(wavelength);
                     mean += wheel.share * wheel.traction_share * felt * rate;
                 }
@@ -131,13 +131,23 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError
         let growth = case.growth_with_neighbours(wavelength, speed, most.min(NEIGHBOURS))?;
         return Ok(growth.alone());
     }
-    // A case in time has that loop.
-    let feedback = case.feedback.longitudinal();
-    Ok(feedback.map_or(Complex64::ZERO, |feedback| {
-        let state = feedback.at(wavelength, speed);
-        let energy = state.dissipation_at_rail / speed / feedback.amplitude;
-        -feedback.wear.depth_per_energy() * energy
-    }))
+    Ok(match &case.feedback {
+        Loop::Longitudinal(feedback) => {
+            let state = feedback.at(wavelength, speed);
+            let energy = state.dissipation_at_rail / speed / feedback.amplitude;
+            -feedback.wear.depth_per_energy() * energy
+        }
+        // The mean of the wheels on the rail under study.
+        Loop::General(feedback) => {
+            let state = feedback.at(wavelength, speed);
+            let pairs = feedback.contacts().iter().zip(&state.contacts);
+            let rates = pairs
+                .filter(|(contact, _)| contact.rail == feedback.rail())
+                .map(|(contact, at)| -contact.wear.depth_per_energy() * at.energy_at_rail);
+            let rates: Vec<Complex64> = rates.collect();
+            rates.iter().sum::<Complex64>() / (rates.len() as f64 * feedback.amplitude())
+        }
+    })
 }
 
 impl LinearBand {

@@ -136,7 +136,7 @@ impl EvolutionRun {
             for vehicle in &mut vehicles {
                 let filter = Some(ContactFilter::of(&vehicle.case.hertz));
                 let wheels = vehicle.wheels.iter_mut();
-                wheels.for_each(|wheel| wheel.model.contact_filter = filter);
+                wheels.for_each(|wheel| wheel.model.set_contact_filter(filter));
             }
         }
         let wheels = || vehicles.iter().flat_map(|vehicle| &vehicle.wheels);
@@ -267,11 +267,11 @@ impl EvolutionRun {
         let stages: Vec<Stage> = stages.entries.into_iter().chain([reached]).collect();
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
         let last = &stages[stages.len() - 1];
-        let tracks = self.wheels().map(|wheel| &wheel.model.track);
+        let tracks = self.wheels().map(|wheel| &wheel.model);
         let worst = tracks.max_by(|one, other| one.share_cut().total_cmp(&other.share_cut()));
         let airborne = last.is_airborne();
         let airborne = airborne.then(|| remarks::of_air(last.passages));
-        let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
+        let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed());
         Ok(EvolutionAnswer {
             linear: Linear::new(
                 &self.vehicles,

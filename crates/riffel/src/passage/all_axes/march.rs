@@ -20,6 +20,15 @@ pub struct GeneralMarch<'a> {
     /// Displacements and speeds at the end of the step but for the forces there.
     displacement: Vec<f64>,
     speed: Vec<f64>,
+    /// dQ/dξ met last at the contacts.
+    slopes: Vec<Slopes>,
+    /// Changes of the creepages and of the forces over the last step, at which the next begins.
+    drift: Vec<[f64; 2]>,
+    force_drift: Vec<f64>,
+    /// Scratch: creepages and forces before a step, and heights of the rails under the contacts.
+    before: Vec<[f64; 2]>,
+    forces_before: Vec<f64>,
+    heights: Vec<f64>,
 }
 
 impl<'a> GeneralMarch<'a> {
@@ -44,6 +53,12 @@ impl<'a> GeneralMarch<'a> {
             forces: vec![0.0; size],
             displacement: vec![0.0; size],
             speed: vec![0.0; size],
+            slopes: vec![Slopes::default(); model.contacts.len()],
+            drift: vec![[0.0; 2]; model.contacts.len()],
+            force_drift: vec![0.0; size],
+            before: Vec::with_capacity(model.contacts.len()),
+            forces_before: Vec::with_capacity(size),
+            heights: vec![0.0; model.contacts.len()],
             model,
         }
     }
@@ -57,9 +72,21 @@ impl<'a> GeneralMarch<'a> {
     pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
         /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
         const SWEEPS: usize = 40;
-        const REST: f64 = 1e-10;
+        const REST: f64 = 1e-9;
         self.motion
             .advance(&self.forces, &mut self.displacement, &mut self.speed);
+        self.before.clear();
+        let creepages = self.now.iter();
+        self.before
+            .extend(creepages.map(|now| [now.creepage, now.lateral_creepage]));
+        self.forces_before.clone_from(&self.forces);
+        for (now, drift) in self.now.iter_mut().zip(&self.drift) {
+            now.creepage += drift[0];
+            now.lateral_creepage += drift[1];
+        }
+        for (force, drift) in self.forces.iter_mut().zip(&self.force_drift) {
+            *force += drift;
+        }
         for _ in 0..SWEEPS {
             let mut change = 0f64;
             for (index, height) in heights.iter().enumerate() {
@@ -69,8 +96,29 @@ impl<'a> GeneralMarch<'a> {
                 break;
             }
         }
+        let pairs = self.before.iter().zip(&self.now).zip(&mut self.drift);
+        for ((before, now), drift) in pairs {
+            *drift = [now.creepage - before[0], now.lateral_creepage - before[1]];
+        }
+        let pairs = self.forces.iter().zip(&self.forces_before);
+        for (drift, (now, before)) in self.force_drift.iter_mut().zip(pairs) {
+            *drift = now - before;
+        }
         self.motion.end(&self.forces);
         &self.now
+    }
+
+    /// One step on along a rail whose height under study is told at a distance ahead of the first wheel \[m\].
+    pub(in crate::passage) fn advance_along(&mut self, height: impl Fn(f64) -> f64) {
+        let mut heights = std::mem::take(&mut self.heights);
+        for (own, contact) in heights.iter_mut().zip(&self.model.contacts) {
+            *own = match contact.profile {
+                0.0 => 0.0,
+                profile => profile * height(contact.along),
+            };
+        }
+        self.advance(&heights);
+        self.heights = heights;
     }
 
     /// One contact under the present forces of all others; the change of its forces over its mean load.
@@ -122,8 +170,8 @@ impl<'a> GeneralMarch<'a> {
             }),
             mean_force,
         };
-        let creepage = equation.solve([before.creepage, before.lateral_creepage]);
-        let force = equation.force(creepage);
+        let near = [before.creepage, before.lateral_creepage];
+        let (creepage, force) = equation.solve(near, &mut self.slopes[index]);
         let new = [
             force[0] - mean_force[0],
             force[1] - mean_force[1],
@@ -178,8 +226,7 @@ impl TangentEquation<'_> {
         )
     }
 
-    fn missed(&self, creepage: [f64; 2]) -> [f64; 2] {
-        let force = self.force(creepage);
+    fn missed(&self, creepage: [f64; 2], force: [f64; 2]) -> [f64; 2] {
         let beyond = [force[0] - self.mean_force[0], force[1] - self.mean_force[1]];
         [0, 1].map(|axis| {
             let [a, b] = self.by_force[axis];
@@ -187,60 +234,91 @@ impl TangentEquation<'_> {
         })
     }
 
-    /// Newton's method from a creepage near by, with shorter steps where a step leads away; to 10⁻¹² of the creepage.
-    fn solve(&self, near: [f64; 2]) -> [f64; 2] {
+    /// Broyden's method from a creepage near by, with the slopes met last, and Newton's where these do not lead there; to 10⁻¹¹
+    /// of the creepage. Returns creepage and force.
+    fn solve(&self, near: [f64; 2], slopes: &mut Slopes) -> ([f64; 2], [f64; 2]) {
         const STEPS: usize = 60;
-        const SMALL: f64 = 1e-12;
+        const SMALL: f64 = 1e-11;
+        /// Steps with old slopes.
+        const PATIENCE: usize = 6;
         let size = |pair: [f64; 2]| pair[0].hypot(pair[1]);
-        let mut creepage = near;
-        let mut missed = self.missed(creepage);
-        for _ in 0..STEPS {
-            // What the known creepages, tiny as they may be, are told to.
-            if size(missed) <= SMALL * (size(self.known) + 1e-6) {
+        // What the known creepages, tiny as they may be, are told to.
+        let enough = SMALL * (size(self.known) + 1e-6);
+        let (mut creepage, mut force) = (near, self.force(near));
+        let mut missed = self.missed(creepage, force);
+        for count in 0..STEPS {
+            if size(missed) <= enough {
                 break;
             }
-            let [[a, b], [c, d]] = self.slopes(creepage);
-            let determinant = a * d - b * c;
-            let step = match determinant.abs() > f64::MIN_POSITIVE {
-                true => [
-                    (d * missed[0] - b * missed[1]) / determinant,
-                    (a * missed[1] - c * missed[0]) / determinant,
-                ],
-                false => missed,
-            };
+            if count >= PATIENCE {
+                *slopes = self.slopes(creepage);
+            }
+            let step = self.newton_step(missed, slopes);
             let mut share = 1.0;
             loop {
-                let next = [creepage[0] - share * step[0], creepage[1] - share * step[1]];
-                let left = self.missed(next);
-                if size(left) < size(missed) || share < 1e-4 {
-                    (creepage, missed) = (next, left);
+                let change = step.map(|step| -share * step);
+                let next = [creepage[0] + change[0], creepage[1] + change[1]];
+                let force_there = self.force(next);
+                let left = self.missed(next, force_there);
+                if count < PATIENCE {
+                    slopes.learn(change, [0, 1].map(|axis| force_there[axis] - force[axis]));
+                }
+                if size(left) < size(missed) || count < PATIENCE || share < 1e-4 {
+                    (creepage, force, missed) = (next, force_there, left);
                     break;
                 }
                 share *= 0.5;
             }
         }
-        creepage
+        (creepage, force)
     }
 
-    /// Derivatives of what is missed by the creepages, by rows.
-    fn slopes(&self, creepage: [f64; 2]) -> [[f64; 2]; 2] {
-        if self.normal_force <= 0.0 {
-            return [[1.0, 0.0], [0.0, 1.0]];
-        }
-        let derivatives = self
-            .contact
-            .law
-            .derivatives(self.normal_force, self.creepages(creepage));
-        let [along, across] = [derivatives.by_longitudinal, derivatives.by_lateral].map(pair);
-        [0, 1].map(|axis| {
-            let [a, b] = self.by_force[axis];
-            let mut row = [
-                a * along[0] + b * along[1],
-                a * across[0] + b * across[1],
-            ];
+    /// (1 + B dQ/dξ)⁻¹ of what is missed.
+    fn newton_step(&self, missed: [f64; 2], Slopes(slopes): &Slopes) -> [f64; 2] {
+        let [[a, b], [c, d]] = [0, 1].map(|axis| {
+            let [along, across] = self.by_force[axis];
+            let mut row = [0, 1].map(|to| along * slopes[0][to] + across * slopes[1][to]);
             row[axis] += 1.0;
             row
-        })
+        });
+        let determinant = a * d - b * c;
+        match determinant.abs() > f64::MIN_POSITIVE {
+            true => [
+                (d * missed[0] - b * missed[1]) / determinant,
+                (a * missed[1] - c * missed[0]) / determinant,
+            ],
+            false => missed,
+        }
+    }
+
+    /// dQ/dξ of the law.
+    fn slopes(&self, creepage: [f64; 2]) -> Slopes {
+        if self.normal_force <= 0.0 {
+            return Slopes::default();
+        }
+        let creepages = self.creepages(creepage);
+        let derivatives = self.contact.law.derivatives(self.normal_force, creepages);
+        let [along, across] = [derivatives.by_longitudinal, derivatives.by_lateral].map(pair);
+        Slopes([0, 1].map(|axis| [along[axis], across[axis]]))
+    }
+}
+
+/// dQ/dξ \[N\]: of the force by rows, by the creepage by columns.
+#[derive(Debug, Clone, Copy, Default)]
+struct Slopes([[f64; 2]; 2]);
+
+impl Slopes {
+    /// The nearest slopes that make of a change of the creepage the change of the force that was met (Broyden 1965).
+    fn learn(&mut self, creepage: [f64; 2], force: [f64; 2]) {
+        let square = creepage[0] * creepage[0] + creepage[1] * creepage[1];
+        if square <= f64::MIN_POSITIVE {
+            return;
+        }
+        for (row, force) in self.0.iter_mut().zip(force) {
+            let missed = force - row[0] * creepage[0] - row[1] * creepage[1];
+            row[0] += missed * creepage[0] / square;
+            row[1] += missed * creepage[1] / square;
+        }
     }
 }
 

@@ -1,11 +1,14 @@
 //! Track, wheels and contacts of a march on all axes.
 
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use super::{GeneralMarch, StructuresInTime};
-use crate::contact::{CreepLaw, MeanRolling};
-use crate::passage::HertzSpring;
-use crate::Error;
+use crate::contact::{ContactFilter, CreepLaw, MeanRolling};
+use crate::passage::along_profile::pass;
+use crate::passage::{HertzSpring, Passage};
+use crate::roughness::Profile;
+use crate::{Error, Rail};
 
 /// A contact of a wheel with a rail in time.
 #[derive(Clone)]
@@ -16,6 +19,8 @@ pub struct ContactInTime {
     pub law: Arc<dyn CreepLaw>,
     /// The mean state, at which a march begins.
     pub mean: MeanRolling,
+    /// The rail.
+    pub rail: Rail,
     /// Distance along the rail \[m\], zero for the first wheel, negative behind it.
     pub along: f64,
     /// The profile under it over that of the rail under study.
@@ -41,6 +46,8 @@ pub struct GeneralPassage {
     pub structures: StructuresInTime,
     /// Contacts in the order of the loop, that of the first wheel on the rail under study first.
     pub contacts: Vec<ContactInTime>,
+    /// The mean of the profile over the patch that the wheels feel in the place of its height; none for contacts in a point.
+    pub contact_filter: Option<ContactFilter>,
     /// Speed V \[m/s\].
     pub speed: f64,
 }
@@ -54,5 +61,69 @@ impl GeneralPassage {
         Error::unless_positive("step", step, "m")?;
         Error::unless_positive("speed", self.speed, "m/s")?;
         Ok(GeneralMarch::new(self, step))
+    }
+
+    /// Distance \[m\] after which a bump of the rail of a millisecond is forgotten by the normal forces of all contacts, to
+    /// 10⁻³ of their largest change, and the length of the train twice. The slow motion on primary suspensions is below.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] where two seconds of rolling do not suffice, as where the loop is unstable.
+    pub fn memory(&self) -> Result<f64, Error> {
+        /// \[s\]
+        const STEP: f64 = 2e-5;
+        const PATIENCE: f64 = 2.0;
+        const BUMP: f64 = 1e-3;
+        const FORGOTTEN: f64 = 1e-3;
+        /// Small beside any approach \[m\].
+        const HEIGHT: f64 = 1e-8;
+        let mut march = self.march(STEP * self.speed)?;
+        let steps = (PATIENCE / STEP) as usize;
+        let bump = (BUMP / STEP) as usize;
+        let mut heights = vec![0.0; self.contacts.len()];
+        let changes = (1..=steps).map(|step| {
+            let angle = PI * (step as f64 / bump as f64).min(1.0);
+            heights.fill(HEIGHT * angle.sin().powi(2));
+            let now = march.advance(&heights).iter().zip(&self.contacts);
+            now.map(|(now, contact)| (now.normal_force - contact.spring.normal_force()).abs())
+                .fold(0.0, f64::max)
+        });
+        let changes: Vec<f64> = changes.collect();
+        let largest = changes.iter().copied().fold(0.0, f64::max);
+        let remembered = |change: &f64| *change > FORGOTTEN * largest;
+        let last = changes.iter().rposition(remembered).unwrap_or(0);
+        if last + 1 == steps {
+            return Err(Error::NotConverged {
+                problem: "motion of the wheels after a bump of the rail, two seconds later,",
+                residual: changes[last] / largest,
+                tolerance: FORGOTTEN,
+                remedy: "give rail, wheelset and suspension more loss: what is nearly free of loss may swing up in time",
+            });
+        }
+        let behind = self.contacts.iter().map(|contact| -contact.along);
+        let train = behind.fold(0.0, f64::max);
+        Ok(2.0 * train + (last + 2) as f64 * STEP * self.speed)
+    }
+
+    /// All wheels along a profile, as [`PassageModel::pass`](crate::passage::PassageModel::pass) takes one: the first stands at
+    /// the heights, the others behind it. Contacts on the opposite rail follow what their rail has of the same profile.
+    ///
+    /// # Errors
+    /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
+    pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
+        let start = |step, _| self.march(step);
+        pass(
+            profile,
+            largest_step,
+            self.memory()?,
+            self.contact_filter,
+            start,
+        )
+    }
+
+    /// What the patch leaves of a wave \[m\]: its contact filter, one without.
+    pub fn felt(&self, wavelength: f64) -> f64 {
+        let along = TAU / wavelength;
+        self.contact_filter
+            .map_or(1.0, |filter| filter.amplitude(along, 0.0))
     }
 }

@@ -76,9 +76,8 @@ impl<'a> StructuresMotion<'a> {
         }
         for (row, (displacement, speed)) in displacement.iter_mut().zip(&mut *speed).enumerate() {
             let free = &self.structures.free()[row * size..][..size];
-            let sum = |integrals: &[f64]| -> f64 {
-                free.iter().zip(integrals).map(|(a, b)| a * b).sum()
-            };
+            let sum =
+                |integrals: &[f64]| -> f64 { free.iter().zip(integrals).map(|(a, b)| a * b).sum() };
             (*displacement, *speed) = (sum(&self.twice), sum(&self.once));
         }
         let states = self.states.chunks_exact_mut(size);

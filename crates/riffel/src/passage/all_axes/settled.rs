@@ -45,6 +45,10 @@ impl GeneralPassage {
             amplitude,
             wavelength,
         } = profile;
+        let profile = Sinusoid {
+            amplitude: amplitude * self.felt(wavelength),
+            wavelength,
+        };
         let mut march = self.march(wavelength / steps as f64)?;
         let waves_of = |time: f64| (time * self.speed / wavelength).ceil();
         let (rest, patience) = (waves_of(REST) as usize, waves_of(PATIENCE) as usize);

@@ -62,8 +62,10 @@ impl StructuresInTime {
         speed: f64,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
-        /// Poles beside those of the wheels, pairs counted twice.
-        const POLES: [usize; 3] = [40, 64, 88];
+        /// Poles beside those of the wheels at first, pairs counted twice, and pairs that come with every further fit.
+        const POLES: usize = 40;
+        const MORE: usize = 6;
+        const FITS: usize = 6;
         /// An rms below needs no more poles.
         const FINE: f64 = 3e-5;
         let lines: Vec<f64> = natural_frequencies
@@ -72,19 +74,23 @@ impl StructuresInTime {
             .filter(|&w| w < TAU * Self::KNOWN)
             .collect();
         let transfer = Transfer::of(feedback, speed, &lines)?;
+        let band = [ImpulseResponse::BAND.0, TAU * Self::HIGHEST];
+        let mut starting = starting(band, POLES, &lines);
         let mut best: Option<Self> = None;
-        for order in POLES {
-            let fit = transfer.fit(order, &lines);
-            if best
+        for _ in 0..FITS {
+            let (fit, worst) = transfer.fit(&starting, MORE);
+            // What more poles do not halve is not causal.
+            let gains = best
                 .as_ref()
-                .is_none_or(|best| fit.share_cut < best.share_cut)
-            {
-                best = Some(fit);
+                .is_none_or(|best| fit.share_cut < 0.5 * best.share_cut);
+            if !gains {
+                break;
             }
-            if best
-                .as_ref()
-                .is_some_and(|best| best.share_cut <= FINE * FINE)
-            {
+            starting.clone_from(&fit.poles);
+            starting.extend(worst.iter().map(|w| Complex64::new(-0.02, 1.0) * w));
+            let fine = fit.share_cut <= FINE * FINE;
+            best = Some(fit);
+            if fine {
                 break;
             }
         }
@@ -209,7 +215,8 @@ impl Transfer {
         })
     }
 
-    fn fit(&self, order: usize, lines: &[f64]) -> StructuresInTime {
+    /// The fit from poles to start from \[rad/s\], and some of the frequencies at which it is off most \[rad/s\].
+    fn fit(&self, starting: &[Complex64], count: usize) -> (StructuresInTime, Vec<f64>) {
         /// Up to here errors count \[Hz\].
         const JUDGED: f64 = 3e3;
         let Self {
@@ -220,8 +227,7 @@ impl Transfer {
             .iter()
             .map(|Entry { values, sizes, .. }| Sampled { values, sizes })
             .collect();
-        let band = [frequencies[0], frequencies[frequencies.len() - 1]];
-        let poles = shared_poles(frequencies, &sampled, &starting(band, order, lines));
+        let poles = shared_poles(frequencies, &sampled, starting);
         let fits: Vec<_> = self
             .entries
             .par_iter()
@@ -238,10 +244,12 @@ impl Transfer {
             }
         }
         let (mut share_cut, mut weights, mut largest_error) = (0.0, 0.0, 0f64);
+        let mut errors = Vec::new();
         for (index, w) in frequencies.iter().enumerate() {
             if *w > TAU * JUDGED {
                 break;
             }
+            let mut largest_here = 0f64;
             let next = frequencies.get(index + 1).copied().unwrap_or(*w);
             let weight = (next / w).ln();
             let s = Complex64::new(0.0, *w);
@@ -250,18 +258,38 @@ impl Transfer {
                 let error = ((value - values[index]) / sizes[index]).norm_sqr();
                 share_cut += weight * error;
                 weights += weight;
-                largest_error = largest_error.max(error.sqrt());
+                largest_here = largest_here.max(error.sqrt());
             }
+            largest_error = largest_error.max(largest_here);
+            errors.push((*w, largest_here));
         }
-        StructuresInTime {
+        let fit = StructuresInTime {
             size: *size,
             poles,
             residues: matrices,
             free: self.free.clone(),
             share_cut: share_cut / weights,
             largest_error,
+        };
+        (fit, worst(errors, count))
+    }
+}
+
+/// The frequencies of the largest errors, of neighbours one.
+fn worst(mut errors: Vec<(f64, f64)>, count: usize) -> Vec<f64> {
+    /// Part of its frequency within which one pair of poles is enough.
+    const NEAR: f64 = 0.05;
+    errors.sort_by(|one, other| other.1.total_cmp(&one.1));
+    let mut worst: Vec<f64> = Vec::new();
+    for (w, _) in errors {
+        if worst.iter().all(|other| (w / other - 1.0).abs() > NEAR) {
+            worst.push(w);
+        }
+        if worst.len() == count {
+            break;
         }
     }
+    worst
 }
 
 /// Poles to start from \[rad/s\]: a pair of little damping at each line; of the others a third real, all over the decades.

@@ -1,15 +1,13 @@
-//! The wheel of a case in time.
+//! One wheel of a case in time, along one axis.
 
 use std::sync::Arc;
 
 use riffel::contact::CreepLaw;
-use riffel::passage::{
-    HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Turning, WearOfPassages,
-};
+use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning};
 use riffel_keys::CaseError;
 
 use crate::Case;
-use crate::build::ContactInTime;
+use crate::build::CreepInTime;
 use crate::file::{ContactDynamics, Rotation};
 
 impl Case {
@@ -23,7 +21,7 @@ impl Case {
     }
 
     /// The creep law of the case, and what it makes of the past, for passages at any speed.
-    pub(crate) fn contact_in_time(&self) -> Result<ContactInTime, CaseError> {
+    pub(crate) fn contact_in_time(&self) -> Result<CreepInTime, CaseError> {
         self.check_in_time()?;
         let (keys, friction) = (&self.keys, self.steady.friction);
         // The paper's law does without Kalker's coefficients, which have a table that ends.
@@ -32,12 +30,16 @@ impl Case {
             None => keys.creep_law(self.hertz, friction)?,
         };
         match law {
-            Some(law) => Ok(ContactInTime { law, late: None }),
+            Some(law) => Ok(CreepInTime { law, late: None }),
             None => keys.exact_in_time(self.hertz, friction),
         }
     }
 
-    fn passage_on(&self, contact: &ContactInTime, speed: f64) -> Result<PassageModel, CaseError> {
+    pub(super) fn passage_on(
+        &self,
+        contact: &CreepInTime,
+        speed: f64,
+    ) -> Result<PassageModel, CaseError> {
         let (keys, wheel) = (&self.keys, &self.file.wheel);
         let key = match self.keys.given.track {
             Some(_) => "receptance of the track",
@@ -69,39 +71,6 @@ impl Case {
             },
             mean: self.steady,
             speed,
-        })
-    }
-
-    /// The wheel of [`passage`](Self::passage) as one of those that wear the rail, the only one and always under traction.
-    ///
-    /// # Errors
-    /// Those of [`passage`](Self::passage), and a motion that forgets nothing in two seconds.
-    pub fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        self.passing_wheel_on(&self.contact_in_time()?, speed)
-    }
-
-    pub(crate) fn passing_wheel_on(
-        &self,
-        contact: &ContactInTime,
-        speed: f64,
-    ) -> Result<PassingWheel, CaseError> {
-        let model = self.passage_on(contact, speed)?;
-        let feedback = self.feedback.longitudinal().ok_or_else(|| {
-            self.refuse(
-                "contact.creepage",
-                "there is no loop of longitudinal creepage",
-            )
-        })?;
-        Ok(PassingWheel {
-            memory: self.keys.physics("track", model.memory())?,
-            model,
-            wear: WearOfPassages {
-                wear: feedback.wear,
-                place: feedback.place_of_wear,
-                shortest: 2.0 * self.hertz.semi_axis_longitudinal(),
-            },
-            share: 1.0,
-            traction_share: 1.0,
         })
     }
 

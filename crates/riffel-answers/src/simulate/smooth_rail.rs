@@ -1,0 +1,132 @@
+//! Wheels of a case on a smooth rail.
+
+use riffel::feedback::Stability;
+use riffel::passage::{LoopInTime, Outcome, SmoothRail};
+use riffel_case::{Case, ContactName};
+use riffel_keys::{CaseError, Remark};
+use riffel_plot::{Arrangement, LineFigure};
+
+use super::along_rail::check_step;
+use super::{ContactSwingDocument, Course, SmoothRailDocument, remarks};
+use crate::{AnswerError, parameters};
+
+/// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile.
+pub struct SmoothRailAnswer {
+    /// \[m/s\]
+    pub speed: f64,
+    /// What the wheels do.
+    pub motion: SmoothRail,
+    /// What the linear loop says, where its phase can be followed.
+    pub stability: Option<Stability>,
+    /// Names of the contacts.
+    pub contacts: Vec<ContactName>,
+    share_cut: f64,
+    /// What the reader should know.
+    pub remarks: Vec<Remark>,
+}
+
+impl SmoothRailAnswer {
+    /// A case at a speed \[m/s\], in steps of at most the length given \[m\].
+    ///
+    /// # Errors
+    /// [`CaseError`] for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
+    /// [`Case::in_time_without_profile`].
+    pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self, AnswerError> {
+        let step = step.unwrap_or(f64::INFINITY);
+        check_step(step)?;
+        case.check_points([case.wavelength.min(); 2], [speed; 2])?;
+        let model = case.in_time_without_profile(speed)?;
+        let LoopInTime::General(general) = &model else {
+            return Err(case
+                .refuse(
+                    "contact.creepage",
+                    "one wheel with longitudinal creepage alone has nothing to swing against on a smooth rail: give a \
+                     [wheelset], or contact.creepage as a table",
+                )
+                .into());
+        };
+        let motion = general
+            .on_smooth_rail(step)
+            .map_err(|error| CaseError::Physics {
+                input: "--smooth".to_owned(),
+                error,
+            })?;
+        Ok(Self {
+            speed,
+            stability: case.stability(speed),
+            contacts: case.contact_names(),
+            share_cut: model.share_cut(),
+            remarks: remarks::of_track(&model).into_iter().collect(),
+            motion,
+        })
+    }
+
+    /// How it ends, as it is written.
+    pub fn outcome(&self) -> &'static str {
+        match self.motion.outcome {
+            Outcome::AtRest => "at-rest",
+            Outcome::LimitCycle => "limit-cycle",
+            Outcome::Irregular => "irregular",
+        }
+    }
+
+    /// What `riffel simulate --smooth --json` prints.
+    pub fn document(&self) -> SmoothRailDocument {
+        let pairs = self.contacts.iter().zip(&self.motion.contacts);
+        SmoothRailDocument {
+            speed_m_per_s: self.speed,
+            step_m: self.motion.step,
+            outcome: self.outcome(),
+            rolled_s: self.motion.seconds,
+            frequency_hz: self.motion.frequency,
+            linear_unstable_roots: self.stability.map(|stability| stability.unstable_roots),
+            linear_frequency_hz: self.stability.and_then(|stability| stability.frequency),
+            contacts: pairs
+                .map(|(&name, swing)| ContactSwingDocument::new(name, swing))
+                .collect(),
+            track_share_cut: self.share_cut,
+            course: self.course(),
+        }
+    }
+
+    /// A few periods of the first contact.
+    pub fn course(&self) -> Course {
+        self.course_of(0)
+    }
+
+    fn course_of(&self, contact: usize) -> Course {
+        let course = &self.motion.course[contact];
+        let places = (0..course.len()).map(|index| index as f64 * self.motion.step);
+        Course::new(places.collect(), vec![0.0; course.len()], course, true)
+    }
+
+    /// A few periods of the contact that swings most, as strips.
+    pub fn figure(&self, case: &Case) -> LineFigure {
+        let span = |[least, most]: [f64; 2]| most - least;
+        let swings = self.motion.contacts.iter().map(|swing| {
+            span(swing.tangential_force)
+                .max(span(swing.lateral_force))
+                .max(span(swing.normal_force))
+        });
+        let largest = swings
+            .enumerate()
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        let most = largest.map_or(0, |(index, _)| index);
+        let ContactName { wheel, rail } = self.contacts[most];
+        let what = match (self.motion.outcome, self.motion.frequency) {
+            (Outcome::AtRest, _) | (_, None) => "at rest".to_owned(),
+            (Outcome::LimitCycle, Some(frequency)) => {
+                format!("limit cycle of {frequency:.0} Hz")
+            }
+            (Outcome::Irregular, Some(frequency)) => {
+                format!("motion without a period, strongest at {frequency:.0} Hz")
+            }
+        };
+        LineFigure {
+            title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed),
+            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters(case)),
+            panels: self.course_of(most).panels(),
+            arrangement: Arrangement::Strips,
+        }
+    }
+}

@@ -1,0 +1,45 @@
+//! What the contacts of a loop on all axes are called.
+
+use riffel::Rail;
+use riffel::feedback::GeneralLoop;
+use serde::Serialize;
+
+use crate::Case;
+
+/// One of several contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct ContactName {
+    /// Number of the wheel from the first on, which is 1.
+    pub wheel: usize,
+    /// Its rail, "left" or "right".
+    pub rail: &'static str,
+}
+
+impl ContactName {
+    /// Of all contacts, in their order.
+    pub(crate) fn all(of: &GeneralLoop) -> Vec<Self> {
+        let mut places: Vec<f64> = Vec::new();
+        let contacts = of.contacts().iter().map(|contact| {
+            let known = places.iter().position(|&along| along == contact.along);
+            let wheel = known.unwrap_or_else(|| {
+                places.push(contact.along);
+                places.len() - 1
+            });
+            Self {
+                wheel: 1 + wheel,
+                rail: match contact.rail {
+                    Rail::Left => "left",
+                    Rail::Right => "right",
+                },
+            }
+        });
+        contacts.collect()
+    }
+}
+
+impl Case {
+    /// Names of the contacts of a loop on all axes, that under study first; none of a loop of one wheel and one axis.
+    pub fn contact_names(&self) -> Vec<ContactName> {
+        self.feedback.general().map_or(Vec::new(), ContactName::all)
+    }
+}
