@@ -100,7 +100,7 @@ pub struct SmoothRailDocument {
     pub outcome: &'static str,
     /// Time rolled until that was seen.
     pub rolled_s: f64,
-    /// Strongest frequency of the forces; none at rest.
+    /// Frequency with which all forces repeat themselves; none at rest.
     pub frequency_hz: Option<f64>,
     /// Roots of the linear loop in the half-plane of growing oscillations.
     pub linear_unstable_roots: Option<usize>,
@@ -115,7 +115,7 @@ pub struct SmoothRailDocument {
     pub course: Course,
 }
 
-/// Least and largest of what a contact did over the last tenth of a second.
+/// Least and largest of what a contact did over the last half second.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactSwingDocument {
     /// Which.

@@ -119,7 +119,7 @@ impl SmoothRailAnswer {
                 format!("limit cycle of {frequency:.0} Hz")
             }
             (Outcome::Irregular, Some(frequency)) => {
-                format!("motion without a period, strongest at {frequency:.0} Hz")
+                format!("motion that has not settled, like itself at {frequency:.0} Hz")
             }
         };
         LineFigure {

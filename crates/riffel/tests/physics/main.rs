@@ -1,5 +1,6 @@
 //! Identities and limits over random physical cases.
 
+mod all_axes_in_time;
 mod closed_forms;
 mod contact;
 mod forecast;

@@ -1,6 +1,6 @@
 //! Wheels on a smooth rail: at rest, or in the limit cycle of an unstable loop.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use realfft::RealFftPlanner;
 
@@ -15,11 +15,11 @@ pub struct SmoothRail {
     pub outcome: Outcome,
     /// Time rolled until that was seen \[s\].
     pub seconds: f64,
-    /// Strongest frequency of the forces over the last window \[Hz\]; none at rest.
+    /// Frequency with which all forces repeat themselves \[Hz\]; none at rest.
     pub frequency: Option<f64>,
-    /// What each contact did over the last window.
+    /// What each contact did over the last half second.
     pub contacts: Vec<ContactSwing>,
-    /// Instants of the contacts over a few periods at the end, one list for each contact.
+    /// Instants of the contacts over three periods at the end, one list for each contact.
     pub course: Vec<Vec<ContactInstant>>,
     /// Distance of the instants \[m\].
     pub step: f64,
@@ -56,8 +56,9 @@ pub struct ContactSwing {
     pub dissipation: f64,
 }
 
-/// Windows by which the motion is judged \[s\].
+/// Windows by which the motion is judged \[s\], and how many are kept and must be alike.
 const WINDOW: f64 = 0.1;
+const WINDOWS: usize = 5;
 
 impl GeneralPassage {
     /// Longest step in time on a smooth rail \[s\]: twenty to a period of the highest frequency at which the structures are known.
@@ -77,7 +78,6 @@ impl GeneralPassage {
         const BUMP: f64 = 1e-3;
         const STILL: f64 = 1e-4;
         const ALIKE: f64 = 1e-3;
-        const ALIKE_WINDOWS: usize = 5;
         let step = largest_step.min(Self::LONGEST_TIME_STEP * self.speed);
         let mut march = self.march(step)?;
         let to_a_window = (WINDOW * self.speed / step).ceil() as usize;
@@ -85,11 +85,16 @@ impl GeneralPassage {
         // A third of dδ/δ makes half of that in P.
         let bump = 0.07 * self.contacts[0].spring.approach();
         let mut heights = vec![0.0; self.contacts.len()];
-        let mut course = vec![Vec::with_capacity(to_a_window); self.contacts.len()];
+        let kept = WINDOWS * to_a_window;
+        let mut course = vec![Vec::with_capacity(kept); self.contacts.len()];
         let mut sizes: Vec<f64> = Vec::new();
         let mut outcome = Outcome::Irregular;
         for window in 0..windows {
-            course.iter_mut().for_each(Vec::clear);
+            if window >= WINDOWS {
+                for course in &mut course {
+                    course.drain(..to_a_window);
+                }
+            }
             for index in 0..to_a_window {
                 let time = (window * to_a_window + index) as f64 * step / self.speed;
                 let angle = PI * (time / BUMP).min(1.0);
@@ -98,22 +103,22 @@ impl GeneralPassage {
                     course.push(*now);
                 }
             }
-            let size = self.size(&course);
+            let size = self.size(&course, to_a_window);
             sizes.push(size);
             if size < STILL {
                 outcome = Outcome::AtRest;
                 break;
             }
-            let last = &sizes[sizes.len().saturating_sub(ALIKE_WINDOWS)..];
+            let last = &sizes[sizes.len().saturating_sub(WINDOWS)..];
             let alike = |other: &f64| (other / size - 1.0).abs() < ALIKE;
-            if last.len() == ALIKE_WINDOWS && last.iter().all(alike) {
+            if last.len() == WINDOWS && last.iter().all(alike) {
                 outcome = Outcome::LimitCycle;
                 break;
             }
         }
         let frequency = match outcome {
             Outcome::AtRest => None,
-            _ => self.strongest_frequency(&course, step / self.speed),
+            _ => self.frequency(&course, step / self.speed),
         };
         let contacts = course.iter().zip(&self.contacts);
         let contacts = contacts.map(|(course, contact)| {
@@ -128,11 +133,10 @@ impl GeneralPassage {
             })
         });
         let contacts = contacts.collect();
-        // Five periods, or a tenth of the window.
-        let shown = frequency.map_or(0.1 * WINDOW, |frequency| 5.0 / frequency);
-        let shown = ((shown * self.speed / step).ceil() as usize).clamp(2, to_a_window);
+        let shown = frequency.map_or(0.1 * WINDOW, |frequency| 3.0 / frequency);
+        let shown = ((shown * self.speed / step).ceil() as usize).max(2);
         for course in &mut course {
-            course.drain(..to_a_window - shown);
+            course.drain(..course.len().saturating_sub(shown));
         }
         Ok(SmoothRail {
             outcome,
@@ -144,9 +148,10 @@ impl GeneralPassage {
         })
     }
 
-    /// Largest deviation of any force from its mean state over the load.
-    fn size(&self, course: &[Vec<ContactInstant>]) -> f64 {
+    /// Half the largest range of any force over the last instants, over the load.
+    fn size(&self, course: &[Vec<ContactInstant>], instants: usize) -> f64 {
         let of_contacts = course.iter().zip(&self.contacts).map(|(course, contact)| {
+            let course = &course[course.len() - instants..];
             let range = |of: fn(&ContactInstant) -> f64| {
                 let [least, largest] = range(course, of);
                 largest - least
@@ -159,38 +164,57 @@ impl GeneralPassage {
         of_contacts.fold(0.0, f64::max)
     }
 
-    /// Of the force that moves most, under a window of Hann, with a parabola through the peak.
-    fn strongest_frequency(&self, course: &[Vec<ContactInstant>], step: f64) -> Option<f64> {
+    /// That of the shortest time after which all forces are like themselves, as nearly as after any: the first high peak of their
+    /// autocorrelation, with a parabola through it. None where the longest time is shorter than two periods.
+    fn frequency(&self, course: &[Vec<ContactInstant>], step: f64) -> Option<f64> {
+        /// Of the highest peak.
+        const HIGH: f64 = 0.95;
         let forces: [fn(&ContactInstant) -> f64; 3] = [
             |instant| instant.normal_force,
             |instant| instant.tangential_force,
             |instant| instant.lateral_force,
         ];
-        let span = |pair: &(&Vec<ContactInstant>, fn(&ContactInstant) -> f64)| {
-            let [least, largest] = range(pair.0, pair.1);
-            largest - least
-        };
-        let (course, force) = course
+        let count = course.first()?.len();
+        // Twice as long, so that the end does not meet the beginning.
+        let mut planner = RealFftPlanner::new();
+        let (forward, inverse) = (
+            planner.plan_fft_forward(2 * count),
+            planner.plan_fft_inverse(2 * count),
+        );
+        let mut power = inverse.make_input_vec();
+        for course in course {
+            for force in forces {
+                let mean = course.iter().map(force).sum::<f64>() / count as f64;
+                let mut values = forward.make_input_vec();
+                for (value, instant) in values.iter_mut().zip(course) {
+                    *value = force(instant) - mean;
+                }
+                let mut lines = forward.make_output_vec();
+                // Lengths are those of the plan.
+                forward.process(&mut values, &mut lines).ok()?;
+                for (power, line) in power.iter_mut().zip(lines) {
+                    *power += line.norm_sqr();
+                }
+            }
+        }
+        let mut correlation = inverse.make_output_vec();
+        inverse.process(&mut power, &mut correlation).ok()?;
+        // Of what overlaps, up to half of the time.
+        let alike: Vec<f64> = correlation[..count / 2]
             .iter()
-            .flat_map(|course| forces.map(|force| (course, force)))
-            .max_by(|one, other| span(one).total_cmp(&span(other)))?;
-        let count = course.len();
-        let mean = course.iter().map(force).sum::<f64>() / count as f64;
-        let windowed = course.iter().enumerate().map(|(index, instant)| {
-            let angle = TAU * index as f64 / count as f64;
-            (force(instant) - mean) * (1.0 - angle.cos())
-        });
-        let mut values: Vec<f64> = windowed.collect();
-        let transform = RealFftPlanner::new().plan_fft_forward(count);
-        let mut lines = transform.make_output_vec();
-        // Lengths are those of the plan.
-        transform.process(&mut values, &mut lines).ok()?;
-        let sizes: Vec<f64> = lines.iter().map(|line| line.norm()).collect();
-        let inner = 1..sizes.len().saturating_sub(1);
-        let peak = inner.max_by(|&one, &other| sizes[one].total_cmp(&sizes[other]))?;
-        let [before, at, after] = [sizes[peak - 1], sizes[peak], sizes[peak + 1]].map(f64::ln);
+            .enumerate()
+            .map(|(lag, value)| value / (count - lag) as f64)
+            .collect();
+        let below = alike.iter().position(|value| *value < 0.0)?;
+        let highest = alike[below..].iter().copied().fold(0.0, f64::max);
+        let peak = (below..alike.len() - 1).find(|&lag| {
+            alike[lag] > HIGH * highest
+                && alike[lag] >= alike[lag - 1]
+                && alike[lag] >= alike[lag + 1]
+        })?;
+        let [before, at, after] = [alike[peak - 1], alike[peak], alike[peak + 1]];
         let shift = 0.5 * (before - after) / (before - 2.0 * at + after);
-        Some((peak as f64 + shift) / (count as f64 * step))
+        Some(((peak as f64 + shift) * step).recip())
     }
 }
 

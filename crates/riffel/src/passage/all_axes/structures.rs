@@ -232,7 +232,7 @@ impl Transfer {
             .entries
             .par_iter()
             .map(|Entry { values, sizes, .. }| {
-                residues(frequencies, &[values.clone()], sizes, &poles).swap_remove(0)
+                residues(frequencies, std::slice::from_ref(values), sizes, &poles).swap_remove(0)
             })
             .collect();
         let mut matrices = vec![vec![Complex64::ZERO; size * size]; poles.len()];
