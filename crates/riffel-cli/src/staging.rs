@@ -155,11 +155,7 @@ impl Staging {
         let mut manifest = Manifest::read(&self.folder)?;
         let mut written = Files::new();
         for name in &self.files {
-            let path = self.folder.join(name);
-            place::check(&path)?;
-            if path.exists() && !manifest.lists(name) {
-                return Err(CliError::Foreign { path });
-            }
+            check_file(&manifest, &self.folder, name)?;
             let fingerprint = fingerprint(&self.temporary.join(name))
                 .map_err(|reason| self.cannot_write(name, reason))?;
             written.insert(name.clone(), fingerprint);
@@ -234,6 +230,24 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
         }
         _ => cannot_write(path, reason),
     })
+}
+
+/// `Ok` if a command may write its files to a folder: what is wrong with it is better known before long work than after it.
+pub(crate) fn check_files(folder: &Path, names: &[&str]) -> Result<(), CliError> {
+    place::check_folder(folder)?;
+    let manifest = Manifest::read(folder)?;
+    let mut names = names.iter();
+    names.try_for_each(|name| check_file(&manifest, folder, name))
+}
+
+/// `Ok` if a file is not there, or is that of a run before.
+fn check_file(manifest: &Manifest, folder: &Path, name: &str) -> Result<(), CliError> {
+    let path = folder.join(name);
+    place::check(&path)?;
+    match path.exists() && !manifest.lists(name) {
+        true => Err(CliError::Foreign { path }),
+        false => Ok(()),
+    }
 }
 
 fn cannot_write(path: &Path, reason: io::Error) -> CliError {

@@ -60,7 +60,7 @@ mod _riffel {
         remove_spikes, roll_over, synthesise, third_octaves,
     };
     #[pymodule_export]
-    use crate::simulate::{evolve, simulate};
+    use crate::simulate::{evolve, on_smooth_rail, simulate};
     #[pymodule_export]
     use crate::study::{Study, merge_study, sobol_indices, study_summary};
     /// Rows of a map are filled up to a multiple of this.

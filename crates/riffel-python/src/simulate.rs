@@ -7,7 +7,7 @@ use riffel::passage::Sinusoid;
 use riffel::roughness::Profile;
 use riffel_answers::simulate::{
     Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer,
-    SinusoidRequest, Surface,
+    SinusoidRequest, SmoothRailAnswer, Surface,
 };
 use riffel_keys::Remark;
 
@@ -44,19 +44,37 @@ impl GivenSurface<'_> {
     }
 }
 
-/// One array for each quantity.
-fn arrays<'py>(py: Python<'py>, course: Course) -> PyResult<Bound<'py, PyDict>> {
+/// One array for each quantity of a course, or of several contacts by rows.
+fn arrays<'py>(py: Python<'py>, courses: Vec<Course>) -> PyResult<Bound<'py, PyDict>> {
     let arrays = PyDict::new(py);
-    for (name, values) in [
-        ("position", course.position_m),
-        ("height", course.height_m),
-        ("normal_force", course.normal_force_n),
-        ("tangential_force", course.tangential_force_n),
-        ("creepage", course.creepage),
-        ("dissipation", course.dissipation_j_per_m),
-        ("approach", course.approach_m),
-    ] {
-        arrays.set_item(name, values.into_pyarray(py))?;
+    let several = courses.len() > 1;
+    let Some(first) = courses.first() else {
+        return Ok(arrays);
+    };
+    for (name, values) in [("position", &first.position_m), ("height", &first.height_m)] {
+        arrays.set_item(name, values.clone().into_pyarray(py))?;
+    }
+    type Column = fn(&Course) -> Option<&Vec<f64>>;
+    let columns: [(&str, Column); 7] = [
+        ("normal_force", |course| Some(&course.normal_force_n)),
+        ("tangential_force", |course| {
+            Some(&course.tangential_force_n)
+        }),
+        ("lateral_force", |course| course.lateral_force_n.as_ref()),
+        ("creepage", |course| Some(&course.creepage)),
+        ("lateral_creepage", |course| {
+            course.lateral_creepage.as_ref()
+        }),
+        ("dissipation", |course| Some(&course.dissipation_j_per_m)),
+        ("approach", |course| Some(&course.approach_m)),
+    ];
+    for (name, column) in columns {
+        let rows: Vec<Vec<f64>> = courses.iter().filter_map(column).cloned().collect();
+        match rows.as_slice() {
+            [] => {}
+            [row] if !several => arrays.set_item(name, row.clone().into_pyarray(py))?,
+            rows => arrays.set_item(name, PyArray2::from_vec2(py, rows)?)?,
+        }
     }
     Ok(arrays)
 }
@@ -76,7 +94,7 @@ pub(crate) fn simulate<'py>(
     contact_filter: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let told = PyDict::new(py);
-    let course = match surface.rail()? {
+    let courses: Vec<Course> = match surface.rail()? {
         Rail::Sinusoid(profile) => {
             let request = SinusoidRequest {
                 contact_filter,
@@ -85,12 +103,16 @@ pub(crate) fn simulate<'py>(
             let answer = case.compute(py, move |case| SinusoidAnswer::new(case, request))?;
             let answer = answer.map_err(of_answer)?;
             let [least, largest] = answer.settled.normal_force;
-            told.set_item("harmonics", document(py, &answer.document().harmonics)?)?;
+            let found = answer.document();
+            if answer.contacts.len() > 1 {
+                told.set_item("contacts", document(py, &found.contacts)?)?;
+            }
+            told.set_item("harmonics", document(py, &found.harmonics)?)?;
             told.set_item("contact_loss_fraction", answer.settled.contact_loss)?;
             told.set_item("minimum_normal_force", least)?;
             told.set_item("maximum_normal_force", largest)?;
             told.set_item("remarks", words(&answer.remarks))?;
-            answer.course()
+            answer.courses()
         }
         Rail::Profile(profile) => {
             let request = PassageRequest {
@@ -108,10 +130,29 @@ pub(crate) fn simulate<'py>(
             told.set_item("minimum_normal_force", least)?;
             told.set_item("maximum_normal_force", largest)?;
             told.set_item("remarks", words(&answer.remarks))?;
-            answer.course()
+            if answer.contacts.len() > 1 {
+                let names: Vec<_> = answer.contacts.iter().map(|(name, _)| name).collect();
+                told.set_item("contacts", document(py, &names)?)?;
+            }
+            let others = answer.other_courses().into_iter().map(|other| other.course);
+            std::iter::once(answer.course()).chain(others).collect()
         }
     };
-    Ok((arrays(py, course)?, told))
+    Ok((arrays(py, courses)?, told))
+}
+
+/// What becomes of a push on a smooth rail: the end of the course of every contact by name, and the document of the program without it.
+#[pyfunction]
+pub(crate) fn on_smooth_rail<'py>(
+    py: Python<'py>,
+    case: &Case,
+    speed: f64,
+    step: Option<f64>,
+) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyAny>, Vec<String>)> {
+    let answer = case.compute(py, move |case| SmoothRailAnswer::new(case, speed, step))?;
+    let answer = answer.map_err(of_answer)?;
+    let found = document(py, &answer.document())?;
+    Ok((arrays(py, answer.courses())?, found, words(&answer.remarks)))
 }
 
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing

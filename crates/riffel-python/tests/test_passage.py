@@ -58,6 +58,34 @@ def test_traffic_on_supports_is_that_of_the_program(program: Callable[..., Any],
         case.evolve(sinusoid=("1 um", "60 mm"), passages=1)
 
 
+def test_all_axes_are_those_of_the_program(program: Callable[..., Any], nominal: riffel.Case) -> None:
+    overrides = {
+        "track.model": "one-layer",
+        "contact.creep_law": "polach",
+        "contact.creepage": {"longitudinal": 0.001, "lateral": 0.003},
+    }
+    case = riffel.Case.from_toml("cases/wheelset-metro-trailer.toml", overrides)
+    sets = ("--set", "track.model=one-layer", "--set", "contact.creep_law=polach")
+    sets += ("--set", "contact.creepage={longitudinal=0.001, lateral=0.003}")
+    options = ("simulate", "cases/wheelset-metro-trailer.toml", *sets, "--speed", "15", "--json")
+    printed = program(*options, "--sinusoid", "20um,60mm")
+    found = case.simulate(sinusoid=("20 um", "60 mm"), speed=15.0)
+    assert found.lateral_force.dims == ("contact", "position")
+    assert list(found.contact.values) == ["1 right", "1 left"]
+    for index, contact in enumerate(printed["contacts"]):
+        forces = [complex(*harmonic["lateral_force_n"]) for harmonic in contact["harmonics"]]
+        np.testing.assert_array_equal(found.lateral_force_harmonics[index], forces)
+
+    smooth = case.on_smooth_rail(speed=15.0)
+    printed = program(*options, "--smooth")
+    assert smooth.attrs["outcome"] == printed["outcome"] == "at-rest"
+    assert np.isnan(smooth.attrs["frequency"]) and printed["frequency_hz"] is None
+    for index, contact in enumerate(printed["contacts"]):
+        np.testing.assert_array_equal(smooth.normal_force_range[index], contact["normal_force_n"])
+    with pytest.raises(ValueError, match="nothing to swing against"):
+        nominal.on_smooth_rail(speed=15.0)
+
+
 def test_a_profile_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case, tmp_path: Any) -> None:
     position = 0.002 * np.arange(2000)
     heights = 1e-5 * np.cos(2.0 * np.pi * position / 0.05)

@@ -96,7 +96,7 @@ pub struct SmoothRailDocument {
     pub speed_m_per_s: f64,
     /// Step of the march.
     pub step_m: f64,
-    /// `at-rest`, `limit-cycle` or `irregular`.
+    /// `at-rest`, `limit-cycle`, `runs-away` or `irregular`.
     pub outcome: &'static str,
     /// Time rolled until that was seen.
     pub rolled_s: f64,

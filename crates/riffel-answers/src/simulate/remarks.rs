@@ -55,6 +55,16 @@ pub(super) fn of_air(passages: u64) -> Remark {
     )
 }
 
+/// That wheels on a smooth rail slide off.
+pub(super) fn of_sliding() -> Remark {
+    Remark::new(
+        "the wheels slide as fast as they roll: with so much creepage the creep forces fall short of those of the mean state, and \
+         nothing else holds the wheels; give them wheelset.suspension, or less creepage",
+        "die Räder gleiten so schnell, wie sie rollen: bei so viel Schlupf bleiben die Kraftschlusskräfte unter denen des \
+         mittleren Zustands, und sonst hält die Räder nichts; wheelset.suspension oder weniger Schlupf hilft",
+    )
+}
+
 /// That the wheel is too large for the troughs of a sinusoid of amplitude Δ and wavelength λ, Δ > λ²/(4π²R).
 pub(super) fn of_troughs(amplitude: f64, wavelength: f64, rolling_radius: f64) -> Option<Remark> {
     let wavenumber = std::f64::consts::TAU / wavelength;

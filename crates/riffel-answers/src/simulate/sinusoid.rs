@@ -172,11 +172,21 @@ impl SinusoidAnswer {
             .collect()
     }
 
-    /// One wave, from crest to crest.
+    /// One wave under the first contact, from crest to crest.
     pub fn course(&self) -> Course {
+        self.course_of(&self.settled)
+    }
+
+    /// The same for all contacts in their order, each at the times at which the first wheel is at the places.
+    pub fn courses(&self) -> Vec<Course> {
+        let all = std::iter::once(&self.settled).chain(&self.others);
+        all.map(|settled| self.course_of(settled)).collect()
+    }
+
+    fn course_of(&self, settled: &Settled) -> Course {
         let SinusoidRequest { profile, steps, .. } = self.request;
-        let wave = self.settled.wave.iter().copied();
-        let contacts: Vec<_> = std::iter::once(self.settled.crest).chain(wave).collect();
+        let wave = settled.wave.iter().copied();
+        let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
         let share = |step: usize| step as f64 / steps as f64;
         Course::new(
             (0..=steps)

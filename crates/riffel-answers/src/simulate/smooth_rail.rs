@@ -56,7 +56,10 @@ impl SmoothRailAnswer {
             stability: case.stability(speed),
             contacts: case.contact_names(),
             share_cut: model.share_cut(),
-            remarks: remarks::of_track(&model).into_iter().collect(),
+            remarks: remarks::of_track(&model)
+                .into_iter()
+                .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
+                .collect(),
             motion,
         })
     }
@@ -66,6 +69,7 @@ impl SmoothRailAnswer {
         match self.motion.outcome {
             Outcome::AtRest => "at-rest",
             Outcome::LimitCycle => "limit-cycle",
+            Outcome::RunsAway => "runs-away",
             Outcome::Irregular => "irregular",
         }
     }
@@ -94,6 +98,13 @@ impl SmoothRailAnswer {
         self.course_of(0)
     }
 
+    /// The same of all contacts.
+    pub fn courses(&self) -> Vec<Course> {
+        (0..self.contacts.len())
+            .map(|contact| self.course_of(contact))
+            .collect()
+    }
+
     fn course_of(&self, contact: usize) -> Course {
         let course = &self.motion.course[contact];
         let places = (0..course.len()).map(|index| index as f64 * self.motion.step);
@@ -114,6 +125,7 @@ impl SmoothRailAnswer {
         let most = largest.map_or(0, |(index, _)| index);
         let ContactName { wheel, rail } = self.contacts[most];
         let what = match (self.motion.outcome, self.motion.frequency) {
+            (Outcome::RunsAway, _) => "the wheels slide off".to_owned(),
             (Outcome::AtRest, _) | (_, None) => "at rest".to_owned(),
             (Outcome::LimitCycle, Some(frequency)) => {
                 format!("limit cycle of {frequency:.0} Hz")

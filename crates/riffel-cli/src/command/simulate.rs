@@ -235,6 +235,7 @@ fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
     let outcome = match (document.outcome, document.frequency_hz) {
         ("limit-cycle", Some(frequency)) => format!("a limit cycle of {frequency:.1} Hz"),
         (_, Some(frequency)) => format!("no settled period, like itself at {frequency:.1} Hz"),
+        ("runs-away", None) => "the wheels slide off".to_owned(),
         (_, None) => "the push dies out".to_owned(),
     };
     let linear = match (document.linear_unstable_roots, document.linear_frequency_hz) {

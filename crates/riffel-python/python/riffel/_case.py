@@ -864,7 +864,8 @@ class Case:
         Dataset
             ``height``, ``normal_force``, ``tangential_force``, ``creepage``, ``dissipation`` and ``approach`` over
             ``position``; of a sinusoid one wave, and ``normal_force_harmonics`` and the like over ``harmonic``, complex and relative
-            to the profile. ``contact_loss_fraction``, ``minimum_normal_force`` and ``maximum_normal_force`` are attributes.
+            to the profile. A loop on all axes has ``lateral_force`` and ``lateral_creepage`` too; where it has several
+            contacts, all lie over ``contact`` as well, as they are when the first wheel is at ``position``. ``contact_loss_fraction``, ``minimum_normal_force`` and ``maximum_normal_force`` are attributes.
 
         Raises
         ------
@@ -884,6 +885,43 @@ class Case:
             scalar(speed, "speed", "speed"),
             None if step is None else scalar(step, "step", "length"),
             contact_filter,
+            self.title,
+        )
+
+    def on_smooth_rail(self, speed: Quantity, step: Quantity | None = None) -> xr.Dataset:
+        """What becomes of a push on a smooth rail: rest, or the limit cycle of an unstable loop, as squeal and stick and slip.
+
+        Parameters
+        ----------
+        speed : quantity
+            Speed of the wheels.
+        step : quantity, optional
+            Largest step in time, as a length; by default 10 µs of rolling, which is also the largest.
+
+        Returns
+        -------
+        Dataset
+            Forces, creepages and dissipation over ``contact`` and ``position``, three periods at the end; their least and
+            largest value over the last half second, as ``lateral_force_range``, over ``bound``; ``stick_fraction`` and
+            ``mean_dissipation``. Attributes: ``outcome`` (``"at-rest"``, ``"limit-cycle"``, ``"runs-away"`` or ``"irregular"``), ``frequency`` in Hz,
+            ``linear_unstable_roots`` and ``linear_frequency`` of the linear loop.
+
+        Raises
+        ------
+        ValueError
+            For a case that is not followed through time, and for one wheel with longitudinal creepage alone.
+
+        Examples
+        --------
+        >>> creepage = {"longitudinal": 0.001, "lateral": 0.002}
+        >>> case = riffel.Case.from_toml("cases/nominal.toml", {"contact.creepage": creepage})
+        >>> case.on_smooth_rail(speed=20).attrs["outcome"]
+        'at-rest'
+        """
+        return _passage.on_smooth_rail(
+            self._case,
+            scalar(speed, "speed", "speed"),
+            None if step is None else scalar(step, "step", "length"),
             self.title,
         )
 

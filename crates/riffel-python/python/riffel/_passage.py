@@ -17,14 +17,18 @@ _COURSE = {
     "height": ("m", "height of the rail, positive upward"),
     "normal_force": ("N", "normal force"),
     "tangential_force": ("N", "creep force"),
+    "lateral_force": ("N", "creep force across the rail"),
     "creepage": ("1", "creepage"),
+    "lateral_creepage": ("1", "lateral creepage"),
     "dissipation": ("J/m", "energy dissipated in a metre, at the wheel centre"),
     "approach": ("m", "approach of wheel and rail, below zero their distance"),
 }
 _HARMONICS = {
     "normal_force_n": ("normal_force_harmonics", "N"),
     "tangential_force_n": ("tangential_force_harmonics", "N"),
+    "lateral_force_n": ("lateral_force_harmonics", "N"),
     "creepage": ("creepage_harmonics", "1"),
+    "lateral_creepage": ("lateral_creepage_harmonics", "1"),
     "dissipation_j_per_m": ("dissipation_harmonics", "J/m"),
 }
 _LEVEL = {"units": "dB re 1 µm", "long_name": "one-third-octave level"}
@@ -63,21 +67,78 @@ def simulate(
 ) -> xr.Dataset:
     """One passage, or one wave of the settled state with its harmonics."""
     course, told = _riffel.simulate(case, surface, speed, step, contact_filter)
-    harmonics = told.pop("harmonics", None)
-    columns: dict[str, Any] = {
-        name: ("position", course[name], {"units": unit, "long_name": words})
-        for name, (unit, words) in _COURSE.items()
-    }
-    coordinates: dict[str, Any] = {
-        "position": ("position", course["position"], {"units": "m", "long_name": "place of the wheel centre"})
-    }
+    harmonics, contacts = told.pop("harmonics", None), told.pop("contacts", None)
+    columns, coordinates = _course(course)
     if harmonics is not None:
         for key, (name, unit) in _HARMONICS.items():
-            values = np.array([complex(*harmonic[key]) for harmonic in harmonics])
+            if key not in harmonics[0]:
+                continue
+            rows = [harmonics] if contacts is None else [contact["harmonics"] for contact in contacts]
+            values = np.array([[complex(*harmonic[key]) for harmonic in row] for row in rows])
             words = f"{name.replace('_', ' ')} for exp(+i n omega t), means at n = 0"
-            columns[name] = ("harmonic", values, {"units": unit, "long_name": words})
+            where: tuple[str, ...] = ("harmonic",) if contacts is None else ("contact", "harmonic")
+            columns[name] = (where, values[0] if contacts is None else values, {"units": unit, "long_name": words})
         coordinates["harmonic"] = ("harmonic", np.arange(len(harmonics)), {"units": "1", "long_name": "harmonic"})
+    if contacts is not None:
+        coordinates["contact"] = _contacts(contacts)
     return xr.Dataset(columns, coordinates, {**_datasets.attributes(title), "speed": speed, **told})
+
+
+def on_smooth_rail(case: _riffel.Case, speed: float, step: float | None, title: str | None) -> xr.Dataset:
+    """The end of what follows a push on a smooth rail, and its ranges."""
+    course, found, remarks = _riffel.on_smooth_rail(case, speed, step)
+    columns, coordinates = _course(course)
+    contacts = found["contacts"]
+    coordinates["contact"] = _contacts(contacts)
+    coordinates["bound"] = ("bound", ["least", "largest"], {"long_name": "bound"})
+    for key, (name, unit) in _HARMONICS.items():
+        if key not in contacts[0]:
+            continue
+        values = np.array([contact[key] for contact in contacts])
+        words = f"range of the {name.removesuffix('_harmonics').replace('_', ' ')} over the last half second"
+        columns[name.replace("harmonics", "range")] = (("contact", "bound"), values, {"units": unit, "long_name": words})
+    for name, unit, words in (
+        ("stick_fraction", "1", "share of the time below the creepage of the greatest creep force"),
+        ("mean_dissipation_j_per_m", "J/m", "mean energy dissipated in a metre"),
+    ):
+        values = np.array([contact[name] for contact in contacts])
+        columns[name.removesuffix("_j_per_m")] = ("contact", values, {"units": unit, "long_name": words})
+    if len(contacts) == 1:
+        for name in _COURSE:
+            if name in columns and name != "height":
+                _, values, attributes = columns[name]
+                columns[name] = (("contact", "position"), values[np.newaxis], attributes)
+    told = {
+        "outcome": found["outcome"],
+        "rolled": found["rolled_s"],
+        # An attribute of a file cannot be nothing.
+        "frequency": np.nan if found["frequency_hz"] is None else found["frequency_hz"],
+        "linear_unstable_roots": found["linear_unstable_roots"],
+        "linear_frequency": np.nan if found["linear_frequency_hz"] is None else found["linear_frequency_hz"],
+        "remarks": remarks,
+    }
+    return xr.Dataset(columns, coordinates, {**_datasets.attributes(title), "speed": speed, **told})
+
+
+def _course(course: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Columns and coordinates of one course, or of several contacts."""
+    columns: dict[str, Any] = {
+        name: (
+            ("contact", "position") if course[name].ndim == 2 else "position",
+            course[name],
+            {"units": unit, "long_name": words},
+        )
+        for name, (unit, words) in _COURSE.items()
+        if name in course
+    }
+    place = {"units": "m", "long_name": "place of the centre of the first wheel"}
+    return columns, {"position": ("position", course["position"], place)}
+
+
+def _contacts(contacts: Sequence[dict[str, Any]]) -> tuple[str, list[str], dict[str, str]]:
+    """Names of contacts as a coordinate, such as "1 right"."""
+    names = [f"{contact['wheel']} {contact['rail']}" for contact in contacts]
+    return "contact", names, {"long_name": "wheel and rail"}
 
 
 def evolve(

@@ -139,6 +139,9 @@ def simulate(
     step: float | None,
     contact_filter: bool,
 ) -> tuple[dict[str, _Floats], dict[str, Any]]: ...
+def on_smooth_rail(
+    case: Case, speed: float, step: float | None
+) -> tuple[dict[str, _Floats], dict[str, Any], list[str]]: ...
 def evolve(
     case: Case,
     surface: tuple[float, float] | tuple[float, float, _Floats],

@@ -21,6 +21,8 @@ pub struct EvolutionDocument {
     pub passages: u64,
     /// Depth worn off everywhere.
     pub mean_depth_m: f64,
+    /// Wheels before the first passage that is known to have lost contact, of those at the stages; none where none has.
+    pub first_contact_loss_passages: Option<u64>,
     /// Mean square of the relative error of the track in time.
     pub track_share_cut: f64,
     /// Stages of the run.
@@ -82,7 +84,13 @@ impl EvolutionAnswer {
             each.collect()
         };
         let last = &stages[stages.len() - 1];
+        // Extremes of a stage are those of the first passage after the one before.
+        let lifted = stages.windows(2).find(|pair| {
+            let after = pair[1].extremes.as_ref();
+            after.is_some_and(|passage| passage.contact_loss_fraction > 0.0)
+        });
         EvolutionDocument {
+            first_contact_loss_passages: lifted.map(|pair| pair[0].passages),
             speed_m_per_s: self.mean_speed,
             vehicles: self.vehicles.clone(),
             step_m: self.step,

@@ -15,10 +15,25 @@ use crate::arguments::Simulate;
 use crate::error::CliError;
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{Progress, json, table};
-use crate::staging::{Existing, INTERRUPTED, stop_on_interrupt, write_file};
+use crate::staging::{Existing, INTERRUPTED, check_files, stop_on_interrupt, write_file};
 
 /// What a run that was stopped is gone on from, in the folder of its results.
 const STATE: &str = "state.json";
+
+/// What is written when it is done.
+const FILES: [&str; 11] = [
+    "spectrum.png",
+    "spectrum.svg",
+    "spectrum.html",
+    "profile.png",
+    "profile.svg",
+    "profile.html",
+    "passages.html",
+    "bands.csv",
+    "profile.csv",
+    "evolution.nc",
+    "evolution.json",
+];
 
 /// Level below which nothing is told \[dB re 1 µm\]: ten picometres.
 const NOTHING: f64 = -100.0;
@@ -40,6 +55,7 @@ pub(super) fn run(
     let keeps = arguments.output.is_some() || !arguments.json;
     let state = keeps.then(|| folder.join(STATE));
     if let Some(path) = &state {
+        check_files(&folder, &FILES)?;
         resume(&mut run, path, passages)?;
     }
     let stop = stop_on_interrupt();
@@ -209,6 +225,13 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             without_contact(passage.contact_loss_fraction)
         )
     });
+    let lifts = document.first_contact_loss_passages;
+    let lifts = lifts.map_or_else(String::new, |passages| {
+        format!(
+            "the wheel leaves the rail from {} passages on\n",
+            number(passages as f64)
+        )
+    });
     let supports = document.stages.support_pattern_level_db.as_ref();
     let supports = supports.map_or_else(String::new, |levels| {
         let [first, last] = [levels[0], levels[levels.len() - 1]].map(|level| match level {
@@ -233,7 +256,7 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             .collect(),
     };
     format!(
-        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{forces}worn off everywhere \
+        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{lifts}{forces}worn off everywhere \
          {} µm\n",
         case.file
             .title

@@ -72,7 +72,7 @@ impl<'a> GeneralMarch<'a> {
     pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
         /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
         const SWEEPS: usize = 40;
-        const REST: f64 = 1e-9;
+        const REST: f64 = 1e-8;
         self.motion
             .advance(&self.forces, &mut self.displacement, &mut self.speed);
         self.before.clear();
@@ -87,10 +87,10 @@ impl<'a> GeneralMarch<'a> {
         for (force, drift) in self.forces.iter_mut().zip(&self.force_drift) {
             *force += drift;
         }
-        for _ in 0..SWEEPS {
+        for sweep in 0..SWEEPS {
             let mut change = 0f64;
             for (index, height) in heights.iter().enumerate() {
-                change = change.max(self.meet(index, *height));
+                change = change.max(self.meet(index, *height, sweep > 0));
             }
             if change < REST {
                 break;
@@ -121,8 +121,11 @@ impl<'a> GeneralMarch<'a> {
         self.heights = heights;
     }
 
-    /// One contact under the present forces of all others; the change of its forces over its mean load.
-    fn meet(&mut self, index: usize, height: f64) -> f64 {
+    /// One contact under the present forces of all others; the change of its forces over its mean load. It `is_met` where its
+    /// creep forces are those of its creepages already.
+    fn meet(&mut self, index: usize, height: f64, is_met: bool) -> f64 {
+        /// Change of the normal force, over the load, that creep forces need not know of.
+        const SAME: f64 = 1e-9;
         let size = self.forces.len();
         let [displacement_by, speed_by] = &self.motion.by_new_force;
         let contact = &self.model.contacts[index];
@@ -171,7 +174,12 @@ impl<'a> GeneralMarch<'a> {
             mean_force,
         };
         let near = [before.creepage, before.lateral_creepage];
-        let (creepage, force) = equation.solve(near, &mut self.slopes[index]);
+        let is_met = is_met && (normal_force - before.normal_force).abs() <= SAME * load;
+        let force = match is_met {
+            true => [before.tangential_force, before.lateral_force],
+            false => equation.force(near),
+        };
+        let (creepage, force) = equation.solve(near, force, &mut self.slopes[index]);
         let new = [
             force[0] - mean_force[0],
             force[1] - mean_force[1],
@@ -234,17 +242,17 @@ impl TangentEquation<'_> {
         })
     }
 
-    /// Broyden's method from a creepage near by, with the slopes met last, and Newton's where these do not lead there; to 10⁻¹¹
+    /// Broyden's method from a creepage near by and the force there, with the slopes met last, and Newton's where these do not lead there; to 10⁻¹⁰
     /// of the creepage. Returns creepage and force.
-    fn solve(&self, near: [f64; 2], slopes: &mut Slopes) -> ([f64; 2], [f64; 2]) {
+    fn solve(&self, near: [f64; 2], force: [f64; 2], slopes: &mut Slopes) -> ([f64; 2], [f64; 2]) {
         const STEPS: usize = 60;
-        const SMALL: f64 = 1e-11;
+        const SMALL: f64 = 1e-10;
         /// Steps with old slopes.
         const PATIENCE: usize = 6;
         let size = |pair: [f64; 2]| pair[0].hypot(pair[1]);
         // What the known creepages, tiny as they may be, are told to.
         let enough = SMALL * (size(self.known) + 1e-6);
-        let (mut creepage, mut force) = (near, self.force(near));
+        let (mut creepage, mut force) = (near, force);
         let mut missed = self.missed(creepage, force);
         for count in 0..STEPS {
             if size(missed) <= enough {

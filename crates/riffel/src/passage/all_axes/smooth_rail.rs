@@ -32,6 +32,8 @@ pub enum Outcome {
     AtRest,
     /// Windows are alike: a limit cycle.
     LimitCycle,
+    /// The wheels slide as fast as they roll: their creep forces fall short of what the mean state asks for, and nothing holds them.
+    RunsAway,
     /// Windows are not alike after the longest time: a motion without a period, or one that grows or dies out slowly.
     Irregular,
 }
@@ -66,7 +68,7 @@ impl GeneralPassage {
 
     /// Roll on a smooth rail after a bump of a millisecond, as high as makes a tenth of the load, in steps of at most the
     /// length given \[m\], until windows of a tenth of a second show no force above 10⁻⁴ of the load, or are alike to 10⁻³
-    /// five times, or 10 s have passed.
+    /// five times, or the wheels slide as fast as they roll, or 10 s have passed.
     ///
     /// Where the linear loop is [unstable](crate::feedback::GeneralLoop::stability), oscillations grow until the contact
     /// saturates, sticks or lets go: the limit cycle of squeal and of stick and slip.
@@ -103,6 +105,10 @@ impl GeneralPassage {
                     course.push(*now);
                 }
             }
+            if slides(&course, to_a_window) {
+                outcome = Outcome::RunsAway;
+                break;
+            }
             let size = self.size(&course, to_a_window);
             sizes.push(size);
             if size < STILL {
@@ -117,7 +123,7 @@ impl GeneralPassage {
             }
         }
         let frequency = match outcome {
-            Outcome::AtRest => None,
+            Outcome::AtRest | Outcome::RunsAway => None,
             _ => self.frequency(&course, step / self.speed),
         };
         let contacts = course.iter().zip(&self.contacts);
@@ -133,7 +139,7 @@ impl GeneralPassage {
             })
         });
         let contacts = contacts.collect();
-        let shown = frequency.map_or(0.1 * WINDOW, |frequency| 3.0 / frequency);
+        let shown = frequency.map_or(WINDOW, |frequency| 3.0 / frequency);
         let shown = ((shown * self.speed / step).ceil() as usize).max(2);
         for course in &mut course {
             course.drain(..course.len().saturating_sub(shown));
@@ -232,6 +238,17 @@ impl ContactSwing {
             dissipation: energies.sum::<f64>() / count,
         }
     }
+}
+
+/// Whether some wheel's mean creepage over the last instants is that of a locked wheel, one, or more.
+fn slides(course: &[Vec<ContactInstant>], instants: usize) -> bool {
+    course.iter().any(|course| {
+        let last = &course[course.len() - instants..];
+        let sum = |of: fn(&ContactInstant) -> f64| last.iter().map(of).sum::<f64>();
+        let along = sum(|instant| instant.creepage);
+        let across = sum(|instant| instant.lateral_creepage);
+        along.hypot(across) > instants as f64
+    })
 }
 
 /// Least and largest of something over a course.
