@@ -130,7 +130,7 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let wheel = PassingWheel {
         memory: model.memory()?,
-        model,
+        model: model.into(),
         wear,
         share: 1.0,
         traction_share: 1.0,
