@@ -37,7 +37,7 @@ mod study;
 pub use design::Design;
 pub use distribution::Distribution;
 pub use error::StudyError;
-pub use outputs::{Band, Dimension, Outputs, Variable};
+pub use outputs::{Band, Dimension, Outputs, Variable, WaveQuantity};
 pub use parameter::{Parameter, ParameterValue, Spread};
 pub use plan::{Plan, file};
 pub use results::{ChunkState, MergeReport, Reason, ResultFolder, Summary};

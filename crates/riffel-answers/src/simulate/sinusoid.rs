@@ -47,20 +47,16 @@ impl SinusoidRequest {
 
     /// A sinusoid at a speed \[m/s\], with as many steps to a wave as none is longer than asked \[m\].
     ///
-    /// Where nothing is asked, the error of a first harmonic is some 10⁻⁴. A slow wave takes more steps, so that wheel and
-    /// contact spring are followed, whose own oscillations last a millisecond.
+    /// Where nothing is asked, they are the [usual ones](Sinusoid::usual_steps).
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for a step or a slow wave that gives a wave too few or too many steps.
     pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self, AnswerError> {
-        const USUAL: f64 = 256.0;
-        /// \[s\]
-        const LONGEST_STEP: f64 = 4e-5;
         let wavelength = profile.wavelength;
         let (least, most) = (Self::STEPS.start(), Self::STEPS.end());
         let steps = match step {
             Some(step) => (wavelength / step).ceil(),
-            None => f64::max(USUAL, (wavelength / speed / LONGEST_STEP).ceil()),
+            None => profile.usual_steps(speed) as f64,
         };
         if Self::STEPS.contains(&steps) {
             return Ok(Self {

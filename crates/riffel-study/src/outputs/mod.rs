@@ -1,6 +1,7 @@
 //! What is computed for each sample.
 
 mod band;
+mod wave;
 
 use riffel::growth::{RidgeRow, RowEvaluator};
 use riffel::{Complex64, Ridge};
@@ -12,6 +13,7 @@ use crate::file::{MapQuantity, OutputsFile};
 
 pub use band::Band;
 use band::bands;
+pub use wave::WaveQuantity;
 
 /// An array of results: one value, or a table of values, for each sample.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,11 +97,39 @@ impl Outputs {
                     "",
                 ));
             }
-            if let Some(name) = &point.name
-                && (name.is_empty() || !name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_'))
-            {
+            if !is_plain(point.name.as_deref()) {
+                let name = point.name.as_deref().unwrap_or_default();
                 let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
                 return Err(source.invalid(&key("name"), &rule, ""));
+            }
+        }
+        for (index, wave) in file.wave.iter().enumerate() {
+            let key = |name: &str| format!("outputs.wave[{index}].{name}");
+            for name in ["wavelength", "speed", "amplitude"] {
+                remarks.extend(source.judge(&key(name))?);
+            }
+            let refuse =
+                |name: &str, rule: &str, help: &str| Err(source.invalid(&key(name), rule, help));
+            if wave.quantities.is_empty() {
+                return refuse("quantities", "is empty, but must name a quantity", "");
+            }
+            if !is_plain(wave.name.as_deref()) {
+                let name = wave.name.as_deref().unwrap_or_default();
+                let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
+                return refuse("name", &rule, "");
+            }
+            let asks_for_amplitude = wave.quantities.contains(&WaveQuantity::AmplitudeM);
+            match wave.passages {
+                Some(0) => return refuse("passages", "is 0, but must be 1 or more", ""),
+                None if asks_for_amplitude => {
+                    let rule = "asks for amplitude_m, but no passages are given";
+                    return refuse(
+                        "quantities",
+                        rule,
+                        "without passages it is outputs.wave.amplitude",
+                    );
+                }
+                _ => {}
             }
         }
         outputs.variables = outputs.describe();
@@ -316,6 +346,11 @@ impl Outputs {
                 });
             }
         }
+        for (index, wave) in file.wave.iter().enumerate() {
+            let usual = || format!("wave_{}", index + 1);
+            let name = wave.name.clone().unwrap_or_else(usual);
+            variables.extend(wave.variables(&name));
+        }
         variables
     }
 
@@ -327,6 +362,9 @@ impl Outputs {
         }
         for point in &self.file.point {
             case.check_points([point.wavelength.si(); 2], [point.speed.si(); 2])?;
+        }
+        for wave in &self.file.wave {
+            case.check_points([wave.wavelength.si(); 2], [wave.speed.si(); 2])?;
         }
         Ok(case)
     }
@@ -352,6 +390,9 @@ impl Outputs {
                     values.push(value.im);
                 }
             }
+        }
+        for wave in &self.file.wave {
+            wave.evaluate(case, &mut values)?;
         }
         self.check_finite(&values)?;
         Ok(values)
@@ -432,4 +473,11 @@ impl Outputs {
         }
         Ok(())
     }
+}
+
+/// Whether a name, if there is one, can be that of an array.
+fn is_plain(name: Option<&str>) -> bool {
+    name.is_none_or(|name| {
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+    })
 }

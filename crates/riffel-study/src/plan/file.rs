@@ -6,6 +6,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
+use crate::outputs::WaveQuantity;
+
 /// Riffel study: which keys of a case vary and how, and what is wanted of each sample.
 ///
 /// Every quantity is a bare number in SI or a string with its unit.
@@ -243,6 +245,9 @@ pub struct OutputsFile {
     /// Quantities at one wavelength and speed.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub point: Vec<PointFile>,
+    /// Wheels over a wave in time.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub wave: Vec<WaveFile>,
     /// Quantities over the whole window.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub map: Vec<MapQuantity>,
@@ -281,6 +286,26 @@ pub struct PointFile {
     pub speed: Quantity<Speed>,
     /// The quantities, as `riffel point --json` names them.
     pub quantities: Vec<PointQuantity>,
+}
+
+/// Wheels over a wave in time, as `riffel simulate --sinusoid` settles them, at once or after the wave was worn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WaveFile {
+    /// What their names begin with; left out, `wave_1` and so on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Wavelength.
+    pub wavelength: Quantity<Length>,
+    /// Amplitude, before any passage.
+    pub amplitude: Quantity<Length>,
+    /// Speed.
+    pub speed: Quantity<Speed>,
+    /// Wheels that wear the wave first; left out, none do.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub passages: Option<u64>,
+    /// The quantities.
+    pub quantities: Vec<WaveQuantity>,
 }
 
 /// A quantity over the whole window.

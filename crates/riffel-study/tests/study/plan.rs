@@ -141,6 +141,16 @@ fn the_example_reads() {
     "\"-55 mm\"",
     "`outputs.point[0].wavelength` is -55 mm, but must be between 100 µm and 10 m"
 )]
+#[case(
+    "[results]",
+    "[[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 um\"\nspeed = 30\nquantities = [\"amplitude_m\"]\n[results]",
+    "`outputs.wave[0].quantities` asks for amplitude_m, but no passages are given"
+)]
+#[case(
+    "[results]",
+    "[[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 m\"\nspeed = 30\nquantities = [\"mean_creepage\"]\n[results]",
+    "`outputs.wave[0].amplitude` is 60 m, but must be between"
+)]
 fn a_bad_plan_is_refused_with_a_sentence(
     #[case] good: &str,
     #[case] bad: &str,

@@ -177,3 +177,53 @@ fn the_highest_growth_may_sit_at_an_end_of_the_speeds() {
     // One of the two windows lies on a slope.
     assert!(beyond > 0);
 }
+
+/// Waves in time: a small one has the normal force and the growth of the linear loop, to what steps of the march and of wear
+/// leave, and a high one lifts the wheel.
+#[test]
+fn waves_are_followed_in_time() {
+    let study = study_of(
+        r#"
+case = "nominal.toml"
+design.method = "grid"
+[[parameter]]
+key = "wheel.mass"
+values = ["300 kg", "400 kg"]
+[[outputs.wave]]
+name = "small"
+wavelength = "55 mm"
+amplitude = "0.01 um"
+speed = "108 km/h"
+quantities = ["normal_force_n"]
+[[outputs.wave]]
+name = "worn"
+wavelength = "55 mm"
+amplitude = "0.01 um"
+speed = "108 km/h"
+passages = 20000
+quantities = ["amplitude_m"]
+[[outputs.wave]]
+wavelength = "55 mm"
+amplitude = "150 um"
+speed = "108 km/h"
+quantities = ["contact_loss_fraction", "minimum_normal_force_n"]
+"#,
+    );
+    for (index, mass) in [(0, 300), (1, 400)] {
+        let values = study.sample(index).outputs.unwrap();
+        let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
+        let linear = case.feedback.at(0.055, 30.0);
+        let scale = 0.01e-6 / case.feedback.amplitude();
+        let &[re, im] = of(&study, &values, "small_normal_force_n") else {
+            panic!("no complex number")
+        };
+        let force = linear.normal_force() * scale;
+        assert!((re - force.re).hypot(im - force.im) < 1e-3 * force.norm());
+        let grown = (of(&study, &values, "worn_amplitude_m")[0] / 0.01e-6).ln();
+        let rate = 20_000.0 * linear.growth_rate();
+        // Heun's steps leave 10⁻³ of a rate, and this one is a tenth of the dissipation.
+        assert!((grown - rate).abs() < 0.02 * rate.abs(), "{grown} {rate}");
+        assert!(of(&study, &values, "wave_3_contact_loss_fraction")[0] > 0.0);
+        assert_eq!(of(&study, &values, "wave_3_minimum_normal_force_n"), [0.0]);
+    }
+}

@@ -39,6 +39,15 @@ impl Sinusoid {
         }
     }
 
+    /// Steps to a wave that leave some 10⁻⁴ of a first harmonic at a speed \[m/s\]. A slow wave takes more, so that wheel and contact
+    /// spring are followed, whose own oscillations last a millisecond.
+    pub fn usual_steps(&self, speed: f64) -> usize {
+        const LEAST: f64 = 256.0;
+        /// \[s\]
+        const LONGEST_STEP: f64 = 4e-5;
+        f64::max(LEAST, (self.wavelength / speed / LONGEST_STEP).ceil()) as usize
+    }
+
     /// The line m of what supports at a spacing \[m\] make of a load, d/m long, that a settled state cannot tell from this
     /// wave, if there is one: |1/λ − m/d| < 1/4d, m = 1 … 8.
     pub fn shares_lines_with(&self, spacing: f64) -> Option<usize> {
