@@ -144,7 +144,7 @@ fn the_example_reads() {
 #[case(
     "[results]",
     "[[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 um\"\nspeed = 30\nquantities = [\"amplitude_m\"]\n[results]",
-    "`outputs.wave[0].quantities` asks for amplitude_m, but no passages are given"
+    "`outputs.wave[0].quantities`: asks for amplitude_m, but no passages are given"
 )]
 #[case(
     "[results]",
