@@ -65,8 +65,8 @@ def test_all_axes_are_those_of_the_program(program: Callable[..., Any], nominal:
         "contact.creepage": {"longitudinal": 0.001, "lateral": 0.003},
     }
     case = riffel.Case.from_toml("cases/wheelset-metro-trailer.toml", overrides)
-    sets = ("--set", "track.model=one-layer", "--set", "contact.creep_law=polach")
-    sets += ("--set", "contact.creepage={longitudinal=0.001, lateral=0.003}")
+    keys = ("track.model=one-layer", "contact.creep_law=polach", "contact.creepage={longitudinal=0.001, lateral=0.003}")
+    sets = [text for key in keys for text in ("--set", key)]
     options = ("simulate", "cases/wheelset-metro-trailer.toml", *sets, "--speed", "15", "--json")
     printed = program(*options, "--sinusoid", "20um,60mm")
     found = case.simulate(sinusoid=("20 um", "60 mm"), speed=15.0)

@@ -1,7 +1,7 @@
 //! Wheels of a case on a smooth rail.
 
 use riffel::feedback::Stability;
-use riffel::passage::{LoopInTime, Outcome, SmoothRail};
+use riffel::passage::{GeneralPassage, LoopInTime, Outcome, SmoothRail};
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure};
@@ -32,8 +32,16 @@ impl SmoothRailAnswer {
     /// [`CaseError`] for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
     /// [`Case::in_time_without_profile`].
     pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self, AnswerError> {
-        let step = step.unwrap_or(f64::INFINITY);
+        let longest = GeneralPassage::LONGEST_TIME_STEP * speed;
+        let step = step.unwrap_or(longest);
         check_step(step)?;
+        if step > longest {
+            return Err(AnswerError::Argument {
+                argument: "--step",
+                value: format!("{step} m"),
+                rule: format!("at most {longest:.1e} m on a smooth rail, 10 µs at this speed"),
+            });
+        }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
         let model = case.in_time_without_profile(speed)?;
         let LoopInTime::General(general) = &model else {
@@ -51,14 +59,17 @@ impl SmoothRailAnswer {
                 input: "--smooth".to_owned(),
                 error,
             })?;
+        let stability = case.stability(speed);
+        let roots = stability.map(|stability| stability.unstable_roots);
         Ok(Self {
             speed,
-            stability: case.stability(speed),
+            stability,
             contacts: case.contact_names(),
             share_cut: model.share_cut(),
             remarks: remarks::of_track(&model)
                 .into_iter()
                 .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
+                .chain(remarks::of_linear_loop(motion.outcome, roots))
                 .collect(),
             motion,
         })
@@ -98,7 +109,7 @@ impl SmoothRailAnswer {
         self.course_of(0)
     }
 
-    /// The same of all contacts.
+    /// The same of all contacts in their order.
     pub fn courses(&self) -> Vec<Course> {
         (0..self.contacts.len())
             .map(|contact| self.course_of(contact))

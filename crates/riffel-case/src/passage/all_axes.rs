@@ -2,16 +2,19 @@
 
 use std::f64::consts::TAU;
 
-use riffel::Rail;
 use riffel::feedback::{Contact, GeneralLoop};
 use riffel::passage::{ContactInTime, GeneralPassage, HertzSpring, StructuresInTime};
 use riffel::wheelset::Motion;
+use riffel::{Error, Rail};
 use riffel_keys::CaseError;
 
 use crate::Case;
 use crate::file::{ContactDynamics, Rotation, TrackModel};
 use crate::general_keys::{ContactKeys, GeneralKeys};
 use crate::wheelset::CaseWheelset;
+
+/// Most contacts that are followed in time.
+const MOST_CONTACTS: usize = 8;
 
 /// The parts of a loop on all axes in time that do not depend on the speed.
 pub(super) struct AllAxes {
@@ -74,7 +77,36 @@ impl Case {
         natural_frequencies: &[f64],
     ) -> Result<StructuresInTime, CaseError> {
         let structures = StructuresInTime::of(feedback, speed, natural_frequencies);
+        let furthest = feedback.contacts().iter().map(|contact| -contact.along);
+        let furthest = furthest.fold(0.0, f64::max);
+        if let Err(Error::NotCausal { share, .. }) = structures
+            && furthest > 0.0
+            && self.wheel_alone_is_causal(feedback, speed, natural_frequencies)
+        {
+            let per_cent = 100.0 * share.sqrt();
+            let message = format!(
+                "the waves that run along this rail over the {furthest} m from the first wheel to the last are not told by so few \
+                 oscillations as are fitted in time, {per_cent:.1} % rms off; give fewer or nearer wheels, or a track that damps more"
+            );
+            return Err(self.refuse("train.wheels", &message));
+        }
         self.keys.physics("track.model", structures)
+    }
+
+    /// Whether the first wheel by itself could be followed.
+    fn wheel_alone_is_causal(
+        &self,
+        feedback: &GeneralLoop,
+        speed: f64,
+        natural_frequencies: &[f64],
+    ) -> bool {
+        let contacts = feedback.contacts().iter();
+        let first: Vec<Contact> = contacts
+            .filter(|contact| contact.along == 0.0)
+            .cloned()
+            .collect();
+        let alone = feedback.clone().with_contacts(first);
+        alone.is_ok_and(|alone| StructuresInTime::of(&alone, speed, natural_frequencies).is_ok())
     }
 
     fn contact_of_loop_in_time(
@@ -124,6 +156,14 @@ impl Case {
     /// `Ok` if the loop of the case can be followed through time.
     fn check_general_in_time(&self, feedback: &GeneralLoop) -> Result<(), CaseError> {
         let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
+        let contacts = feedback.contacts().len();
+        if contacts > MOST_CONTACTS {
+            let message = format!(
+                "the case has {contacts} contacts, but a passage in time takes at most {MOST_CONTACTS}: the work of a step and of \
+                 the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = \"absent\""
+            );
+            return refuse("train.wheels", &message);
+        }
         if self.track.support_spacing().is_some() {
             let message = "a passage in time on all axes, or of several wheels, takes a track that is even along the rail: choose \
                            \"two-layer\", \"one-layer\" or \"free-beam\"";
@@ -271,6 +311,7 @@ mod tests {
                 "even along the rail",
             ),
             (&["contact.response=spring-dashpot"], "answers at once"),
+            (&["train.wheels=[0, 2, 4, 6, 8]"], "10 contacts"),
         ] {
             let Err(error) = trailer(overrides).in_time(15.0) else {
                 panic!("{overrides:?} was taken");

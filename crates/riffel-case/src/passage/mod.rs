@@ -79,7 +79,7 @@ impl CaseInTime<'_> {
                 "at {speed} m/s the loop is unstable without any profile, an oscillation{at} grows of itself, so that no wave of \
                  a profile settles; `riffel simulate --smooth` follows it to its limit cycle"
             );
-            return Err(self.case.refuse("contact", &message));
+            return Err(self.case.refuse("contact.creepage", &message));
         }
         self.without_profile(speed)
     }

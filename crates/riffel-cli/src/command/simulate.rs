@@ -193,6 +193,11 @@ fn on_smooth_rail(
             answer
                 .course()
                 .netcdf(&figure.title, &staging.path("smooth.nc"))?;
+            let names = answer.contacts.iter().zip(answer.courses()).skip(1);
+            for (name, course) in names {
+                let file = format!("smooth-{}-{}.csv", name.wheel, name.rail);
+                staging.write_with(&file, |file| course.csv(file))?;
+            }
             staging.write("smooth.json", json(&answer.document()))
         },
         || readable_motion(case, &answer),

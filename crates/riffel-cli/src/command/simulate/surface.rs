@@ -6,7 +6,7 @@ use riffel::roughness::{Profile, Spectrum, Weld};
 use riffel_answers::simulate::Surface;
 use riffel_case::Case;
 use riffel_keys::CaseError;
-use riffel_rail::{GroundRail, RoughnessFile};
+use riffel_rail::{GroundRail, LabelledSpectrum, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, LengthPair, Simulate, positive};
 use crate::command::roughness::{read, survey};
@@ -85,7 +85,7 @@ fn whole_bays(length: f64, bay: f64) -> f64 {
 fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::Result<Profile> {
     let spectrum = match GroundRail::is_table(name) {
         true => GroundRail::of_table(name)?.spectrum,
-        false => survey(Path::new(name), &Layout::default())?.mean(),
+        false => at_the_end(survey(Path::new(name), &Layout::default())?)?.mean(),
     };
     let patch = 2.0 * case.hertz.semi_axis_longitudinal();
     let longer = spectrum
@@ -126,6 +126,29 @@ fn drawn(name: &str, seed: u64, case: &Case, length: f64, step: f64) -> miette::
         },
         error => of("--spectrum", error),
     })?)
+}
+
+/// Of levels over passages, such as `bands.csv`, those after the most; of others all.
+fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
+    const COLUMN: &str = "passages";
+    let number = |label: &str| label.parse::<f64>().unwrap_or(f64::NEG_INFINITY);
+    let stages = levels.records.iter().map(|record| record.label(COLUMN));
+    let last = stages
+        .flatten()
+        .max_by(|one, other| number(one).total_cmp(&number(other)));
+    let Some(last) = last.map(str::to_owned) else {
+        return Ok(levels);
+    };
+    say(format_args!(
+        "note: of the levels those after {last} passages are taken"
+    ));
+    let mut choices = vec![format!("{COLUMN}={last}")];
+    // Two columns of levels stand beside each other there, as of two rails.
+    let is_own = |record: &LabelledSpectrum| record.label("rail") == Some("level_db");
+    if levels.records.iter().any(is_own) {
+        choices.push("rail=level_db".to_owned());
+    }
+    levels.choose(&choices)
 }
 
 /// A rail with a weld in its middle.

@@ -17,7 +17,7 @@ pub struct SmoothRail {
     pub seconds: f64,
     /// Frequency with which all forces repeat themselves \[Hz\]; none at rest.
     pub frequency: Option<f64>,
-    /// What each contact did over the last half second.
+    /// What each contact did over the last half second, at rest over the last tenth of one.
     pub contacts: Vec<ContactSwing>,
     /// Instants of the contacts over three periods at the end, one list for each contact.
     pub course: Vec<Vec<ContactInstant>>,
@@ -113,6 +113,10 @@ impl GeneralPassage {
             sizes.push(size);
             if size < STILL {
                 outcome = Outcome::AtRest;
+                // The push is no part of what is left.
+                for course in &mut course {
+                    course.drain(..course.len() - to_a_window);
+                }
                 break;
             }
             let last = &sizes[sizes.len().saturating_sub(WINDOWS)..];

@@ -222,9 +222,11 @@ impl Transfer {
         let Self {
             size, frequencies, ..
         } = self;
+        // Entries along one axis show all poles.
         let sampled: Vec<Sampled<'_>> = self
             .entries
             .iter()
+            .filter(|entry| entry.row % 3 == entry.column % 3)
             .map(|Entry { values, sizes, .. }| Sampled { values, sizes })
             .collect();
         let poles = shared_poles(frequencies, &sampled, starting);
