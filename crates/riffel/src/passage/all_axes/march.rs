@@ -191,7 +191,7 @@ impl<'a> GeneralMarch<'a> {
             .zip(new)
             .fold(0f64, |most, (old, new)| most.max((old - new).abs()));
         old.copy_from_slice(&new);
-        let at_rest_energy = creepage[0] * force[0] + creepage[1] * force[1];
+        let energy = creepage[0] * force[0] + creepage[1] * force[1];
         self.now[index] = ContactInstant {
             normal_force,
             tangential_force: force[0],
@@ -199,7 +199,7 @@ impl<'a> GeneralMarch<'a> {
             creepage: creepage[0],
             lateral_creepage: creepage[1],
             approach,
-            energy_at_rail: at_rest_energy,
+            energy_at_rail: energy,
         };
         change / load
     }
