@@ -233,10 +233,7 @@ impl WheelsetAnswer {
 
 /// A port in the heads of tables.
 fn key(port: Port) -> String {
-    let rail = match port.rail {
-        riffel::Rail::Left => "left",
-        riffel::Rail::Right => "right",
-    };
+    let rail = port.rail.name();
     let axis = match port.direction {
         Direction::Longitudinal => "x",
         Direction::Lateral => "y",

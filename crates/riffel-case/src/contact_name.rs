@@ -1,6 +1,5 @@
 //! What the contacts of a loop on all axes are called.
 
-use riffel::Rail;
 use riffel::feedback::GeneralLoop;
 use serde::Serialize;
 
@@ -27,10 +26,7 @@ impl ContactName {
             });
             Self {
                 wheel: 1 + wheel,
-                rail: match contact.rail {
-                    Rail::Left => "left",
-                    Rail::Right => "right",
-                },
+                rail: contact.rail.name(),
             }
         });
         contacts.collect()

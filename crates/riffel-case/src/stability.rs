@@ -6,7 +6,7 @@ use riffel::{Axis, Loop};
 use crate::Case;
 
 /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
-pub(crate) const BAND: (f64, f64) = (1.0, 10e3);
+const BAND: (f64, f64) = (1.0, 10e3);
 
 impl Case {
     /// Whether the loop oscillates without any profile at a speed \[m/s\], by

@@ -29,6 +29,22 @@ impl Rail {
     /// Left, then right.
     pub const BOTH: [Self; 2] = [Self::Left, Self::Right];
 
+    /// "left" or "right", as in documents and tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+
+    /// The rail on the other side.
+    pub fn opposite(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+
     /// −1 on the left, +1 on the right: the side of the track to which it lies.
     pub fn sign(self) -> f64 {
         match self {

@@ -1,6 +1,5 @@
 //! A bogie in its curve as data.
 
-use riffel::Rail;
 use riffel::curving::{BogieState, SecondContact, WheelState, WheelsetState};
 use riffel_keys::Remark;
 use serde::Serialize;
@@ -115,14 +114,6 @@ struct Other {
     residual: f64,
 }
 
-/// A rail in documents and tables.
-pub(crate) fn rail_name(rail: Rail) -> &'static str {
-    match rail {
-        Rail::Left => "left",
-        Rail::Right => "right",
-    }
-}
-
 impl CurveDocument {
     pub(super) fn new(answer: &CurveAnswer, over_radius: Option<Vec<AtRadius>>) -> Self {
         let steps = answer.state.continuation.iter();
@@ -193,7 +184,7 @@ impl Wheel {
     fn new(state: &WheelState) -> Self {
         Self {
             wheelset: state.wheelset,
-            rail: rail_name(state.rail),
+            rail: state.rail.name(),
             longitudinal_creepage: state.creepages.longitudinal,
             lateral_creepage: state.creepages.lateral,
             spin_1_per_m: state.creepages.spin,

@@ -6,7 +6,7 @@ use riffel::contact::{CreepForces, Creepages};
 use riffel::curving::{BogieInCurve, BogieState, Curve, WheelState};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 
-use super::document::{AtRadius, Equilibrium, rail_name};
+use super::document::{AtRadius, Equilibrium};
 
 /// Radii that are computed.
 const RADII: usize = 81;
@@ -119,7 +119,7 @@ impl OverRadius {
                     let [normal_force, track_lateral_force, tractive_ratio, t_gamma] = rest;
                     writer.serialize((
                         (point.curve.radius, point.curve.speed, wheel.wheelset),
-                        (rail_name(wheel.rail), contact),
+                        (wheel.rail.name(), contact),
                         [
                             wheelset.lateral_shift,
                             wheelset.yaw,

@@ -4,8 +4,6 @@ use riffel::curving::{BogieInCurve, BogieState, Creep, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
 
-use super::document::rail_name;
-
 /// Lateral shift \[m\] beyond the play that wheelsets have to their flanges.
 const PLAY: f64 = 0.01;
 
@@ -61,7 +59,7 @@ pub(super) fn of(case: &CurvingCase, bogie: &BogieInCurve, state: &BogieState) -
         .iter()
         .min_by(|one, other| wear_of(one).total_cmp(&wear_of(other)));
     if let Some(wheel) = least.filter(|wheel| wear_of(wheel) < 0.0) {
-        let (wheelset, rail, wear) = (wheel.wheelset, rail_name(wheel.rail), wear_of(wheel));
+        let (wheelset, rail, wear) = (wheel.wheelset, wheel.rail.name(), wear_of(wheel));
         remarks.push(Remark::new(
             format!(
                 "Tγ of wheel {wheelset} {rail} is {wear:.3} N: it is Qx ξx + Qy ξy without the moment of spin, and spin, not \

@@ -1,7 +1,6 @@
 //! The settled state over a sinusoid.
 
 use std::f64::consts::TAU;
-use std::ops::RangeInclusive;
 
 use riffel::contact::ContactFilter;
 use riffel::passage::{LoopInTime, Settled, Sinusoid};
@@ -42,9 +41,6 @@ pub struct SinusoidAnswer {
 }
 
 impl SinusoidRequest {
-    /// Steps to a wave: fewer do not show the fifth harmonic, more take minutes.
-    const STEPS: RangeInclusive<f64> = 20.0..=16384.0;
-
     /// A sinusoid at a speed \[m/s\], with as many steps to a wave as none is longer than asked \[m\].
     ///
     /// Where nothing is asked, they are the [usual ones](Sinusoid::usual_steps).
@@ -53,12 +49,12 @@ impl SinusoidRequest {
     /// [`AnswerError::Argument`] for a step or a slow wave that gives a wave too few or too many steps.
     pub fn new(speed: f64, profile: Sinusoid, step: Option<f64>) -> Result<Self, AnswerError> {
         let wavelength = profile.wavelength;
-        let (least, most) = (Self::STEPS.start(), Self::STEPS.end());
+        let (least, most) = (Sinusoid::LEAST_STEPS as f64, Sinusoid::MOST_STEPS as f64);
         let steps = match step {
             Some(step) => (wavelength / step).ceil(),
             None => profile.usual_steps(speed) as f64,
         };
-        if Self::STEPS.contains(&steps) {
+        if (least..=most).contains(&steps) {
             return Ok(Self {
                 speed,
                 profile,

@@ -39,7 +39,7 @@ impl CheckedKeys {
         let mut sides = vec![study.contact];
         let mut points = vec![(keys.rail, keys.contact.lateral_offset)];
         if let Some(opposite) = &keys.opposite {
-            let rail = other(keys.rail);
+            let rail = keys.rail.opposite();
             let creepages = opposite.creepages.unwrap_or(steady.creepages);
             let mean = MeanState::Creepages(creepages);
             let side = self.side(rail, &opposite.contact, mean, opposite.profile, steel)?;
@@ -348,12 +348,5 @@ impl CheckedKeys {
         let twist =
             Twist::new(steel, section).and_then(|twist| twist.with_loss_factor(loss_factor));
         self.physics("rail.torsion_constant", twist)
-    }
-}
-
-fn other(rail: Rail) -> Rail {
-    match rail {
-        Rail::Left => Rail::Right,
-        Rail::Right => Rail::Left,
     }
 }

@@ -147,11 +147,7 @@ fn violations(wheelset: &MeasuredWheelset) -> impl Iterator<Item = Remark> {
 
 /// A port as columns name it.
 fn name(port: Port) -> String {
-    let rail = match port.rail {
-        Rail::Left => "left",
-        Rail::Right => "right",
-    };
-    format!("{rail}_{}", axis_name(port.direction))
+    format!("{}_{}", port.rail.name(), axis_name(port.direction))
 }
 
 fn axis_name(direction: Direction) -> &'static str {

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use riffel::feedback::{Contact, GeneralLoop};
-use riffel::passage::{ContactInTime, GeneralPassage, HertzSpring, StructuresInTime};
-use riffel::wheelset::Motion;
+use riffel::passage::{ContactInTime, GeneralPassage, StructuresInTime};
 use riffel::{Error, Rail};
 use riffel_keys::CaseError;
 
@@ -20,7 +19,7 @@ const MOST_CONTACTS: usize = 8;
 pub(super) struct AllAxes {
     contacts: Vec<ContactInTime>,
     natural_frequencies: Vec<f64>,
-    /// Where the track does not ask for the speed.
+    /// Those of all speeds, where they are known.
     structures: Option<StructuresInTime>,
 }
 
@@ -29,26 +28,37 @@ impl Case {
     ///
     /// # Errors
     /// [`CaseError`] where the case has what is not followed through time on all axes: discrete supports, a contact that
-    /// answers late or by the exact theory, geometric creepage, receptances that are measured, a track that is not causal.
+    /// answers late or by the exact theory, geometric creepage, receptances that are measured.
     pub(super) fn all_axes_in_time(
         &self,
         feedback: &GeneralLoop,
         keys: &GeneralKeys,
     ) -> Result<AllAxes, CaseError> {
-        /// Any.
-        const SPEED: f64 = 20.0;
         self.check_general_in_time(feedback)?;
-        let natural_frequencies = self.natural_frequencies_of_wheels()?;
-        let structures = match self.file.track.model {
-            TrackModel::MovingBeam => None,
-            _ => Some(self.structures_in_time(feedback, SPEED, &natural_frequencies)?),
-        };
         let contacts = feedback.contacts().iter();
         let contacts = contacts.map(|contact| self.contact_of_loop_in_time(contact, keys));
         Ok(AllAxes {
             contacts: contacts.collect::<Result<_, _>>()?,
-            natural_frequencies,
+            natural_frequencies: self.natural_frequencies_of_wheels()?,
+            structures: None,
+        })
+    }
+
+    /// The same with the structures for all speeds, where the track does not ask for the speed: their fit takes seconds.
+    pub(super) fn all_axes_at_any_speed(
+        &self,
+        feedback: &GeneralLoop,
+        parts: AllAxes,
+    ) -> Result<AllAxes, CaseError> {
+        /// Any.
+        const SPEED: f64 = 20.0;
+        let structures = match self.file.track.model {
+            TrackModel::MovingBeam => None,
+            _ => Some(self.structures_in_time(feedback, SPEED, &parts.natural_frequencies)?),
+        };
+        Ok(AllAxes {
             structures,
+            ..parts
         })
     }
 
@@ -125,20 +135,8 @@ impl Case {
                            followed along the rail alone";
             return Err(self.refuse("contact.creep_law", message));
         };
-        let mean = contact.rolling.steady();
-        let spring = HertzSpring::new(mean.normal_force, contact.stiffness);
-        Ok(ContactInTime {
-            spring: self.keys.physics("contact", spring)?,
-            law,
-            mean,
-            rail: contact.rail,
-            along: contact.along,
-            profile: contact.profile,
-            held: contact
-                .motion
-                .each_ref()
-                .map(|motion| matches!(motion, Motion::Held)),
-        })
+        self.keys
+            .physics("contact", ContactInTime::new(contact, law))
     }
 
     /// Of the wheelset \[rad/s\], as far as its receptances are followed.

@@ -10,7 +10,6 @@ use riffel_keys::CaseError;
 
 use crate::Case;
 use crate::build::CreepInTime;
-use crate::stability::BAND;
 use all_axes::AllAxes;
 
 /// A case on its way into time, as far as the speed has no part in it.
@@ -31,7 +30,10 @@ impl Case {
     /// [`CaseError`] where the case has what is not followed through time, such as a track that is not causal, and where the
     /// loop is unstable without any profile.
     pub fn in_time(&self, speed: f64) -> Result<LoopInTime, CaseError> {
-        self.wheels_in_time()?.at(speed)
+        let wheels = self.wheels_in_time()?;
+        // It takes a tenth of the time of a fit.
+        wheels.check_stable(speed)?;
+        wheels.at(speed)
     }
 
     /// The same, stable or not.
@@ -39,7 +41,7 @@ impl Case {
     /// # Errors
     /// Those of [`in_time`](Self::in_time), but for the last.
     pub fn in_time_without_profile(&self, speed: f64) -> Result<LoopInTime, CaseError> {
-        self.wheels_in_time()?.without_profile(speed)
+        self.wheels_in_time()?.at(speed)
     }
 
     /// The wheels of [`in_time`](Self::in_time) as those that wear the rail, the only ones and always under traction.
@@ -50,7 +52,7 @@ impl Case {
         self.wheels_in_time()?.passing_wheel(speed)
     }
 
-    /// What of it does not depend on the speed: the exact theory and the fit of a wheelset take seconds.
+    /// What of it does not depend on the speed, checked: the exact theory takes seconds.
     pub(crate) fn wheels_in_time(&self) -> Result<CaseInTime<'_>, CaseError> {
         let of_loop = match (&self.feedback, self.keys.general()?) {
             (Loop::General(feedback), Some(keys)) => {
@@ -67,9 +69,21 @@ impl Case {
 }
 
 impl CaseInTime<'_> {
-    pub(crate) fn at(&self, speed: f64) -> Result<LoopInTime, CaseError> {
-        if let OfLoop::General(feedback, _) = &self.of_loop
-            && let Ok(stability) = feedback.stability(speed, BAND.0, BAND.1)
+    /// The same with all that any speed needs.
+    pub(crate) fn at_any_speed(self) -> Result<Self, CaseError> {
+        let of_loop = match self.of_loop {
+            OfLoop::General(feedback, parts) => {
+                let parts = self.case.all_axes_at_any_speed(feedback, *parts)?;
+                OfLoop::General(feedback, Box::new(parts))
+            }
+            longitudinal => longitudinal,
+        };
+        Ok(Self { of_loop, ..self })
+    }
+
+    /// `Ok` if waves of a profile settle at a speed \[m/s\].
+    fn check_stable(&self, speed: f64) -> Result<(), CaseError> {
+        if let Some(stability) = self.case.stability(speed)
             && stability.unstable_roots > 0
         {
             let at = stability.frequency.map_or(String::new(), |frequency| {
@@ -81,10 +95,10 @@ impl CaseInTime<'_> {
             );
             return Err(self.case.refuse("contact.creepage", &message));
         }
-        self.without_profile(speed)
+        Ok(())
     }
 
-    fn without_profile(&self, speed: f64) -> Result<LoopInTime, CaseError> {
+    fn at(&self, speed: f64) -> Result<LoopInTime, CaseError> {
         Ok(match &self.of_loop {
             OfLoop::Longitudinal(creep) => self.case.passage_on(creep, speed)?.into(),
             OfLoop::General(feedback, parts) => {
@@ -94,6 +108,7 @@ impl CaseInTime<'_> {
     }
 
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
+        self.check_stable(speed)?;
         let model = self.at(speed)?;
         let (wear, place): (_, PlaceOfWear) = match &self.case.feedback {
             Loop::Longitudinal(feedback) => (feedback.wear, feedback.place_of_wear),

@@ -58,7 +58,7 @@ impl Traffic {
                 };
                 let share = vehicle.share.si() / all;
                 let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
-                let prepared = wheel.wheels_in_time()?;
+                let prepared = wheel.wheels_in_time()?.at_any_speed()?;
                 let at = |&(speed, part): &(f64, f64)| {
                     Ok(PassingWheel {
                         share: share * part,

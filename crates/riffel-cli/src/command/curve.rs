@@ -1,6 +1,5 @@
 //! `riffel curve`
 
-use riffel::Rail;
 use riffel::contact::{CreepForces, Creepages};
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
@@ -98,7 +97,7 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         ]);
     };
     for wheel in &state.wheels {
-        let name = format!("{} {}", wheel.wheelset, rail_name(wheel.rail));
+        let name = format!("{} {}", wheel.wheelset, wheel.rail.name());
         let shares = [wheel.tractive_ratio, wheel.t_gamma];
         row(
             name.clone(),
@@ -131,7 +130,7 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
     };
     for wheel in &state.wheels {
         if let Some(second) = &wheel.second_contact {
-            let rail = rail_name(wheel.rail);
+            let rail = wheel.rail.name();
             let share = 100.0 * second.normal_force / (wheel.normal_force + second.normal_force);
             text += &format!(
                 "wheelset {} stands on two points of the {rail} wheel, {share:.0} % of their normal forces on the second\n",
@@ -154,11 +153,4 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         }
     };
     text
-}
-
-fn rail_name(rail: Rail) -> &'static str {
-    match rail {
-        Rail::Left => "left",
-        Rail::Right => "right",
-    }
 }

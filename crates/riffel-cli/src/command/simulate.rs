@@ -4,6 +4,7 @@ mod evolution;
 mod surface;
 
 use riffel::forecast::SpeedDistribution;
+use riffel::passage::Outcome;
 use riffel_answers::simulate::{
     EvolutionRequest, PassageAnswer, PassageRequest, SinusoidAnswer, SinusoidRequest,
     SmoothRailAnswer, Surface,
@@ -237,10 +238,10 @@ fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
             format!("{:.1}", contact.mean_dissipation_j_per_m),
         ]);
     }
-    let outcome = match (document.outcome, document.frequency_hz) {
-        ("limit-cycle", Some(frequency)) => format!("a limit cycle of {frequency:.1} Hz"),
+    let outcome = match (answer.motion.outcome, document.frequency_hz) {
+        (Outcome::LimitCycle, Some(frequency)) => format!("a limit cycle of {frequency:.1} Hz"),
         (_, Some(frequency)) => format!("no settled period, like itself at {frequency:.1} Hz"),
-        ("runs-away", None) => "the wheels slide off".to_owned(),
+        (Outcome::RunsAway, None) => "the wheels slide off".to_owned(),
         (_, None) => "the push dies out".to_owned(),
     };
     let linear = match (document.linear_unstable_roots, document.linear_frequency_hz) {

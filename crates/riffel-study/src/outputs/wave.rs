@@ -1,7 +1,6 @@
 //! Wheels over a wave in time, as an output of a study.
 
 use riffel::passage::{Evolution, EvolutionStep, LoopInTime, PassingWheel, Settled, Sinusoid};
-use riffel::roughness::Profile;
 use riffel_case::Case;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -9,9 +8,6 @@ use serde::{Deserialize, Serialize};
 use super::Variable;
 use crate::case_sentence::case_sentence;
 use crate::file::WaveFile;
-
-/// Steps of the slowest wave, as of `riffel simulate`.
-const MOST_STEPS: usize = 16384;
 
 /// What wheels do over a wave, of the first contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -86,17 +82,19 @@ impl WaveFile {
             wavelength: self.wavelength.si(),
         };
         let steps = wave.usual_steps(speed);
-        if steps > MOST_STEPS {
+        if steps > Sinusoid::MOST_STEPS {
             return Err("the wave passes in more than 0.65 s: what is slower is followed by the whole vehicle".to_owned());
         }
-        let model = case.in_time(speed).map_err(|error| case_sentence(&error))?;
-        if let Some(passages) = self.passages {
-            let wheel = case
-                .passing_wheel(speed)
-                .map_err(|error| case_sentence(&error))?;
-            wave.amplitude =
-                worn(&wheel, wave, steps, passages).map_err(|error| error.to_string())?;
-        }
+        let model = match self.passages {
+            None => case.in_time(speed).map_err(|error| case_sentence(&error))?,
+            Some(passages) => {
+                let wheel = case.passing_wheel(speed);
+                let wheel = wheel.map_err(|error| case_sentence(&error))?;
+                let worn = worn(&wheel, wave, steps, passages);
+                wave.amplitude = worn.map_err(|error| error.to_string())?;
+                wheel.model
+            }
+        };
         let needs_time = |quantity: &WaveQuantity| *quantity != WaveQuantity::AmplitudeM;
         let settled = match self.quantities.iter().any(needs_time) {
             true => Some(first(&model, wave, steps).map_err(|error| error.to_string())?),
@@ -135,7 +133,7 @@ fn first(model: &LoopInTime, wave: Sinusoid, steps: usize) -> Result<Settled, ri
     Ok(model.settle(wave, steps)?.swap_remove(0))
 }
 
-/// Amplitude of the first harmonic of a wave after some passages \[m\], on a rail of one wave. A wheel that is in the air for more
+/// Amplitude of the first harmonic of a wave after some passages \[m\], on a [ring](Sinusoid::ring). A wheel that is in the air for more
 /// than half of a passage ends it.
 fn worn(
     wheel: &PassingWheel,
@@ -143,25 +141,19 @@ fn worn(
     steps: usize,
     passages: u64,
 ) -> Result<f64, riffel::Error> {
-    /// Heights of a wave: its tenth harmonic has twelve.
-    const HEIGHTS: usize = 128;
-    const MOST_LOSS: f64 = 0.5;
-    let height = |index: usize| {
-        let angle = std::f64::consts::TAU * index as f64 / HEIGHTS as f64;
-        wave.amplitude * angle.cos()
-    };
-    let spacing = wave.wavelength / HEIGHTS as f64;
-    let profile = Profile::new(0.0, spacing, (0..HEIGHTS).map(height).collect())?;
-    let mut rail = Evolution::new(&profile);
+    let ring = wave.ring(wheel.model.support_spacing())?;
+    let mut rail = Evolution::new(&ring);
+    let length = rail.heights().len() as f64 * rail.spacing();
+    let waves = (length / wave.wavelength).round() as usize;
     let step = EvolutionStep {
         largest_change: EvolutionStep::USUAL_CHANGE,
         largest_step: wave.wavelength / steps as f64,
     };
     while rail.passages() < passages {
         let extremes = rail.advance(&[wheel], &step, passages - rail.passages())?;
-        if extremes.contact_loss > MOST_LOSS {
+        if extremes.contact_loss > Evolution::MOST_CONTACT_LOSS {
             break;
         }
     }
-    Ok(rail.waves()[0].1.norm())
+    Ok(rail.waves()[waves - 1].1.norm())
 }

@@ -1,5 +1,7 @@
 //! Wheels along a given profile.
 
+use std::f64::consts::TAU;
+
 use super::on_rail::OnRail;
 use super::{ContactInstant, March, PassageModel};
 use crate::Error;
@@ -50,18 +52,13 @@ impl PassageModel {
             (march.advance(HEIGHT).normal_force - without).abs()
         };
         let changes: Vec<f64> = (0..steps).map(|_| change()).collect();
-        let largest = changes.iter().copied().fold(0.0, f64::max);
-        let remembered = |change: &f64| *change > FORGOTTEN * largest;
-        let last = changes.iter().rposition(remembered).unwrap_or(0);
-        if last + 1 == steps {
-            return Err(Error::NotConverged {
-                problem: "motion of the wheel after a step of the rail, two seconds later,",
-                residual: changes[last] / largest,
-                tolerance: FORGOTTEN,
-                remedy: "give the rail more loss, or damping in N s/m in the place of loss factors: what is nearly free of \
-                         loss may swing up in time",
-            });
-        }
+        let last = last_remembered(
+            &changes,
+            FORGOTTEN,
+            "motion of the wheel after a step of the rail, two seconds later,",
+            "give the rail more loss, or damping in N s/m in the place of loss factors: what is nearly free of \
+             loss may swing up in time",
+        )?;
         let onset = spacing.map_or(0.0, |spacing| March::ONSET_BAYS * spacing);
         Ok(onset + (last + 2) as f64 * STEP * self.speed)
     }
@@ -87,6 +84,35 @@ impl PassageModel {
             start,
         )
     }
+}
+
+/// The last of some changes that is above a share of the largest.
+///
+/// # Errors
+/// [`Error::NotConverged`] with the problem and its remedy, if that is the last of all.
+pub(super) fn last_remembered(
+    changes: &[f64],
+    share: f64,
+    problem: &'static str,
+    remedy: &'static str,
+) -> Result<usize, Error> {
+    let largest = changes.iter().copied().fold(0.0, f64::max);
+    let remembered = |change: &f64| *change > share * largest;
+    let last = changes.iter().rposition(remembered).unwrap_or(0);
+    if last + 1 < changes.len() {
+        return Ok(last);
+    }
+    Err(Error::NotConverged {
+        problem,
+        residual: changes[last] / largest,
+        tolerance: share,
+        remedy,
+    })
+}
+
+/// What a contact filter, if there is one, leaves of a wave \[m\].
+pub(super) fn felt(filter: Option<ContactFilter>, wavelength: f64) -> f64 {
+    filter.map_or(1.0, |filter| filter.amplitude(TAU / wavelength, 0.0))
 }
 
 /// A march along a profile after a run-in of the length of a memory \[m\]; `start` begins it with a step, a distance before the
@@ -300,7 +326,6 @@ mod tests {
     /// sin(ka)/(ka) of a wave of 24 heights, to the fourth power of 2π/24 over 30; a straight line stays.
     #[test]
     fn the_mean_over_the_patch_is_the_contact_filter() -> Result<(), Error> {
-        use std::f64::consts::TAU;
         let k = TAU / 24.0;
         for semi_axis in [0.4, 3.0, 7.7, 12.0] {
             let wave = (0..400).map(|index| (k * f64::from(index) + 0.3).cos());

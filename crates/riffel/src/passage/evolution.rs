@@ -82,6 +82,10 @@ pub struct PassageExtremes {
 }
 
 impl Evolution {
+    /// Share of the time without contact \[-\] above which the model ends: steel yields where the wheel comes down, and the
+    /// wheel does not reach the troughs.
+    pub const MOST_CONTACT_LOSS: f64 = 0.5;
+
     /// A rail before any wheel. The profile is taken as one turn of the ring.
     pub fn new(profile: &Profile) -> Self {
         Self::resumed(profile, 0, 0.0)

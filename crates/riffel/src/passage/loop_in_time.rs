@@ -1,5 +1,6 @@
 //! A loop of either kind in time.
 
+use super::along_profile::felt;
 use super::{GeneralPassage, Passage, PassageModel, Settled, Sinusoid};
 use crate::Error;
 use crate::contact::ContactFilter;
@@ -50,10 +51,7 @@ impl LoopInTime {
 
     /// What the patch leaves of a wave \[m\]: its contact filter, one without.
     pub fn felt(&self, wavelength: f64) -> f64 {
-        match self {
-            Self::Longitudinal(model) => model.felt(wavelength),
-            Self::General(model) => model.felt(wavelength),
-        }
+        felt(self.contact_filter(), wavelength)
     }
 
     /// The mean of the profile over the patch that wheels feel in the place of its height, if any.

@@ -1,6 +1,5 @@
 //! Wheel, track and contact of a march.
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::{HertzSpring, ImpulseResponse, LateContact, March};
@@ -82,13 +81,6 @@ impl PassageModel {
             Error::unless_positive("rolling radius", rolling_radius, "m")?;
         }
         Ok(March::new(self, step, distance))
-    }
-
-    /// What the patch leaves of a wave \[m\]: its contact filter, one without.
-    pub fn felt(&self, wavelength: f64) -> f64 {
-        let along = TAU / wavelength;
-        self.contact_filter
-            .map_or(1.0, |filter| filter.amplitude(along, 0.0))
     }
 
     /// Q of the steady law \[N\]; none without a load.

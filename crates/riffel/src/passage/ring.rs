@@ -1,8 +1,8 @@
-//! A ring made of a record.
+//! A rail as a ring, made of a record or of waves.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::Evolution;
+use super::{Evolution, Sinusoid};
 use crate::Error;
 use crate::roughness::{BandPass, Profile, WavelengthBand};
 
@@ -66,6 +66,52 @@ impl Evolution {
             ring.collect(),
         )?))
     }
+}
+
+impl Sinusoid {
+    /// Waves of the same height as a ring, one from crest to crest or, with a support spacing \[m\], as many as whole bays
+    /// have.
+    ///
+    /// Of 4 to 32 bays those are taken whose length comes nearest to whole waves, the fewest that come as near as a part of
+    /// 10⁻³; the wavelength is changed for that by 1/64 of a wave in four bays at most.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for a wavelength that is not positive.
+    pub fn ring(&self, bay: Option<f64>) -> Result<Profile, Error> {
+        /// Heights of a wave: its tenth harmonic has twelve.
+        const HEIGHTS: usize = 128;
+        let (waves, length) = match bay {
+            None => (1, self.wavelength),
+            Some(bay) => whole_waves(self.wavelength, bay),
+        };
+        let count = HEIGHTS * waves;
+        let height = |index: usize| {
+            let share = (index % HEIGHTS) as f64 / HEIGHTS as f64;
+            self.amplitude * (TAU * share).cos()
+        };
+        let spacing = length / count as f64;
+        Profile::new(0.0, spacing, (0..count).map(height).collect())
+    }
+}
+
+/// Number of waves of some wavelength \[m\] that bays have, and the length of these \[m\].
+fn whole_waves(wavelength: f64, bay: f64) -> (usize, f64) {
+    /// Part of a wavelength that is near enough.
+    const NEAR: f64 = 1e-3;
+    let tried = (4..=32).map(|bays| {
+        let length = f64::from(bays) * bay;
+        let waves = (length / wavelength).round().max(1.0);
+        (
+            waves as usize,
+            length,
+            (length / waves / wavelength - 1.0).abs(),
+        )
+    });
+    let all: Vec<(usize, f64, f64)> = tried.collect();
+    let near = all.iter().find(|(_, _, change)| *change <= NEAR);
+    let nearest = || all.iter().min_by(|one, other| one.2.total_cmp(&other.2));
+    near.or_else(nearest)
+        .map_or((1, wavelength), |&(waves, length, _)| (waves, length))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::along_profile::faded;
+use super::along_profile::{faded, felt};
 use super::{ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
 
@@ -23,12 +23,17 @@ const BAYS: f64 = 16.0;
 const WIDTH: f64 = 4.0;
 
 impl Sinusoid {
+    /// Fewest steps to a wave: fewer do not show the fifth harmonic.
+    pub const LEAST_STEPS: usize = 20;
+
+    /// Most steps to a wave that are worth their minutes.
+    pub const MOST_STEPS: usize = 16384;
+
     /// `Ok` if it is a wave that so many steps resolve.
     pub(super) fn check(&self, steps: usize) -> Result<(), Error> {
-        const LEAST_STEPS: usize = 20;
         Error::unless_positive("amplitude", self.amplitude, "m")?;
         Error::unless_positive("wavelength", self.wavelength, "m")?;
-        match steps < LEAST_STEPS {
+        match steps < Self::LEAST_STEPS {
             false => Ok(()),
             true => Err(Error::OutOfRange {
                 quantity: "number of steps to a wave",
@@ -122,7 +127,7 @@ impl PassageModel {
             amplitude,
             wavelength,
         } = profile;
-        let amplitude = amplitude * self.felt(wavelength);
+        let amplitude = amplitude * felt(self.contact_filter, wavelength);
         if let Some(spacing) = self.track.support_spacing() {
             let felt = Sinusoid {
                 amplitude,
@@ -145,8 +150,7 @@ impl PassageModel {
             wave.clear();
             for (step, height) in heights.iter().enumerate() {
                 let rolled = (number as f64 + (step + 1) as f64 / steps as f64) / onset;
-                let share = rolled.min(1.0);
-                wave.push(march.advance(height * share * share * (3.0 - 2.0 * share)));
+                wave.push(march.advance(height * faded(rolled)));
             }
             let share = contact_loss(&wave);
             if share > MOST_LOSS {

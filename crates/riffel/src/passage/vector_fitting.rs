@@ -153,7 +153,7 @@ fn scaled(frequencies: &[f64], scale: f64) -> Vec<Complex64> {
 }
 
 /// A third of the poles real, the others pairs of little damping, evenly over the decades below one.
-fn starting_poles(lowest: f64, order: usize) -> Vec<Complex64> {
+pub(super) fn starting_poles(lowest: f64, order: usize) -> Vec<Complex64> {
     let pairs = order / 3;
     let real = order - 2 * pairs;
     let place = |index: usize, count: usize| lowest.powf(1.0 - (index as f64 + 0.5) / count as f64);

@@ -285,10 +285,7 @@ impl WheelsetOnTrack {
         let failed = |rail: Rail| ProfileError::NoContact {
             lateral_shift,
             yaw,
-            rail: match rail {
-                Rail::Left => "left",
-                Rail::Right => "right",
-            },
+            rail: rail.name(),
         };
         let mut roll = 0.0_f64;
         let mut near = [Vec::new(), Vec::new()];

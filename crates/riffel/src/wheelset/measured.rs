@@ -74,10 +74,7 @@ impl MeasuredWheelset {
         rail: Rail,
         entries: Vec<(Direction, Direction, MeasuredReceptance)>,
     ) -> Result<Self, Error> {
-        let opposite = match rail {
-            Rail::Left => Rail::Right,
-            Rail::Right => Rail::Left,
-        };
+        let opposite = rail.opposite();
         let mut both = Vec::with_capacity(2 * entries.len());
         for (at, from, receptance) in entries {
             let entry = |rail, receptance| MeasuredEntry {

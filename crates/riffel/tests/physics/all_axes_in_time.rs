@@ -41,18 +41,8 @@ fn track() -> Arc<dyn Receptance> {
 }
 
 fn in_time(feedback: &GeneralLoop, law: &Arc<dyn CreepLaw>, speed: f64) -> GeneralPassage {
-    let contacts = feedback.contacts().iter().map(|contact| ContactInTime {
-        spring: HertzSpring::new(contact.rolling.steady().normal_force, contact.stiffness).unwrap(),
-        law: law.clone(),
-        mean: contact.rolling.steady(),
-        rail: contact.rail,
-        along: contact.along,
-        profile: contact.profile,
-        held: contact
-            .motion
-            .each_ref()
-            .map(|motion| matches!(motion, Motion::Held)),
-    });
+    let contacts = feedback.contacts().iter();
+    let contacts = contacts.map(|contact| ContactInTime::new(contact, law.clone()).unwrap());
     GeneralPassage {
         contacts: contacts.collect(),
         structures: StructuresInTime::of(feedback, speed, &[]).unwrap(),

@@ -137,16 +137,7 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError
             let energy = state.dissipation_at_rail / speed / feedback.amplitude;
             -feedback.wear.depth_per_energy() * energy
         }
-        // The mean of the wheels on the rail under study.
-        Loop::General(feedback) => {
-            let state = feedback.at(wavelength, speed);
-            let pairs = feedback.contacts().iter().zip(&state.contacts);
-            let rates = pairs
-                .filter(|(contact, _)| contact.rail == feedback.rail())
-                .map(|(contact, at)| -contact.wear.depth_per_energy() * at.energy_at_rail);
-            let rates: Vec<Complex64> = rates.collect();
-            rates.iter().sum::<Complex64>() / (rates.len() as f64 * feedback.amplitude())
-        }
+        Loop::General(feedback) => feedback.complex_growth_rate(wavelength, speed),
     })
 }
 

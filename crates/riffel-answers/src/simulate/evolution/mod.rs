@@ -8,8 +8,6 @@ mod linear;
 mod state;
 mod table;
 
-use std::f64::consts::TAU;
-
 use riffel::contact::ContactFilter;
 use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
@@ -58,52 +56,13 @@ impl Surface {
         }
     }
 
-    /// Waves of the same height, one from crest to crest or, with a support spacing \[m\], as many as whole bays have.
-    ///
-    /// Of 4 to 32 bays those are taken whose length comes nearest to whole waves, the fewest that come as near as a part of
-    /// 10⁻³; the wavelength is changed for that by 1/64 of a wave in four bays at most.
+    /// The [ring](Sinusoid::ring) of a sinusoid.
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for a wavelength that is not positive.
     pub fn of_sinusoid(sinusoid: Sinusoid, bay: Option<f64>) -> Result<Self, AnswerError> {
-        /// Heights of a wave: its tenth harmonic has twelve.
-        const HEIGHTS: usize = 128;
-        let (waves, length) = match bay {
-            None => (1, sinusoid.wavelength),
-            Some(bay) => whole_waves(sinusoid.wavelength, bay),
-        };
-        let count = HEIGHTS * waves;
-        let height = |index: usize| {
-            let share = (index % HEIGHTS) as f64 / HEIGHTS as f64;
-            sinusoid.amplitude * (TAU * share).cos()
-        };
-        let spacing = length / count as f64;
-        Ok(Self::Ring(Profile::new(
-            0.0,
-            spacing,
-            (0..count).map(height).collect(),
-        )?))
+        Ok(Self::Ring(sinusoid.ring(bay)?))
     }
-}
-
-/// Number of waves of some wavelength \[m\] that bays have, and the length of these \[m\].
-fn whole_waves(wavelength: f64, bay: f64) -> (usize, f64) {
-    /// Part of a wavelength that is near enough.
-    const NEAR: f64 = 1e-3;
-    let tried = (4..=32).map(|bays| {
-        let length = f64::from(bays) * bay;
-        let waves = (length / wavelength).round().max(1.0);
-        (
-            waves as usize,
-            length,
-            (length / waves / wavelength - 1.0).abs(),
-        )
-    });
-    let all: Vec<(usize, f64, f64)> = tried.collect();
-    let near = all.iter().find(|(_, _, change)| *change <= NEAR);
-    let nearest = || all.iter().min_by(|one, other| one.2.total_cmp(&other.2));
-    near.or_else(nearest)
-        .map_or((1, wavelength), |&(waves, length, _)| (waves, length))
 }
 
 /// A rail on its way to a number of passages.

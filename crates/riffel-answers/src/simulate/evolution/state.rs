@@ -55,11 +55,11 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// True if the passage before left the wheel in the air for most of the time. There the model ends: steel yields where the
-    /// wheel comes down, and the wheel does not reach the troughs.
+    /// True if the passage before left the wheel in the air for most of the time, where the
+    /// [model ends](Evolution::MOST_CONTACT_LOSS).
     pub(super) fn is_airborne(&self) -> bool {
-        const MOST: f64 = 0.5;
-        let lost = |passage: Extremes| passage.contact_loss_fraction > MOST;
+        let most = Evolution::MOST_CONTACT_LOSS;
+        let lost = |passage: Extremes| passage.contact_loss_fraction > most;
         self.extremes.is_some_and(lost)
     }
 }

@@ -314,6 +314,12 @@ impl GeneralLoop {
         wear / (energy * wheels.count() as f64)
     }
 
+    /// Growth of a wave per passage as a complex number, in the mean over the wheels on the rail under study: its real part is
+    /// the growth rate of |Δ|, its imaginary part the change of the phase.
+    pub fn complex_growth_rate(&self, wavelength: f64, speed: f64) -> Complex64 {
+        self.growth_rate_per_dissipation() * self.normalized_dissipation(wavelength, speed)
+    }
+
     /// Ŵ₁ of the mean growth at a point.
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         let mut system = System::new(self);

@@ -1,13 +1,15 @@
 //! Track, wheels and contacts of a march on all axes.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::{GeneralMarch, StructuresInTime};
 use crate::contact::{ContactFilter, CreepLaw, MeanRolling};
-use crate::passage::along_profile::pass;
+use crate::feedback::Contact;
+use crate::passage::along_profile::{last_remembered, pass};
 use crate::passage::{HertzSpring, Passage};
 use crate::roughness::Profile;
+use crate::wheelset::Motion;
 use crate::{Error, Rail};
 
 /// A contact of a wheel with a rail in time.
@@ -52,6 +54,28 @@ pub struct GeneralPassage {
     pub speed: f64,
 }
 
+impl ContactInTime {
+    /// A contact of the linear loop in time, with the creep law whose slopes that has.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless load and stiffness are positive.
+    pub fn new(contact: &Contact, law: Arc<dyn CreepLaw>) -> Result<Self, Error> {
+        let mean = contact.rolling.steady();
+        Ok(Self {
+            spring: HertzSpring::new(mean.normal_force, contact.stiffness)?,
+            law,
+            mean,
+            rail: contact.rail,
+            along: contact.along,
+            profile: contact.profile,
+            held: contact
+                .motion
+                .each_ref()
+                .map(|motion| matches!(motion, Motion::Held)),
+        })
+    }
+}
+
 impl GeneralPassage {
     /// A march from steady rolling on, in steps of the given length \[m\].
     ///
@@ -88,17 +112,12 @@ impl GeneralPassage {
                 .fold(0.0, f64::max)
         });
         let changes: Vec<f64> = changes.collect();
-        let largest = changes.iter().copied().fold(0.0, f64::max);
-        let remembered = |change: &f64| *change > FORGOTTEN * largest;
-        let last = changes.iter().rposition(remembered).unwrap_or(0);
-        if last + 1 == steps {
-            return Err(Error::NotConverged {
-                problem: "motion of the wheels after a bump of the rail, two seconds later,",
-                residual: changes[last] / largest,
-                tolerance: FORGOTTEN,
-                remedy: "give rail, wheelset and suspension more loss: what is nearly free of loss may swing up in time",
-            });
-        }
+        let last = last_remembered(
+            &changes,
+            FORGOTTEN,
+            "motion of the wheels after a bump of the rail, two seconds later,",
+            "give rail, wheelset and suspension more loss: what is nearly free of loss may swing up in time",
+        )?;
         let behind = self.contacts.iter().map(|contact| -contact.along);
         let train = behind.fold(0.0, f64::max);
         Ok(2.0 * train + (last + 2) as f64 * STEP * self.speed)
@@ -118,12 +137,5 @@ impl GeneralPassage {
             self.contact_filter,
             start,
         )
-    }
-
-    /// What the patch leaves of a wave \[m\]: its contact filter, one without.
-    pub fn felt(&self, wavelength: f64) -> f64 {
-        let along = TAU / wavelength;
-        self.contact_filter
-            .map_or(1.0, |filter| filter.amplitude(along, 0.0))
     }
 }

@@ -6,6 +6,7 @@ use num_complex::Complex64;
 
 use super::GeneralPassage;
 use crate::Error;
+use crate::passage::along_profile::{faded, felt};
 use crate::passage::settled::{CHANGE, MOST_LOSS, PATIENCE, REST, contact_loss, harmonics};
 use crate::passage::{ContactInstant, Harmonic, Settled, Sinusoid};
 
@@ -22,8 +23,7 @@ impl Wave<'_> {
     /// Heights under the contacts after so many steps of a wave \[m\].
     fn heights(&self, number: usize, step: usize, heights: &mut [f64]) {
         let rolled = number as f64 + step as f64 / self.steps as f64;
-        let share = (rolled / self.onset).min(1.0);
-        let grown = self.profile.amplitude * share * share * (3.0 - 2.0 * share);
+        let grown = self.profile.amplitude * faded(rolled / self.onset);
         let angle = TAU * step as f64 / self.steps as f64;
         for (height, contact) in heights.iter_mut().zip(&self.model.contacts) {
             let behind = TAU * contact.along / self.profile.wavelength;
@@ -46,7 +46,7 @@ impl GeneralPassage {
             wavelength,
         } = profile;
         let profile = Sinusoid {
-            amplitude: amplitude * self.felt(wavelength),
+            amplitude: amplitude * felt(self.contact_filter, wavelength),
             wavelength,
         };
         let mut march = self.march(wavelength / steps as f64)?;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::Error;
 use crate::feedback::GeneralLoop;
 use crate::passage::ImpulseResponse;
-use crate::passage::vector_fitting::{Sampled, residues, shared_poles};
+use crate::passage::vector_fitting::{Sampled, residues, shared_poles, starting_poles};
 
 /// Displacement of the wheels against the rail after impulses at all contacts of a loop, in their axes x, t, n:
 ///
@@ -74,8 +74,11 @@ impl StructuresInTime {
             .filter(|&w| w < TAU * Self::KNOWN)
             .collect();
         let transfer = Transfer::of(feedback, speed, &lines)?;
-        let band = [ImpulseResponse::BAND.0, TAU * Self::HIGHEST];
-        let mut starting = starting(band, POLES, &lines);
+        let (lowest, highest) = (ImpulseResponse::BAND.0, TAU * Self::HIGHEST);
+        let spread = starting_poles(lowest / highest, POLES).into_iter();
+        let of_lines = lines.iter().map(|&line| Complex64::new(-0.003, 1.0) * line);
+        let mut starting: Vec<Complex64> =
+            spread.map(|pole| highest * pole).chain(of_lines).collect();
         let mut best: Option<Self> = None;
         for _ in 0..FITS {
             let (fit, worst) = transfer.fit(&starting, MORE);
@@ -292,19 +295,6 @@ fn worst(mut errors: Vec<(f64, f64)>, count: usize) -> Vec<f64> {
         }
     }
     worst
-}
-
-/// Poles to start from \[rad/s\]: a pair of little damping at each line; of the others a third real, all over the decades.
-fn starting([lowest, highest]: [f64; 2], order: usize, lines: &[f64]) -> Vec<Complex64> {
-    let pairs = order / 3;
-    let real = order - 2 * pairs;
-    let place = |index: usize, count: usize| {
-        highest * (lowest / highest).powf(1.0 - (index as f64 + 0.5) / count as f64)
-    };
-    let on_axis = (0..real).map(|index| Complex64::from(-place(index, real)));
-    let off_axis = (0..pairs).map(|index| Complex64::new(-0.05, 1.0) * place(index, pairs));
-    let lines = lines.iter().map(|&line| Complex64::new(-0.003, 1.0) * line);
-    on_axis.chain(off_axis).chain(lines).collect()
 }
 
 /// Receptances over the band: evenly over the decades, around the lines, and between neighbours that differ much.
