@@ -92,12 +92,14 @@ pub(crate) fn simulate<'py>(
     speed: f64,
     step: Option<f64>,
     contact_filter: bool,
+    transient: bool,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>)> {
     let told = PyDict::new(py);
     let courses: Vec<Course> = match surface.rail()? {
         Rail::Sinusoid(profile) => {
             let request = SinusoidRequest {
                 contact_filter,
+                transient,
                 ..SinusoidRequest::new(speed, profile, step).map_err(of_answer)?
             };
             let answer = case.compute(py, move |case| SinusoidAnswer::new(case, request))?;
@@ -108,6 +110,9 @@ pub(crate) fn simulate<'py>(
                 told.set_item("contacts", document(py, &found.contacts)?)?;
             }
             told.set_item("harmonics", document(py, &found.harmonics)?)?;
+            if let Some(energy) = found.energy_at_rail_j_per_m {
+                told.set_item("energy_at_rail", energy)?;
+            }
             told.set_item("contact_loss_fraction", answer.settled.contact_loss)?;
             told.set_item("minimum_normal_force", least)?;
             told.set_item("maximum_normal_force", largest)?;

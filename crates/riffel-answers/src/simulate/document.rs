@@ -20,6 +20,9 @@ pub struct SinusoidDocument {
     pub step_m: f64,
     /// Harmonics n = 0 … 5.
     pub harmonics: Vec<HarmonicDocument>,
+    /// Those of the energy that a place of the rail receives, of a transient contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy_at_rail_j_per_m: Option<[[f64; 2]; 6]>,
     /// Share of the time without contact.
     pub contact_loss_fraction: f64,
     /// Least normal force.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use riffel::Complex64;
 use riffel::contact::ContactFilter;
 use riffel::passage::{LoopInTime, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
@@ -22,6 +23,8 @@ pub struct SinusoidRequest {
     pub steps: usize,
     /// The wheel feels the mean over the patch in the place of the height.
     pub contact_filter: bool,
+    /// The contact of the half-space, followed element by element, in the place of that of the case.
+    pub transient: bool,
 }
 
 /// The settled state of a case over a sinusoid.
@@ -36,6 +39,8 @@ pub struct SinusoidAnswer {
     pub contacts: Vec<ContactName>,
     /// Those states.
     pub others: Vec<Settled>,
+    /// Harmonics of the energy that a place of the rail receives \[J/m\], of a transient contact.
+    pub energy_at_rail: Option<[Complex64; 6]>,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
 }
@@ -60,6 +65,7 @@ impl SinusoidRequest {
                 profile,
                 steps: steps as usize,
                 contact_filter: false,
+                transient: false,
             });
         }
         Err(match step {
@@ -82,7 +88,7 @@ impl SinusoidRequest {
         })
     }
 
-    /// Length of a step \[m\].
+    /// Length of a step of the march \[m\].
     pub fn step(&self) -> f64 {
         self.profile.wavelength / self.steps as f64
     }
@@ -100,30 +106,53 @@ impl SinusoidAnswer {
             profile,
             steps,
             contact_filter,
+            transient,
         } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
         let mut model = case.in_time(speed)?;
         model.set_contact_filter(contact_filter.then(|| ContactFilter::of(&case.hertz)));
-        let mut settled = model
-            .settle(profile, steps)
-            .map_err(|error| CaseError::Physics {
-                input: "--sinusoid".to_owned(),
-                error,
-            })?;
+        let of_sinusoid = |error| CaseError::Physics {
+            input: "--sinusoid".to_owned(),
+            error,
+        };
+        let (settled, others, energy_at_rail) = match (transient, &model) {
+            (false, _) => {
+                let mut all = model.settle(profile, steps).map_err(of_sinusoid)?;
+                (all.remove(0), all, None)
+            }
+            (true, LoopInTime::Longitudinal(wheel)) if wheel.track.support_spacing().is_none() => {
+                let contact = case.transient_contact();
+                let rolled = wheel.settle_transient(profile, steps, contact);
+                let rolled = rolled.map_err(of_sinusoid)?;
+                (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
+            }
+            (true, _) => {
+                return Err(AnswerError::Argument {
+                    argument: "--transient",
+                    value: "given".to_owned(),
+                    rule: "for one wheel with longitudinal creepage on a track that is even along the rail".to_owned(),
+                });
+            }
+        };
         let radius = case.hertz.rolling_radius();
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
         let supports = remarks::of_supports(&model, &profile);
+        let elements = transient
+            .then(|| remarks::of_elements(&settled, case.hertz.normal_force()))
+            .flatten();
         let remarks = remarks::of_track(&model)
             .into_iter()
             .chain(troughs)
-            .chain(supports);
+            .chain(supports)
+            .chain(elements);
         Ok(Self {
             remarks: remarks.collect(),
             request,
             model,
             contacts: case.contact_names(),
-            settled: settled.remove(0),
-            others: settled,
+            settled,
+            others,
+            energy_at_rail,
         })
     }
 
@@ -137,6 +166,9 @@ impl SinusoidAnswer {
             amplitude_m: profile.amplitude,
             step_m: self.request.step(),
             harmonics: self.harmonics(&self.settled),
+            energy_at_rail_j_per_m: self
+                .energy_at_rail
+                .map(|harmonics| harmonics.map(|value| [value.re, value.im])),
             contact_loss_fraction: self.settled.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
@@ -176,7 +208,8 @@ impl SinusoidAnswer {
     }
 
     fn course_of(&self, settled: &Settled) -> Course {
-        let SinusoidRequest { profile, steps, .. } = self.request;
+        let SinusoidRequest { profile, .. } = self.request;
+        let steps = settled.wave.len();
         let wave = settled.wave.iter().copied();
         let contacts: Vec<_> = std::iter::once(settled.crest).chain(wave).collect();
         let share = |step: usize| step as f64 / steps as f64;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use riffel::contact::CreepLaw;
-use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, Turning};
+use riffel::passage::{HertzSpring, ImpulseResponse, PassageModel, TransientContact, Turning};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -32,6 +32,16 @@ impl Case {
         match law {
             Some(law) => Ok(CreepInTime { law, late: None }),
             None => keys.exact_in_time(self.hertz, friction),
+        }
+    }
+
+    /// The contact of the half-space to roll element by element, on `contact.grid` elements or one more.
+    pub fn transient_contact(&self) -> TransientContact {
+        let grid = usize::try_from(self.file.contact.grid).unwrap_or(usize::MAX);
+        TransientContact {
+            hertz: self.hertz,
+            friction: self.steady.friction,
+            across: grid.next_multiple_of(2),
         }
     }
 

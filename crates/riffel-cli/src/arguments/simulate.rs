@@ -97,6 +97,11 @@ pub(crate) struct Simulate {
     #[arg(long)]
     pub(crate) contact_filter: bool,
 
+    /// Over a sinusoid: follow the contact of the half-space element by element, contact.grid of them across, in the place of the creep law
+    /// of the case. The reference for contact.response; seconds.
+    #[arg(long, requires = "sinusoid", conflicts_with = "passages")]
+    pub(crate) transient: bool,
+
     #[command(flatten)]
     pub(crate) layout: Layout,
 

@@ -42,6 +42,7 @@ pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
         let request = SinusoidRequest::new(speed, sinusoid.of_sinusoid()?, step);
         let request = SinusoidRequest {
             contact_filter: arguments.contact_filter,
+            transient: arguments.transient,
             ..request.map_err(CliError::from)?
         };
         over_sinusoid(arguments, &case, request)?;
@@ -302,6 +303,9 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
     if on_all_axes {
         heads.extend(["lateral force kN", "lateral creepage %"]);
     }
+    if answer.energy_at_rail.is_some() {
+        heads.push("at the rail J/m");
+    }
     let mut rows = table(&heads);
     for (n, harmonic) in settled.harmonics.iter().enumerate() {
         let size = |value: riffel::Complex64, scale: f64| match n {
@@ -322,6 +326,9 @@ fn readable(case: &Case, answer: &SinusoidAnswer) -> String {
         if on_all_axes {
             row.push(size(harmonic.lateral_force, 1e-3));
             row.push(size(harmonic.lateral_creepage, 100.0));
+        }
+        if let Some(energy) = answer.energy_at_rail {
+            row.push(size(energy[n], 1.0));
         }
         rows.add_row(row);
     }

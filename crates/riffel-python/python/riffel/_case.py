@@ -841,6 +841,7 @@ class Case:
         sinusoid: Sequence[Quantity] | None = None,
         step: Quantity | None = None,
         contact_filter: bool = False,
+        transient: bool = False,
     ) -> xr.Dataset:
         """The wheel along a rail in time, with loss of contact: once along a profile, or over a sinusoid until it is settled.
 
@@ -858,13 +859,15 @@ class Case:
             Largest step in time, as a length; by default 0.5 mm, or 1/256 of the wavelength.
         contact_filter : bool
             The wheel feels the mean of the profile over the patch in the place of its height.
+        transient : bool
+            Over a sinusoid: follow the contact of the half-space element by element, in the place of the creep law of the case.
 
         Returns
         -------
         Dataset
             ``height``, ``normal_force``, ``tangential_force``, ``creepage``, ``dissipation`` and ``approach`` over
             ``position``; of a sinusoid one wave, and ``normal_force_harmonics`` and the like over ``harmonic``, complex and relative
-            to the profile. A loop on all axes has ``lateral_force`` and ``lateral_creepage`` too; where it has several
+            to the profile; of a transient contact ``energy_at_rail_harmonics`` too, what a place of the rail receives. A loop on all axes has ``lateral_force`` and ``lateral_creepage`` too; where it has several
             contacts, all lie over ``contact`` as well, as they are when the first wheel is at ``position``. ``contact_loss_fraction``, ``minimum_normal_force`` and ``maximum_normal_force`` are attributes.
 
         Raises
@@ -885,6 +888,7 @@ class Case:
             scalar(speed, "speed", "speed"),
             None if step is None else scalar(step, "step", "length"),
             contact_filter,
+            transient,
             self.title,
         )
 

@@ -63,10 +63,14 @@ def simulate(
     speed: float,
     step: float | None,
     contact_filter: bool,
+    transient: bool,
     title: str | None,
 ) -> xr.Dataset:
     """One passage, or one wave of the settled state with its harmonics."""
-    course, told = _riffel.simulate(case, surface, speed, step, contact_filter)
+    if transient and len(surface) != 2:
+        raise ValueError("transient is for a sinusoid")
+    course, told = _riffel.simulate(case, surface, speed, step, contact_filter, transient)
+    energy = told.pop("energy_at_rail", None)
     harmonics, contacts = told.pop("harmonics", None), told.pop("contacts", None)
     columns, coordinates = _course(course)
     if harmonics is not None:
@@ -78,6 +82,10 @@ def simulate(
             words = f"{name.replace('_', ' ')} for exp(+i n omega t), means at n = 0"
             where: tuple[str, ...] = ("harmonic",) if contacts is None else ("contact", "harmonic")
             columns[name] = (where, values[0] if contacts is None else values, {"units": unit, "long_name": words})
+        if energy is not None:
+            words = "energy at the rail harmonics for exp(+i n omega t), mean at n = 0"
+            values = np.array([complex(*pair) for pair in energy])
+            columns["energy_at_rail_harmonics"] = ("harmonic", values, {"units": "J/m", "long_name": words})
         coordinates["harmonic"] = ("harmonic", np.arange(len(harmonics)), {"units": "1", "long_name": "harmonic"})
     if contacts is not None:
         coordinates["contact"] = _contacts(contacts)

@@ -138,6 +138,7 @@ def simulate(
     speed: float,
     step: float | None,
     contact_filter: bool,
+    transient: bool,
 ) -> tuple[dict[str, _Floats], dict[str, Any]]: ...
 def on_smooth_rail(
     case: Case, speed: float, step: float | None

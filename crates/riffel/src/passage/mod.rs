@@ -26,6 +26,7 @@ mod ring;
 mod settled;
 mod step_weights;
 mod track_motion;
+mod transient_contact;
 mod vector_fitting;
 
 pub use all_axes::{
@@ -41,3 +42,4 @@ pub use loop_in_time::LoopInTime;
 pub use march::{ContactInstant, March};
 pub use model::{PassageModel, Turning};
 pub use settled::{Harmonic, Settled, Sinusoid};
+pub use transient_contact::{TransientContact, TransientSettled};

@@ -295,7 +295,7 @@ fn weighted_harmonics<'a>(
 }
 
 /// Largest difference of normal force and of creepage, each over its first harmonic.
-fn largest_change(before: &[Harmonic; 6], now: &[Harmonic; 6]) -> f64 {
+pub(super) fn largest_change(before: &[Harmonic; 6], now: &[Harmonic; 6]) -> f64 {
     let largest = |of: fn(&Harmonic) -> Complex64| {
         let pairs = before.iter().zip(now);
         let changes = pairs.map(|(before, now)| (of(now) - of(before)).norm());

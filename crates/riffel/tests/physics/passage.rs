@@ -9,7 +9,7 @@ use riffel::contact::{
 };
 use riffel::passage::{
     Evolution, EvolutionStep, HertzSpring, ImpulseResponse, LateContact, PassageModel,
-    PassingWheel, Settled, Sinusoid, Turning, WearOfPassages,
+    PassingWheel, Settled, Sinusoid, TransientContact, Turning, WearOfPassages,
 };
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
@@ -441,5 +441,93 @@ fn a_late_contact_is_that_of_the_linear_loop() {
             / (30.0 * feedback.amplitude);
         let error = (change - expected).norm() / expected.norm();
         assert!(error < 2e-3, "{line}: {change} {expected} {error:e}");
+    }
+}
+
+/// The exact contact followed element by element, where the load swings by a sixth: its first harmonics are those of the linear loop
+/// with the table of that contact, but for the elements, two in a hundred (where it swings by less, its edge moves by less than an element, and
+/// errors reach a fifth of the harmonics).
+#[test]
+fn transient_contact_at_small_amplitude() {
+    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let a = hertz.semi_axis_longitudinal();
+    let contact = HalfSpace::new(hertz, 0.4, 32).unwrap();
+    let state = contact.roll_at_tractive_ratio(0.4).unwrap();
+    let law: Arc<dyn CreepLaw> = Arc::new(HalfSpaceCurve::new(&contact, &state).unwrap());
+    let table = NonSteady::new(
+        &contact,
+        &state,
+        OscillatingCreepages::Longitudinal,
+        1.01 * a,
+        100.0 * a,
+        1e-4,
+    );
+    let (feedback, model) = both(two_layers(), |_| law.clone(), 0.4, 30.0, 1.0);
+    let feedback = FeedbackLoop {
+        contact: Arc::new(table.unwrap()),
+        ..feedback
+    };
+    let profile = Sinusoid {
+        amplitude: 20e-6,
+        wavelength: 0.06,
+    };
+    let contact = TransientContact {
+        hertz,
+        friction: 0.4,
+        across: 32,
+    };
+    let linear = feedback.at(profile.wavelength, 30.0);
+    let got = model.settle_transient(profile, 256, contact).unwrap();
+    let first = got.settled.harmonics[1];
+    let creepage = -linear.angular_velocity * RADIUS / 30.0;
+    for (got, expected, limit) in [
+        (first.normal_force, linear.normal_force, 1e-3),
+        (first.tangential_force, linear.tangential_force, 0.02),
+        (first.creepage, creepage, 0.02),
+        (
+            got.energy_at_rail[1],
+            linear.dissipation_at_rail / 30.0,
+            0.02,
+        ),
+    ] {
+        let error = (got / profile.amplitude - expected).norm() / expected.norm();
+        assert!(error < limit, "{got} {expected} {error:e}");
+    }
+    // A wheel under a constant torque keeps the mean creep force, and an inertia no energy.
+    let [mean, ..] = got.settled.harmonics;
+    assert!((mean.tangential_force.re / 8000.0 - 1.0).abs() < 1e-4);
+    let work = 8000.0 * mean.creepage.re;
+    assert!((got.energy_at_rail[0].re / work - 1.0).abs() < 0.02);
+}
+
+/// A wheel that leaves the rail rolls on without creep force, and begins again without tractions.
+#[test]
+fn transient_contact_that_is_lost() {
+    let (_, model) = both(two_layers(), carter, 0.4, 30.0, 1.0);
+    let profile = Sinusoid {
+        amplitude: 90e-6,
+        wavelength: 0.055,
+    };
+    let contact = TransientContact {
+        hertz: HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap(),
+        friction: 0.4,
+        across: 16,
+    };
+    let got = model
+        .settle_transient(profile, 256, contact)
+        .unwrap()
+        .settled;
+    assert!(got.contact_loss > 0.05);
+    for instant in &got.wave {
+        assert!(instant.tangential_force.abs() <= 0.4 * instant.normal_force);
+    }
+    for (across, wavelength) in [(16, 0.01), (17, 0.055)] {
+        let contact = TransientContact { across, ..contact };
+        let profile = Sinusoid {
+            amplitude: 1e-6,
+            wavelength,
+        };
+        let refused = model.settle_transient(profile, 256, contact);
+        assert!(matches!(refused, Err(Error::OutOfRange { .. })));
     }
 }

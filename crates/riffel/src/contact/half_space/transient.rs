@@ -109,6 +109,11 @@ impl TransientRolling {
         })
     }
 
+    /// The contact under the largest load, for which the grid was made.
+    pub fn hertz(&self) -> HertzContact {
+        self.hertz
+    }
+
     /// Distance that a step rolls, the length of an element \[m\].
     pub fn step_length(&self) -> f64 {
         self.patch.dx
@@ -118,6 +123,24 @@ impl TransientRolling {
     /// the middle of the step \[m\].
     pub fn place(&self, column: usize) -> f64 {
         (column as f64 - 0.5 * self.patch.across as f64) * self.patch.dx
+    }
+
+    /// Columns of elements along the patch; [`TransientStep::dissipation_along`] has one more.
+    pub fn columns(&self) -> usize {
+        self.patch.across
+    }
+
+    /// Lift the wheel off the rail: the next step begins without tractions.
+    pub fn lift(&mut self) {
+        let fields = [
+            &mut self.tractions,
+            &mut self.guess,
+            &mut self.displacement.rear,
+            &mut self.displacement.front,
+        ];
+        for part in fields.into_iter().flatten() {
+            part.fill(0.0);
+        }
     }
 
     /// Press with the normal force \[N\] and shift the wheel along the rail \[m\] without rolling, at once.
