@@ -8,8 +8,8 @@ use std::time::Instant;
 
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::passage::{
-    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Turning,
-    WearOfPassages,
+    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, LoopInTime, PassageModel, PassingWheel,
+    Turning, WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
@@ -18,6 +18,7 @@ use riffel::{
     Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear,
     RollingContact,
 };
+use riffel_case::Case;
 
 use crate::contestant::{Contestant, Failure, numpy_version};
 use crate::{check_agreement, median, ratio};
@@ -33,12 +34,14 @@ const STEPS_TO_BAY: usize = 1200;
 /// Wheels over the rail that wears, and its length \[m\].
 const PASSAGES: u64 = 10_000;
 const RING: f64 = 19.8;
+const STEPS_ON_ALL_AXES: usize = 20_000;
 
 /// Seconds of a task, and a number that says what came of it.
 pub(crate) fn task(name: &str, points: usize) -> Result<(f64, f64), Failure> {
     match name {
         "march" => march(points),
         "evolution" => evolution(points as u64),
+        "all-axes" => all_axes(points),
         _ => Err("no such task of the passage".into()),
     }
 }
@@ -112,6 +115,38 @@ fn march(bays: usize) -> Result<(f64, f64), Failure> {
     Ok((seconds, (sum / (COUNTED * STEPS_TO_BAY) as f64).sqrt()))
 }
 
+/// A flexible wheelset on both rails over a rough right one, all axes; the root mean square of P − P₀ under the right wheel [N].
+fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
+    const KEYS: [&str; 4] = [
+        "track.model=one-layer",
+        "contact.creep_law=polach",
+        "contact.polach={limit_friction_ratio=1, friction_decay=0, adhesion_reduction=1, slip_reduction=1, speed=30}",
+        "track.pad.loss_factor=0",
+    ];
+    static MODEL: OnceLock<LoopInTime> = OnceLock::new();
+    let model = match MODEL.get() {
+        Some(model) => model,
+        None => {
+            let path =
+                Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/wheelset-metro-trailer.toml");
+            let case = Case::read(&path, &KEYS.map(str::to_owned))?.in_time(SPEED)?;
+            MODEL.get_or_init(|| case)
+        }
+    };
+    let LoopInTime::General(model) = model else {
+        return Err("the wheelset is not on all axes".into());
+    };
+    let begun = Instant::now();
+    let mut march = model.march(STEP)?;
+    let mut sum = 0.0;
+    for step in 1..=steps {
+        let contacts = march.advance(&[height(step as f64 * STEP), 0.0]);
+        sum += (contacts[0].normal_force - model.contacts[0].spring.normal_force()).powi(2);
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok((seconds, (sum / steps as f64).sqrt()))
+}
+
 /// A rail under many wheels; the number of steps of Heun's, two marches each.
 fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
     let model = model()?;
@@ -152,7 +187,8 @@ pub(crate) fn report(
 ) -> Result<(), Failure> {
     let mut numpy = Contestant::numpy(folder, "passage_numpy.py")?;
     let bays = RUN_IN + COUNTED;
-    let (mut ours, mut theirs, mut worn) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut ours, mut theirs, mut worn, mut general) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut by_riffel, mut by_numpy, mut marches) = (0.0, 0.0, 0.0);
     for _ in 0..ROUNDS {
         let (seconds, force) = one.time("passage march", bays)?;
@@ -165,8 +201,9 @@ pub(crate) fn report(
         let (seconds, steps) = one.once("passage evolution", PASSAGES as usize)?;
         worn.push(seconds);
         marches = 2.0 * steps;
+        general.push(one.time("passage all-axes", STEPS_ON_ALL_AXES)?.0);
     }
-    let [ours, theirs, worn] = [ours, theirs, worn].map(median);
+    let [ours, theirs, worn, general] = [ours, theirs, worn, general].map(median);
     let real = bays as f64 * SPACING / SPEED;
     writeln!(text, "\n## A wheel in time, one thread\n")?;
     writeln!(
@@ -200,6 +237,14 @@ pub(crate) fn report(
          passage; nothing grows with the length of the line or the number of wheels.",
         ratio(theirs / ours),
         worn / marches * PASSAGES as f64
+    )?;
+    let a_step = general / STEPS_ON_ALL_AXES as f64;
+    writeln!(
+        text,
+        "\nOn all axes a flexible wheelset with brake discs, both wheels on 60E1 on an even layer, creep law of Polach, takes {:.2} µs a \
+         step, {} times real time.",
+        1e6 * a_step,
+        ratio(STEP / SPEED / a_step)
     )?;
     Ok(())
 }

@@ -1,8 +1,8 @@
 //! The whole loop at one wavelength and speed.
 
 use riffel::feedback::State;
-use riffel::growth::GrowthWithNeighbours;
-use riffel_case::{Case, Point, Sensitivity};
+use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
+use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
 use riffel_keys::CaseError;
 use serde::Serialize;
 
@@ -19,6 +19,8 @@ pub struct PointRequest {
     pub sensitivity: bool,
     /// How many neighbours on each side, 1/λ ± n/d, to let grow with the wave; none where it is not asked.
     pub neighbours: Option<usize>,
+    /// Supports at drawn distances to grow on too; none where it is not asked.
+    pub irregular: Option<DrawnSupports>,
 }
 
 /// The loop at one wavelength and speed: serialised, what `riffel point --json` prints.
@@ -39,6 +41,78 @@ pub struct PointAnswer {
     /// Growth of the wave with its neighbours; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub with_neighbours: Option<NeighboursDocument>,
+    /// Growth along supports at drawn distances; none where it was not asked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub irregular_supports: Option<IrregularSupportsDocument>,
+}
+
+/// Growth along a stretch of supports at drawn distances, beside that on equal ones.
+#[derive(Serialize)]
+pub struct IrregularSupportsDocument {
+    /// Standard deviation of the distance that was asked for.
+    pub spacing_deviation_m: f64,
+    /// Of the draw.
+    pub seed: u64,
+    /// Over the places of the stretch.
+    pub along: SpreadDocument,
+    /// Over a bay of equal supports.
+    pub even: SpreadDocument,
+    /// Where the supports stand, from where the first one would.
+    pub support_position_m: Vec<f64>,
+    /// Places of the wheel.
+    pub position_m: Vec<f64>,
+    /// Growth rate at each.
+    pub growth_rate_per_passage: Vec<f64>,
+}
+
+/// How a growth rate per passage is spread over places.
+#[derive(Serialize)]
+pub struct SpreadDocument {
+    /// Growth of the mean logarithm of the amplitude.
+    pub mean: f64,
+    /// About the mean.
+    pub standard_deviation: f64,
+    /// Of the places.
+    pub least: f64,
+    /// A tenth of the places have less.
+    pub tenth: f64,
+    /// A tenth of the places have more.
+    pub nine_tenths: f64,
+    /// Of the places.
+    pub largest: f64,
+}
+
+impl SpreadDocument {
+    fn new(values: &[f64]) -> Self {
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let square: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let at = |share: f64| sorted[(share * (count - 1.0)).round() as usize];
+        Self {
+            mean,
+            standard_deviation: (square / count).sqrt(),
+            least: at(0.0),
+            tenth: at(0.1),
+            nine_tenths: at(0.9),
+            largest: at(1.0),
+        }
+    }
+}
+
+impl IrregularSupportsDocument {
+    fn new(growth: GrowthOnIrregularSupports, drawn: DrawnSupports) -> Self {
+        Self {
+            spacing_deviation_m: drawn.deviation,
+            seed: drawn.seed,
+            along: SpreadDocument::new(&growth.growth_rates),
+            even: SpreadDocument::new(&growth.even),
+            support_position_m: growth.supports,
+            position_m: growth.places,
+            growth_rate_per_passage: growth.growth_rates,
+        }
+    }
 }
 
 /// Growth of a wave with the neighbours that the passing of supports makes of it.
@@ -110,12 +184,20 @@ impl PointAnswer {
             }
             None => None,
         };
+        let irregular_supports = match request.irregular {
+            Some(drawn) => {
+                let growth = case.growth_on_irregular_supports(wavelength, speed, drawn)?;
+                Some(IrregularSupportsDocument::new(growth, drawn))
+            }
+            None => None,
+        };
         Ok(Self {
             quantities: Point::new(case, &state),
             state,
             stability: case.stability(speed).map(StabilityDocument::from),
             sensitivity,
             with_neighbours,
+            irregular_supports,
         })
     }
 }

@@ -301,6 +301,19 @@ pub(crate) struct Point {
     #[arg(long, value_name = "N")]
     pub(crate) neighbours: Option<usize>,
 
+    /// On discrete supports: growth along a stretch whose supports stand at drawn distances, normal about that of the case with
+    /// this standard deviation; 1 to 5 cm are usual.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) spacing_deviation: Option<Quantity<Length>>,
+
+    /// Supports of that stretch, 8 to 200 [default: 60].
+    #[arg(long, value_name = "N", requires = "spacing_deviation")]
+    pub(crate) supports: Option<usize>,
+
+    /// Seed of the draw [default: 1].
+    #[arg(long, value_name = "N", requires = "spacing_deviation")]
+    pub(crate) seed: Option<u64>,
+
     /// Print one JSON document; complex numbers as [re, im].
     #[arg(long)]
     pub(crate) json: bool,

@@ -17,7 +17,7 @@ use riffel::{Axis, Direction, GrowthMap, Ridge};
 use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::{CaseContact, Point, PointValue};
+use riffel_case::{CaseContact, DrawnSupports, Point, PointValue};
 use riffel_keys::CaseError;
 
 use crate::array::owned;
@@ -346,6 +346,33 @@ impl Case {
             )
         };
         Ok(all.into_iter().map(row).collect())
+    }
+
+    /// Growth on supports at drawn distances: places, growth at each, growth over a bay of equal ones, and where the supports stand.
+    fn growth_on_irregular_supports(
+        &self,
+        py: Python<'_>,
+        [wavelength, speed]: [f64; 2],
+        deviation: f64,
+        supports: usize,
+        seed: u64,
+    ) -> PyResult<[Vec<f64>; 4]> {
+        let drawn = DrawnSupports {
+            deviation,
+            supports,
+            seed,
+        };
+        let case = self.case.clone();
+        let growth = interruptible(py, move || {
+            case.growth_on_irregular_supports(wavelength, speed, drawn)
+        })?;
+        let growth = self.unless_callable_failed(growth)?.map_err(of_case)?;
+        Ok([
+            growth.places,
+            growth.growth_rates,
+            growth.even,
+            growth.supports,
+        ])
     }
 
     /// Quantities at pairs of wavelength and speed: key, unit, name and values of each.

@@ -1,11 +1,14 @@
 //! `riffel point`
 
 use riffel::feedback::State;
-use riffel_answers::point::{NeighboursDocument, PointAnswer, PointRequest};
-use riffel_case::{Case, CaseKey, Point, Sensitivity};
+use riffel_answers::point::{
+    IrregularSupportsDocument, NeighboursDocument, PointAnswer, PointRequest,
+};
+use riffel_case::{Case, CaseKey, DrawnSupports, Point, Sensitivity};
 use riffel_keys::quantity::{Kind, Length, Speed};
 
-use crate::arguments::{Point as Arguments, covering};
+use crate::arguments::{Point as Arguments, covering, positive};
+use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{print, print_json, table};
 
@@ -20,6 +23,16 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         speed,
         sensitivity: arguments.sensitivity,
         neighbours: arguments.neighbours,
+        irregular: arguments
+            .spacing_deviation
+            .map(|deviation| -> Result<_, CliError> {
+                Ok(DrawnSupports {
+                    deviation: positive("--spacing-deviation", deviation)?,
+                    supports: arguments.supports.unwrap_or(DrawnSupports::USUAL_SUPPORTS),
+                    seed: arguments.seed.unwrap_or(1),
+                })
+            })
+            .transpose()?,
     };
     let answer = PointAnswer::new(&case, request)?;
     if arguments.json {
@@ -28,6 +41,9 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
         print(&readable(&case, &answer.state))?;
         if let Some(growth) = &answer.with_neighbours {
             print(&with_neighbours(growth))?;
+        }
+        if let Some(growth) = &answer.irregular_supports {
+            print(&on_irregular_supports(growth))?;
         }
         if let Some(sensitivity) = &answer.sensitivity {
             print(&sensitivities(sensitivity))?;
@@ -54,6 +70,35 @@ fn with_neighbours(growth: &NeighboursDocument) -> String {
         growth.growth_rate_of_pattern,
         1e3 * growth.highest_at_m,
         growth.modulation,
+    )
+}
+
+/// Growth along drawn supports beside equal ones.
+fn on_irregular_supports(growth: &IrregularSupportsDocument) -> String {
+    let mut table = table(&[
+        "growth rate per passage",
+        "mean",
+        "least",
+        "tenth",
+        "nine tenths",
+        "largest",
+    ]);
+    for (name, spread) in [("equal distances", &growth.even), ("drawn", &growth.along)] {
+        let values = [
+            spread.mean,
+            spread.least,
+            spread.tenth,
+            spread.nine_tenths,
+            spread.largest,
+        ];
+        let cells = values.map(|value| format!("{value:.3e}"));
+        table.add_row(std::iter::once(name.to_owned()).chain(cells));
+    }
+    format!(
+        "\n{} supports at distances that scatter by {:.0} mm, seed {}\n{table}\n",
+        growth.support_position_m.len(),
+        1e3 * growth.spacing_deviation_m,
+        growth.seed,
     )
 }
 

@@ -268,6 +268,59 @@ class Case:
             _datasets.attributes(self.title),
         )
 
+    def growth_on_irregular_supports(
+        self,
+        *,
+        wavelength: Quantity,
+        speed: Quantity,
+        spacing_deviation: Quantity,
+        supports: int = 60,
+        seed: int = 1,
+    ) -> xr.Dataset:
+        """Growth along a stretch of discrete supports at drawn distances, as if the wheel stayed at each place.
+
+        Parameters
+        ----------
+        wavelength, speed : quantity
+            Numbers in SI or strings with their unit.
+        spacing_deviation : quantity
+            Standard deviation of the distances, which are normal about that of the case; at most a quarter of it.
+        supports : int
+            Supports of the stretch, 8 to 200; the outer two bays at either end are left out.
+        seed : int
+            Of the draw.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``growth_rate`` over ``position`` from where the first support would stand, ``even_growth_rate`` over ``place_in_bay`` of
+            equal supports, and ``support_position`` over ``support``.
+
+        Examples
+        --------
+        >>> case = riffel.Case.from_toml("cases/discrete-supports.toml")
+        >>> along = case.growth_on_irregular_supports(wavelength="60 mm", speed=30.0, spacing_deviation="3 cm")
+        >>> bool(along["growth_rate"].max() > 0 > along["even_growth_rate"].max())
+        True
+        """
+        point = scalar(wavelength, "wavelength", "length"), scalar(speed, "speed", "speed")
+        deviation = scalar(spacing_deviation, "spacing_deviation", "length")
+        places, along, even, stand = self._case.growth_on_irregular_supports(point, deviation, supports, seed)
+        growth = {"units": "1", "long_name": "growth rate per passage"}
+        shares = np.arange(len(even)) / len(even)
+        return xr.Dataset(
+            {
+                "growth_rate": ("position", along, growth),
+                "even_growth_rate": ("place_in_bay", even, {**growth, "long_name": "the same on equal supports"}),
+                "support_position": ("support", stand, {"units": "m", "long_name": "where a support stands"}),
+            },
+            {
+                "position": ("position", places, {"units": "m", "long_name": "place of the wheel"}),
+                "place_in_bay": ("place_in_bay", shares, {"units": "1", "long_name": "place over the support spacing"}),
+            },
+            _datasets.attributes(self.title),
+        )
+
     def growth_map(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
         """Growth over wavelength and speed.
 

@@ -2,6 +2,7 @@
 
 use num_complex::Complex64;
 
+use crate::inverse::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
 use crate::{Error, FeedbackLoop};
 
@@ -115,34 +116,6 @@ impl GrowthWithNeighbours {
     }
 }
 
-/// Inverse by elimination with the largest pivot of each column.
-fn inverse(mut matrix: Vec<Vec<Complex64>>) -> Vec<Vec<Complex64>> {
-    let count = matrix.len();
-    let mut inverse = identity(count);
-    for column in 0..count {
-        let largest = (column..count).max_by(|&one, &other| {
-            let size = |row: usize| matrix[row][column].norm_sqr();
-            size(one).total_cmp(&size(other))
-        });
-        let largest = largest.unwrap_or(column);
-        matrix.swap(column, largest);
-        inverse.swap(column, largest);
-        let pivot = matrix[column][column].inv();
-        for entry in matrix[column].iter_mut().chain(&mut inverse[column]) {
-            *entry *= pivot;
-        }
-        for row in (0..count).filter(|&row| row != column) {
-            let factor = matrix[row][column];
-            for other in 0..count {
-                let (of_matrix, of_inverse) = (matrix[column][other], inverse[column][other]);
-                matrix[row][other] -= factor * of_matrix;
-                inverse[row][other] -= factor * of_inverse;
-            }
-        }
-    }
-    inverse
-}
-
 /// Eigenvalue of the largest real part and its vector: columns of exp(sG) for s → ∞ are multiples of it.
 fn leading(operator: &[Vec<Complex64>]) -> (Complex64, Vec<Complex64>) {
     /// Then s|G| is 2³⁶/64: parts that differ by 10⁻⁷ of |G| are told apart.
@@ -195,15 +168,6 @@ fn leading(operator: &[Vec<Complex64>]) -> (Complex64, Vec<Complex64>) {
         .map(|(part, image)| part.conj() * image)
         .sum();
     (along / square, vector)
-}
-
-fn identity(count: usize) -> Vec<Vec<Complex64>> {
-    let row = |index: usize| {
-        let mut row = vec![Complex64::ZERO; count];
-        row[index] = Complex64::ONE;
-        row
-    };
-    (0..count).map(row).collect()
 }
 
 fn product(one: &[Vec<Complex64>], other: &[Vec<Complex64>]) -> Vec<Vec<Complex64>> {

@@ -69,11 +69,19 @@ impl<R: Waveguide> PeriodicTrack<R> {
         self.spacing
     }
 
+    /// Dynamic stiffness κ of a support \[N/m\] at the angular frequency ω \[rad/s\].
+    pub fn support_stiffness(&self, angular_frequency: f64) -> Complex64 {
+        self.support.dynamic_stiffness(angular_frequency)
+    }
+
     /// The Floquet waves at the angular frequency ω > 0 \[rad/s\].
     pub fn floquet_waves(&self, angular_frequency: f64) -> FloquetWaves {
         let free = self.rail.waves(angular_frequency, Complex64::ZERO);
-        let stiffness = self.support.dynamic_stiffness(angular_frequency);
-        FloquetWaves::new(&free, stiffness, self.spacing)
+        FloquetWaves::new(
+            &free,
+            self.support_stiffness(angular_frequency),
+            self.spacing,
+        )
     }
 }
 

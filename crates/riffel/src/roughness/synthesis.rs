@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use num_complex::Complex64;
 use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
+use rand_xoshiro::rand_core::SeedableRng;
 use realfft::RealFftPlanner;
 
 use super::{ThirdOctave, mean_square};
 use crate::Error;
+use crate::normal_numbers::normal_pair;
 
 /// Most samples of a recipe: 100 km at 1 mm.
 const MOST_SAMPLES: f64 = 1e8;
@@ -200,7 +200,7 @@ impl Recipe {
         let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(size);
         let mut lines = transform.make_input_vec();
         for (index, line) in lines.iter_mut().enumerate().take(size / 2).skip(1) {
-            let normal = normal(&mut random);
+            let normal = normal_pair(&mut random);
             let k = index as f64 * line_spacing;
             if k * noise.longest >= 1.0 {
                 // Mean square of the line 2|X|², of which each part of X has a quarter.
@@ -214,12 +214,6 @@ impl Recipe {
         heights.truncate(samples);
         heights
     }
-}
-
-/// Two independent normal numbers of variance one, after Box & Muller.
-fn normal(random: &mut Xoshiro256PlusPlus) -> Complex64 {
-    let mut uniform = || ((random.next_u64() >> 11) as f64 + 0.5) / (1u64 << 53) as f64;
-    Complex64::from_polar((-2.0 * uniform().ln()).sqrt(), TAU * uniform())
 }
 
 #[cfg(test)]

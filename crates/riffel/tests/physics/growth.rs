@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use riffel::contact::{MeanState, QuasiStatic};
-use riffel::growth::{Bay, RidgeRow, RowEvaluator};
+use riffel::growth::{Bay, GrowthOnIrregularSupports, RidgeRow, RowEvaluator};
 use riffel::receptance::{
-    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, PeriodicTrack,
-    ShearSection, Support,
+    Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, IrregularTrack, Layer, MovingBeam,
+    PeriodicTrack, ShearSection, Support,
 };
 use riffel::tile::TILE;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
@@ -412,6 +412,24 @@ fn bay_mean() {
         let expected = sum / 2000.0;
         let error = (mean - expected).norm() / expected.norm();
         assert!(error < 1e-3, "{wavelength} m {speed} m/s: {error}");
+    }
+
+    // Supports that have hardly moved, by the mean of the quasi-static growth over their places.
+    let irregular = IrregularTrack::drawn(track, 1e-6, 12, 1).unwrap();
+    for (wavelength, speed) in [(0.05, 25.0), (0.03, 31.7), (0.03, 33.0)] {
+        let growth = GrowthOnIrregularSupports::new(&feedback, &irregular, wavelength, speed);
+        let growth = growth.unwrap();
+        let states = bay.states(wavelength, speed, 2001);
+        let expected = states[1..]
+            .iter()
+            .map(|(_, s)| s.growth_rate())
+            .sum::<f64>()
+            / 2000.0;
+        for values in [&growth.even, &growth.growth_rates] {
+            let mean = values.iter().sum::<f64>() / values.len() as f64;
+            let error = (mean / expected - 1.0).abs();
+            assert!(error < 2e-3, "{wavelength} m {speed} m/s: {error}");
+        }
     }
 
     let (wavelength, speed) = (

@@ -505,7 +505,7 @@ fn transient_contact_at_small_amplitude() {
 fn transient_contact_that_is_lost() {
     let (_, model) = both(two_layers(), carter, 0.4, 30.0, 1.0);
     let profile = Sinusoid {
-        amplitude: 90e-6,
+        amplitude: 200e-6,
         wavelength: 0.055,
     };
     let contact = TransientContact {

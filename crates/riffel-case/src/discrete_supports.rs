@@ -1,0 +1,104 @@
+//! A case on discrete supports with the wheel passing them, and on supports that were not laid at equal distances.
+
+use riffel::FeedbackLoop;
+use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
+use riffel::receptance::{IrregularTrack, MovingLoadOnSupports};
+use riffel_keys::CaseError;
+
+use crate::Case;
+
+/// A stretch of supports at distances that are drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawnSupports {
+    /// Standard deviation of the distance \[m\].
+    pub deviation: f64,
+    /// How many, 8 to 200.
+    pub supports: usize,
+    /// Of the draw.
+    pub seed: u64,
+}
+
+impl DrawnSupports {
+    /// Supports of a stretch that leave a mean of the growth rate some per cent of its scatter along the track.
+    pub const USUAL_SUPPORTS: usize = 60;
+}
+
+impl Case {
+    /// Growth of a wave \[m\] at a speed \[m/s\] together with so many neighbours on each side, 1/λ ± n/d, which the passing of
+    /// supports makes of it.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a case without discrete supports, for a loop on all axes or of several wheels, and for more
+    /// neighbours than have a wavelength.
+    pub fn growth_with_neighbours(
+        &self,
+        wavelength: f64,
+        speed: f64,
+        neighbours: usize,
+    ) -> Result<GrowthWithNeighbours, CaseError> {
+        let feedback = self.on_supports("growth with neighbours")?;
+        let track = self.moving_load_on_supports(speed)?;
+        GrowthWithNeighbours::at(feedback, &track, wavelength, neighbours).map_err(|error| {
+            CaseError::Physics {
+                input: "--neighbours".to_owned(),
+                error,
+            }
+        })
+    }
+
+    /// Growth of a wave \[m\] at a speed \[m/s\] along a stretch of supports whose distances are drawn.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a case without discrete supports, for a loop on all axes or of several wheels, and for what
+    /// [`IrregularTrack::drawn`] and [`GrowthOnIrregularSupports::new`] refuse.
+    pub fn growth_on_irregular_supports(
+        &self,
+        wavelength: f64,
+        speed: f64,
+        drawn: DrawnSupports,
+    ) -> Result<GrowthOnIrregularSupports, CaseError> {
+        let feedback = self.on_supports("growth on irregular supports")?;
+        let physics = |input: &str, error| CaseError::Physics {
+            input: input.to_owned(),
+            error,
+        };
+        let DrawnSupports {
+            deviation,
+            supports,
+            seed,
+        } = drawn;
+        let track = IrregularTrack::drawn(self.keys.periodic_track()?, deviation, supports, seed)
+            .map_err(|error| physics("--spacing-deviation", error))?;
+        GrowthOnIrregularSupports::new(feedback, &track, wavelength, speed)
+            .map_err(|error| physics("--supports", error))
+    }
+
+    /// The loop of one wheel along one axis on discrete supports, which alone has `what`.
+    fn on_supports(&self, what: &str) -> Result<&FeedbackLoop, CaseError> {
+        let Some(feedback) = self.feedback.longitudinal() else {
+            let message = format!(
+                "{what} takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several \
+                 wheels"
+            );
+            return Err(self.refuse("contact.creepage", &message));
+        };
+        if self.track.support_spacing().is_none() {
+            let message = format!(
+                "`track.model` is \"{}\", but {what} is of discrete supports; choose a periodic model",
+                self.file.track.model.name()
+            );
+            return Err(self.refuse("track.model", &message));
+        }
+        Ok(feedback)
+    }
+
+    /// The vertical track of a case with discrete supports, under a load that passes them.
+    pub(crate) fn moving_load_on_supports(
+        &self,
+        speed: f64,
+    ) -> Result<MovingLoadOnSupports, CaseError> {
+        let track = self.keys.periodic_track()?;
+        let moving = MovingLoadOnSupports::new(&track, speed);
+        self.keys.physics("track", moving)
+    }
+}
