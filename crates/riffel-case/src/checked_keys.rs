@@ -41,9 +41,14 @@ impl CheckedKeys {
         given: Given,
         window: Window,
     ) -> Result<Self, CaseError> {
+        let unfilled = text.clone();
         text.fill_in()?;
+        text.fill_in_from_curve(&unfilled, folder)?;
         let mut file = text.deserialize()?;
         text.judge()?;
+        // What it says is filled in, and a case that is sent elsewhere has no files.
+        let from = &mut file.contact.from;
+        from.take_if(|from| from.curve.is_some());
         let file_keys = ["track.measurement.file", "wheelset.file"];
         let named = file_keys.into_iter().find(|key| text.keys.has(key));
         if let (None, Some(key)) = (folder, named) {

@@ -13,6 +13,7 @@ impl Case {
         let words = match table {
             "track" if inner == "model" => return None,
             "track" | "rail" => return self.idle_in_track(table, inner),
+            "curve" | "bogie" | "profiles" if contact.from.is_some() => return None,
             "curve" | "bogie" | "profiles" => "it belongs to `riffel curve` and `riffel profile`",
             "corrugation" => "growth rates do not depend on the amplitude",
             "train"
@@ -76,7 +77,8 @@ impl Case {
             "file" => &[WheelsetModel::Modal, WheelsetModel::Measured],
             _ => return None,
         };
-        (!takes.contains(&model)).then(|| {
+        let of_curve = key == "mass" && self.file.contact.from.is_some();
+        (!takes.contains(&model) && !of_curve).then(|| {
             let takes: Vec<String> = takes
                 .iter()
                 .map(|model| format!("\"{}\"", model.name()))

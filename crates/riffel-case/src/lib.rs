@@ -25,6 +25,7 @@ mod curving;
 mod discrete_supports;
 pub mod file;
 mod fill_in;
+mod from_curve;
 mod general_keys;
 mod given;
 mod held;

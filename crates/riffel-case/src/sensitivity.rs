@@ -35,7 +35,8 @@ impl Case {
     /// is not zero and moves it, and by wavelength and speed themselves; the strongest first.
     ///
     /// A derivative is a partial one: every other key holds its value, those that presets and defaults fill in among
-    /// them. So the inertia of a wheel stays where its mass is moved, also where it was left out.
+    /// them. So the inertia of a wheel stays where its mass is moved, also where it was left out, and a mean state that came from a
+    /// curve stays whatever is moved.
     ///
     /// Method: central differences of the whole case, extrapolated to no step (Ridders 1982) from steps that are halved
     /// ten times, with the estimate of the error that belongs to the best. Differences reach every model of track and
@@ -93,6 +94,8 @@ impl Case {
         for (key, value) in whole {
             text.keys.put(&key, value);
         }
+        // What a curve said is written now, and is held as all else is.
+        text.keys.remove("contact.from");
         Ok(text)
     }
 }

@@ -10,12 +10,14 @@ pub use profile_file::{profile_of, read_profile};
 use std::path::{Path, PathBuf};
 
 use riffel::curving::{BogieInCurve, BogieState};
+use riffel::profile::NominalProfile;
 use riffel_keys::{CaseError, Remark, text_file};
 
 use self::build::is_cone;
 use crate::Case;
 use crate::case_text::CaseText;
-use crate::file::CurvingFile;
+use crate::checked_keys::CheckedKeys;
+use crate::file::{CreepLawName, CurvingFile, CurvingLaw, RailProfiles};
 
 /// A case of curving, its keys checked. What is built of them is built where it is asked for: a wheelset on its track
 /// needs no bogie.
@@ -61,6 +63,34 @@ impl CurvingCase {
         Self::of_text(text, folder)
     }
 
+    /// The tables of curving of a text; without a folder its profiles may be no files.
+    pub(crate) fn of_tables(text: CaseText, folder: Option<&Path>) -> Result<Self, CaseError> {
+        let case = Self::of_text(text, folder.unwrap_or(Path::new("")))?;
+        match (folder, case.key_of_a_profile_file()) {
+            (None, Some(key)) => Err(CheckedKeys::names_a_file(&case.text, key)),
+            _ => Ok(case),
+        }
+    }
+
+    /// The first key that names the file of a profile.
+    fn key_of_a_profile_file(&self) -> Option<&'static str> {
+        let profiles = self.file.profiles.as_ref()?;
+        let mut named = match is_cone(profiles) {
+            true => Vec::new(),
+            false => vec![("profiles.wheel", &profiles.wheel)],
+        };
+        match &profiles.rail {
+            None => {}
+            Some(RailProfiles::Both(rail)) => named.push(("profiles.rail", rail)),
+            Some(RailProfiles::Each(rails)) => named.extend([
+                ("profiles.rail.left", &rails.left),
+                ("profiles.rail.right", &rails.right),
+            ]),
+        }
+        let file = |(_, name): &(_, &String)| NominalProfile::named(name).is_none();
+        named.into_iter().find(file).map(|(key, _)| key)
+    }
+
     fn build(
         name: &str,
         folder: &Path,
@@ -73,10 +103,29 @@ impl CurvingCase {
     }
 
     fn of_text(mut text: CaseText, folder: &Path) -> Result<Self, CaseError> {
+        const KEY: &str = "contact.creep_law";
         text.fill_in()?;
         keys::refuse_unknown(&text.keys)?;
+        // The law of the loop, in a file that is of both.
+        let mut of_loop = None;
+        if text.keys.has("track")
+            && let Some(law) = text.keys.text_of(KEY)
+            && CreepLawName::named(law).is_some()
+            && CurvingLaw::named(law).is_none()
+        {
+            of_loop = Some(Remark::new(
+                format!(
+                    "contact.creep_law = \"{law}\" is that of growth: in the curve creep is of Shen, Hedrick and Elkins"
+                ),
+                format!(
+                    "contact.creep_law = \"{law}\" ist das des Wachstums: im Bogen rollt das Rad nach Shen, Hedrick und Elkins"
+                ),
+            ));
+            text.keys.remove(KEY);
+        }
         let file = text.keys.deserialize()?;
-        let remarks = keys::judge(&text.keys)?;
+        let mut remarks = keys::judge(&text.keys)?;
+        remarks.extend(of_loop);
         Ok(Self {
             text,
             folder: folder.to_owned(),

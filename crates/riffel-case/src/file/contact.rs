@@ -7,7 +7,7 @@ use riffel_keys::quantity::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{CreepLawName, Creepage};
+use super::{CreepLawName, Creepage, FromCurve};
 
 /// Contact of wheel and rail. Give `tractive_ratio` or `creepage`, not both.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -26,6 +26,10 @@ pub struct Contact {
     /// `lateral` and `spin`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub creepage: Option<Creepage>,
+    /// Where the mean state comes from, in place of creepages, contact angle, normal load, transverse radius and friction that are
+    /// not written.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub from: Option<FromCurve>,
     /// Contact angle γ, under which the normal force pushes the rail outward; left out, 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact_angle: Option<Quantity<Angle>>,

@@ -25,6 +25,12 @@ impl CreepLawName {
     /// Kalker's exact theory.
     pub const HALF_SPACE: Self = Self("half-space");
 
+    /// The law of this name.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        let known = NAMES.iter().find(|known| **known == name);
+        known.map(|known| Self(known))
+    }
+
     /// The name in a case file.
     pub fn name(self) -> &'static str {
         self.0
@@ -45,10 +51,7 @@ impl Serialize for CreepLawName {
 impl<'de> Deserialize<'de> for CreepLawName {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let name = Cow::<str>::deserialize(deserializer)?;
-        let known = NAMES.iter().find(|known| **known == name);
-        known
-            .map(|known| Self(known))
-            .ok_or_else(|| de::Error::unknown_variant(&name, &NAMES))
+        Self::named(&name).ok_or_else(|| de::Error::unknown_variant(&name, &NAMES))
     }
 }
 

@@ -242,6 +242,17 @@ pub enum CurvingLaw {
     ShenHedrickElkins,
 }
 
+impl CurvingLaw {
+    /// The law of this name.
+    pub fn named(name: &str) -> Option<Self> {
+        match name {
+            "linear" => Some(Self::Linear),
+            "shen-hedrick-elkins" => Some(Self::ShenHedrickElkins),
+            _ => None,
+        }
+    }
+}
+
 /// Creep coefficients at a normal force P: f₁₁, f₂₂ ∝ P^(2/3), f₂₃ ∝ P.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

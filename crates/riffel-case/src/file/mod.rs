@@ -4,6 +4,7 @@ mod contact;
 mod creep_law_name;
 mod creepage;
 mod curving;
+mod from_curve;
 mod map;
 mod measurement;
 mod opposite_contact;
@@ -27,6 +28,7 @@ pub use curving::{
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, Profiles,
     RailFriction, RailProfiles, RailProfilesByRail,
 };
+pub use from_curve::{ContactOfWheel, CurveRail, FromCurve};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use opposite_contact::OppositeContact;

@@ -42,6 +42,8 @@ pub struct WheelState {
     pub contact_angle: f64,
     /// Rolling radius r \[m\].
     pub rolling_radius: f64,
+    /// Curvature of wheel and rail together across the track \[1/m\], where the running surfaces tell it.
+    pub lateral_curvature: Option<f64>,
     /// The other contact of a wheel that stands on two points.
     pub second_contact: Option<SecondContact>,
     /// Vertical load W \[N\].
@@ -68,6 +70,8 @@ pub struct SecondContact {
     pub contact_angle: f64,
     /// Rolling radius r \[m\].
     pub rolling_radius: f64,
+    /// Curvature of wheel and rail together across the track \[1/m\], where the running surfaces tell it.
+    pub lateral_curvature: Option<f64>,
     /// Normal force P \[N\].
     pub normal_force: f64,
     /// Tangential force in the axes of the contact \[N\].
@@ -110,6 +114,7 @@ impl WheelState {
                 creepages: second.creepages,
                 contact_angle: second.contact_angle,
                 rolling_radius: second.rolling_radius,
+                lateral_curvature: second.lateral_curvature,
                 normal_force: second.normal_force,
                 creep_forces: second.creep_forces,
                 track_lateral_force: second.track_lateral_force,

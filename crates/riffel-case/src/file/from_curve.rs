@@ -1,0 +1,74 @@
+//! The keys that take the mean state from a bogie in a curve.
+
+use riffel::Rail;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// One contact of a bogie in its curve, as `riffel curve` finds it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FromCurve {
+    /// Case file of `riffel curve`, relative to this one; left out, the tables `[curve]`, `[bogie]` and `[profiles]` of this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<String>,
+    /// Wheelset of the bogie: 1, which leads, or 2.
+    #[schemars(range(min = 1, max = 2))]
+    pub wheelset: u8,
+    /// Rail under study.
+    pub rail: CurveRail,
+    /// Which point of a wheel that stands on two; left out, that on the tread.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<ContactOfWheel>,
+}
+
+/// A rail of a curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CurveRail {
+    /// The inner one.
+    Low,
+    /// The outer one.
+    High,
+    /// The left one, whichever that is.
+    Left,
+    /// The right one.
+    Right,
+}
+
+impl CurveRail {
+    /// Which one it is in a curve of a radius \[m\], above zero to the right.
+    pub fn in_curve(self, radius: f64) -> Rail {
+        let inner = if radius > 0.0 {
+            Rail::Right
+        } else {
+            Rail::Left
+        };
+        match self {
+            Self::Low => inner,
+            Self::High => inner.opposite(),
+            Self::Left => Rail::Left,
+            Self::Right => Rail::Right,
+        }
+    }
+
+    /// As it is written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Low => "low",
+            Self::High => "high",
+            Self::Left => "left",
+            Self::Right => "right",
+        }
+    }
+}
+
+/// A point of a wheel that stands on two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ContactOfWheel {
+    /// That of the smaller contact angle.
+    #[default]
+    Tread,
+    /// That of the larger contact angle.
+    Flange,
+}

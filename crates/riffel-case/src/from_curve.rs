@@ -1,0 +1,459 @@
+//! The mean state of the contact from a bogie in its curve.
+
+use std::path::Path;
+
+use riffel::Rail;
+use riffel::contact::Creepages;
+use riffel::curving::{BogieState, WheelState};
+use riffel_keys::{CaseError, Remark};
+use serde::Deserialize;
+use toml::Value;
+
+use crate::case_text::CaseText;
+use crate::checked_keys::CheckedKeys;
+use crate::curving::CurvingCase;
+use crate::file::{ContactOfWheel, CreepLawName, CurveRail, CurvingFile, FromCurve};
+
+/// A case as far as it says where its mean state comes from.
+#[derive(Deserialize)]
+struct Asking {
+    contact: AskingContact,
+}
+
+#[derive(Deserialize)]
+struct AskingContact {
+    from: FromCurve,
+}
+
+/// What the equilibrium says of one contact.
+struct MeanContact {
+    creepages: Creepages,
+    contact_angle: f64,
+    normal_force: f64,
+    /// None where the case of curving gives no curvature across the track.
+    transverse_radius: Option<f64>,
+    friction: f64,
+}
+
+impl CaseText {
+    /// Put what the equilibrium of a bogie says of the contacts in the place of keys that are not written, if `contact.from` asks for it:
+    /// creepages, contact angle, normal load, transverse radius and friction of the rail under study, those of the opposite rail where
+    /// it is not absent, the rail of the wheelset and the rolling radius. `unfilled` are the keys without presets; values of presets give way.
+    ///
+    /// A lone wheel is always on the right rail: one on the left is turned over, with lateral creepage and spin of the other sign.
+    pub(crate) fn fill_in_from_curve(
+        &mut self,
+        unfilled: &Self,
+        folder: Option<&Path>,
+    ) -> Result<(), CaseError> {
+        if !self.keys.has("contact.from") {
+            return Ok(());
+        }
+        let Asking {
+            contact: AskingContact { from },
+        } = self.keys.deserialize()?;
+        if !(1..=2).contains(&from.wheelset) {
+            let rule = format!("is {}, but must be 1, which leads, or 2", from.wheelset);
+            return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
+        }
+        let curving = self.curving_case(&from, unfilled, folder)?;
+        let bogie = curving.bogie_in_curve()?;
+        let states = curving.equilibria(&bogie)?;
+        let radius = bogie.curve.radius;
+        let rail = from.rail.in_curve(radius);
+        if states.len() > 1 {
+            self.remarks.push(Remark::new(
+                format!("the bogie has {} equilibria in this curve; the contact is that which straight track leads to", states.len()),
+                format!("das Drehgestell hat {} Gleichgewichte in diesem Bogen; der Kontakt ist der, zu dem gerades Gleis führt", states.len()),
+            ));
+        }
+        let file = &curving.file;
+        let study = self.contact_of(&from, file, &states[0], rail)?;
+        let has_wheelset = self.keys.has("wheelset");
+        if has_wheelset && self.keys.has("wheelset.rail") {
+            let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
+            if written != rail.name() {
+                let rule = format!(
+                    "is \"{written}\", but contact.from.rail = \"{}\" is the {} rail in a curve of {radius} m",
+                    from.rail.name(),
+                    rail.name()
+                );
+                return Err(self.keys.invalid("wheelset.rail", &rule, "leave it out"));
+            }
+        } else if has_wheelset {
+            self.fill("wheelset.rail", rail.name());
+        }
+        self.put_friction("contact", study.friction);
+        let mirrored = !has_wheelset && rail == Rail::Left;
+        self.fill("wheel.rolling_radius", file.wheel.rolling_radius.si());
+        if !self.keys.has("contact.creep_law") {
+            self.fill("contact.creep_law", "shen-hedrick-elkins");
+        }
+        let at_tractive_ratio = self.is_written("contact.tractive_ratio");
+        self.fill_contact("contact", &study, mirrored, !at_tractive_ratio)?;
+        let opposite = self.keys.text_of("wheelset.opposite_rail");
+        if opposite.is_some_and(|kind| kind != "absent") {
+            let on_tread = FromCurve {
+                contact: None,
+                ..from.clone()
+            };
+            let other = self.contact_of(&on_tread, file, &states[0], rail.opposite())?;
+            self.put_friction("opposite_contact", other.friction);
+            self.fill_contact("opposite_contact", &other, false, true)?;
+        }
+        self.tell_where_from(&from, rail, &bogie.curve, &study);
+        Ok(())
+    }
+
+    /// The case of the curve: a file, or the tables of this one.
+    fn curving_case(
+        &self,
+        from: &FromCurve,
+        unfilled: &Self,
+        folder: Option<&Path>,
+    ) -> Result<CurvingCase, CaseError> {
+        if let Some(file) = &from.curve {
+            let key = "contact.from.curve";
+            let folder = folder.ok_or_else(|| CheckedKeys::names_a_file(self, key))?;
+            return CurvingCase::read(&folder.join(file), &[]);
+        }
+        CurvingCase::of_tables(unfilled.clone(), folder)
+    }
+
+    fn contact_of(
+        &self,
+        from: &FromCurve,
+        file: &CurvingFile,
+        state: &BogieState,
+        rail: Rail,
+    ) -> Result<MeanContact, CaseError> {
+        let is_it = |wheel: &&WheelState| {
+            wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail
+        };
+        let Some(wheel) = state.wheels.iter().find(is_it) else {
+            unreachable!("two wheelsets on two rails")
+        };
+        let friction = file.contact.as_ref().map_or(0.0, |contact| {
+            contact.friction.of_rails()[usize::from(rail == Rail::Right)]
+        });
+        let across = file
+            .contact
+            .as_ref()
+            .and_then(|contact| contact.transverse_radius);
+        let radius_of = |curvature: Option<f64>| match curvature {
+            Some(curvature) => Some(curvature.recip()),
+            None => across.map(|radius| radius.si()),
+        };
+        match (from.contact.unwrap_or_default(), wheel.second_contact) {
+            (ContactOfWheel::Flange, Some(second)) => Ok(MeanContact {
+                creepages: second.creepages,
+                contact_angle: second.contact_angle,
+                normal_force: second.normal_force,
+                transverse_radius: radius_of(second.lateral_curvature),
+                friction,
+            }),
+            (ContactOfWheel::Flange, None) => Err(self.keys.invalid(
+                "contact.from.contact",
+                &format!(
+                    "is \"flange\", but the wheel stands on one point, at a contact angle of {:.1}°",
+                    wheel.contact_angle.to_degrees()
+                ),
+                "leave it out",
+            )),
+            (ContactOfWheel::Tread, _) => Ok(MeanContact {
+                creepages: wheel.creepages,
+                contact_angle: wheel.contact_angle,
+                normal_force: wheel.normal_force,
+                transverse_radius: radius_of(wheel.lateral_curvature),
+                friction,
+            }),
+        }
+    }
+
+    /// What is not written of a contact.
+    fn fill_contact(
+        &mut self,
+        table: &str,
+        contact: &MeanContact,
+        mirrored: bool,
+        creeps: bool,
+    ) -> Result<(), CaseError> {
+        let key = |name: &str| format!("{table}.{name}");
+        let turn = if mirrored { -1.0 } else { 1.0 };
+        // A number is the whole creepage.
+        let is_number = self
+            .keys
+            .table()
+            .get(table)
+            .and_then(|contact| contact.get("creepage"))
+            .is_some_and(|creepage| !creepage.is_table());
+        if creeps && !is_number {
+            self.fill(
+                &key("creepage.longitudinal"),
+                contact.creepages.longitudinal,
+            );
+            self.fill(&key("creepage.lateral"), turn * contact.creepages.lateral);
+            self.fill_spin(&key("creepage.spin"), turn * contact.creepages.spin);
+        }
+        let angle = format!("{} rad", contact.contact_angle);
+        self.fill(&key("contact_angle"), angle);
+        self.fill(&key("normal_load"), contact.normal_force);
+        if let Some(radius) = contact.transverse_radius {
+            if !(radius > 0.0 && radius.is_finite()) {
+                let message = format!(
+                    "the profiles do not part across the track where they touch (curvature {:.2} 1/m), so that there is no ellipse; \
+                     give {}",
+                    radius.recip(),
+                    key("transverse_radius")
+                );
+                return Err(self.keys.refuse("contact.from", &message));
+            }
+            self.fill(&key("transverse_radius"), radius);
+        }
+        Ok(())
+    }
+
+    /// The spin, or none with a word where the creep law of the loop knows none.
+    fn fill_spin(&mut self, key: &str, spin: f64) {
+        let law = self.keys.text_of("contact.creep_law").unwrap_or_default();
+        let law = CreepLawName::named(law).and_then(CreepLawName::entry);
+        let Some(law) = law.filter(|law| !law.spin) else {
+            return self.fill(key, spin);
+        };
+        if !self.is_written(key) {
+            let name = law.name;
+            self.remarks.push(Remark::new(
+                format!("contact.creep_law = \"{name}\" knows no spin: the {spin:.3} 1/m of the curve are left out ({key})"),
+                format!("contact.creep_law = \"{name}\" kennt keinen Bohrschlupf: die {spin:.3} 1/m des Bogens bleiben weg ({key})"),
+            ));
+        }
+    }
+
+    /// Friction of one rail in the place of a table of both.
+    fn put_friction(&mut self, table: &str, friction: f64) {
+        let key = format!("{table}.friction");
+        let of_both = self
+            .keys
+            .table()
+            .get(table)
+            .and_then(|contact| contact.get("friction"))
+            .is_some_and(Value::is_table);
+        if of_both {
+            self.keys.put(&key, friction);
+            self.filled_in.insert(key);
+        } else {
+            self.fill(&key, friction);
+        }
+    }
+
+    /// Put a value in the place of a key that is not written, or of a preset.
+    fn fill(&mut self, key: &str, value: impl Into<Value>) {
+        if !self.is_written(key) {
+            self.keys.put(key, value);
+            self.filled_in.insert(key.to_owned());
+        }
+    }
+
+    fn tell_where_from(
+        &mut self,
+        from: &FromCurve,
+        rail: Rail,
+        curve: &riffel::curving::Curve,
+        contact: &MeanContact,
+    ) {
+        let Creepages {
+            longitudinal,
+            lateral,
+            spin,
+        } = contact.creepages;
+        let (radius, speed) = (curve.radius.abs(), 3.6 * curve.speed);
+        let (along, across) = (100.0 * longitudinal, 100.0 * lateral);
+        let angle = contact.contact_angle.to_degrees();
+        let load = 1e-3 * contact.normal_force;
+        let low = rail == CurveRail::Low.in_curve(curve.radius);
+        let (name, german) = match (low, rail) {
+            (true, Rail::Left) => ("low, left", "inneren, linken"),
+            (true, Rail::Right) => ("low, right", "inneren, rechten"),
+            (false, Rail::Left) => ("high, left", "äußeren, linken"),
+            (false, Rail::Right) => ("high, right", "äußeren, rechten"),
+        };
+        let wheelset = from.wheelset;
+        self.remarks.push(Remark::new(
+            format!(
+                "mean state from the curve of {radius:.0} m at {speed:.0} km/h: wheelset {wheelset} on the {name} rail creeps {along:.3} % along, \
+                 {across:.3} % across, spin {spin:.3} 1/m, under {load:.1} kN at {angle:.1}°"
+            ),
+            format!(
+                "mittlerer Zustand aus dem Bogen von {radius:.0} m bei {speed:.0} km/h: Radsatz {wheelset} auf der {german} Schiene schlüpft \
+                 {along:.3} % längs, {across:.3} % quer, Bohrschlupf {spin:.3} 1/m, unter {load:.1} kN bei {angle:.1}°"
+            ),
+        ));
+        /// Share by which the curvature of the wheel along the rail may differ from that of its rolling radius without a word.
+        const WORTH_A_REMARK: f64 = 0.05;
+        let flatter = contact.contact_angle.cos().recip();
+        if flatter > 1.0 + WORTH_A_REMARK {
+            self.remarks.push(Remark::new(
+                format!(
+                    "at {angle:.0}° the wheel is {flatter:.2} times as flat along the rail as its rolling radius, which the ellipse of \
+                     the loop does not know"
+                ),
+                format!(
+                    "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, was die Ellipse des \
+                     Kreises nicht weiß"
+                ),
+            ));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rstest::rstest;
+
+    use super::*;
+    use crate::Case;
+
+    const CURVE: &str = include_str!("../cases/metro-curve.toml");
+
+    fn case(overrides: &[&str]) -> Result<Case, CaseError> {
+        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+        Case::parse("curve.toml", CURVE, &overrides)
+    }
+
+    fn growth(case: &Case) -> f64 {
+        case.point(0.06, 12.5).unwrap().growth_rate()
+    }
+
+    /// Growth is that of the numbers of the curve typed by hand, on every wheel.
+    #[rstest]
+    #[case(1, "low")]
+    #[case(1, "high")]
+    #[case(2, "left")]
+    #[case(2, "right")]
+    fn numbers_are_those_of_the_curve(#[case] wheelset: usize, #[case] rail: &str) {
+        let from = format!("contact.from={{wheelset={wheelset}, rail=\"{rail}\"}}");
+        let asked = case(&[&from]).unwrap();
+        let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
+        let bogie = curving.bogie_in_curve().unwrap();
+        let state = &curving.equilibria(&bogie).unwrap()[0];
+        // To the right: the right rail is the low one.
+        let index = 2 * (wheelset - 1) + usize::from(matches!(rail, "low" | "right"));
+        let typed = |table: &str, wheel: &WheelState| {
+            let creepages = wheel.creepages;
+            vec![
+                format!(
+                    "{table}.creepage={{longitudinal={:e}, lateral={:e}, spin={:e}}}",
+                    creepages.longitudinal, creepages.lateral, creepages.spin
+                ),
+                format!("{table}.contact_angle={:e} rad", wheel.contact_angle),
+                format!("{table}.normal_load={:e}", wheel.normal_force),
+                format!(
+                    "{table}.transverse_radius={:e}",
+                    wheel.lateral_curvature.unwrap().recip()
+                ),
+            ]
+        };
+        let mut keys = typed("contact", &state.wheels[index]);
+        keys.extend(typed("opposite_contact", &state.wheels[index ^ 1]));
+        keys.push(format!("wheelset.rail={}", state.wheels[index].rail.name()));
+        let without = CURVE.replace("from = { wheelset = 1, rail = \"low\" }\n", "");
+        let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
+        let (got, expected) = (growth(&asked), growth(&by_hand));
+        assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
+    }
+
+    /// A curve to the left is its mirror image, with a wheelset and with a lone wheel.
+    #[test]
+    fn a_mirrored_curve_grows_alike() {
+        const LONE: &str = "wheel.mass=600 kg";
+        let (right, left) = ("curve.radius=180 m", "curve.radius=-180 m");
+        let pair = [right, left].map(|radius| growth(&case(&[radius]).unwrap()));
+        assert!((pair[0] / pair[1] - 1.0).abs() < 1e-6, "{pair:?}");
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        let lone = |radius: &str| {
+            let text = CURVE.replace("radius = \"180 m\"", radius);
+            let place = tempfile::tempdir().unwrap();
+            std::fs::write(place.path().join("curve.toml"), text).unwrap();
+            let nominal = std::fs::read_to_string(folder.join("nominal.toml")).unwrap();
+            std::fs::write(place.path().join("lone.toml"), nominal).unwrap();
+            let keys = [
+                "contact.from={curve=\"curve.toml\", wheelset=1, rail=\"high\"}",
+                "contact.creep_law=fastsim",
+                LONE,
+            ];
+            let case =
+                Case::read(&place.path().join("lone.toml"), &keys.map(str::to_owned)).unwrap();
+            // What is written wins: the nominal case has a load and a radius of its own.
+            assert_eq!(case.file.contact.normal_load.si(), 50e3);
+            growth(&case)
+        };
+        let pair = ["radius = \"180 m\"", "radius = \"-180 m\""].map(lone);
+        assert!((pair[0] / pair[1] - 1.0).abs() < 1e-6, "{pair:?}");
+    }
+
+    /// A law without spin takes creepages alone, and says so.
+    #[test]
+    fn spin_is_left_out_of_laws_that_know_none() {
+        let case = case(&["contact.creep_law=full-sliding"]).unwrap();
+        assert_eq!(case.file.contact.creepage.unwrap().components().spin, 0.0);
+        let told = case.remarks.iter().map(ToString::to_string);
+        assert!(
+            told.filter(|remark| remark.contains("knows no spin"))
+                .count()
+                == 2
+        );
+    }
+
+    #[test]
+    fn what_is_written_wins() {
+        let case = case(&[
+            // Wide enough that the contact sticks without the spin.
+            "curve.radius=900 m",
+            "contact.normal_load=40 kN",
+            "contact.creepage.spin=0",
+            "contact.friction={left=0.2, right=0.3}",
+        ])
+        .unwrap();
+        let contact = &case.file.contact;
+        assert_eq!(contact.normal_load.si(), 40e3);
+        let creepages = contact.creepage.unwrap().components();
+        assert!(creepages.spin == 0.0 && creepages.lateral != 0.0);
+        assert_eq!(contact.friction.si(), 0.3);
+        let opposite = case.file.opposite_contact.as_ref().unwrap();
+        assert_eq!(opposite.friction.unwrap().si(), 0.2);
+    }
+
+    #[rstest]
+    #[case(
+        "contact.from={wheelset=3, rail=\"low\"}",
+        "must be 1, which leads, or 2"
+    )]
+    #[case("contact.from={wheelset=1, rail=\"inner\"}", "inner")]
+    #[case("contact.from={rail=\"low\"}", "wheelset")]
+    #[case("contact.from.contact=flange", "stands on one point")]
+    #[case("wheelset.rail=left", "is the right rail in a curve of 180 m")]
+    #[case("contact.from.curve=no-such.toml", "no-such.toml")]
+    #[case("curve.radius=1 m", "larger than the wheelbase")]
+    #[case("profiles.wheel=no-such.csv", "no-such.csv")]
+    fn refused(#[case] key: &str, #[case] words: &str) {
+        let Err(error) = case(&[key]) else {
+            panic!("{key} was taken");
+        };
+        assert!(error.to_string().contains(words), "{error}");
+    }
+
+    /// A case that somebody has sent opens no file, be it of the curve or of its profiles.
+    #[test]
+    fn sealed_cases_open_nothing() {
+        assert!(Case::parse_sealed("sent.toml", CURVE).is_ok());
+        let file = CURVE.replace("wheelset = 1,", "curve = \"/etc/hostname\", wheelset = 1,");
+        let profile = CURVE.replace("\"S1002\"", "\"/etc/hostname\"");
+        for (text, key) in [(file, "contact.from.curve"), (profile, "profiles.wheel")] {
+            let Err(error) = Case::parse_sealed("sent.toml", &text) else {
+                panic!("{key} was taken");
+            };
+            assert!(error.to_string().contains(key), "{error}");
+            assert!(error.to_string().contains("may not name any"), "{error}");
+        }
+    }
+}
