@@ -30,6 +30,16 @@ impl Held {
         own: &[String],
         window: &[String],
     ) -> Result<Option<Self>, CaseError> {
+        if case.unfilled.keys.has("contact.from") {
+            // The curve gives the mean state of every variant.
+            return match variant.hold {
+                None => Ok(None),
+                Some(hold) => Err(variant.refuse(&format!(
+                    "holds the {hold}, but the mean state is that of the curve of contact.from, which changes with what the \
+                     variant changes; leave --hold out, or give contact.creepage with the change"
+                ))),
+            };
+        }
         let keys = [
             case.keys_with(&[own]),
             case.keys_with(&[own, &variant.overrides]),

@@ -19,6 +19,7 @@ fn point(case: &Case, speed: f64) -> Value {
         speed,
         sensitivity: false,
         neighbours: None,
+        irregular: None,
     };
     serde_json::to_value(PointAnswer::new(case, request).unwrap()).unwrap()
 }
