@@ -356,7 +356,9 @@ mod tests {
         let mut keys = typed("contact", &state.wheels[index]);
         keys.extend(typed("opposite_contact", &state.wheels[index ^ 1]));
         keys.push(format!("wheelset.rail={}", state.wheels[index].rail.name()));
-        let without = CURVE.replace("from = { wheelset = 1, rail = \"low\" }\n", "");
+        let without = CURVE
+            .replace("from = { wheelset = 1, rail = \"low\" }\n", "")
+            .replace("{ left = 0.4, right = 0.4 }", "0.4");
         let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
         let (got, expected) = (growth(&asked), growth(&by_hand));
         assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
