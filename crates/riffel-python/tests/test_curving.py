@@ -28,6 +28,19 @@ def test_curve_is_that_of_the_program(program: Callable[..., Any]) -> None:
     assert np.isnan(bogie["second_normal_force"]).all()
 
 
+def test_a_loop_takes_its_mean_state_from_the_curve(program: Callable[..., Any]) -> None:
+    path = "cases/metro-curve.toml"
+    asked = ("point", path, "--wavelength", "60 mm", "--speed", "45 km/h", "--json")
+    case = riffel.Case.from_toml(path)
+    growth = case.point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"]
+    assert growth == program(*asked)["growth_rate_per_passage"]
+    wide = case.with_({"curve.radius": "1200 m"}).point(wavelength="60 mm", speed="45 km/h")
+    assert abs(wide["growth_rate_per_passage"]) < 0.1 * abs(growth)
+    wheel = riffel.curve(path).isel(wheelset=0, rail=1)
+    by_hand = {"contact.normal_load": float(wheel["normal_force"])}
+    assert case.with_(by_hand).point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"] == growth
+
+
 def test_a_case_with_the_tables_has_a_curve() -> None:
     text = Path(CURVE).read_text(encoding="utf-8")
     tables = text[text.index("[curve]") : text.index("[contact]")]

@@ -86,6 +86,35 @@ def test_all_axes_are_those_of_the_program(program: Callable[..., Any], nominal:
         nominal.on_smooth_rail(speed=15.0)
 
 
+def test_an_exact_contact_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case) -> None:
+    # A coarse grid, for speed.
+    case = nominal.with_({"contact.grid": 16})
+    options = ("simulate", "cases/nominal.toml", "--set", "contact.grid=16", "--speed", "30", "--json")
+    printed = program(*options, "--sinusoid", "60um,55mm", "--transient")
+    found = case.simulate(sinusoid=("60 um", "55 mm"), speed=30.0, transient=True)
+    energy = [complex(*pair) for pair in printed["energy_at_rail_j_per_m"]]
+    np.testing.assert_array_equal(found.energy_at_rail_harmonics, energy)
+    # An inertia stores nothing: what the rail receives is the force of the drive times the mean creepage, but for the elements.
+    work = 2000.0 * found.creepage_harmonics[0].real
+    assert found.energy_at_rail_harmonics[0].real == pytest.approx(work, rel=0.02)
+    with pytest.raises(ValueError, match="is for a sinusoid"):
+        case.simulate(np.zeros(2000), spacing="1 mm", speed=30.0, transient=True)
+
+
+def test_drawn_supports_are_those_of_the_program(program: Callable[..., Any]) -> None:
+    case = riffel.Case.from_toml("cases/discrete-supports.toml")
+    asked = ("--wavelength", "50 mm", "--speed", "30", "--spacing-deviation", "2 cm", "--supports", "12", "--seed", "7")
+    printed = program("point", "cases/discrete-supports.toml", *asked, "--json")["irregular_supports"]
+    found = case.growth_on_irregular_supports(
+        wavelength="50 mm", speed=30.0, spacing_deviation="2 cm", supports=12, seed=7
+    )
+    np.testing.assert_array_equal(found.growth_rate, printed["growth_rate_per_passage"])
+    np.testing.assert_array_equal(found.support_position, printed["support_position_m"])
+    assert float(found.even_growth_rate.mean()) == pytest.approx(printed["even"]["mean"], rel=1e-12)
+    with pytest.raises(ValueError, match="quarter of the spacing"):
+        case.growth_on_irregular_supports(wavelength=0.05, speed=30.0, spacing_deviation=0.3)
+
+
 def test_a_profile_is_that_of_the_program(program: Callable[..., Any], nominal: riffel.Case, tmp_path: Any) -> None:
     position = 0.002 * np.arange(2000)
     heights = 1e-5 * np.cos(2.0 * np.pi * position / 0.05)

@@ -10,6 +10,7 @@ mod error;
 mod nominal;
 #[allow(clippy::module_inception)]
 mod profile;
+mod smoothing;
 mod spline;
 mod wheelset_on_track;
 
@@ -18,6 +19,7 @@ pub use contact_table::ContactTable;
 pub use error::ProfileError;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};
+pub use smoothing::SmoothedPoints;
 pub use wheelset_on_track::{ProfileContact, Track, Wheels, WheelsetContact, WheelsetOnTrack};
 
 #[cfg(test)]

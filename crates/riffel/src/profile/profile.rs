@@ -23,6 +23,32 @@ struct Piece {
     height: [f64; 4],
 }
 
+/// `Ok` for points that are finite and do not stand twice.
+pub(super) fn check_points(points: &[[f64; 2]]) -> Result<(), ProfileError> {
+    let at_fault = |index: usize, rule: &str| ProfileError::Point {
+        index,
+        rule: rule.to_owned(),
+    };
+    let finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
+    if let Some(index) = points.iter().position(|point| !finite(point)) {
+        return Err(at_fault(index, "a coordinate is not finite"));
+    }
+    match points.windows(2).position(|pair| pair[0] == pair[1]) {
+        Some(index) => Err(at_fault(index + 1, "the point stands there twice")),
+        None => Ok(()),
+    }
+}
+
+/// Length of the chords from the first point to each \[m\].
+pub(super) fn chords(points: &[[f64; 2]]) -> Vec<f64> {
+    let mut length = 0.0;
+    let steps = points.windows(2).map(|pair| {
+        length += (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        length
+    });
+    std::iter::once(0.0).chain(steps).collect()
+}
+
 /// A place on a profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProfilePoint {
@@ -58,15 +84,7 @@ impl Profile {
                 least: LEAST,
             });
         }
-        if let Some(index) = points
-            .iter()
-            .position(|point| point.iter().any(|value| !value.is_finite()))
-        {
-            return Err(ProfileError::Point {
-                index,
-                rule: "a coordinate is not finite".to_owned(),
-            });
-        }
+        check_points(points)?;
         let mut points = points.to_vec();
         let backward = points[0][0] > points[points.len() - 1][0];
         if backward {
@@ -74,17 +92,7 @@ impl Profile {
         }
         let count = points.len();
         let original = |index: usize| if backward { count - 1 - index } else { index };
-        let mut parameter = vec![0.0];
-        for (index, pair) in points.windows(2).enumerate() {
-            let chord = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-            if chord <= 0.0 {
-                return Err(ProfileError::Point {
-                    index: original(index + 1),
-                    rule: "the point stands there twice".to_owned(),
-                });
-            }
-            parameter.push(parameter[index] + chord);
-        }
+        let parameter = chords(&points);
         let coordinate = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
         let (x, height) = (coordinate(0), coordinate(1));
         let (along, up) = (slopes(&parameter, &x), slopes(&parameter, &height));
