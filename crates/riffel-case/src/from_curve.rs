@@ -59,6 +59,7 @@ impl CaseText {
         let curving = self.curving_case(&from, unfilled, folder)?;
         let bogie = curving.bogie_in_curve()?;
         let states = curving.equilibria(&bogie)?;
+        self.remarks.extend(curving.remarks_of_profiles()?);
         let radius = bogie.curve.radius;
         let rail = from.rail.in_curve(radius);
         if states.len() > 1 {

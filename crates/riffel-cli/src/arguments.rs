@@ -482,6 +482,15 @@ pub(crate) struct Profile {
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
 
+    /// Smooth the points of files, which scatter with this standard deviation across the profile.
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        conflicts_with = "wheelset",
+        allow_hyphen_values = true
+    )]
+    pub(crate) scatter: Option<Quantity<Length>>,
+
     /// Where the wheelset of a case touches its track, and its equivalent conicity.
     #[arg(long)]
     pub(crate) wheelset: bool,

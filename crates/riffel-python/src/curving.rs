@@ -60,11 +60,17 @@ pub(crate) fn curve<'py>(
     Ok((title, document(py, &answer.map_err(of_case)?)?))
 }
 
-/// What `riffel profile FILE --json` prints.
+/// What `riffel profile FILE --json` prints, and the remarks.
 #[pyfunction]
-pub(crate) fn profile(py: Python<'_>, file: PathBuf) -> PyResult<Bound<'_, PyAny>> {
-    let answer = interruptible(py, move || OutlineAnswer::new(&[file]))?;
-    document(py, &answer.map_err(of_case)?.document())
+pub(crate) fn profile(
+    py: Python<'_>,
+    file: PathBuf,
+    scatter: Option<f64>,
+) -> PyResult<(Bound<'_, PyAny>, Vec<String>)> {
+    let answer = interruptible(py, move || OutlineAnswer::new(&[file], scatter))?;
+    let answer = answer.map_err(of_case)?;
+    let remarks = answer.remarks.iter().map(ToString::to_string).collect();
+    Ok((document(py, &answer.document())?, remarks))
 }
 
 /// What `riffel profile CASE --wheelset --json` prints, with the title of the case.

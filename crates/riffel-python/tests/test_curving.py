@@ -28,6 +28,19 @@ def test_curve_is_that_of_the_program(program: Callable[..., Any]) -> None:
     assert np.isnan(bogie["second_normal_force"]).all()
 
 
+def test_measured_points_are_smoothed(tmp_path: Path) -> None:
+    x = np.arange(-30.0, 30.0, 0.2)
+    scatter = np.random.default_rng(1).normal(0.0, 0.01, x.size)
+    rail = tmp_path / "rail.csv"
+    np.savetxt(rail, np.column_stack([x, -(x**2) / 600.0 + scatter]), delimiter=",", header="x_mm,y_mm", comments="")
+    through, smooth = riffel.profile(rail), riffel.profile(rail, scatter="10 um")
+    assert "the points scatter by" in through.attrs["remarks"][0]
+    off = [float(abs(one["curvature"].sel(x=slice(-0.01, 0.01)) + 1.0 / 0.3).max()) for one in (through, smooth)]
+    assert off[0] > 100.0 and off[1] < 1.0
+    with pytest.raises(ValueError, match="scatter"):
+        riffel.profile(rail, scatter="-10 um")
+
+
 def test_a_loop_takes_its_mean_state_from_the_curve(program: Callable[..., Any]) -> None:
     path = "cases/metro-curve.toml"
     asked = ("point", path, "--wavelength", "60 mm", "--speed", "45 km/h", "--json")

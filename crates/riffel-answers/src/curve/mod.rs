@@ -31,8 +31,10 @@ impl CurveAnswer {
         let bogie = case.bogie_in_curve()?;
         let mut states = case.equilibria(&bogie)?.into_iter();
         let state = states.next().expect("at least one equilibrium");
+        let mut remarks = case.remarks_of_profiles()?;
+        remarks.extend(remarks::of(case, &bogie, &state));
         Ok(Self {
-            remarks: remarks::of(case, &bogie, &state),
+            remarks,
             bogie,
             state,
             others: states.collect(),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfilePoint};
 use riffel_case::profile_of;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
 
@@ -17,6 +17,8 @@ const MOST_CURVATURE: f64 = 200.0;
 /// Profiles beside each other.
 pub struct OutlineAnswer {
     profiles: Vec<(String, Profile)>,
+    /// Of points that scatter.
+    pub remarks: Vec<Remark>,
 }
 
 /// What `riffel profile FILE… --json` prints.
@@ -35,18 +37,19 @@ struct Outline {
 }
 
 impl OutlineAnswer {
-    /// The profiles of nominal names and files.
+    /// The profiles of nominal names and files, those of files smoothed where the scatter of their points \[m\] is given.
     ///
     /// # Errors
     /// [`CaseError`] with file and line.
-    pub fn new(files: &[PathBuf]) -> Result<Self, CaseError> {
-        let profiles = files.iter().map(|file| {
+    pub fn new(files: &[PathBuf], scatter: Option<f64>) -> Result<Self, CaseError> {
+        let (mut profiles, mut remarks) = (Vec::new(), Vec::new());
+        for file in files {
             let name = file.display().to_string();
-            Ok((name.clone(), profile_of(&name, Path::new(""))?))
-        });
-        Ok(Self {
-            profiles: profiles.collect::<Result<_, CaseError>>()?,
-        })
+            let read = profile_of(&name, Path::new(""), scatter)?;
+            profiles.push((name, read.profile));
+            remarks.extend(read.remarks);
+        }
+        Ok(Self { profiles, remarks })
     }
 
     /// Each profile with its name.

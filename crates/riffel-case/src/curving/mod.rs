@@ -5,7 +5,7 @@ mod keys;
 mod profile_file;
 mod wheelset;
 
-pub use profile_file::{profile_of, read_profile};
+pub use profile_file::{ProfileOfName, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
 

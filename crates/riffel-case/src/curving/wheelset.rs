@@ -3,13 +3,13 @@
 use std::path::Path;
 
 use riffel::curving::{ContactPlane, Kinematics};
-use riffel::profile::{ContactTable, Profile, ProfileError, Track, Wheels, WheelsetOnTrack};
-use riffel_keys::CaseError;
+use riffel::profile::{ContactTable, ProfileError, Track, Wheels, WheelsetOnTrack};
+use riffel_keys::{CaseError, Remark};
 use std::sync::Arc;
 
 use super::CurvingCase;
 use super::build::is_cone;
-use super::profile_file::profile_of;
+use super::profile_file::{ProfileOfName, profile_of};
 use crate::file::{CurvingTheory, Profiles, RailProfiles};
 
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.
@@ -41,8 +41,8 @@ impl CurvingCase {
             ],
         };
         let [left, right] = names.map(|(key, name)| self.profile(key, name));
-        let (left, right) = (left?, right?);
-        let wheel = self.profile("profiles.wheel", &profiles.wheel)?;
+        let (left, right) = (left?.profile, right?.profile);
+        let wheel = self.profile("profiles.wheel", &profiles.wheel)?.profile;
         let fits = |key: &str, error: ProfileError| match error {
             ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
             error => self.text.keys.invalid(key, &error.to_string(), ""),
@@ -83,8 +83,35 @@ impl CurvingCase {
         ]
     }
 
-    fn profile(&self, key: &str, name: &str) -> Result<Profile, CaseError> {
-        profile_of(name, &self.folder).map_err(|error| match error {
+    /// What is to be told of the points of profiles that are files.
+    ///
+    /// # Errors
+    /// [`CaseError`] for profiles that cannot be read.
+    pub fn remarks_of_profiles(&self) -> Result<Vec<Remark>, CaseError> {
+        let Some(profiles) = self.file.profiles.as_ref().filter(|one| !is_cone(one)) else {
+            return Ok(Vec::new());
+        };
+        let mut names = vec![("profiles.wheel", &profiles.wheel)];
+        match &profiles.rail {
+            None => {}
+            Some(RailProfiles::Both(rail)) => names.push(("profiles.rail", rail)),
+            Some(RailProfiles::Each(rails)) => names.extend([
+                ("profiles.rail.left", &rails.left),
+                ("profiles.rail.right", &rails.right),
+            ]),
+        }
+        let mut remarks = Vec::new();
+        for (key, name) in names {
+            remarks.extend(self.profile(key, name)?.remarks);
+        }
+        Ok(remarks)
+    }
+
+    fn profile(&self, key: &str, name: &str) -> Result<ProfileOfName, CaseError> {
+        let profiles = self.file.profiles.as_ref();
+        let scatter = profiles.and_then(|profiles| profiles.scatter);
+        let scatter = scatter.map(|scatter| scatter.si());
+        profile_of(name, &self.folder, scatter).map_err(|error| match error {
             CaseError::Read { reason, .. } => {
                 let known = riffel::profile::NOMINAL
                     .map(|profile| profile.name)

@@ -136,6 +136,9 @@ pub struct Profiles {
     /// Profile of the rails: a nominal name, a file, or a table of `left` and `right`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rail: Option<RailProfiles>,
+    /// Standard deviation of the points of files across their curve, which is then a smooth one; left out, it goes through the points.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub scatter: Option<Quantity<Length>>,
     /// Gauge.
     #[serde(default = "Profiles::standard_gauge")]
     pub gauge: Quantity<Length>,

@@ -2,7 +2,7 @@
 
 use riffel_answers::profile::{OnTrackAnswer, OutlineAnswer};
 
-use crate::arguments::{CaseArguments, Profile};
+use crate::arguments::{CaseArguments, Profile, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{json, table};
@@ -25,7 +25,11 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     if arguments.wheelset {
         return on_track(arguments, &named, &results);
     }
-    let answer = OutlineAnswer::new(&arguments.files)?;
+    let scatter = arguments
+        .scatter
+        .map(|scatter| positive("--scatter", scatter))
+        .transpose()?;
+    let answer = OutlineAnswer::new(&arguments.files, scatter)?;
     results.hand_out(
         || json(&answer.document()),
         |staging| {
@@ -49,6 +53,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
             format!("{rows}\n")
         },
     )?;
+    print_remarks(&answer.remarks);
     Ok(())
 }
 
@@ -108,5 +113,6 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
         },
     )?;
     print_remarks(&case.remarks);
+    print_remarks(&case.remarks_of_profiles()?);
     Ok(())
 }

@@ -506,6 +506,12 @@ pub static RANGES: &[PhysicalRange] = &[
         "At the limit of adhesion a locomotive has 35 kN m per wheelset.",
     ),
     row::<Length>(
+        &["profiles.scatter"],
+        [1e-8, 1e-3],
+        [1e-7, 1e-4],
+        "Laser devices scatter by 10 to 30 µm, mechanical ones by some 5 µm.",
+    ),
+    row::<Length>(
         &["profiles.gauge"],
         [0.05, 5.0],
         [0.55, 1.75],

@@ -13,7 +13,7 @@ import xarray as xr
 
 from riffel import _riffel
 from riffel._case import Case, _plain
-from riffel._quantities import Quantities, Quantity, array, signed
+from riffel._quantities import Quantities, Quantity, array, scalar, signed
 
 GivenCase: TypeAlias = "Case | str | os.PathLike[str] | Mapping[str, Any]"
 """A case, a file with the tables of curving, or its keys."""
@@ -129,19 +129,21 @@ def curve(
     return xr.Dataset(variables, coordinates, {**_titled(title), **attributes})
 
 
-def profile(file: str | os.PathLike[str]) -> xr.Dataset:
+def profile(file: str | os.PathLike[str], *, scatter: Quantity | None = None) -> xr.Dataset:
     """The outline of a wheel or a rail.
 
     Parameters
     ----------
     file : str or path-like
         A nominal name such as ``"S1002"`` or ``"60E1"``, or a file of two columns, in mm or m.
+    scatter : quantity, optional
+        Standard deviation of the points of a file across the profile, which is then a smooth one; by default it goes through them.
 
     Returns
     -------
     xarray.Dataset
         ``height``, ``slope`` and ``curvature`` (positive where the outline is hollow seen from above) over ``x``, positive to
-        the field side, every 0.25 mm.
+        the field side, every 0.25 mm. Attribute ``remarks``: what scatter does to the curvature.
 
     Raises
     ------
@@ -157,7 +159,9 @@ def profile(file: str | os.PathLike[str]) -> xr.Dataset:
     >>> round(float(-1.0 / rail["curvature"].sel(x=crown)), 6)
     0.3
     """
-    outline = _riffel.profile(os.fspath(file))["profiles"][0]
+    scattered = None if scatter is None else scalar(scatter, "scatter", "length")
+    document, remarks = _riffel.profile(os.fspath(file), scattered)
+    outline = document["profiles"][0]
     return xr.Dataset(
         {
             "height": ("x", outline["height_m"], _said("m", "height")),
@@ -165,7 +169,7 @@ def profile(file: str | os.PathLike[str]) -> xr.Dataset:
             "curvature": ("x", outline["curvature_1_per_m"], _said("1/m", "curvature, positive where hollow from above")),
         },
         {"x": _along("x", outline["x_m"], "m", "lateral coordinate, positive to the field side")},
-        {"title": outline["name"]},
+        {"title": outline["name"], "remarks": remarks},
     )
 
 

@@ -251,23 +251,22 @@ fn smooth(parameter: &[f64], points: &[[f64; 2]], lengths: &[f64], step: f64) ->
         rows[j] = [pivot, one / pivot, two / pivot];
     }
     let mut smooth = points.to_vec();
-    for axis in 0..2 {
-        for j in 0..count {
-            if j >= 1 {
-                smooth[j][axis] -= rows[j - 1][1] * smooth[j - 1][axis];
-            }
-            if j >= 2 {
-                smooth[j][axis] -= rows[j - 2][2] * smooth[j - 2][axis];
-            }
+    let less = |one: [f64; 2], factor: f64, other: [f64; 2]| {
+        [0, 1].map(|axis| one[axis] - factor * other[axis])
+    };
+    for j in 1..count {
+        smooth[j] = less(smooth[j], rows[j - 1][1], smooth[j - 1]);
+        if j >= 2 {
+            smooth[j] = less(smooth[j], rows[j - 2][2], smooth[j - 2]);
         }
-        for j in (0..count).rev() {
-            smooth[j][axis] /= rows[j][0];
-            if j + 1 < count {
-                smooth[j][axis] -= rows[j][1] * smooth[j + 1][axis];
-            }
-            if j + 2 < count {
-                smooth[j][axis] -= rows[j][2] * smooth[j + 2][axis];
-            }
+    }
+    for j in (0..count).rev() {
+        smooth[j] = smooth[j].map(|value| value / rows[j][0]);
+        if j + 1 < count {
+            smooth[j] = less(smooth[j], rows[j][1], smooth[j + 1]);
+        }
+        if j + 2 < count {
+            smooth[j] = less(smooth[j], rows[j][2], smooth[j + 2]);
         }
     }
     smooth
