@@ -115,7 +115,7 @@ fn march(bays: usize) -> Result<(f64, f64), Failure> {
     Ok((seconds, (sum / (COUNTED * STEPS_TO_BAY) as f64).sqrt()))
 }
 
-/// A flexible wheelset on both rails over a rough right one, all axes; the root mean square of P − P₀ under the right wheel [N].
+/// A flexible wheelset on both rails over a rough right one, all axes; the root mean square of P − P₀ under the right wheel \[N\].
 fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
     const KEYS: [&str; 4] = [
         "track.model=one-layer",

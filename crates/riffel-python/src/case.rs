@@ -352,11 +352,12 @@ impl Case {
     fn growth_on_irregular_supports(
         &self,
         py: Python<'_>,
-        [wavelength, speed]: [f64; 2],
+        point: [f64; 2],
         deviation: f64,
         supports: usize,
         seed: u64,
     ) -> PyResult<[Vec<f64>; 4]> {
+        let [wavelength, speed] = point;
         let drawn = DrawnSupports {
             deviation,
             supports,
