@@ -95,8 +95,8 @@ def test_an_exact_contact_is_that_of_the_program(program: Callable[..., Any], no
     energy = [complex(*pair) for pair in printed["energy_at_rail_j_per_m"]]
     np.testing.assert_array_equal(found.energy_at_rail_harmonics, energy)
     # An inertia stores nothing: what the rail receives is the force of the drive times the mean creepage, but for the elements.
-    work = 2000.0 * found.creepage_harmonics[0].real
-    assert found.energy_at_rail_harmonics[0].real == pytest.approx(work, rel=0.02)
+    work = 2000.0 * float(found.creepage_harmonics[0].real)
+    assert float(found.energy_at_rail_harmonics[0].real) == pytest.approx(work, rel=0.02)
     with pytest.raises(ValueError, match="is for a sinusoid"):
         case.simulate(np.zeros(2000), spacing="1 mm", speed=30.0, transient=True)
 
