@@ -114,8 +114,11 @@ impl Case {
             lateral_resonances,
             wavelength,
             speed,
-            remarks,
+            mut remarks,
         } = keys.build()?;
+        let other_forces = Self::of_other_forces(&keys, &steady);
+        let of_curve = keys.text.curve_remarks.iter().cloned();
+        remarks.splice(0..0, of_curve.chain(other_forces));
         Ok(Self {
             file: keys.file.clone(),
             keys,
@@ -130,6 +133,25 @@ impl Case {
             wavelength,
             speed,
             remarks,
+        })
+    }
+
+    /// That the law of the loop makes other forces of the creepages of a curve than the equilibrium has, if so.
+    fn of_other_forces(keys: &CheckedKeys, steady: &MeanRolling) -> Option<Remark> {
+        /// Of |Q|/μP.
+        const WORTH_A_REMARK: f64 = 0.05;
+        let in_curve = keys.text.curve_tractive_ratio?;
+        let here = steady.tractive_ratio();
+        ((here - in_curve).abs() > WORTH_A_REMARK).then(|| {
+            let law = keys.creep_law_name().name();
+            Remark::new(
+                format!(
+                    "contact.creep_law = \"{law}\" makes |Q| = {here:.2} μP of creepages at which the equilibrium of the curve has {in_curve:.2}"
+                ),
+                format!(
+                    "contact.creep_law = \"{law}\" macht |Q| = {here:.2} μP aus Schlüpfen, bei denen das Gleichgewicht im Bogen {in_curve:.2} hat"
+                ),
+            )
         })
     }
 

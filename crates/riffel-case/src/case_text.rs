@@ -26,6 +26,10 @@ pub(crate) struct CaseText {
     pub(crate) remarks: Vec<Remark>,
     /// Keys whose values are those of presets.
     pub(crate) filled_in: BTreeSet<String>,
+    /// What there is to say of the curve that the mean state comes from.
+    pub(crate) curve_remarks: Vec<Remark>,
+    /// |Q|/μP of the contact that a curve gave the case, where the case has no value of its own.
+    pub(crate) curve_tractive_ratio: Option<f64>,
 }
 
 /// A file of keys of a case, or of some of them, the axes of its map written as tables of ends.
@@ -58,6 +62,8 @@ impl CaseText {
             keys,
             remarks: Vec::new(),
             filled_in: BTreeSet::new(),
+            curve_remarks: Vec::new(),
+            curve_tractive_ratio: None,
         }
     }
 

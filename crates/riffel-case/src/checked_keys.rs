@@ -196,7 +196,14 @@ impl CheckedKeys {
         result: Result<T, riffel::Error>,
     ) -> Result<T, CaseError> {
         result.map_err(|error| {
-            let invalid = self.text.keys.invalid(key, &error.to_string(), "");
+            let help = match key {
+                "contact.creepage" if self.text.keys.has("contact.from") => {
+                    "it is the creepage of the curve of contact.from; contact.creep_law = \"fastsim\" keeps a little stick where there is spin, \
+                     \"full-sliding\" is made for none"
+                }
+                _ => "",
+            };
+            let invalid = self.text.keys.invalid(key, &error.to_string(), help);
             match error {
                 riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
                 _ => invalid,

@@ -2,7 +2,7 @@
 
 use riffel::FeedbackLoop;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
-use riffel::receptance::{IrregularTrack, MovingLoadOnSupports};
+use riffel::receptance::{Beam, IrregularTrack, MovingLoadOnSupports};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -19,6 +19,10 @@ pub struct DrawnSupports {
 }
 
 impl DrawnSupports {
+    /// How many may be drawn.
+    const SUPPORTS: std::ops::RangeInclusive<usize> =
+        GrowthOnIrregularSupports::LEAST_SUPPORTS..=IrregularTrack::<Beam>::MOST_SUPPORTS;
+
     /// Supports of a stretch that leave a mean of the growth rate some per cent of its scatter along the track.
     pub const USUAL_SUPPORTS: usize = 60;
 }
@@ -67,6 +71,17 @@ impl Case {
             supports,
             seed,
         } = drawn;
+        if !DrawnSupports::SUPPORTS.contains(&supports) {
+            return Err(physics(
+                "--supports",
+                riffel::Error::OutOfRange {
+                    quantity: "number of supports of the stretch",
+                    value: supports as f64,
+                    unit: "",
+                    rule: "must be between 8 and 200",
+                },
+            ));
+        }
         let track = IrregularTrack::drawn(self.keys.periodic_track()?, deviation, supports, seed)
             .map_err(|error| physics("--spacing-deviation", error))?;
         GrowthOnIrregularSupports::new(feedback, &track, wavelength, speed)

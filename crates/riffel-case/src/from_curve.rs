@@ -9,6 +9,7 @@ use riffel_keys::{CaseError, Remark};
 use serde::Deserialize;
 use toml::Value;
 
+use crate::CaseKey;
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::curving::CurvingCase;
@@ -33,6 +34,9 @@ struct MeanContact {
     /// None where the case of curving gives no curvature across the track.
     transverse_radius: Option<f64>,
     friction: f64,
+    tractive_ratio: f64,
+    /// Share of the normal forces of the wheel that its other point carries.
+    elsewhere: f64,
 }
 
 impl CaseText {
@@ -56,14 +60,26 @@ impl CaseText {
             let rule = format!("is {}, but must be 1, which leads, or 2", from.wheelset);
             return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
         }
+        if from.curve.is_some() && folder.is_none() {
+            return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
+        }
+        if from.curve.is_some()
+            && let Some(table) = ["curve", "bogie", "profiles"]
+                .into_iter()
+                .find(|table| self.keys.has(table))
+        {
+            let rule = "is another file, but the tables of a curve stand in this one";
+            let help = format!("leave contact.from.curve out, or [{table}]");
+            return Err(self.keys.invalid("contact.from.curve", rule, &help));
+        }
         let curving = self.curving_case(&from, unfilled, folder)?;
         let bogie = curving.bogie_in_curve()?;
         let states = curving.equilibria(&bogie)?;
-        self.remarks.extend(curving.remarks_of_profiles()?);
+        self.curve_remarks.extend(curving.remarks_of_profiles()?);
         let radius = bogie.curve.radius;
         let rail = from.rail.in_curve(radius);
         if states.len() > 1 {
-            self.remarks.push(Remark::new(
+            self.curve_remarks.push(Remark::new(
                 format!("the bogie has {} equilibria in this curve; the contact is that which straight track leads to", states.len()),
                 format!("das Drehgestell hat {} Gleichgewichte in diesem Bogen; der Kontakt ist der, zu dem gerades Gleis führt", states.len()),
             ));
@@ -84,14 +100,25 @@ impl CaseText {
         } else if has_wheelset {
             self.fill("wheelset.rail", rail.name());
         }
-        self.put_friction("contact", study.friction);
+        let mut instead = Vec::new();
+        self.put_friction("contact", study.friction, &mut instead);
         let mirrored = !has_wheelset && rail == Rail::Left;
-        self.fill("wheel.rolling_radius", file.wheel.rolling_radius.si());
+        let radius_of_wheel = file.wheel.rolling_radius.si();
+        self.fill_number("wheel.rolling_radius", radius_of_wheel, &mut instead);
         if !self.keys.has("contact.creep_law") {
             self.fill("contact.creep_law", "shen-hedrick-elkins");
         }
         let at_tractive_ratio = self.is_written("contact.tractive_ratio");
-        self.fill_contact("contact", &study, mirrored, !at_tractive_ratio)?;
+        if at_tractive_ratio {
+            instead.push("contact.tractive_ratio".to_owned());
+        }
+        self.fill_contact(
+            "contact",
+            &study,
+            mirrored,
+            !at_tractive_ratio,
+            &mut instead,
+        )?;
         let opposite = self.keys.text_of("wheelset.opposite_rail");
         if opposite.is_some_and(|kind| kind != "absent") {
             let on_tread = FromCurve {
@@ -99,10 +126,21 @@ impl CaseText {
                 ..from.clone()
             };
             let other = self.contact_of(&on_tread, file, &states[0], rail.opposite())?;
-            self.put_friction("opposite_contact", other.friction);
-            self.fill_contact("opposite_contact", &other, false, true)?;
+            self.put_friction("opposite_contact", other.friction, &mut instead);
+            self.fill_contact("opposite_contact", &other, false, true, &mut instead)?;
+            self.tell_of_second_point(rail.opposite(), other.elsewhere);
         }
         self.tell_where_from(&from, rail, &bogie.curve, &study);
+        self.tell_of_second_point(rail, study.elsewhere);
+        if instead.is_empty() {
+            self.curve_tractive_ratio = Some(study.tractive_ratio);
+        } else {
+            let instead = instead.join(", ");
+            self.curve_remarks.push(Remark::new(
+                format!("in place of what that curve says the case has its own {instead}"),
+                format!("statt dessen, was der Bogen sagt, hat der Fall eigene Werte: {instead}"),
+            ));
+        }
         Ok(())
     }
 
@@ -113,9 +151,7 @@ impl CaseText {
         unfilled: &Self,
         folder: Option<&Path>,
     ) -> Result<CurvingCase, CaseError> {
-        if let Some(file) = &from.curve {
-            let key = "contact.from.curve";
-            let folder = folder.ok_or_else(|| CheckedKeys::names_a_file(self, key))?;
+        if let (Some(file), Some(folder)) = (&from.curve, folder) {
             return CurvingCase::read(&folder.join(file), &[]);
         }
         CurvingCase::of_tables(unfilled.clone(), folder)
@@ -152,6 +188,8 @@ impl CaseText {
                 normal_force: second.normal_force,
                 transverse_radius: radius_of(second.lateral_curvature),
                 friction,
+                tractive_ratio: second.tractive_ratio,
+                elsewhere: wheel.normal_force / (wheel.normal_force + second.normal_force),
             }),
             (ContactOfWheel::Flange, None) => Err(self.keys.invalid(
                 "contact.from.contact",
@@ -167,6 +205,10 @@ impl CaseText {
                 normal_force: wheel.normal_force,
                 transverse_radius: radius_of(wheel.lateral_curvature),
                 friction,
+                tractive_ratio: wheel.tractive_ratio,
+                elsewhere: wheel.second_contact.map_or(0.0, |second| {
+                    second.normal_force / (wheel.normal_force + second.normal_force)
+                }),
             }),
         }
     }
@@ -178,6 +220,7 @@ impl CaseText {
         contact: &MeanContact,
         mirrored: bool,
         creeps: bool,
+        instead: &mut Vec<String>,
     ) -> Result<(), CaseError> {
         let key = |name: &str| format!("{table}.{name}");
         let turn = if mirrored { -1.0 } else { 1.0 };
@@ -188,17 +231,25 @@ impl CaseText {
             .get(table)
             .and_then(|contact| contact.get("creepage"))
             .is_some_and(|creepage| !creepage.is_table());
-        if creeps && !is_number {
-            self.fill(
-                &key("creepage.longitudinal"),
-                contact.creepages.longitudinal,
-            );
-            self.fill(&key("creepage.lateral"), turn * contact.creepages.lateral);
-            self.fill_spin(&key("creepage.spin"), turn * contact.creepages.spin);
+        if is_number {
+            instead.push(key("creepage"));
+        } else if creeps {
+            let Creepages {
+                longitudinal,
+                lateral,
+                spin,
+            } = contact.creepages;
+            self.fill_number(&key("creepage.longitudinal"), longitudinal, instead);
+            self.fill_number(&key("creepage.lateral"), turn * lateral, instead);
+            self.fill_spin(&key("creepage.spin"), turn * spin, instead);
         }
-        let angle = format!("{} rad", contact.contact_angle);
-        self.fill(&key("contact_angle"), angle);
-        self.fill(&key("normal_load"), contact.normal_force);
+        let angle = key("contact_angle");
+        if self.is_written(&angle) {
+            self.fill_number(&angle, contact.contact_angle, instead);
+        } else {
+            self.fill(&angle, format!("{} rad", contact.contact_angle));
+        }
+        self.fill_number(&key("normal_load"), contact.normal_force, instead);
         if let Some(radius) = contact.transverse_radius {
             if !(radius > 0.0 && radius.is_finite()) {
                 let message = format!(
@@ -209,21 +260,21 @@ impl CaseText {
                 );
                 return Err(self.keys.refuse("contact.from", &message));
             }
-            self.fill(&key("transverse_radius"), radius);
+            self.fill_number(&key("transverse_radius"), radius, instead);
         }
         Ok(())
     }
 
     /// The spin, or none with a word where the creep law of the loop knows none.
-    fn fill_spin(&mut self, key: &str, spin: f64) {
+    fn fill_spin(&mut self, key: &str, spin: f64, instead: &mut Vec<String>) {
         let law = self.keys.text_of("contact.creep_law").unwrap_or_default();
         let law = CreepLawName::named(law).and_then(CreepLawName::entry);
         let Some(law) = law.filter(|law| !law.spin) else {
-            return self.fill(key, spin);
+            return self.fill_number(key, spin, instead);
         };
         if !self.is_written(key) {
             let name = law.name;
-            self.remarks.push(Remark::new(
+            self.curve_remarks.push(Remark::new(
                 format!("contact.creep_law = \"{name}\" knows no spin: the {spin:.3} 1/m of the curve are left out ({key})"),
                 format!("contact.creep_law = \"{name}\" kennt keinen Bohrschlupf: die {spin:.3} 1/m des Bogens bleiben weg ({key})"),
             ));
@@ -231,7 +282,7 @@ impl CaseText {
     }
 
     /// Friction of one rail in the place of a table of both.
-    fn put_friction(&mut self, table: &str, friction: f64) {
+    fn put_friction(&mut self, table: &str, friction: f64, instead: &mut Vec<String>) {
         let key = format!("{table}.friction");
         let of_both = self
             .keys
@@ -243,8 +294,54 @@ impl CaseText {
             self.keys.put(&key, friction);
             self.filled_in.insert(key);
         } else {
-            self.fill(&key, friction);
+            self.fill_number(&key, friction, instead);
         }
+    }
+
+    /// Put a number in the place of a key that is not written, or of a preset; a key that has another one of its own goes to `instead`.
+    fn fill_number(&mut self, key: &str, value: f64, instead: &mut Vec<String>) {
+        /// Relative difference that is none.
+        const ALIKE: f64 = 1e-3;
+        if !self.is_written(key) {
+            return self.fill(key, value);
+        }
+        let parts = key.split('.');
+        let mut found = Some(Value::Table(self.keys.table().clone()));
+        for part in parts {
+            found = found.and_then(|value| value.get(part).cloned());
+        }
+        let own = match found {
+            Some(Value::String(text)) => {
+                CaseKey::find(key).and_then(|known| known.quantity?.read(&text).ok())
+            }
+            Some(Value::Float(number)) => Some(number),
+            Some(Value::Integer(number)) => Some(number as f64),
+            _ => None,
+        };
+        if own.is_some_and(|own| (own - value).abs() > ALIKE * value.abs()) {
+            instead.push(key.to_owned());
+        }
+    }
+
+    /// That a wheel stands on another point as well, which the loop leaves out.
+    fn tell_of_second_point(&mut self, rail: Rail, share: f64) {
+        if share == 0.0 {
+            return;
+        }
+        let percent = 100.0 * share;
+        let german = match rail {
+            Rail::Left => "linken",
+            Rail::Right => "rechten",
+        };
+        self.curve_remarks.push(Remark::new(
+            format!(
+                "on the {} rail the wheel stands on two points; the other one, with {percent:.0} % of its normal forces, is left out of the loop",
+                rail.name()
+            ),
+            format!(
+                "auf der {german} Schiene steht das Rad auf zwei Punkten; der andere, mit {percent:.0} % seiner Normalkräfte, fehlt im Kreis"
+            ),
+        ));
     }
 
     /// Put a value in the place of a key that is not written, or of a preset.
@@ -279,7 +376,7 @@ impl CaseText {
             (false, Rail::Right) => ("high, right", "äußeren, rechten"),
         };
         let wheelset = from.wheelset;
-        self.remarks.push(Remark::new(
+        self.curve_remarks.push(Remark::new(
             format!(
                 "mean state from the curve of {radius:.0} m at {speed:.0} km/h: wheelset {wheelset} on the {name} rail creeps {along:.3} % along, \
                  {across:.3} % across, spin {spin:.3} 1/m, under {load:.1} kN at {angle:.1}°"
@@ -293,7 +390,7 @@ impl CaseText {
         const WORTH_A_REMARK: f64 = 0.05;
         let flatter = contact.contact_angle.cos().recip();
         if flatter > 1.0 + WORTH_A_REMARK {
-            self.remarks.push(Remark::new(
+            self.curve_remarks.push(Remark::new(
                 format!(
                     "at {angle:.0}° the wheel is {flatter:.2} times as flat along the rail as its rolling radius, which the ellipse of \
                      the loop does not know"
@@ -424,6 +521,46 @@ mod tests {
         assert_eq!(contact.friction.si(), 0.3);
         let opposite = case.file.opposite_contact.as_ref().unwrap();
         assert_eq!(opposite.friction.unwrap().si(), 0.2);
+        let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+        let own = "the case has its own contact.creepage.spin, contact.normal_load";
+        assert!(told.iter().any(|remark| remark.contains(own)), "{told:?}");
+    }
+
+    /// On the high rail: the flange that is left out, and the forces that the law of growth does not have.
+    #[test]
+    fn what_the_loop_leaves_out_is_told() {
+        let case = case(&["contact.from.rail=high"]).unwrap();
+        let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+        for words in [
+            "with 27 % of its normal forces",
+            "at which the equilibrium of the curve has 1.00",
+            "no profile has one curvature",
+        ] {
+            assert!(told.iter().any(|remark| remark.contains(words)), "{told:?}");
+        }
+    }
+
+    /// Loads of a traffic are not those of the bogie.
+    #[test]
+    fn vehicles_of_a_traffic_have_no_loads_of_their_own() {
+        use riffel::roughness::ThirdOctave;
+
+        use crate::Variant;
+        use crate::traffic::Traffic;
+
+        let case = case(&[]).unwrap();
+        for (key, taken) in [
+            ("axle_load = \"13 t\"", false),
+            ("traction_share = 0.5", true),
+        ] {
+            let text = format!(
+                "[[vehicle]]\nname = \"metro\"\nshare = 1\n{key}\nspeed = {{ mean = \"45 km/h\" }}\n"
+            );
+            let traffic = Traffic::parse("traffic.toml", &text).unwrap();
+            let bands = [ThirdOctave::containing(0.05).unwrap()];
+            let growth = traffic.on(&case, &bands, &Variant::none("as it is"), &|_| ());
+            assert_eq!(growth.is_ok(), taken, "{key}: {:?}", growth.err());
+        }
     }
 
     #[rstest]
@@ -435,7 +572,7 @@ mod tests {
     #[case("contact.from={rail=\"low\"}", "wheelset")]
     #[case("contact.from.contact=flange", "stands on one point")]
     #[case("wheelset.rail=left", "is the right rail in a curve of 180 m")]
-    #[case("contact.from.curve=no-such.toml", "no-such.toml")]
+    #[case("contact.from.curve=bogie.toml", "stand in this one")]
     #[case("curve.radius=1 m", "larger than the wheelbase")]
     #[case("profiles.wheel=no-such.csv", "no-such.csv")]
     fn refused(#[case] key: &str, #[case] words: &str) {

@@ -302,7 +302,7 @@ pub(crate) struct Point {
     pub(crate) neighbours: Option<usize>,
 
     /// On discrete supports: growth along a stretch whose supports stand at drawn distances, normal about that of the case with
-    /// this standard deviation; 1 to 5 cm are usual.
+    /// this standard deviation, at most a quarter of it, and cut at three; 1 to 5 cm are usual.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) spacing_deviation: Option<Quantity<Length>>,
 

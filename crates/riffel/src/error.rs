@@ -124,6 +124,17 @@ pub enum Error {
         yaw: f64,
     },
 
+    /// A bogie for which no equilibrium was found.
+    #[error(
+        "no equilibrium of the bogie was found beyond {:.0} % of this curve: it may be tighter than the wheelsets can take on these \
+         profiles; take a wider curve, less uncompensated acceleration, less moment and torque or softer springs",
+        100.0 * reached
+    )]
+    NoEquilibrium {
+        /// Share of curvature, acceleration and torques that continuation reached.
+        reached: f64,
+    },
+
     /// A structure that moves before it is struck.
     #[error(
         "no causal track has this receptance: the nearest differs from it by {:.1} % rms, a share of {share:.1e} of its \

@@ -1,6 +1,6 @@
 //! What the reader of a march should know.
 
-use riffel::passage::{LoopInTime, Outcome, Settled, Sinusoid};
+use riffel::passage::{LoopInTime, Outcome, Settled, Sinusoid, TransientContact};
 use riffel_keys::Remark;
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
@@ -118,22 +118,21 @@ pub(super) fn of_troughs(amplitude: f64, wavelength: f64, rolling_radius: f64) -
     })
 }
 
-/// That the edge of a contact made of elements moves by less than one of them, under its mean load \[N\].
-pub(super) fn of_elements(settled: &Settled, mean_load: f64) -> Option<Remark> {
-    /// Swing of the load, from least to largest over the mean, from which on the errors of a first harmonic are 2 to 3 %.
-    const RESOLVED: f64 = 0.15;
-    let [least, largest] = settled.normal_force;
-    let swing = (largest - least) / mean_load;
-    (swing < RESOLVED).then(|| {
-        let per_cent = 100.0 * swing;
+/// That the edge of a contact made of elements moves by too few of them.
+pub(super) fn of_elements(contact: &TransientContact, settled: &Settled) -> Option<Remark> {
+    /// From which on the errors of a first harmonic are 2 to 3 %.
+    const RESOLVED: f64 = 1.4;
+    let moves = contact.elements_of_edge(settled);
+    (moves < RESOLVED).then(|| {
+        let across = contact.across;
         Remark::new(
             format!(
-                "the load swings by {per_cent:.1} %, which moves the edge of the patch by less than an element: harmonics of the creep \
-                 force are up to a fifth off; take 15 % or more"
+                "the load moves the edge of the patch by {moves:.2} elements: harmonics of the creep force may be tens of per cent off; take a \
+                 larger amplitude, or more than {across} elements across (contact.grid), until it is {RESOLVED}"
             ),
             format!(
-                "die Last schwankt um {per_cent:.1} %, der Rand der Kontaktfläche um weniger als ein Element: Harmonische der \
-                 Schlupfkraft liegen bis zu einem Fünftel daneben; nehmen Sie 15 % oder mehr"
+                "die Last bewegt den Rand der Kontaktfläche um {moves:.2} Elemente: Harmonische der Schlupfkraft liegen bis zu einigen zehn \
+                 Prozent daneben; nehmen Sie eine größere Amplitude oder mehr als {across} Elemente (contact.grid), bis es {RESOLVED} sind"
             ),
         )
     })

@@ -138,7 +138,7 @@ impl SinusoidAnswer {
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
         let supports = remarks::of_supports(&model, &profile);
         let elements = transient
-            .then(|| remarks::of_elements(&settled, case.hertz.normal_force()))
+            .then(|| remarks::of_elements(&case.transient_contact(), &settled))
             .flatten();
         let remarks = remarks::of_track(&model)
             .into_iter()

@@ -133,6 +133,16 @@ pub(crate) fn of_contact(
             vec![("shortest", format!("{shortest:.0}"))]
         }));
     }
+    /// Width of an ellipse \[m\] over which no profile has one curvature.
+    const WIDEST: f64 = 0.03;
+    let width = 2.0 * hertz.semi_axis_lateral();
+    if width > WIDEST {
+        let width = 1e3 * width;
+        remarks.push(Remark::new(
+            format!("the ellipse of the contact is {width:.0} mm wide: over that no profile has one curvature, and Hertz's theory ends"),
+            format!("die Kontaktellipse ist {width:.0} mm breit: darüber hat kein Profil eine einzige Krümmung, und die Theorie von Hertz endet"),
+        ));
+    }
     if keys.hertz_theory() == HertzTheory::Paper
         && let Ok(exact) = HertzContact::exact(
             hertz.material(),

@@ -12,6 +12,11 @@ use crate::key::keys_of;
 static KEYS: LazyLock<Vec<CaseKey>> =
     LazyLock::new(|| keys_of(&schemars::schema_for!(CurvingFile).to_value()));
 
+/// The key of curving of this name.
+pub(crate) fn key_of_curving(key: &str) -> Option<&'static CaseKey> {
+    KEYS.iter().find(|known| known.key == key)
+}
+
 /// `Ok` if every key is one of curving or of a case.
 pub(super) fn refuse_unknown(keys: &KeyFile) -> Result<(), CaseError> {
     refuse_unknown_in(keys, "", keys.table())

@@ -5,6 +5,7 @@ mod keys;
 mod profile_file;
 mod wheelset;
 
+pub(crate) use keys::key_of_curving;
 pub use profile_file::{ProfileOfName, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
@@ -196,6 +197,10 @@ impl CurvingCase {
                 self.text
                     .keys
                     .invalid("bogie.drive_torque", &error.to_string(), help)
+            }
+            error @ riffel::Error::NoEquilibrium { .. } => {
+                let invalid = self.text.keys.invalid("curve", &error.to_string(), "");
+                CaseError::NotConverged(Box::new(invalid))
             }
             error => self.physics("curve", error),
         }

@@ -130,6 +130,16 @@ impl Traffic {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let own = overrides(vehicle);
+        if case.unfilled.keys.has("contact.from")
+            && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
+        {
+            let message = format!(
+                "`{}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or \
+                 change the bogie by set = {{ bogie.mass_per_axle = … }}",
+                at(&format!(".{key}"))
+            );
+            return Err(self.source.refuse(&at(&format!(".{key}")), &message));
+        }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
             let message = format!("vehicle \"{}\": {error}", vehicle.name);
             self.source.refuse(&at(""), &message)
@@ -225,6 +235,14 @@ impl Traffic {
         })
     }
 }
+
+/// Keys of a vehicle that a bogie in a curve has in other words.
+const OF_CURVE: [&str; 4] = [
+    "axle_load",
+    "wheel_load",
+    "rolling_radius",
+    "tractive_ratio",
+];
 
 /// Overrides of the case by a vehicle, each with the key of the vehicle that it comes from.
 pub(super) fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {

@@ -99,7 +99,10 @@ pub(crate) struct Simulate {
 
     /// Over a sinusoid: follow the contact of the half-space element by element, contact.grid of them across, in the place of the creep law
     /// of the case. The reference for contact.response; seconds.
-    #[arg(long, requires = "sinusoid", conflicts_with = "passages")]
+    #[arg(
+        long,
+        conflicts_with_all = ["profile", "spectrum", "weld", "smooth", "passages", "traffic"]
+    )]
     pub(crate) transient: bool,
 
     #[command(flatten)]

@@ -95,7 +95,7 @@ fn on_irregular_supports(growth: &IrregularSupportsDocument) -> String {
         table.add_row(std::iter::once(name.to_owned()).chain(cells));
     }
     format!(
-        "\n{} supports at distances that scatter by {:.0} mm, seed {}\n{table}\n",
+        "\n{} supports at distances that scatter by {:.1} mm, seed {}\n{table}\n",
         growth.support_position_m.len(),
         1e3 * growth.spacing_deviation_m,
         growth.seed,

@@ -159,7 +159,9 @@ impl Plan {
         let mut parameters: Vec<Parameter> = Vec::new();
         for (index, written) in file.parameter.iter().enumerate() {
             let place = format!("parameter[{index}].key");
-            let Some(key) = CaseKey::find(&written.key).filter(|key| key.key != "title") else {
+            let Some(key) =
+                CaseKey::find_with_curving(&written.key).filter(|key| key.key != "title")
+            else {
                 let nearest = CaseKey::nearest(&written.key);
                 return Err(source.invalid(
                     &place,

@@ -95,27 +95,24 @@ impl BogieInCurve {
     /// # Errors
     /// [`Error::OutOfRange`] for a value that no bogie has; [`Error::OffTheRails`] for an equilibrium beyond
     /// [`FARTHEST_SHIFT`](super::FARTHEST_SHIFT) or [`LARGEST_YAW`](super::LARGEST_YAW), as cones without a flange have in
-    /// tight curves; [`Error::TorqueBeyondFriction`] and [`Error::NotConverged`] where none is found, as in a curve that is
+    /// tight curves; [`Error::TorqueBeyondFriction`] and [`Error::NoEquilibrium`] where none is found, as in a curve that is
     /// tighter than the wheelsets can take.
     pub fn equilibrium(&self) -> Result<BogieState, Error> {
         self.check()?;
         let failure = RefCell::new(None);
-        if let Some((found, steps)) = self.continued(&failure) {
-            return self.state(&found, steps).on_the_rails();
-        }
+        let reached = match self.continued(&failure) {
+            Ok((found, steps)) => return self.state(&found, steps).on_the_rails(),
+            Err(reached) => reached,
+        };
         if let Some(found) = self.by_other_starts(&failure).into_iter().next() {
             return self.state(&found, Vec::new()).on_the_rails();
         }
         if let Some(error) = self.torque_beyond_friction(self.loads(1.0)) {
             return Err(error);
         }
-        Err(failure.into_inner().unwrap_or(Error::NotConverged {
-            problem: "the equilibrium of the bogie in the curve",
-            residual: f64::NAN,
-            tolerance: TOLERANCE,
-            remedy: "the curve may be tighter than the wheelsets can take: take a wider curve, less uncompensated acceleration, \
-                     less moment and torque or softer springs",
-        }))
+        Err(failure
+            .into_inner()
+            .unwrap_or(Error::NoEquilibrium { reached }))
     }
 
     /// Every equilibrium found: first that of [`equilibrium`](Self::equilibrium), then those which other starts lead to.
@@ -223,11 +220,11 @@ impl BogieInCurve {
         root(residuals, start, &self.scales(), TOLERANCE)
     }
 
-    /// The root at the curve by continuation from straight track.
+    /// The root at the curve by continuation from straight track, or the share of the curve that was reached.
     fn continued(
         &self,
         failure: &RefCell<Option<Error>>,
-    ) -> Option<([f64; UNKNOWNS], Vec<ContinuationStep>)> {
+    ) -> Result<([f64; UNKNOWNS], Vec<ContinuationStep>), f64> {
         let mut steps = Vec::new();
         let mut record = |fraction: f64, found: &Root<UNKNOWNS>| {
             steps.push(ContinuationStep {
@@ -236,7 +233,8 @@ impl BogieInCurve {
                 iterations: found.iterations,
             });
         };
-        let found = self.solve(0.0, self.start(0.0, [0.0; 2]), failure)?;
+        let straight = self.solve(0.0, self.start(0.0, [0.0; 2]), failure);
+        let found = straight.ok_or(0.0)?;
         record(0.0, &found);
         let (mut reached, mut unknowns, mut step) = (0.0, found.unknowns, 0.25);
         while reached < 1.0 {
@@ -248,10 +246,10 @@ impl BogieInCurve {
                     step *= 2.0;
                 }
                 None if step > SHORTEST => step *= 0.5,
-                None => return None,
+                None => return Err(reached),
             }
         }
-        Some((unknowns, steps))
+        Ok((unknowns, steps))
     }
 
     /// Roots at the curve from starts of shifted wheelsets.
