@@ -45,13 +45,17 @@ def test_a_loop_takes_its_mean_state_from_the_curve(program: Callable[..., Any])
     path = "cases/metro-curve.toml"
     asked = ("point", path, "--wavelength", "60 mm", "--speed", "45 km/h", "--json")
     case = riffel.Case.from_toml(path)
-    growth = case.point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"]
+    at_one_point = {"wavelength": "60 mm", "speed": "45 km/h"}
+
+    def growth_of(case: riffel.Case) -> Any:
+        return case.point(**at_one_point)["growth_rate_per_passage"]
+
+    growth = growth_of(case)
     assert growth == program(*asked)["growth_rate_per_passage"]
-    wide = case.with_({"curve.radius": "1200 m"}).point(wavelength="60 mm", speed="45 km/h")
-    assert abs(wide["growth_rate_per_passage"]) < 0.1 * abs(growth)
+    assert abs(growth_of(case.with_({"curve.radius": "1200 m"}))) < 0.1 * abs(growth)
     wheel = riffel.curve(path).isel(wheelset=0, rail=1)
     by_hand = {"contact.normal_load": float(wheel["normal_force"])}
-    assert case.with_(by_hand).point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"] == growth
+    assert growth_of(case.with_(by_hand)) == growth
 
 
 def test_a_case_with_the_tables_has_a_curve() -> None:
