@@ -38,8 +38,17 @@ pub fn parameters(case: &Case) -> String {
     parameters_in(case, Language::English)
 }
 
+/// The same without the amplitude of the profile, for pictures of a rail that has another.
+pub(crate) fn parameters_on_rail(case: &Case) -> String {
+    written(case, Language::English, None)
+}
+
 /// The parameters of a case in one sentence.
 pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
+    written(case, language, Some(case.feedback.amplitude()))
+}
+
+fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
     let file = &case.file;
     let steady = case.steady;
     let rotation = match file.wheel.rotation() {
@@ -77,8 +86,11 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         ContactDynamics::SpringDashpot => language.say(Sentence::SpringAndDashpot),
         _ => "",
     };
+    let amplitude = amplitude.map_or(String::new(), |amplitude| {
+        format!("Δ = {:.1} µm; ", 1e6 * amplitude)
+    });
     format!(
-        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; Δ = {:.1} µm; {law}{dynamics}{phase}.",
+        "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; {amplitude}{law}{dynamics}{phase}.",
         language.say(Sentence::Track),
         track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
@@ -90,7 +102,6 @@ pub(crate) fn parameters_in(case: &Case, language: Language) -> String {
         steady.friction,
         steady.tractive_ratio(),
         creepage(steady.creepages),
-        1e6 * case.feedback.amplitude(),
     )
 }
 

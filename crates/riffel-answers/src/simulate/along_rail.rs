@@ -8,7 +8,8 @@ use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure};
 
 use super::{ContactCourseDocument, Course, PassageDocument, remarks};
-use crate::{AnswerError, parameters};
+use crate::AnswerError;
+use crate::parameters::parameters_on_rail;
 
 /// A profile to roll over.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,7 +131,7 @@ impl PassageAnswer {
     pub fn figure(&self, case: &Case) -> LineFigure {
         LineFigure {
             title: format!("A passage at {:.1} km/h", 3.6 * self.request.speed),
-            caption: format!("Wheel centre at x. {}", parameters(case)),
+            caption: format!("Wheel centre at x. {}", parameters_on_rail(case)),
             panels: self.course().panels(),
             arrangement: Arrangement::Strips,
         }

@@ -10,7 +10,8 @@ use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure};
 
 use super::{ContactOverSinusoidDocument, Course, HarmonicDocument, SinusoidDocument, remarks};
-use crate::{AnswerError, parameters};
+use crate::AnswerError;
+use crate::parameters::parameters_on_rail;
 
 /// A sinusoid to roll over.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -229,6 +230,7 @@ impl SinusoidAnswer {
     pub fn figure(&self, case: &Case) -> LineFigure {
         let SinusoidRequest { speed, profile, .. } = self.request;
         let state = match self.model.support_spacing() {
+            _ if self.energy_at_rail.is_some() => "Settled state of the exact contact",
             Some(_) => "The last wave of many bays",
             None => "Settled state",
         };
@@ -239,7 +241,7 @@ impl SinusoidAnswer {
                 1e6 * profile.amplitude,
                 3.6 * speed
             ),
-            caption: format!("{state}, wheel centre at x. {}", parameters(case)),
+            caption: format!("{state}, wheel centre at x. {}", parameters_on_rail(case)),
             panels: self.course().panels(),
             arrangement: Arrangement::Strips,
         }

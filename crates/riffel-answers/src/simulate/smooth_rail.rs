@@ -8,7 +8,8 @@ use riffel_plot::{Arrangement, LineFigure};
 
 use super::along_rail::check_step;
 use super::{ContactSwingDocument, Course, SmoothRailDocument, remarks};
-use crate::{AnswerError, parameters};
+use crate::AnswerError;
+use crate::parameters::parameters_on_rail;
 
 /// What becomes of a push on a smooth rail: rest, or the limit cycle of a loop that is unstable without any profile.
 pub struct SmoothRailAnswer {
@@ -147,7 +148,10 @@ impl SmoothRailAnswer {
         };
         LineFigure {
             title: format!("A smooth rail at {:.1} km/h: {what}", 3.6 * self.speed),
-            caption: format!("Wheel {wheel} on the {rail} rail. {}", parameters(case)),
+            caption: format!(
+                "Wheel {wheel} on the {rail} rail. {}",
+                parameters_on_rail(case)
+            ),
             panels: self.course_of(most).panels(),
             arrangement: Arrangement::Strips,
         }
