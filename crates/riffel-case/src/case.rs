@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
 use riffel::growth::Bay;
-use riffel::receptance::ResonanceKind;
+use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
@@ -41,6 +41,8 @@ pub struct Case {
     pub carter: Option<Carter3d>,
     /// The wheelset; none for a lone wheel.
     pub wheelset: Option<Arc<CaseWheelset>>,
+    /// The track on all axes of a general loop, where a model tells it.
+    pub(crate) spatial_track: Option<SpatialTrack>,
     /// Named angular frequencies \[rad/s\] of the rail across the track, undamped, lowest first: cut-on of lateral motion
     /// and of roll, pinned-pinned. Empty where the rail does not move so in the loop.
     pub lateral_resonances: Vec<(ResonanceKind, f64)>,
@@ -111,6 +113,7 @@ impl Case {
             steady,
             carter,
             wheelset,
+            spatial_track,
             lateral_resonances,
             wavelength,
             speed,
@@ -129,6 +132,7 @@ impl Case {
             steady,
             carter,
             wheelset,
+            spatial_track,
             lateral_resonances,
             wavelength,
             speed,

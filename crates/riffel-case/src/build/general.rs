@@ -90,6 +90,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            spatial_track: spatial,
             lateral_resonances: lateral_resonances.unwrap_or_default(),
             remarks,
         })

@@ -10,7 +10,7 @@ mod wheelset;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
-use riffel::receptance::ResonanceKind;
+use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact, Loop,
@@ -34,6 +34,7 @@ pub(crate) struct BuiltCase {
     pub(crate) steady: MeanRolling,
     pub(crate) carter: Option<Carter3d>,
     pub(crate) wheelset: Option<Arc<CaseWheelset>>,
+    pub(crate) spatial_track: Option<SpatialTrack>,
     pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
@@ -47,6 +48,7 @@ struct ClosedLoop {
     steady: MeanRolling,
     carter: Option<Carter3d>,
     wheelset: Option<Arc<CaseWheelset>>,
+    spatial_track: Option<SpatialTrack>,
     lateral_resonances: Vec<(ResonanceKind, f64)>,
     remarks: Vec<Remark>,
 }
@@ -67,6 +69,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            spatial_track,
             lateral_resonances,
             remarks: of_loop,
         } = closed;
@@ -89,6 +92,7 @@ impl CheckedKeys {
             steady,
             carter,
             wheelset,
+            spatial_track,
             lateral_resonances,
             wavelength,
             speed,
@@ -123,6 +127,7 @@ impl CheckedKeys {
             steady,
             carter: contact.carter,
             wheelset: None,
+            spatial_track: None,
             lateral_resonances: Vec::new(),
             remarks,
         })

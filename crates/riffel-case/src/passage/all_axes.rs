@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use riffel::feedback::{Contact, GeneralLoop};
 use riffel::passage::{ContactInTime, GeneralPassage, StructuresInTime};
+use riffel::receptance::SpatialMovingLoad;
 use riffel::{Error, Rail};
 use riffel_keys::CaseError;
 
@@ -27,8 +28,8 @@ impl Case {
     /// The loop of a case on all axes in time.
     ///
     /// # Errors
-    /// [`CaseError`] where the case has what is not followed through time on all axes: discrete supports, a contact that
-    /// answers late or by the exact theory, geometric creepage, receptances that are measured.
+    /// [`CaseError`] where the case has what is not followed through time on all axes: a contact that answers late or by the
+    /// exact theory, geometric creepage, receptances that are measured.
     pub(super) fn all_axes_in_time(
         &self,
         feedback: &GeneralLoop,
@@ -54,6 +55,7 @@ impl Case {
         const SPEED: f64 = 20.0;
         let structures = match self.file.track.model {
             TrackModel::MovingBeam => None,
+            model if model.is_periodic() => None,
             _ => Some(self.structures_in_time(feedback, SPEED, &parts.natural_frequencies)?),
         };
         Ok(AllAxes {
@@ -86,7 +88,14 @@ impl Case {
         speed: f64,
         natural_frequencies: &[f64],
     ) -> Result<StructuresInTime, CaseError> {
-        let structures = StructuresInTime::of(feedback, speed, natural_frequencies);
+        let structures = match self.spatial_track {
+            Some(track) if track.support_spacing().is_some() => {
+                let track = SpatialMovingLoad::new(&track, speed);
+                let track = self.keys.physics("track.model", track)?;
+                StructuresInTime::over_supports(feedback, &track, natural_frequencies)
+            }
+            _ => StructuresInTime::of(feedback, speed, natural_frequencies),
+        };
         let furthest = feedback.contacts().iter().map(|contact| -contact.along);
         let furthest = furthest.fold(0.0, f64::max);
         if let Err(Error::NotCausal { share, .. }) = structures
@@ -161,11 +170,6 @@ impl Case {
                  the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = \"absent\""
             );
             return refuse("train.wheels", &message);
-        }
-        if self.track.support_spacing().is_some() {
-            let message = "a passage in time on all axes, or of several wheels, takes a track that is even along the rail: choose \
-                           \"two-layer\", \"one-layer\" or \"free-beam\"";
-            return refuse("track.model", message);
         }
         if self.keys.given.track.is_some() || self.keys.given.wheel.is_some() {
             let message = "a passage in time needs all frequencies: a model of track and wheel in the place of receptances";
@@ -304,11 +308,7 @@ mod tests {
     #[test]
     fn what_is_not_followed_through_time_is_refused() {
         for (overrides, words) in [
-            (
-                &["track.model=one-layer-periodic"][..],
-                "even along the rail",
-            ),
-            (&["contact.response=spring-dashpot"], "answers at once"),
+            (&["contact.response=spring-dashpot"][..], "answers at once"),
             (&["train.wheels=[0, 2, 4, 6, 8]"], "10 contacts"),
         ] {
             let Err(error) = trailer(overrides).in_time(15.0) else {

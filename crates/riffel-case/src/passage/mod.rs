@@ -39,8 +39,13 @@ impl Case {
     /// The same, stable or not.
     ///
     /// # Errors
-    /// Those of [`in_time`](Self::in_time), but for the last.
+    /// Those of [`in_time`](Self::in_time), but for the last, and discrete supports.
     pub fn in_time_without_profile(&self, speed: f64) -> Result<LoopInTime, CaseError> {
+        if self.track.support_spacing().is_some() {
+            let message = "on a smooth rail, wheels on discrete supports never come to rest, so that their limit cycle is not told from what \
+                           supports do: choose \"two-layer\", \"one-layer\" or \"free-beam\"";
+            return Err(self.refuse("track.model", message));
+        }
         self.wheels_in_time()?.at(speed)
     }
 

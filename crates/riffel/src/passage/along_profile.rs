@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use super::on_rail::OnRail;
-use super::{ContactInstant, March, PassageModel};
+use super::over_supports::ONSET_BAYS;
+use super::{ContactInstant, PassageModel};
 use crate::Error;
 use crate::contact::ContactFilter;
 use crate::roughness::Profile;
@@ -59,7 +60,7 @@ impl PassageModel {
             "give the rail more loss, or damping in N s/m in the place of loss factors: what is nearly free of \
              loss may swing up in time",
         )?;
-        let onset = spacing.map_or(0.0, |spacing| March::ONSET_BAYS * spacing);
+        let onset = spacing.map_or(0.0, |spacing| ONSET_BAYS * spacing);
         Ok(onset + (last + 2) as f64 * STEP * self.speed)
     }
 
@@ -232,6 +233,12 @@ impl Line {
 pub(super) fn faded(share: f64) -> f64 {
     let share = share.clamp(0.0, 1.0);
     share * share * (3.0 - 2.0 * share)
+}
+
+/// Its slope.
+pub(super) fn slope_of_faded(share: f64) -> f64 {
+    let share = share.clamp(0.0, 1.0);
+    6.0 * share * (1.0 - share)
 }
 
 /// A march along heights at equal distances, with steps between them, and what is counted of it.

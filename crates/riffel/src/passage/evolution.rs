@@ -242,7 +242,7 @@ impl Evolution {
                 self.change_along(heights, wheel, model.march_before(step, before)?, substeps)
             }
             LoopInTime::General(model) => {
-                self.change_along(heights, wheel, model.march(step)?, substeps)
+                self.change_along(heights, wheel, model.march_before(step, before)?, substeps)
             }
         }
     }

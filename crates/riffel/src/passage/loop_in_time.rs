@@ -9,7 +9,7 @@ use crate::roughness::Profile;
 /// A loop in time: of one wheel and longitudinal creepage, or of any number of contacts on all axes.
 #[derive(Clone)]
 pub enum LoopInTime {
-    /// One wheel along one axis, which has discrete supports and contacts that answer late.
+    /// One wheel along one axis, which has contacts that answer late.
     Longitudinal(Box<PassageModel>),
     /// Any number of contacts on all axes.
     General(Box<GeneralPassage>),
@@ -78,11 +78,11 @@ impl LoopInTime {
         }
     }
 
-    /// Distance of the supports \[m\] that pass under the wheel; none on a track that is even.
+    /// Distance of the supports \[m\] that pass under the wheels; none on a track that is even.
     pub fn support_spacing(&self) -> Option<f64> {
         match self {
             Self::Longitudinal(model) => model.track.support_spacing(),
-            Self::General(_) => None,
+            Self::General(model) => model.structures.support_spacing(),
         }
     }
 

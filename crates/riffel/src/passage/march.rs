@@ -2,6 +2,7 @@
 
 use super::along_profile::faded;
 use super::late_contact::LateMotion;
+use super::over_supports::ONSET_BAYS;
 use super::track_motion::TrackMotion;
 use super::{PassageModel, Turning};
 
@@ -61,9 +62,6 @@ pub struct March<'a> {
 }
 
 impl<'a> March<'a> {
-    /// Bays over which the sag of the rail between supports sets in, so that a march does not begin with a blow.
-    pub(super) const ONSET_BAYS: f64 = 4.0;
-
     /// Steady rolling on a smooth rail, with steps of the given length \[m\], from a distance before a support \[m\].
     pub(super) fn new(model: &'a PassageModel, step: f64, distance: f64) -> Self {
         let late = model.late.as_deref();
@@ -74,7 +72,7 @@ impl<'a> March<'a> {
             track: TrackMotion::new(&model.track, step, model.speed, distance),
             onset: model.track.support_spacing().map_or(1.0, |_| 0.0),
             onset_step: match model.track.support_spacing() {
-                Some(spacing) => step * model.speed / (Self::ONSET_BAYS * spacing),
+                Some(spacing) => step * model.speed / (ONSET_BAYS * spacing),
                 None => 0.0,
             },
             step,

@@ -6,9 +6,14 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::ImpulseResponse;
-use super::vector_fitting::{PartialFraction, Sampled, residues, shared_poles, starting_lines};
+use super::vector_fitting::{
+    PartialFraction, Sampled, residues, shared_poles, starting_lines, worst_frequencies,
+};
 use crate::Error;
 use crate::receptance::{Harmonics, MovingLoadOnSupports};
+
+/// Bays over which the sag of the rail between supports sets in, so that a march does not begin with a blow.
+pub(super) const ONSET_BAYS: f64 = 4.0;
 
 /// What the place of the load between two supports changes of an [`ImpulseResponse`].
 #[derive(Debug, Clone, PartialEq)]
@@ -34,37 +39,28 @@ impl OverSupports {
             .sum()
     }
 
-    /// Displacement under a load of one newton that does not oscillate, beside its mean over the bay \[m/N\].
-    pub(super) fn sag(&self, place: f64) -> f64 {
-        let turn = TAU * place / self.spacing;
-        let waves = self.at_rest.iter().zip(1..);
-        waves
-            .map(|(harmonic, n)| {
-                2.0 * (harmonic * Complex64::from_polar(1.0, turn * f64::from(n))).re
-            })
-            .sum()
-    }
-}
-
-/// Ĥ_n at one frequency.
-struct Sample {
-    w: f64,
-    harmonics: Harmonics,
-    /// |Ĥ₀|, and more of it where it is only a hint.
-    size: f64,
-}
-
-impl Sample {
-    /// Parts of the answer to an impulse at x that go with 1, cos 2πnx/d and sin 2πnx/d: all real in time.
-    fn parts(&self) -> Vec<Complex64> {
-        let mut parts = vec![self.harmonics.at(0)];
-        for n in 1..=ImpulseResponse::MOST_HARMONICS as isize {
-            let [ahead, back] = [n, -n].map(|n| self.harmonics.at(n));
-            parts.push(ahead + back);
-            parts.push(Complex64::I * (back - ahead));
+    /// Displacement under a load of one newton that does not oscillate, beside its mean over the bay \[m/N\], and its slope
+    /// along the rail \[1/N\].
+    pub(super) fn sag(&self, place: f64) -> [f64; 2] {
+        let wavenumber = TAU / self.spacing;
+        let (mut sag, mut slope) = (0.0, 0.0);
+        for (harmonic, n) in self.at_rest.iter().zip(1..) {
+            let wavenumber = wavenumber * f64::from(n);
+            let wave = 2.0 * harmonic * Complex64::cis(wavenumber * place);
+            sag += wave.re;
+            slope -= wavenumber * wave.im;
         }
-        parts
+        [sag, slope]
     }
+}
+
+/// The answer to an impulse at x over frequency, by the parts that go with 1, cos 2πnx/d and sin 2πnx/d: all real in time.
+pub(super) struct AlongBay {
+    /// \[rad/s\]
+    frequencies: Vec<f64>,
+    parts: Vec<Vec<Complex64>>,
+    /// What an error counts over.
+    sizes: Vec<f64>,
 }
 
 impl ImpulseResponse {
@@ -81,7 +77,7 @@ impl ImpulseResponse {
     /// comes, and at x + Vt when the displacement is taken, Σ r_j(x) e^{p_j t} with r_j(x) of the period of the supports.
     ///
     /// The Fourier coefficients of x have the transfer functions Ĥ₋ₙ(ω) of [`MovingLoadOnSupports`], which share their
-    /// poles: those of vector fitting of the mean and of the first two harmonics, 48 to 96; the residues of all are those of
+    /// poles: those of vector fitting of the mean and of the first two harmonics, 48 to 96, with pairs where these are off most; the residues of all are those of
     /// least squares. Frequencies lie 5 to 12 Hz apart, so that lines split by the passing of supports are seen.
     /// [`share_cut`](Self::share_cut) and [`largest_error`](Self::largest_error) are of all coefficients together over
     /// |Ĥ₀|, up to 3 kHz. Accuracy: 5·10⁻⁴ rms on viscous layers, 2·10⁻³ at the worst
@@ -91,14 +87,31 @@ impl ImpulseResponse {
     /// # Errors
     /// [`Error::NotCausal`] if no causal response comes near enough, and those of [`MovingLoadOnSupports::harmonics`].
     pub fn over_supports(track: &MovingLoadOnSupports) -> Result<Self, Error> {
+        let transfer = AlongBay::of(track)?;
+        let at_rest = track.harmonics(0.0, Self::MOST_HARMONICS)?;
+        let ahead = (1..=Self::MOST_HARMONICS as isize).map(|n| at_rest.at(n));
+        Self::along_bay(&transfer, ahead.collect(), track.spacing())
+    }
+
+    /// The same of an answer by its parts, with Ĥ_n(0), n = 1 …, and the support spacing \[m\].
+    ///
+    /// # Errors
+    /// [`Error::NotCausal`] likewise.
+    pub(super) fn along_bay(
+        transfer: &AlongBay,
+        at_rest: Vec<Complex64>,
+        spacing: f64,
+    ) -> Result<Self, Error> {
         /// Pairs counted twice.
         const POLES: [usize; 3] = [48, 72, 96];
         /// A share below, 5·10⁻⁴ rms, needs no more poles.
         const FINE: f64 = 2.5e-7;
-        let transfer = Transfer::of(track)?;
+        /// With pairs where the best of these is off most.
+        const MORE_FITS: usize = 5;
+        let discrete = TAU * Self::DISCRETE_AND_EVEN.0;
         let mut best: Option<Fit> = None;
         for order in POLES {
-            let fit = transfer.fit(order);
+            let fit = transfer.fit(&starting_lines(transfer.band(), discrete, order));
             if best
                 .as_ref()
                 .is_none_or(|best| fit.share_cut < best.share_cut)
@@ -108,6 +121,17 @@ impl ImpulseResponse {
             if best.as_ref().is_some_and(|best| best.share_cut <= FINE) {
                 break;
             }
+        }
+        for _ in 0..MORE_FITS {
+            let Some(from) = best.as_ref().filter(|best| best.share_cut > FINE) else {
+                break;
+            };
+            let fit = transfer.fit(&from.starting_again());
+            // What more poles do not halve is not causal.
+            if fit.share_cut >= 0.5 * from.share_cut {
+                break;
+            }
+            best = Some(fit);
         }
         // Not a number is no share.
         let mut fit = match best {
@@ -119,19 +143,16 @@ impl ImpulseResponse {
                 });
             }
         };
-        let at_rest = track.harmonics(0.0, Self::MOST_HARMONICS)?;
         let waves = fit.parts.split_off(1);
         let residues =
             |fit: &Vec<PartialFraction>| fit.iter().map(PartialFraction::of_term).collect();
         let bay = OverSupports {
-            spacing: track.spacing(),
+            spacing,
             waves: waves
                 .chunks_exact(2)
                 .map(|pair| [residues(&pair[0]), residues(&pair[1])])
                 .collect(),
-            at_rest: (1..=Self::MOST_HARMONICS as isize)
-                .map(|n| at_rest.at(n))
-                .collect(),
+            at_rest,
         };
         Ok(Self::new(
             fit.parts.remove(0),
@@ -142,41 +163,106 @@ impl ImpulseResponse {
     }
 }
 
-/// Transfer functions over frequency.
-struct Transfer {
-    frequencies: Vec<f64>,
-    /// Those that go with 1, cos 2πnx/d and sin 2πnx/d.
-    parts: Vec<Vec<Complex64>>,
-    /// |Ĥ₀|.
-    sizes: Vec<f64>,
-}
-
 /// Partial fractions of every part, with shared poles.
 struct Fit {
     parts: Vec<Vec<PartialFraction>>,
     share_cut: f64,
     largest_error: f64,
+    /// Error at each frequency \[rad/s\].
+    errors: Vec<(f64, f64)>,
 }
 
-impl Transfer {
+impl Fit {
+    /// Its poles, and pairs where it is off most.
+    fn starting_again(&self) -> Vec<Complex64> {
+        const MORE: usize = 6;
+        let mut poles: Vec<Complex64> = self.parts[0].iter().map(|term| term.pole).collect();
+        let worst = worst_frequencies(self.errors.clone(), MORE).into_iter();
+        poles.extend(worst.map(|w| Complex64::new(-0.02, 1.0) * w));
+        poles
+    }
+}
+
+impl AlongBay {
     fn of(track: &MovingLoadOnSupports) -> Result<Self, Error> {
-        let samples = samples(track)?;
-        let rows: Vec<Vec<Complex64>> = samples.iter().map(Sample::parts).collect();
-        Ok(Self {
-            frequencies: samples.iter().map(|sample| sample.w).collect(),
-            sizes: samples.iter().map(|sample| sample.size).collect(),
-            parts: (0..=2 * ImpulseResponse::MOST_HARMONICS)
-                .map(|part| rows.iter().map(|row| row[part]).collect())
-                .collect(),
+        let most = ImpulseResponse::MOST_HARMONICS;
+        let samples = frequencies().into_par_iter().map(|w| {
+            let harmonics = match is_discrete(w) {
+                true => track.harmonics(w, most)?,
+                false => Harmonics::even(track.evenly(w)),
+            };
+            // The coefficients of x are those of the opposite sign.
+            let parts = Self::parts(|n| harmonics.at(-n));
+            Ok((w, parts, harmonics.at(0).norm()))
+        });
+        Ok(Self::new(samples.collect::<Result<Vec<_>, Error>>()?))
+    }
+
+    /// Of frequencies \[rad/s\], the parts there and the size that an error counts over.
+    pub(super) fn new(samples: Vec<(f64, Vec<Complex64>, f64)>) -> Self {
+        /// What an error counts between discrete and even supports.
+        const HINT: f64 = 0.05;
+        let (discrete, even) = ImpulseResponse::DISCRETE_AND_EVEN;
+        let mut of_bay = Self {
+            frequencies: Vec::new(),
+            parts: vec![Vec::new(); 2 * ImpulseResponse::MOST_HARMONICS + 1],
+            sizes: Vec::new(),
+        };
+        for (w, parts, size) in samples {
+            of_bay.frequencies.push(w);
+            of_bay
+                .sizes
+                .push(match (discrete..even).contains(&(w / TAU)) {
+                    true => size / HINT,
+                    false => size,
+                });
+            for (values, value) in of_bay.parts.iter_mut().zip(parts) {
+                values.push(value);
+            }
+        }
+        of_bay
+    }
+
+    /// Parts of the answer that go with 1, cos 2πnx/d and sin 2πnx/d, by its coefficients of e^{2πinx/d}.
+    pub(super) fn parts(coefficient: impl Fn(isize) -> Complex64) -> Vec<Complex64> {
+        let mut parts = vec![coefficient(0)];
+        for n in 1..=ImpulseResponse::MOST_HARMONICS as isize {
+            let [ahead, back] = [n, -n].map(&coefficient);
+            parts.push(ahead + back);
+            parts.push(Complex64::I * (ahead - back));
+        }
+        parts
+    }
+
+    /// Whether any part is more than a share of what errors count over.
+    pub(super) fn exceeds(&self, share: f64) -> bool {
+        let most = share * share;
+        self.parts.iter().any(|values| {
+            let pairs = values.iter().zip(&self.sizes);
+            pairs
+                .into_iter()
+                .any(|(value, size)| value.norm_sqr() > most * size * size)
         })
     }
 
-    fn fit(&self, order: usize) -> Fit {
+    /// Whether another is the same, number for number.
+    pub(super) fn is(&self, other: &Self) -> bool {
+        self.parts == other.parts && self.sizes == other.sizes
+    }
+
+    /// Lowest and highest frequency \[rad/s\].
+    fn band(&self) -> [f64; 2] {
+        [
+            self.frequencies[0],
+            self.frequencies[self.frequencies.len() - 1],
+        ]
+    }
+
+    fn fit(&self, starting: &[Complex64]) -> Fit {
         /// The mean and two harmonics give the poles.
         const STRONGEST: usize = 5;
         /// Up to here errors count \[Hz\].
         const JUDGED: f64 = 3e3;
-        let discrete = TAU * ImpulseResponse::DISCRETE_AND_EVEN.0;
         let Self {
             frequencies,
             parts,
@@ -186,12 +272,11 @@ impl Transfer {
             .iter()
             .map(|values| Sampled { values, sizes })
             .collect();
-        let band = [frequencies[0], frequencies[frequencies.len() - 1]];
-        let starting = starting_lines(band, discrete, order);
-        let poles = shared_poles(frequencies, &strongest, &starting);
+        let poles = shared_poles(frequencies, &strongest, starting);
         let fits = residues(frequencies, parts, sizes, &poles);
         let judged = frequencies.iter().filter(|&&w| w < TAU * JUDGED).count();
         let (mut share_cut, mut largest_error) = (0.0, 0f64);
+        let mut errors_there = Vec::with_capacity(judged);
         for index in 0..judged {
             let s = Complex64::new(0.0, frequencies[index]);
             let errors = fits.iter().zip(parts).map(|(fit, part)| {
@@ -201,46 +286,35 @@ impl Transfer {
             let error = errors.sum::<f64>() / sizes[index].powi(2);
             share_cut += error / judged as f64;
             largest_error = largest_error.max(error.sqrt());
+            errors_there.push((frequencies[index], error.sqrt()));
         }
         Fit {
             parts: fits,
             share_cut,
             largest_error,
+            errors: errors_there,
         }
     }
 }
 
-/// Ĥ_n over the band, close enough to each other for lines that the passing of supports splits.
-fn samples(track: &MovingLoadOnSupports) -> Result<Vec<Sample>, Error> {
+/// Whether supports count one by one at an angular frequency \[rad/s\].
+pub(super) fn is_discrete(angular_frequency: f64) -> bool {
+    angular_frequency < TAU * ImpulseResponse::DISCRETE_AND_EVEN.0
+}
+
+/// Angular frequencies over the band \[rad/s\], close enough to each other for lines that the passing of supports splits.
+pub(super) fn frequencies() -> Vec<f64> {
     let (lowest, highest) = ImpulseResponse::BAND;
-    /// What an error counts between discrete and even supports.
-    const HINT: f64 = 0.05;
-    let (discrete, even) = ImpulseResponse::DISCRETE_AND_EVEN;
     let mut hertz = lowest / TAU;
     let mut frequencies = Vec::new();
     while hertz < highest / TAU {
-        frequencies.push(hertz);
+        frequencies.push(TAU * hertz);
         hertz += match hertz {
             ..20.0 => f64::max(0.5, 0.1 * hertz),
             ..1700.0 => 5.0,
-            _ if hertz < discrete => 12.0,
+            _ if is_discrete(TAU * hertz) => 12.0,
             _ => 0.05 * hertz,
         };
     }
     frequencies
-        .into_par_iter()
-        .map(|hertz| {
-            let w = TAU * hertz;
-            let harmonics = match hertz < discrete {
-                true => track.harmonics(w, ImpulseResponse::MOST_HARMONICS)?,
-                false => Harmonics::even(track.evenly(w)),
-            };
-            let size = harmonics.at(0).norm();
-            let size = match (discrete..even).contains(&hertz) {
-                true => size / HINT,
-                false => size,
-            };
-            Ok(Sample { w, harmonics, size })
-        })
-        .collect()
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::along_profile::{faded, felt};
+use super::on_rail::OnRail;
 use super::{ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
 
@@ -133,7 +134,9 @@ impl PassageModel {
                 amplitude,
                 wavelength,
             };
-            return self.settle_over_supports(felt, steps, spacing);
+            let start = |step, before| self.march_before(step, before);
+            let mut settled = settle_over_supports(felt, steps, spacing, self.memory()?, start)?;
+            return Ok(settled.swap_remove(0));
         }
         let mut march = self.march(wavelength / steps as f64)?;
         let period = wavelength / self.speed;
@@ -189,56 +192,66 @@ impl PassageModel {
             change,
         })
     }
+}
 
-    fn settle_over_supports(
-        &self,
-        profile: Sinusoid,
-        steps: usize,
-        spacing: f64,
-    ) -> Result<Settled, Error> {
-        const WAVES: f64 = 8.0;
-        let Sinusoid {
-            amplitude,
-            wavelength,
-        } = profile;
-        let waves_of = |length: f64| (length / wavelength).ceil() as usize;
-        let (before, counted) = (
-            waves_of(self.memory()?),
-            waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
-        );
-        let step = wavelength / steps as f64;
-        let mut march = self.march_before(step, before as f64 * wavelength)?;
-        let mut contacts = Vec::with_capacity(counted * steps);
-        let onset = 0.25 * (before * steps) as f64;
-        for index in 1..=(before + counted) * steps {
-            let share = faded(index as f64 / onset);
-            let angle = TAU * (index % steps) as f64 / steps as f64;
-            let contact = march.advance(amplitude * share * angle.cos());
-            if index > before * steps {
-                contacts.push(contact);
+/// The settled state of every contact over a sinusoid as the wheels feel it, on discrete supports at a spacing \[m\], after the length of
+/// a memory \[m\]; `start` begins a march with a step, a distance before the wave \[m\].
+pub(super) fn settle_over_supports<M: OnRail>(
+    profile: Sinusoid,
+    steps: usize,
+    spacing: f64,
+    memory: f64,
+    start: impl FnOnce(f64, f64) -> Result<M, Error>,
+) -> Result<Vec<Settled>, Error> {
+    const WAVES: f64 = 8.0;
+    let Sinusoid {
+        amplitude,
+        wavelength,
+    } = profile;
+    let waves_of = |length: f64| (length / wavelength).ceil() as usize;
+    let (before, counted) = (
+        waves_of(memory),
+        waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
+    );
+    let mut march = start(wavelength / steps as f64, before as f64 * wavelength)?;
+    let mut contacts = vec![Vec::with_capacity(counted * steps); march.contacts().len()];
+    let onset = 0.25 * (before * steps) as f64;
+    for index in 1..=(before + counted) * steps {
+        let share = faded(index as f64 / onset);
+        let angle = TAU * (index % steps) as f64 / steps as f64;
+        march.advance_over(|ahead| amplitude * share * (angle + TAU * ahead / wavelength).cos());
+        if index > before * steps {
+            for (contacts, now) in contacts.iter_mut().zip(march.contacts()) {
+                contacts.push(*now);
             }
         }
-        let share = contact_loss(&contacts);
-        if share > MOST_LOSS {
-            return Err(Error::Airborne {
-                share,
-                amplitude,
-                wavelength,
-            });
-        }
-        let forces = contacts.iter().map(|instant| instant.normal_force);
-        Ok(Settled {
-            harmonics: windowed_harmonics(&contacts, steps),
-            contact_loss: share,
-            normal_force: [
-                forces.clone().fold(f64::INFINITY, f64::min),
-                forces.fold(f64::NEG_INFINITY, f64::max),
-            ],
-            crest: contacts[contacts.len() - steps - 1],
-            wave: contacts.split_off(contacts.len() - steps),
-            waves: before + counted,
-        })
     }
+    let shares = contacts.iter().map(|contacts| contact_loss(contacts));
+    let share = shares.clone().fold(0.0, f64::max);
+    if share > MOST_LOSS {
+        return Err(Error::Airborne {
+            share,
+            amplitude,
+            wavelength,
+        });
+    }
+    let settled = shares.collect::<Vec<f64>>().into_iter().zip(contacts);
+    Ok(settled
+        .map(|(contact_loss, mut contacts)| {
+            let forces = contacts.iter().map(|instant| instant.normal_force);
+            Settled {
+                harmonics: windowed_harmonics(&contacts, steps),
+                contact_loss,
+                normal_force: [
+                    forces.clone().fold(f64::INFINITY, f64::min),
+                    forces.fold(f64::NEG_INFINITY, f64::max),
+                ],
+                crest: contacts[contacts.len() - steps - 1],
+                wave: contacts.split_off(contacts.len() - steps),
+                waves: before + counted,
+            }
+        })
+        .collect())
 }
 
 /// Those of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).

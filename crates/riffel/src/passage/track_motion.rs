@@ -11,7 +11,8 @@ use super::step_weights::Weights;
 /// that of the place of the force, linear over every step as well.
 #[derive(Debug, Clone)]
 pub(super) struct TrackMotion {
-    /// e^{ph} of each term.
+    /// Poles p of the terms, and e^{ph} of each.
+    poles: Vec<Complex64>,
     decay: Vec<Complex64>,
     /// At equal places over the bay, both ends included, or at one where the track is even.
     places: Vec<AtPlace>,
@@ -27,10 +28,12 @@ pub(super) struct TrackMotion {
 struct AtPlace {
     /// What the force at the beginning and at the end of a step leaves in the next state, for each term.
     by_force: Vec<Complex64>,
-    /// Displacement by the force at the end of the step \[m/N\].
+    /// Displacement and speed by the force at the end of the step \[m/N, m/(s N)\].
     by_new_force: f64,
-    /// Displacement by a steady load, beside its mean over the bay \[m/N\].
+    speed_by_new_force: f64,
+    /// Displacement by a steady load, beside its mean over the bay \[m/N\], and its slope \[1/N\].
     sag: f64,
+    slope: f64,
 }
 
 impl TrackMotion {
@@ -50,7 +53,9 @@ impl TrackMotion {
             let mut at = AtPlace {
                 by_force: Vec::with_capacity(terms.len()),
                 by_new_force: 0.0,
+                speed_by_new_force: 0.0,
                 sag: 0.0,
+                slope: 0.0,
             };
             let place = bay.map(|bay| bay.spacing * index as f64 / Self::PLACES as f64);
             for (term, ((_, mean), Weights { decay, old, new })) in
@@ -63,13 +68,16 @@ impl TrackMotion {
                 let scale = residue * step;
                 at.by_force.push(scale * (decay * new + old));
                 at.by_new_force += (scale * new).re;
+                // p · new + 1 = (e^{z} − 1)/z
+                at.speed_by_new_force += (residue * (old + new)).re;
             }
             if let (Some(bay), Some(place)) = (bay, place) {
-                at.sag = bay.sag(place);
+                [at.sag, at.slope] = bay.sag(place);
             }
             at
         };
         Self {
+            poles: terms.iter().map(|(pole, _)| *pole).collect(),
             decay: weights.iter().map(|weights| weights.decay).collect(),
             places: (0..=last).map(at_place).collect(),
             states: vec![Complex64::ZERO; terms.len()],
@@ -85,9 +93,19 @@ impl TrackMotion {
         self.between(|at| at.by_new_force)
     }
 
+    /// Speed by the force at the end of a step \[m/(s N)\].
+    pub(super) fn speed_by_new_force(&self) -> f64 {
+        self.between(|at| at.speed_by_new_force)
+    }
+
     /// Displacement there by a steady load, beside its mean over the bay \[m/N\].
     pub(super) fn sag(&self) -> f64 {
         self.between(|at| at.sag)
+    }
+
+    /// Its slope along the rail \[1/N\].
+    pub(super) fn slope_of_sag(&self) -> f64 {
+        self.between(|at| at.slope)
     }
 
     fn between(&self, value: impl Fn(&AtPlace) -> f64) -> f64 {
@@ -108,10 +126,21 @@ impl TrackMotion {
 
     /// A step begins with the force at its start; returns the displacement at its end but for the force there \[m\].
     pub(super) fn advance(&mut self, force: f64) -> f64 {
+        let [displacement, _] = self.step::<false>(force);
+        displacement
+    }
+
+    /// The same, with the speed \[m, m/s\].
+    pub(super) fn advance_with_speed(&mut self, force: f64) -> [f64; 2] {
+        self.step::<true>(force)
+    }
+
+    fn step<const SPEED: bool>(&mut self, force: f64) -> [f64; 2] {
         let (before, share) = self.before();
         let after = (before + 1).min(self.places.len() - 1);
-        let sum = Arch::new().dispatch(Advance {
+        let sums = Arch::new().dispatch(Advance::<SPEED> {
             states: &mut self.states,
+            poles: &self.poles,
             decay: &self.decay,
             by_force: [before, after].map(|place| self.places[place].by_force.as_slice()),
             forces: [(1.0 - share) * force, share * force],
@@ -121,44 +150,51 @@ impl TrackMotion {
         while self.place >= Self::PLACES as f64 {
             self.place -= Self::PLACES as f64;
         }
-        sum
+        sums
     }
 }
 
-/// Every state decays over the step and takes its share of the force, of which a part counts at either place; their sum.
-struct Advance<'a> {
+/// Every state decays over the step and takes its share of the force, of which a part counts at either place; their sum, and,
+/// where the speed is asked for, that of the states times their poles.
+struct Advance<'a, const SPEED: bool> {
     states: &'a mut [Complex64],
+    poles: &'a [Complex64],
     decay: &'a [Complex64],
     by_force: [&'a [Complex64]; 2],
     forces: [f64; 2],
 }
 
-impl WithSimd for Advance<'_> {
-    type Output = f64;
+impl<const SPEED: bool> WithSimd for Advance<'_, SPEED> {
+    type Output = [f64; 2];
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> f64 {
+    fn with_simd<S: Simd>(self, simd: S) -> [f64; 2] {
         let (states, last_states) = S::as_mut_simd_c64s(self.states);
+        let (poles, last_poles) = S::as_simd_c64s(self.poles);
         let (decay, last_decay) = S::as_simd_c64s(self.decay);
         let [(one, last_one), (other, last_other)] = self.by_force.map(S::as_simd_c64s);
         let forces = self.forces.map(|force| simd.splat_c64s(force.into()));
         let mut sum = simd.splat_c64s(Complex64::ZERO);
-        for (state, (&decay, (&one, &other))) in states
-            .iter_mut()
-            .zip(decay.iter().zip(one.iter().zip(other)))
-        {
+        let mut speed = simd.splat_c64s(Complex64::ZERO);
+        let steps = decay.iter().zip(one.iter().zip(other)).zip(poles);
+        for (state, ((&decay, (&one, &other)), &pole)) in states.iter_mut().zip(steps) {
             let given = simd.mul_add_e_c64s(forces[1], other, simd.mul_e_c64s(forces[0], one));
             *state = simd.mul_add_e_c64s(decay, *state, given);
             sum = simd.add_c64s(sum, *state);
+            if SPEED {
+                speed = simd.mul_add_e_c64s(pole, *state, speed);
+            }
         }
-        let mut sum = simd.reduce_sum_c64s(sum).re;
-        for (state, (decay, (one, other))) in last_states
-            .iter_mut()
-            .zip(last_decay.iter().zip(last_one.iter().zip(last_other)))
-        {
+        let (mut sum, mut speed) = (simd.reduce_sum_c64s(sum).re, simd.reduce_sum_c64s(speed).re);
+        let steps = last_decay
+            .iter()
+            .zip(last_one.iter().zip(last_other))
+            .zip(last_poles);
+        for (state, ((decay, (one, other)), pole)) in last_states.iter_mut().zip(steps) {
             *state = decay * *state + one * self.forces[0] + other * self.forces[1];
             sum += state.re;
+            speed += (pole * *state).re;
         }
-        sum
+        [sum, speed]
     }
 }

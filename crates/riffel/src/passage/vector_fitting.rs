@@ -147,6 +147,23 @@ pub(super) fn residues(
     coefficients.into_iter().map(fractions).collect()
 }
 
+/// The frequencies of the largest errors, of neighbours one.
+pub(super) fn worst_frequencies(mut errors: Vec<(f64, f64)>, count: usize) -> Vec<f64> {
+    /// Part of its frequency within which one pair of poles is enough.
+    const NEAR: f64 = 0.05;
+    errors.sort_by(|one, other| other.1.total_cmp(&one.1));
+    let mut worst: Vec<f64> = Vec::new();
+    for (w, _) in errors {
+        if worst.iter().all(|other| (w / other - 1.0).abs() > NEAR) {
+            worst.push(w);
+        }
+        if worst.len() == count {
+            break;
+        }
+    }
+    worst
+}
+
 fn scaled(frequencies: &[f64], scale: f64) -> Vec<Complex64> {
     let s = frequencies.iter().map(|w| Complex64::new(0.0, w / scale));
     s.collect()

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::periodic::AlongBay;
+use super::quadrature_over_wavenumbers::QuadratureOverWavenumbers;
 use super::{Beam, MovingLoadTrack, PeriodicTrack, Receptance, Support, Waveguide};
 use crate::Error;
 
@@ -94,39 +95,28 @@ impl MovingLoadOnSupports {
         const REACH: f64 = 6.0;
         let w = angular_frequency;
         let turn = TAU / self.spacing;
-        let first = turn / STEPS;
         let free = self.rail.waves(w.abs().max(1.0), Complex64::ZERO);
         let shortest = free.as_slice().iter().map(|wave| wave.propagation.im.abs());
-        let reach = turn * (most as f64 + 3.0) + REACH * shortest.fold(0.0, f64::max);
-        let count = (reach / first).ceil() as i64;
-        let mut sums = vec![Complex64::ZERO; 2 * most + 1];
-        let mut terms = sums.clone();
-        // No point of the rule lies at k = 0, nor when a step is cut in three.
-        for index in -count..count {
-            self.add((index as f64 + 0.5) * first, w, &mut sums, &mut terms);
-        }
+        let quadrature = QuadratureOverWavenumbers {
+            first: turn / STEPS,
+            reach: turn * (most as f64 + 3.0) + REACH * shortest.fold(0.0, f64::max),
+            cuts: CUTS,
+        };
         let even = self.evenly(w);
-        let mut step = first;
-        for cut in 0..CUTS {
-            let before = sums.clone();
-            let thirds = 3i64.pow(cut);
-            for index in -count * thirds..count * thirds {
-                let middle = (index as f64 + 0.5) * step;
-                self.add(middle - step / 3.0, w, &mut sums, &mut terms);
-                self.add(middle + step / 3.0, w, &mut sums, &mut terms);
-            }
-            let changes = sums.iter().zip(&before);
-            let change = changes.map(|(now, before)| (now * (step / 3.0) - before * step).norm());
-            let change = change.fold(0.0, f64::max) / TAU;
-            step /= 3.0;
-            let mean = even + sums[most] * (step / TAU);
-            if change <= Self::TOLERANCE * mean.norm() {
-                sums.iter_mut().for_each(|sum| *sum *= step / TAU);
-                sums[most] = mean;
-                return Ok(Harmonics(sums));
-            }
-        }
-        Err(Error::UndampedWaves { frequency: w / TAU })
+        let count = 2 * most + 1;
+        let mut terms = vec![Complex64::ZERO; count];
+        let mut harmonics = quadrature.integrals(
+            w,
+            count,
+            |k, sums| self.add(k, w, sums, &mut terms),
+            |before, now| {
+                let changes = now.iter().zip(before).map(|(now, before)| now - before);
+                let change = changes.map(|change| change.norm()).fold(0.0, f64::max);
+                change <= Self::TOLERANCE * (even + now[most]).norm()
+            },
+        )?;
+        harmonics[most] += even;
+        Ok(Harmonics(harmonics))
     }
 
     /// Receptance \[m/N\] with supports spread evenly, which Ĥ₀ would be.

@@ -165,6 +165,19 @@ impl Supports {
             longitudinal: spread(&self.longitudinal)?,
         })
     }
+
+    /// What they take across the track and against rotation of a foot of the width given \[m\].
+    pub(super) fn under_foot(&self, w: f64, foot_width: f64) -> Foundation {
+        Foundation {
+            lateral: self
+                .lateral
+                .map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w)),
+            roll: self.vertical.map_or(Complex64::ZERO, |support| {
+                let pad = support.pad().dynamic_stiffness(Complex64::new(0.0, w));
+                pad * (foot_width * foot_width / 12.0)
+            }),
+        }
+    }
 }
 
 impl SpatialTrack {
@@ -230,6 +243,15 @@ impl SpatialTrack {
         self
     }
 
+    /// The same track with its supports spread evenly, one to a length \[m\].
+    pub(super) fn spread(&self, spacing: f64) -> Result<Self, Error> {
+        Ok(Self {
+            supports: self.supports.per_metre(spacing)?,
+            spacing: None,
+            ..*self
+        })
+    }
+
     /// Distance of the supports \[m\], where they are discrete.
     pub fn support_spacing(&self) -> Option<f64> {
         self.spacing
@@ -245,7 +267,7 @@ impl SpatialTrack {
         &self.supports
     }
 
-    fn waves(&self, w: f64, alongs: Vec<f64>) -> SpatialWaves {
+    pub(super) fn waves(&self, w: f64, alongs: Vec<f64>) -> SpatialWaves {
         let Supports {
             vertical,
             lateral,
@@ -288,16 +310,7 @@ impl SpatialTrack {
 
     fn twisting(&self, w: f64, rail: &TwistingRail, alongs: &[f64]) -> LateralWaves {
         let section = rail.twist.section();
-        let Supports {
-            vertical, lateral, ..
-        } = self.supports;
-        let foundation = Foundation {
-            lateral: lateral.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w)),
-            roll: vertical.map_or(Complex64::ZERO, |support| {
-                let pad = support.pad().dynamic_stiffness(Complex64::new(0.0, w));
-                pad * (section.foot_width * section.foot_width / 12.0)
-            }),
-        };
+        let foundation = self.supports.under_foot(w, section.foot_width);
         match self.spacing {
             Some(spacing) => {
                 let free = rail.waves(w, &Foundation::NONE);
@@ -311,7 +324,7 @@ impl SpatialTrack {
     }
 
     /// Displacement at one place per force at another, from the motions between them.
-    fn entry(&self, motions: &Motions, at: Place, from: Place) -> Complex64 {
+    pub(super) fn entry(&self, motions: &Motions, at: Place, from: Place) -> Complex64 {
         use Direction::{Lateral, Longitudinal, Vertical};
         if at.rail != from.rail {
             return Complex64::ZERO;
@@ -398,7 +411,7 @@ fn side(rail: Rail) -> usize {
 }
 
 /// The waves of a track at one frequency, and what they are at some places.
-struct SpatialWaves {
+pub(super) struct SpatialWaves {
     alongs: Vec<f64>,
     vertical: AxisWaves,
     longitudinal: Option<AxisWaves>,
@@ -406,10 +419,11 @@ struct SpatialWaves {
 }
 
 /// Displacements at one place by unit forces at another.
-struct Motions {
-    vertical: Complex64,
-    longitudinal: Complex64,
-    lateral: LateralReceptance,
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Motions {
+    pub(super) vertical: Complex64,
+    pub(super) longitudinal: Complex64,
+    pub(super) lateral: LateralReceptance,
 }
 
 /// Waves of one motion of the rail.
@@ -436,7 +450,7 @@ enum LateralWaves {
 
 impl SpatialWaves {
     /// Motions at one of the places by forces at another, by their numbers.
-    fn motions(&self, from: usize, to: usize) -> Motions {
+    pub(super) fn motions(&self, from: usize, to: usize) -> Motions {
         let alongs = &self.alongs;
         let along_axis = |axis: &AxisWaves| axis.receptance(alongs, from, to);
         Motions {

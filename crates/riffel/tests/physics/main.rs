@@ -11,6 +11,7 @@ mod load_wear;
 mod passage;
 mod passing_supports;
 mod spatial_track;
+mod supports_on_all_axes;
 mod track;
 mod wheelset;
 mod work;

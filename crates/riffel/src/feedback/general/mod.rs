@@ -263,6 +263,18 @@ impl GeneralLoop {
         system.together()
     }
 
+    /// The same, of track and wheels together and of the wheels alone.
+    pub(crate) fn receptances_with_those_of_wheels(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+    ) -> [Vec<Complex64>; 2] {
+        let mut system = System::new(self);
+        system.receptances(self, angular_frequency, speed);
+        system.turn_axes(self);
+        [system.together(), system.of_wheels().collect()]
+    }
+
     /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
     /// rolling radius. Between all contacts in their axes, by rows.
     pub(crate) fn free_motion(&self) -> Vec<f64> {

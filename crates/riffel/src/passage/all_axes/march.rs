@@ -32,8 +32,16 @@ pub struct GeneralMarch<'a> {
 }
 
 impl<'a> GeneralMarch<'a> {
-    pub(super) fn new(model: &'a GeneralPassage, step: f64) -> Self {
+    /// On discrete supports the first wheel begins a distance before one of them \[m\].
+    pub(super) fn new(model: &'a GeneralPassage, step: f64, distance: f64) -> Self {
         let size = model.structures.size();
+        let mean_forces = model.contacts.iter().flat_map(|contact| {
+            let CreepForces {
+                longitudinal,
+                lateral,
+            } = contact.mean.forces;
+            [longitudinal, lateral, contact.spring.normal_force()]
+        });
         let at_rest = |contact: &ContactInTime| {
             let (mean, forces) = (contact.mean.creepages, contact.mean.forces);
             let energy = contact.mean.energy_per_metre();
@@ -48,7 +56,13 @@ impl<'a> GeneralMarch<'a> {
             }
         };
         Self {
-            motion: StructuresMotion::new(&model.structures, step / model.speed),
+            motion: StructuresMotion::new(
+                &model.structures,
+                mean_forces.collect(),
+                step / model.speed,
+                model.speed,
+                distance,
+            ),
             now: model.contacts.iter().map(at_rest).collect(),
             forces: vec![0.0; size],
             displacement: vec![0.0; size],

@@ -6,6 +6,7 @@
 mod march;
 mod model;
 mod motion;
+mod over_supports;
 mod settled;
 mod smooth_rail;
 mod structures;

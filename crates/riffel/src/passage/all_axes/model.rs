@@ -7,6 +7,7 @@ use super::{GeneralMarch, StructuresInTime};
 use crate::contact::{ContactFilter, CreepLaw, MeanRolling};
 use crate::feedback::Contact;
 use crate::passage::along_profile::{last_remembered, pass};
+use crate::passage::over_supports::ONSET_BAYS;
 use crate::passage::{HertzSpring, Passage};
 use crate::roughness::Profile;
 use crate::wheelset::Motion;
@@ -39,9 +40,10 @@ pub struct ContactInTime {
 /// * Creep: (ξ, η) = (ξ₀, η₀) − (du_x/dt, du_t/dt)/V; forces of a steady law at the P and creepages of the instant; spin as in the mean
 ///   state.
 ///
-/// Signs and axes are those of the linear loop. Mean forces follow of themselves where nothing holds a wheel: one that turns
+/// On discrete supports g is that of the place of the first wheel at τ, and what the mean forces make of the rail between supports is
+/// added. Signs and axes are those of the linear loop. Mean forces follow of themselves where nothing holds a wheel: one that turns
 /// freely keeps its mean longitudinal force, and its creepage finds its own.
-/// Range of validity: that of the steady law, waves much longer than the patch; an even track; the contact angle stays.
+/// Range of validity: that of the steady law, waves much longer than the patch; the contact angle stays.
 #[derive(Clone)]
 pub struct GeneralPassage {
     /// Track and wheels.
@@ -82,13 +84,23 @@ impl GeneralPassage {
     /// # Errors
     /// [`Error::OutOfRange`] unless step and speed are positive.
     pub fn march(&self, step: f64) -> Result<GeneralMarch<'_>, Error> {
+        self.march_before(step, 0.0)
+    }
+
+    /// The same march, the first wheel a distance before one of the supports \[m\], where they are discrete.
+    ///
+    /// # Errors
+    /// Those of [`march`](Self::march).
+    pub fn march_before(&self, step: f64, distance: f64) -> Result<GeneralMarch<'_>, Error> {
         Error::unless_positive("step", step, "m")?;
         Error::unless_positive("speed", self.speed, "m/s")?;
-        Ok(GeneralMarch::new(self, step))
+        Ok(GeneralMarch::new(self, step, distance))
     }
 
     /// Distance \[m\] after which a bump of the rail of a millisecond is forgotten by the normal forces of all contacts, to
-    /// 10⁻³ of their largest change, and the length of the train twice. The slow motion on primary suspensions is below.
+    /// 10⁻³ of their largest change, and the length of the train twice. The slow motion on primary suspensions is below. On
+    /// discrete supports the change is that of the forces which passing them makes, and the distance over which their sag sets in is
+    /// added.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where two seconds of rolling do not suffice, as where the loop is unstable.
@@ -101,14 +113,26 @@ impl GeneralPassage {
         /// Small beside any approach \[m\].
         const HEIGHT: f64 = 1e-8;
         let mut march = self.march(STEP * self.speed)?;
+        let spacing = self.structures.support_spacing();
+        let mut smooth = spacing.map(|_| march.clone());
         let steps = (PATIENCE / STEP) as usize;
         let bump = (BUMP / STEP) as usize;
         let mut heights = vec![0.0; self.contacts.len()];
+        let even = vec![0.0; self.contacts.len()];
+        let at_rest = self.contacts.iter();
+        let mut without: Vec<f64> = at_rest
+            .map(|contact| contact.spring.normal_force())
+            .collect();
         let changes = (1..=steps).map(|step| {
             let angle = PI * (step as f64 / bump as f64).min(1.0);
             heights.fill(HEIGHT * angle.sin().powi(2));
-            let now = march.advance(&heights).iter().zip(&self.contacts);
-            now.map(|(now, contact)| (now.normal_force - contact.spring.normal_force()).abs())
+            if let Some(smooth) = &mut smooth {
+                for (without, now) in without.iter_mut().zip(smooth.advance(&even)) {
+                    *without = now.normal_force;
+                }
+            }
+            let now = march.advance(&heights).iter().zip(&without);
+            now.map(|(now, without)| (now.normal_force - without).abs())
                 .fold(0.0, f64::max)
         });
         let changes: Vec<f64> = changes.collect();
@@ -120,7 +144,8 @@ impl GeneralPassage {
         )?;
         let behind = self.contacts.iter().map(|contact| -contact.along);
         let train = behind.fold(0.0, f64::max);
-        Ok(2.0 * train + (last + 2) as f64 * STEP * self.speed)
+        let onset = spacing.map_or(0.0, |spacing| ONSET_BAYS * spacing);
+        Ok(onset + 2.0 * train + (last + 2) as f64 * STEP * self.speed)
     }
 
     /// All wheels along a profile, as [`PassageModel::pass`](crate::passage::PassageModel::pass) takes one: the first stands at
@@ -129,7 +154,7 @@ impl GeneralPassage {
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
-        let start = |step, _| self.march(step);
+        let start = |step, before| self.march_before(step, before);
         pass(
             profile,
             largest_step,

@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::StructuresInTime;
+use super::over_supports::MotionOverSupports;
 use crate::passage::step_weights::Weights;
 
 /// u(t) = ∫ g(t − τ) f(τ) dτ of structures at rest before, and du/dt, under forces that are linear over every step: exact,
@@ -22,11 +23,20 @@ pub(super) struct StructuresMotion<'a> {
     twice: Vec<f64>,
     /// Displacement and speed by the forces at the end of a step, by rows \[m/N, m/(s N)\].
     pub(super) by_new_force: [Vec<f64>; 2],
+    /// The rail on discrete supports, and `by_new_force` without it.
+    over_supports: Option<(MotionOverSupports<'a>, [Vec<f64>; 2])>,
 }
 
 impl<'a> StructuresMotion<'a> {
-    /// At rest, for steps of the given time \[s\].
-    pub(super) fn new(structures: &'a StructuresInTime, step: f64) -> Self {
+    /// At rest under mean forces \[N\], for steps of the given time \[s\] at a speed \[m/s\], on discrete supports with the first
+    /// wheel a distance before one of them \[m\].
+    pub(super) fn new(
+        structures: &'a StructuresInTime,
+        mean: Vec<f64>,
+        step: f64,
+        speed_along: f64,
+        distance: f64,
+    ) -> Self {
         let size = structures.size();
         let count = structures.terms().count();
         let mut displacement = vec![0.0; size * size];
@@ -54,15 +64,21 @@ impl<'a> StructuresMotion<'a> {
             *displacement += free * step * step / 6.0;
             *speed += free * step / 2.0;
         }
+        let by_new_force = [displacement, speed];
+        let over_supports = structures.track_over_supports().map(|track| {
+            let track = MotionOverSupports::new(track, mean, step, speed_along, distance);
+            (track, by_new_force.clone())
+        });
         Self {
             structures,
             step,
+            over_supports,
             decay: decays,
             by_force,
             states: vec![Complex64::ZERO; count * size],
             once: vec![0.0; size],
             twice: vec![0.0; size],
-            by_new_force: [displacement, speed],
+            by_new_force,
         }
     }
 
@@ -97,6 +113,13 @@ impl<'a> StructuresMotion<'a> {
                 *displacement += sum.re;
                 *speed += (pole * sum).re;
             }
+        }
+        if let Some((track, without)) = &mut self.over_supports {
+            track.advance(forces, displacement, speed);
+            for (by, without) in self.by_new_force.iter_mut().zip(without) {
+                by.copy_from_slice(without);
+            }
+            track.add_by_new_force(&mut self.by_new_force);
         }
     }
 

@@ -7,7 +7,9 @@ use num_complex::Complex64;
 use super::GeneralPassage;
 use crate::Error;
 use crate::passage::along_profile::{faded, felt};
-use crate::passage::settled::{CHANGE, MOST_LOSS, PATIENCE, REST, contact_loss, harmonics};
+use crate::passage::settled::{
+    CHANGE, MOST_LOSS, PATIENCE, REST, contact_loss, harmonics, settle_over_supports,
+};
 use crate::passage::{ContactInstant, Harmonic, Settled, Sinusoid};
 
 /// The rail under all contacts, as the wave that grows from nothing.
@@ -35,7 +37,7 @@ impl Wave<'_> {
 impl GeneralPassage {
     /// The settled state of every contact over a sinusoid, in `steps` steps to a wave, as
     /// [`PassageModel::settle`](crate::passage::PassageModel::settle) finds it: harmonics are relative to the profile
-    /// Δ cos ωt under the first wheel, along the normal of its contact.
+    /// Δ cos ωt under the first wheel, along the normal of its contact. On discrete supports likewise: means over the places of the bay.
     ///
     /// # Errors
     /// Those of one wheel; [`Error::NotSettled`] where the loop is unstable without a profile too.
@@ -49,6 +51,10 @@ impl GeneralPassage {
             amplitude: amplitude * felt(self.contact_filter, wavelength),
             wavelength,
         };
+        if let Some(spacing) = self.structures.support_spacing() {
+            let start = |step, before| self.march_before(step, before);
+            return settle_over_supports(profile, steps, spacing, self.memory()?, start);
+        }
         let mut march = self.march(wavelength / steps as f64)?;
         let waves_of = |time: f64| (time * self.speed / wavelength).ceil();
         let (rest, patience) = (waves_of(REST) as usize, waves_of(PATIENCE) as usize);

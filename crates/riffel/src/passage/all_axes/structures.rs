@@ -5,10 +5,14 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::over_supports::{TrackOverSupports, is_along, places};
 use crate::Error;
 use crate::feedback::GeneralLoop;
 use crate::passage::ImpulseResponse;
-use crate::passage::vector_fitting::{Sampled, residues, shared_poles, starting_poles};
+use crate::passage::vector_fitting::{
+    Sampled, residues, shared_poles, starting_poles, worst_frequencies,
+};
+use crate::receptance::SpatialMovingLoad;
 
 /// Displacement of the wheels against the rail after impulses at all contacts of a loop, in their axes x, t, n:
 ///
@@ -25,7 +29,9 @@ use crate::passage::vector_fitting::{Sampled, residues, shared_poles, starting_p
 /// Accuracy: [`share_cut`](Self::share_cut) and [`largest_error`](Self::largest_error) up to 3 kHz; 10⁻⁴ rms on viscous tracks under
 /// flexible wheelsets. A loss factor is not causal, see [`ImpulseResponse`]. Cost: some seconds for two contacts.
 ///
-/// Range of validity: tracks that are even along the rail, or one place of them.
+/// Over discrete supports the rail is taken apart, down and across: its answer is that of the place where the first wheel is when the
+/// impulse comes, [`ImpulseResponse::over_supports`] for each pair of contacts and axes, with poles of its own. Along itself it
+/// is even, see [`SpatialMovingLoad`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct StructuresInTime {
     size: usize,
@@ -35,6 +41,8 @@ pub struct StructuresInTime {
     residues: Vec<Vec<Complex64>>,
     /// A by rows.
     free: Vec<f64>,
+    /// The rail down and across, where supports are discrete.
+    over_supports: Option<TrackOverSupports>,
     share_cut: f64,
     largest_error: f64,
 }
@@ -44,6 +52,8 @@ struct Sample {
     w: f64,
     /// H by rows.
     whole: Vec<Complex64>,
+    /// What of it is fitted together.
+    fitted: Vec<Complex64>,
 }
 
 impl StructuresInTime {
@@ -62,6 +72,51 @@ impl StructuresInTime {
         speed: f64,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
+        let receptances = |w: f64| {
+            let whole = feedback.contact_receptances(w, speed);
+            [whole.clone(), whole]
+        };
+        Self::fitted(feedback, &receptances, natural_frequencies)
+    }
+
+    /// Those of a loop on discrete supports, under wheels that pass them at the speed of the moving load.
+    ///
+    /// # Errors
+    /// Those of [`of`](Self::of), and of [`SpatialMovingLoad::harmonics`].
+    pub fn over_supports(
+        feedback: &GeneralLoop,
+        track: &SpatialMovingLoad,
+        natural_frequencies: &[f64],
+    ) -> Result<Self, Error> {
+        let over_supports = TrackOverSupports::of(feedback, track)?;
+        let places = places(feedback);
+        let size = places.len();
+        let receptances = |w: f64| {
+            let [whole, mut fitted] = feedback.receptances_with_those_of_wheels(w, track.speed());
+            let even = track.evenly(w, &places);
+            // The axes of contacts and track are the same along the rail.
+            for (index, rail) in even.at(0).into_iter().flatten().enumerate() {
+                if is_along(index / size) && is_along(index % size) {
+                    fitted[index] += rail;
+                }
+            }
+            [whole, fitted]
+        };
+        let even = Self::fitted(feedback, &receptances, natural_frequencies)?;
+        let [share_cut, largest_error] = over_supports.errors();
+        Ok(Self {
+            share_cut: even.share_cut.max(share_cut),
+            largest_error: even.largest_error.max(largest_error),
+            over_supports: Some(over_supports),
+            ..even
+        })
+    }
+
+    fn fitted(
+        feedback: &GeneralLoop,
+        receptances: &Receptances<'_>,
+        natural_frequencies: &[f64],
+    ) -> Result<Self, Error> {
         /// Poles beside those of the wheels at first, pairs counted twice, and pairs that come with every further fit.
         const POLES: usize = 40;
         const MORE: usize = 6;
@@ -73,7 +128,7 @@ impl StructuresInTime {
             .copied()
             .filter(|&w| w < TAU * Self::KNOWN)
             .collect();
-        let transfer = Transfer::of(feedback, speed, &lines)?;
+        let transfer = Transfer::of(feedback, receptances, &lines)?;
         let (lowest, highest) = (ImpulseResponse::BAND.0, TAU * Self::HIGHEST);
         let spread = starting_poles(lowest / highest, POLES).into_iter();
         let of_lines = lines.iter().map(|&line| Complex64::new(-0.003, 1.0) * line);
@@ -112,7 +167,7 @@ impl StructuresInTime {
         self.size
     }
 
-    /// Receptances \[m/N\] at the angular frequency ω \[rad/s\], by rows.
+    /// Receptances \[m/N\] at the angular frequency ω \[rad/s\], by rows; on discrete supports the mean over the places of the bay.
     pub fn receptances(&self, angular_frequency: f64) -> Vec<Complex64> {
         let s = Complex64::new(0.0, angular_frequency);
         let mut sum: Vec<Complex64> = self.free.iter().map(|free| free / (s * s)).collect();
@@ -122,7 +177,15 @@ impl StructuresInTime {
                 *entry += 0.5 * (residue * one + residue.conj() * other);
             }
         }
+        if let Some(track) = &self.over_supports {
+            track.add_mean_receptances(angular_frequency, &mut sum);
+        }
         sum
+    }
+
+    /// Distance of the supports \[m\] that pass under the wheels; none on a track that is even.
+    pub fn support_spacing(&self) -> Option<f64> {
+        self.over_supports.as_ref().map(TrackOverSupports::spacing)
     }
 
     /// Mean square of the relative error of the receptances up to 3 kHz, over frequencies that are even on a logarithmic scale.
@@ -145,7 +208,15 @@ impl StructuresInTime {
     pub(super) fn free(&self) -> &[f64] {
         &self.free
     }
+
+    /// The rail down and across, where supports are discrete.
+    pub(super) fn track_over_supports(&self) -> Option<&TrackOverSupports> {
+        self.over_supports.as_ref()
+    }
 }
+
+/// Receptances by rows at an angular frequency: the whole, and what of it is fitted together.
+type Receptances<'a> = dyn Fn(f64) -> [Vec<Complex64>; 2] + Sync + 'a;
 
 /// Transfer functions over frequency.
 struct Transfer {
@@ -165,14 +236,18 @@ struct Entry {
 }
 
 impl Transfer {
-    fn of(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Self, Error> {
+    fn of(
+        feedback: &GeneralLoop,
+        receptances: &Receptances<'_>,
+        lines: &[f64],
+    ) -> Result<Self, Error> {
         /// What an error counts where receptances are a hint.
         const HINT: f64 = 0.05;
         /// Entries below this share of the largest they could have are rounding.
         const NOTHING: f64 = 1e-9;
         let size = 3 * feedback.contacts().len();
         let free = feedback.free_motion();
-        let samples = samples(feedback, speed, lines)?;
+        let samples = samples(size, receptances, lines)?;
         let mut entries = Vec::new();
         for row in 0..size {
             for column in row..size {
@@ -185,8 +260,8 @@ impl Transfer {
                     .collect();
                 let values: Vec<Complex64> = samples
                     .iter()
-                    .map(|Sample { w, whole }| {
-                        whole[row * size + column] + free[row * size + column] / (w * w)
+                    .map(|Sample { w, fitted, .. }| {
+                        fitted[row * size + column] + free[row * size + column] / (w * w)
                     })
                     .collect();
                 let counts = values
@@ -232,7 +307,10 @@ impl Transfer {
             .filter(|entry| entry.row % 3 == entry.column % 3)
             .map(|Entry { values, sizes, .. }| Sampled { values, sizes })
             .collect();
-        let poles = shared_poles(frequencies, &sampled, starting);
+        let poles = match sampled.is_empty() {
+            true => Vec::new(),
+            false => shared_poles(frequencies, &sampled, starting),
+        };
         let fits: Vec<_> = self
             .entries
             .par_iter()
@@ -273,32 +351,24 @@ impl Transfer {
             poles,
             residues: matrices,
             free: self.free.clone(),
-            share_cut: share_cut / weights,
+            over_supports: None,
+            // Wheels that nothing holds leave nothing to fit.
+            share_cut: match weights > 0.0 {
+                true => share_cut / weights,
+                false => 0.0,
+            },
             largest_error,
         };
-        (fit, worst(errors, count))
+        (fit, worst_frequencies(errors, count))
     }
-}
-
-/// The frequencies of the largest errors, of neighbours one.
-fn worst(mut errors: Vec<(f64, f64)>, count: usize) -> Vec<f64> {
-    /// Part of its frequency within which one pair of poles is enough.
-    const NEAR: f64 = 0.05;
-    errors.sort_by(|one, other| other.1.total_cmp(&one.1));
-    let mut worst: Vec<f64> = Vec::new();
-    for (w, _) in errors {
-        if worst.iter().all(|other| (w / other - 1.0).abs() > NEAR) {
-            worst.push(w);
-        }
-        if worst.len() == count {
-            break;
-        }
-    }
-    worst
 }
 
 /// Receptances over the band: evenly over the decades, around the lines, and between neighbours that differ much.
-fn samples(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Vec<Sample>, Error> {
+fn samples(
+    size: usize,
+    receptances: &Receptances<'_>,
+    lines: &[f64],
+) -> Result<Vec<Sample>, Error> {
     const TO_A_DECADE: f64 = 60.0;
     /// How far around a line, over its frequency.
     const AROUND: [f64; 7] = [-0.01, -0.003, -0.001, 0.0, 0.001, 0.003, 0.01];
@@ -323,9 +393,9 @@ fn samples(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Vec<Samp
         frequencies
             .into_par_iter()
             .map(|w| {
-                let whole = feedback.contact_receptances(w, speed);
+                let [whole, fitted] = receptances(w);
                 match whole.iter().all(|value| value.is_finite()) {
-                    true => Ok(Sample { w, whole }),
+                    true => Ok(Sample { w, whole, fitted }),
                     false => Err(Error::OutOfRange {
                         quantity: "frequency of a receptance that is not finite",
                         value: w / TAU,
@@ -336,10 +406,9 @@ fn samples(feedback: &GeneralLoop, speed: f64, lines: &[f64]) -> Result<Vec<Samp
             })
             .collect()
     };
-    let size = 3 * feedback.contacts().len();
     let far = |one: &Sample, other: &Sample| {
         (0..size).any(|axis| {
-            let [one, other] = [one, other].map(|sample| sample.whole[axis * (size + 1)]);
+            let [one, other] = [one, other].map(|sample| sample.fitted[axis * (size + 1)]);
             (one - other).norm() > CHANGE * one.norm().min(other.norm())
         })
     };

@@ -1,0 +1,722 @@
+//! Rail on discrete supports under loads that move along it and oscillate, down and across.
+
+use std::f64::consts::TAU;
+
+use num_complex::Complex64;
+
+use super::quadrature_over_wavenumbers::QuadratureOverWavenumbers;
+use super::spatial_track::Motions;
+use super::twisting_rail::{CoupledWave, Foundation, LateralReceptance, TwistingRail};
+use super::{Beam, MovingLoadTrack, SpatialTrack, Supports, Waveguide};
+use crate::{Error, Place};
+
+/// A [`SpatialTrack`] on supports at x = 0, ±d, ±2d, … under loads that oscillate and pass them together at the speed V.
+///
+/// A force e^{iωt} at x = Vt + ξ_b moves the rail at x = Vt + ξ_a by Σ_n Ĥ_n(ω) e^{i(ω + nΩ)t}, Ω = 2πV/d, with one matrix
+/// over places and axes for each n. It is [`MovingLoadOnSupports`](super::MovingLoadOnSupports) for several loads and for
+/// motions that are coupled: with G(k) the 2 × 2 receptance of the free rail for a wave e^{ikx} in v and θ (one number for
+/// bending downward), Z what a support takes of them and everything at the frequency ω − kV that a point of the rail feels,
+///
+/// ```text
+/// Ĥ_n = ∫ [G(k) δ_n0 − G(k_n) (1 + ZĜ)⁻¹ Z G(k)/d] e^{i(k_n ξ_a − k ξ_b)} dk/2π,   k_n = k + 2πn/d
+/// Ĝ   = Σ_m G(x = md) e^{−ikmd} = Σ_j A_j r_j r_jᵀ sinh α_jd/(cosh α_jd − cos kd)
+/// ```
+///
+/// with the waves r_j e^{−α_j|x|} of the free rail and their amplitudes A_j.
+///
+/// Along itself the rail is taken on the same supports spread evenly, and at rest: places of a bay differ by some
+/// κd/(12EA), 10⁻³ for κ = 40 MN/m every 0.6 m (test `stretch_hardly_feels_places`), and V is 10⁻² of the speed of its waves. A
+/// motion that no support holds keeps its receptance at rest.
+///
+/// Method: from Ĥ₀ the closed form of the track at rest with supports spread evenly is taken away, so that what is left decays
+/// like k⁻⁴ or faster where nothing moves; then the trapezoidal rule over all k, cut until no entry changes by
+/// [`TOLERANCE`](Self::TOLERANCE), what is left being the cube of the last change. Cost: some thousand points of 1 to 2 µs a
+/// frequency for each of both motions, three times as many with every cut where waves decay slowly.
+///
+/// Source: see [`MovingLoadOnSupports`](super::MovingLoadOnSupports); derived anew for two motions. Range of validity: that of
+/// [`SpatialTrack`], below the critical speed of the rail downward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpatialMovingLoad {
+    track: SpatialTrack,
+    /// The same on supports spread evenly.
+    even: SpatialTrack,
+    spacing: f64,
+    speed: f64,
+}
+
+impl SpatialMovingLoad {
+    /// Change of any entry by the last cut of the step of the quadrature, over √|H_ii H_jj| of the even track.
+    pub const TOLERANCE: f64 = 1e-3;
+
+    /// A track on discrete supports under loads of the speed V > 0 \[m/s\].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the supports are discrete and the speed is positive and below the critical speed downward.
+    pub fn new(track: &SpatialTrack, speed: f64) -> Result<Self, Error> {
+        Error::unless_positive("speed", speed, "m/s")?;
+        let Some(spacing) = track.support_spacing() else {
+            return Err(Error::OutOfRange {
+                quantity: "support spacing",
+                value: 0.0,
+                unit: "m",
+                rule: "must be that of discrete supports, which loads pass",
+            });
+        };
+        let even = track.spread(spacing)?;
+        let down = MovingLoadTrack::new(even.rail().vertical, even.supports().vertical);
+        if speed >= down.critical_speed(0.0) {
+            return Err(Error::OutOfRange {
+                quantity: "speed",
+                value: speed,
+                unit: "m/s",
+                rule: "must stay below the critical speed of the track",
+            });
+        }
+        Ok(Self {
+            track: *track,
+            even,
+            spacing,
+            speed,
+        })
+    }
+
+    /// Support spacing d \[m\].
+    pub fn spacing(&self) -> f64 {
+        self.spacing
+    }
+
+    /// Speed V \[m/s\].
+    pub fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// Ĥ_n(ω) \[m/N\] for n = −most … most between all places, whose distances ξ count from the point x = Vt, at the angular
+    /// frequency ω ≥ 0 \[rad/s\].
+    ///
+    /// # Errors
+    /// [`Error::UndampedWaves`] where the quadrature does not converge: a wave runs on without loss.
+    pub fn harmonics(
+        &self,
+        angular_frequency: f64,
+        places: &[Place],
+        most: usize,
+    ) -> Result<HarmonicMatrices, Error> {
+        let w = angular_frequency.max(AT_REST);
+        let mut alongs: Vec<f64> = Vec::new();
+        for place in places {
+            if !alongs.contains(&place.along) {
+                alongs.push(place.along);
+            }
+        }
+        let rail = self.track.rail();
+        let supports = self.track.supports();
+        let of = |motion: Motion| self.along_bay(&motion, w, &alongs, most);
+        let down = supports
+            .vertical
+            .map(|_| of(Motion::Down(rail.vertical)))
+            .transpose()?;
+        let across = match (rail.lateral, rail.twist) {
+            (Some(bending), Some(twist)) => Some(Motion::Twisting(TwistingRail { bending, twist })),
+            (Some(bending), None) => supports.lateral.map(|_| Motion::Across(bending)),
+            _ => None,
+        };
+        let across = across.map(of).transpose()?;
+        let at_rest = self.even.waves(w, alongs.clone());
+        let number = |place: &Place| alongs.iter().position(|along| *along == place.along);
+        let matrices = (0..=2 * most).map(|n| {
+            let mut matrix = Vec::with_capacity(places.len() * places.len());
+            for at in places {
+                for from in places {
+                    // Every place is among them.
+                    let (to, from_number) = (number(at).unwrap_or(0), number(from).unwrap_or(0));
+                    let mut motions = match n == most {
+                        true => at_rest.motions(from_number, to),
+                        false => Motions::default(),
+                    };
+                    let entry = (n * alongs.len() + to) * alongs.len() + from_number;
+                    if let Some(down) = &down {
+                        motions.vertical += down[entry][0][0];
+                    }
+                    if let Some(across) = &across {
+                        add(&mut motions.lateral, &across[entry]);
+                    }
+                    matrix.push(self.track.entry(&motions, *at, *from));
+                }
+            }
+            matrix
+        });
+        Ok(HarmonicMatrices {
+            matrices: matrices.collect(),
+        })
+    }
+
+    /// The answer at x₀ + Vt + ξ_a to an impulse at x₀ + ξ_b, which comes at t = 0, as transfer functions: those of
+    /// e^{2πinx₀/d}, n = −most … most, Ĥ_n(ω − nΩ) from ξ_b to ξ_a. By reciprocity it is Ĥ₋ₙ(ω) from −ξ_a to −ξ_b.
+    ///
+    /// # Errors
+    /// Those of [`harmonics`](Self::harmonics).
+    pub fn answers_to_impulses(
+        &self,
+        angular_frequency: f64,
+        places: &[Place],
+        most: usize,
+    ) -> Result<HarmonicMatrices, Error> {
+        let mirrored: Vec<Place> = places
+            .iter()
+            .map(|place| Place {
+                along: -place.along,
+                ..*place
+            })
+            .collect();
+        let HarmonicMatrices { mut matrices } =
+            self.harmonics(angular_frequency, &mirrored, most)?;
+        matrices.reverse();
+        let count = places.len();
+        for matrix in &mut matrices {
+            for row in 1..count {
+                for column in 0..row {
+                    matrix.swap(row * count + column, column * count + row);
+                }
+            }
+        }
+        Ok(HarmonicMatrices { matrices })
+    }
+
+    /// Receptances \[m/N\] between all places with supports spread evenly and at rest, by rows.
+    pub(crate) fn evenly(&self, angular_frequency: f64, places: &[Place]) -> HarmonicMatrices {
+        use super::Structure;
+        let mut matrix = vec![Complex64::ZERO; places.len() * places.len()];
+        let w = angular_frequency.max(AT_REST);
+        self.even.receptance_matrix(w, 0.0, places, &mut matrix);
+        HarmonicMatrices {
+            matrices: vec![matrix],
+        }
+    }
+
+    /// Ĥ_n of one motion between all distances without the even track at rest: by n, place of the displacement and place of
+    /// the force.
+    fn along_bay(
+        &self,
+        motion: &Motion,
+        w: f64,
+        alongs: &[f64],
+        most: usize,
+    ) -> Result<Vec<LateralReceptance>, Error> {
+        /// Steps to 2π/d at first, and how often it is cut in three.
+        const STEPS: f64 = 32.0;
+        const CUTS: u32 = 5;
+        /// Beyond this many wavenumbers of the rail nothing is left: 6⁻⁷.
+        const REACH: f64 = 6.0;
+        let turn = TAU / self.spacing;
+        let even = motion.waves(w, Some(self.even.supports()));
+        let free = motion.waves(w.max(1.0), None);
+        let shortest = free.iter().map(|wave| wave.propagation.im.abs());
+        let quadrature = QuadratureOverWavenumbers {
+            first: turn / STEPS,
+            reach: turn * (most as f64 + 3.0) + REACH * shortest.fold(0.0, f64::max),
+            cuts: CUTS,
+        };
+        let sizes = {
+            let mut point = LateralReceptance::default();
+            for wave in even.iter() {
+                add_wave(&mut point, wave, wave.amplitude);
+            }
+            [0, 1].map(|index| point[index][index].norm().sqrt())
+        };
+        let count = (2 * most + 1) * alongs.len() * alongs.len();
+        let mut harmonics = vec![LateralReceptance::default(); 2 * most + 1];
+        let turns: Vec<Complex64> = alongs
+            .iter()
+            .map(|along| Complex64::cis(turn * along))
+            .collect();
+        let mut phases = vec![[Complex64::ZERO; 2]; alongs.len()];
+        let sums = quadrature.integrals(
+            w,
+            4 * count,
+            |k, sums| {
+                self.at_wavenumber(motion, &even, k, w, &mut harmonics);
+                // By place the phase of the lowest k_n, and what it turns by from one n to the next.
+                let lowest = k - turn * most as f64;
+                for (phase, along) in phases.iter_mut().zip(alongs) {
+                    *phase = [Complex64::cis(-k * along), Complex64::cis(lowest * along)];
+                }
+                let mut sums = sums.chunks_exact_mut(4);
+                for harmonic in &harmonics {
+                    for to in 0..alongs.len() {
+                        let arriving = phases[to][1];
+                        for [leaving, _] in &phases {
+                            let phase = arriving * leaving;
+                            let Some(sums) = sums.next() else { return };
+                            for (sum, entry) in sums.iter_mut().zip(harmonic.iter().flatten()) {
+                                *sum += phase * entry;
+                            }
+                        }
+                        phases[to][1] = arriving * turns[to];
+                    }
+                }
+            },
+            |before, now| {
+                let pairs = before.chunks_exact(4).zip(now.chunks_exact(4));
+                pairs.into_iter().all(|(before, now)| {
+                    (0..4).all(|entry| {
+                        let size = sizes[entry / 2] * sizes[entry % 2];
+                        (now[entry] - before[entry]).norm() <= Self::TOLERANCE * size
+                    })
+                })
+            },
+        )?;
+        let matrices = sums.chunks_exact(4);
+        Ok(matrices
+            .map(|entries| [[entries[0], entries[1]], [entries[2], entries[3]]])
+            .collect())
+    }
+
+    /// The integrands of all n at one wavenumber, but for the phases of the places.
+    fn at_wavenumber(
+        &self,
+        motion: &Motion,
+        even: &FewWaves,
+        k: f64,
+        w: f64,
+        harmonics: &mut [LateralReceptance],
+    ) {
+        let felt = w - k * self.speed;
+        let felt_size = felt.abs().max(AT_REST);
+        let free = motion.waves(felt_size, None);
+        let stiffness = motion.stiffness(self.track.supports(), felt_size);
+        let own = of_wave(&free, k);
+        let at_supports = of_supports(&free, k, self.spacing);
+        // (1 + ZĜ)⁻¹ Z G/d.
+        let mut resists = product(&stiffness, &at_supports);
+        resists[0][0] += 1.0;
+        resists[1][1] += 1.0;
+        let forces = product(&inverse(&resists), &product(&stiffness, &own));
+        let most = (harmonics.len() / 2) as f64;
+        let turn = TAU / self.spacing;
+        for (n, slot) in harmonics.iter_mut().enumerate() {
+            let there = of_wave(&free, k + turn * (n as f64 - most));
+            let moved = product(&there, &forces);
+            *slot = moved.map(|row| row.map(|entry| entry / -self.spacing));
+        }
+        let zero = &mut harmonics[most as usize];
+        add(zero, &own);
+        if felt < 0.0 {
+            for entry in harmonics.iter_mut().flatten().flatten() {
+                *entry = entry.conj();
+            }
+        }
+        let rest = of_wave(even, k);
+        for (entry, rest) in harmonics[most as usize]
+            .iter_mut()
+            .flatten()
+            .zip(rest.iter().flatten())
+        {
+            *entry -= rest;
+        }
+    }
+}
+
+/// Below this angular frequency \[rad/s\] a track is as at rest.
+const AT_REST: f64 = 1e-2;
+
+/// Ĥ_n of [`SpatialMovingLoad`] at one frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HarmonicMatrices {
+    /// From the lowest n on, by rows.
+    matrices: Vec<Vec<Complex64>>,
+}
+
+impl HarmonicMatrices {
+    /// Ĥ_n \[m/N\] by rows, the displacement at the i-th of p places per force at the j-th at [i·p + j]; none beyond the
+    /// largest |n| asked for.
+    pub fn at(&self, order: isize) -> Option<&[Complex64]> {
+        let index = order + (self.matrices.len() / 2) as isize;
+        let index = usize::try_from(index).ok()?;
+        self.matrices.get(index).map(Vec::as_slice)
+    }
+}
+
+/// A motion of a rail that supports hold, or two that they couple.
+enum Motion {
+    Down(Beam),
+    Across(Beam),
+    Twisting(TwistingRail),
+}
+
+impl Motion {
+    /// Waves on supports spread evenly, or of the free rail.
+    fn waves(&self, w: f64, supports: Option<&Supports>) -> FewWaves {
+        let beam = |beam: &Beam, foundation: Complex64| {
+            let mut few = FewWaves::default();
+            for wave in beam.waves(w, foundation).as_slice() {
+                few.push(CoupledWave {
+                    propagation: wave.propagation,
+                    amplitude: wave.amplitude,
+                    shape: [Complex64::ONE, Complex64::ZERO],
+                });
+            }
+            few
+        };
+        let along_first = |supports: &Supports| self.stiffness(supports, w)[0][0];
+        match self {
+            Self::Down(rail) | Self::Across(rail) => {
+                beam(rail, supports.map_or(Complex64::ZERO, along_first))
+            }
+            Self::Twisting(rail) => {
+                let width = rail.twist.section().foot_width;
+                let foundation =
+                    supports.map_or(Foundation::NONE, |supports| supports.under_foot(w, width));
+                let mut few = FewWaves::default();
+                for wave in rail.waves(w, &foundation).as_slice() {
+                    few.push(*wave);
+                }
+                few
+            }
+        }
+    }
+
+    /// Z of a support.
+    fn stiffness(&self, supports: &Supports, w: f64) -> LateralReceptance {
+        let of = |support: Option<super::Support>| {
+            let stiffness = support.map_or(Complex64::ZERO, |support| support.dynamic_stiffness(w));
+            [[stiffness, Complex64::ZERO], [Complex64::ZERO; 2]]
+        };
+        match self {
+            Self::Down(_) => of(supports.vertical),
+            Self::Across(_) => of(supports.lateral),
+            Self::Twisting(rail) => {
+                let section = rail.twist.section();
+                let foundation = supports.under_foot(w, section.foot_width);
+                foundation.at_shear_centre(section.foot_depth)
+            }
+        }
+    }
+}
+
+/// At most four waves.
+#[derive(Default)]
+struct FewWaves {
+    waves: [CoupledWave; 4],
+    count: usize,
+}
+
+impl FewWaves {
+    fn push(&mut self, wave: CoupledWave) {
+        self.waves[self.count] = wave;
+        self.count += 1;
+    }
+
+    fn iter(&self) -> impl Iterator<Item = &CoupledWave> {
+        self.waves[..self.count].iter()
+    }
+}
+
+/// G(k): motion by forces e^{ikx} along the rail, where they are one.
+fn of_wave(waves: &FewWaves, k: f64) -> LateralReceptance {
+    let mut sum = LateralReceptance::default();
+    for wave in waves.iter() {
+        let alpha = wave.propagation;
+        add_wave(
+            &mut sum,
+            wave,
+            2.0 * wave.amplitude * alpha / (alpha * alpha + k * k),
+        );
+    }
+    sum
+}
+
+/// Ĝ: motion at a support by forces e^{ikmd} at all of them, m = 0, ±1, …
+fn of_supports(waves: &FewWaves, k: f64, spacing: f64) -> LateralReceptance {
+    let half_sine = (0.5 * k * spacing).sin();
+    let mut sum = LateralReceptance::default();
+    for wave in waves.iter() {
+        let half = (0.5 * spacing * wave.propagation).exp();
+        let (sinh, cosh) = (0.5 * (half - half.inv()), 0.5 * (half + half.inv()));
+        // cosh αd − cos kd without cancellation.
+        let distance = 2.0 * (sinh * sinh + half_sine * half_sine);
+        add_wave(
+            &mut sum,
+            wave,
+            wave.amplitude * 2.0 * sinh * cosh / distance,
+        );
+    }
+    sum
+}
+
+fn add_wave(sum: &mut LateralReceptance, wave: &CoupledWave, strength: Complex64) {
+    let [v, theta] = wave.shape;
+    sum[0][0] += strength * v * v;
+    let across = strength * v * theta;
+    sum[0][1] += across;
+    sum[1][0] += across;
+    sum[1][1] += strength * theta * theta;
+}
+
+fn add(sum: &mut LateralReceptance, other: &LateralReceptance) {
+    for (sum, other) in sum.iter_mut().flatten().zip(other.iter().flatten()) {
+        *sum += other;
+    }
+}
+
+fn product(one: &LateralReceptance, other: &LateralReceptance) -> LateralReceptance {
+    [0, 1].map(|row| {
+        [0, 1].map(|column| one[row][0] * other[0][column] + one[row][1] * other[1][column])
+    })
+}
+
+fn inverse([[a, b], [c, d]]: &LateralReceptance) -> LateralReceptance {
+    let determinant = (a * d - b * c).inv();
+    [
+        [d * determinant, -b * determinant],
+        [-c * determinant, a * determinant],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::receptance::{
+        Bar, ContactPoint, EulerBernoulliBeam, FloquetWaves, Layer, MovingLoadOnSupports,
+        PeriodicTrack, ShearSection, SpatialRail, Structure, Support, Twist, TwistSection,
+    };
+    use crate::{Direction, ElasticMaterial, Rail};
+
+    const SPACING: f64 = 0.6;
+
+    fn steel() -> ElasticMaterial {
+        ElasticMaterial::new(207e9, 0.3).unwrap()
+    }
+
+    fn beam(second_moment: f64, damping: f64) -> Beam {
+        let shear = ShearSection {
+            area: 7.67e-3,
+            shear_coefficient: 0.4,
+            shear_modulus: 79.6e9,
+            density: 7850.0,
+        };
+        Beam::timoshenko(steel(), second_moment, 60.2, shear)
+            .and_then(|rail| rail.with_damping(damping))
+            .unwrap()
+    }
+
+    fn layer(stiffness: f64, damping: f64) -> Layer {
+        Layer::new(stiffness, damping).unwrap()
+    }
+
+    /// 60E1 that bends both ways and twists, on two layers of viscous loss downward and one across.
+    fn track(twists: bool) -> SpatialTrack {
+        track_of(twists, beam(5.127e-6, 2e3))
+    }
+
+    fn track_of(twists: bool, across: Beam) -> SpatialTrack {
+        let section = TwistSection {
+            torsion_constant: 2.212e-6,
+            polar_second_moment: 3.55e-5,
+            warping_constant: 2.161e-8,
+            centroid_height: 0.033,
+            foot_depth: 0.048,
+            foot_width: 0.15,
+            shear_modulus: 79.6e9,
+            density: 7850.0,
+        };
+        let rail = SpatialRail {
+            lateral: Some(across),
+            twist: twists.then(|| {
+                let twist = Twist::new(steel(), section);
+                twist
+                    .and_then(|twist| twist.with_loss_factor(0.02))
+                    .unwrap()
+            }),
+            longitudinal: Some(Bar::new(steel(), 7.67e-3, 60.2).unwrap()),
+            ..beam(3.04e-5, 3e3).into()
+        };
+        let down = Support::two_layer(layer(300e6, 40e3), 150.0, layer(80e6, 80e3)).unwrap();
+        let sideways = Support::one_layer(layer(40e6, 25e3));
+        let supports = Supports {
+            vertical: Some(down),
+            lateral: Some(sideways),
+            longitudinal: Some(sideways),
+        };
+        let contact = ContactPoint {
+            height: 0.124,
+            lateral_offset: 0.010,
+        };
+        SpatialTrack::discrete(rail, supports, SPACING)
+            .unwrap()
+            .with_contact(Rail::Right, contact)
+    }
+
+    fn places(along: f64) -> [Place; 3] {
+        Direction::ALL.map(|direction| Place {
+            along,
+            rail: Rail::Right,
+            direction,
+        })
+    }
+
+    /// Downward it is the moving load of one axis, to the quadratures of both.
+    #[test]
+    fn downward_it_is_the_load_of_one_axis() {
+        let spatial = track(true);
+        let support = spatial.supports().vertical.unwrap();
+        let rail = PeriodicTrack::new(spatial.rail().vertical, support, SPACING).unwrap();
+        let one = MovingLoadOnSupports::new(&rail, 40.0).unwrap();
+        let all = SpatialMovingLoad::new(&spatial, 40.0).unwrap();
+        let down = [places(0.0)[2]];
+        let without_offset = spatial.with_contact(Rail::Right, ContactPoint::default());
+        let middle = SpatialMovingLoad::new(&without_offset, 40.0).unwrap();
+        for hertz in [0.0, 60.0, 400.0, 1040.0, 2100.0] {
+            let expected = one.harmonics(TAU * hertz, 4).unwrap();
+            let got = middle.harmonics(TAU * hertz, &down, 4).unwrap();
+            for n in -4..=4 {
+                let got = got.at(n).unwrap()[0];
+                let difference = (got - expected.at(n)).norm() / expected.at(0).norm();
+                assert!(difference < 3e-5, "{hertz} Hz, {n}: {difference:e}");
+            }
+        }
+        // The offset adds the twist.
+        let with_offset = all.harmonics(TAU * 400.0, &down, 1).unwrap();
+        let without = middle.harmonics(TAU * 400.0, &down, 1).unwrap();
+        assert!(with_offset.at(0).unwrap()[0] != without.at(0).unwrap()[0]);
+    }
+
+    /// Loads that hardly move are loads at rest at each place, to the share of |n| > 12, which falls like n⁻² where the rail
+    /// shears, and along the rail to what even supports miss.
+    #[test]
+    fn slow_loads_are_loads_at_rest() {
+        for (twists, hertz) in [(false, 150.0), (false, 430.0), (true, 60.0), (true, 900.0)] {
+            let track = track(twists);
+            let moving = SpatialMovingLoad::new(&track, 0.05).unwrap();
+            let both: Vec<Place> = [0.0, -1.3].into_iter().flat_map(places).collect();
+            let harmonics = moving.harmonics(TAU * hertz, &both, 12).unwrap();
+            let place = 0.13;
+            let there = both.iter().map(|at| Place {
+                along: at.along + place,
+                ..*at
+            });
+            let there: Vec<Place> = there.collect();
+            let mut expected = vec![Complex64::ZERO; 36];
+            track.receptance_matrix(TAU * hertz, 0.0, &there, &mut expected);
+            let at = |n: isize, entry: usize| harmonics.at(n).unwrap()[entry];
+            let sideways = Complex64::new(40e6, TAU * hertz * 25e3);
+            for row in 0..6 {
+                for column in 0..6 {
+                    let entry = row * 6 + column;
+                    let sum: Complex64 = (-12..=12)
+                        .map(|n| at(n, entry) * Complex64::cis(TAU * n as f64 * place / SPACING))
+                        .sum();
+                    let size = (expected[row * 7].norm() * expected[column * 7].norm()).sqrt();
+                    let error = (sum - expected[entry]).norm() / size;
+                    let left = match row % 3 == 0 {
+                        true => 3.0 * sideways.norm() * SPACING / (12.0 * 207e9 * 7.67e-3),
+                        false => 1e-3 + 30.0 * at(12, entry).norm() / size,
+                    };
+                    assert!(
+                        error < left,
+                        "{twists} {hertz} Hz, {row} {column}: {error:e} {left:e}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Ĥ_n(ω) from ξ_b to ξ_a is Ĥ₋ₙ(ω + nΩ) from −ξ_a to −ξ_b.
+    #[test]
+    fn reciprocal() {
+        let moving = SpatialMovingLoad::new(&track(true), 40.0).unwrap();
+        let both: Vec<Place> = [0.0, -2.5].into_iter().flat_map(places).collect();
+        let mirrored: Vec<Place> = [0.0, 2.5].into_iter().flat_map(places).collect();
+        let passing = TAU * 40.0 / SPACING;
+        for hertz in [190.0, 1020.0] {
+            let w = TAU * hertz;
+            let here = moving.harmonics(w, &both, 2).unwrap();
+            for n in -2..=2 {
+                let w = w + n as f64 * passing;
+                let other = moving.harmonics(w, &mirrored, 2).unwrap();
+                let (got, other) = (here.at(n).unwrap(), other.at(-n).unwrap());
+                for row in 0..6 {
+                    for column in 0..6 {
+                        // Along the rail nothing moves.
+                        if row % 3 == 0 && column % 3 == 0 {
+                            continue;
+                        }
+                        let own = |index: usize| here.at(0).unwrap()[index * 7].norm();
+                        let size = (own(row) * own(column)).sqrt();
+                        let difference = (got[row * 6 + column] - other[column * 6 + row]).norm();
+                        let error = difference / size;
+                        assert!(error < 1e-5, "{hertz} {n} {row} {column}: {error:e}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// The moving load from loads at rest, as in one axis: ∫∫ H(x₀ + ξ_a + Vs, x₀; ω) e^{i(ω − ω')s} ds dω/2π is the answer at a
+    /// to an impulse at ξ_b = 0, for the head across the track at the wheel and at another one behind it.
+    #[test]
+    fn moving_loads_from_loads_at_rest() {
+        // Without shear H has no kink at the force, and the integral over ω converges fast.
+        let bending = EulerBernoulliBeam::new(steel(), 5.127e-6, 60.2).unwrap();
+        let bending = Beam::from(bending).with_damping(6e3).unwrap();
+        let track = track_of(true, bending);
+        let (speed, place, w) = (60.0, 0.17, TAU * 700.0);
+        let moving = SpatialMovingLoad::new(&track, speed).unwrap();
+        let lateral = |along| places(along)[1];
+        let both = [lateral(0.0), lateral(-1.1)];
+        let harmonics = moving.answers_to_impulses(w, &both, 12).unwrap();
+        let (dw, dt) = (5.0, 2.5e-4);
+        for (to, along) in [(0, 0.0), (1, -1.1)] {
+            let expected: Complex64 = (-12..=12)
+                .map(|n| {
+                    let entry = harmonics.at(n).unwrap()[2 * to];
+                    entry * Complex64::cis(TAU * n as f64 * place / SPACING)
+                })
+                .sum();
+            let mut sum = Complex64::ZERO;
+            for i in -400..=400 {
+                let shift = f64::from(i) * dw;
+                let from = lateral(place);
+                let places: Vec<Place> = (-900..=900)
+                    .map(|j| lateral(place + along + speed * f64::from(j) * dt))
+                    .collect();
+                for (place, j) in places.iter().zip(-900..) {
+                    let turn = Complex64::from_polar(dt * dw / TAU, shift * f64::from(j) * dt);
+                    sum += turn * track.cross_receptance(w + shift, 0.0, *place, from);
+                }
+            }
+            let at_rest = track.cross_receptance(w, 0.0, lateral(place + along), lateral(place));
+            let size = track
+                .cross_receptance(w, 0.0, lateral(place), lateral(place))
+                .norm();
+            let error = (sum - expected).norm() / size;
+            assert!((at_rest - expected).norm() > 0.02 * size);
+            assert!(error < 5e-3, "{to}: {error:e}");
+        }
+    }
+
+    /// Along the rail places of a bay differ from even supports by some κd/(12EA).
+    #[test]
+    fn stretch_hardly_feels_places() {
+        let bar = Bar::new(steel(), 7.67e-3, 60.2).unwrap();
+        for hertz in [20.0, 300.0, 2500.0] {
+            let w = TAU * hertz;
+            let stiffness = Support::one_layer(layer(40e6, 25e3)).dynamic_stiffness(w);
+            let discrete = FloquetWaves::new(&bar.waves(w, Complex64::ZERO), stiffness, SPACING);
+            let even = bar.point_receptance(w, stiffness / SPACING);
+            for place in [0.0, 0.15, 0.3] {
+                let error = (discrete.receptance(place, place) / even - 1.0).norm();
+                let share = (stiffness * SPACING).norm() / (12.0 * 207e9 * 7.67e-3);
+                assert!(error < 3.0 * share, "{hertz} Hz {place}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn even_supports_and_supercritical_speeds_are_refused() {
+        let track = track(false);
+        let even = track.spread(SPACING).unwrap();
+        assert!(SpatialMovingLoad::new(&even, 20.0).is_err());
+        let fast = SpatialMovingLoad::new(&track, 2e3).unwrap_err();
+        assert!(fast.to_string().contains("critical speed"), "{fast}");
+    }
+}
