@@ -305,6 +305,25 @@ mod tests {
         }
     }
 
+    /// Wheels on all axes pass discrete supports, but do not come to rest on them.
+    #[test]
+    fn supports_pass_under_wheels_on_all_axes() {
+        let supports = [
+            "track.model=one-layer-periodic",
+            "track.support_spacing=\"0.6 m\"",
+            "track.pad={stiffness=\"120 MN/m\", damping=\"80 kNs/m\"}",
+            "rail.loss_factor=0.02",
+            "contact.creepage={longitudinal=\"0.1 %\", lateral=\"0.3 %\"}",
+            "contact.creep_law=polach",
+        ];
+        let case = case(NOMINAL_CASE, &supports);
+        assert_eq!(case.in_time(20.0).unwrap().support_spacing(), Some(0.6));
+        let Err(error) = case.in_time_without_profile(20.0) else {
+            panic!("a smooth rail on supports was taken");
+        };
+        assert!(error.to_string().contains("never come to rest"), "{error}");
+    }
+
     #[test]
     fn what_is_not_followed_through_time_is_refused() {
         for (overrides, words) in [

@@ -238,10 +238,8 @@ impl AlongBay {
     pub(super) fn exceeds(&self, share: f64) -> bool {
         let most = share * share;
         self.parts.iter().any(|values| {
-            let pairs = values.iter().zip(&self.sizes);
-            pairs
-                .into_iter()
-                .any(|(value, size)| value.norm_sqr() > most * size * size)
+            let mut pairs = values.iter().zip(&self.sizes);
+            pairs.any(|(value, size)| value.norm_sqr() > most * size * size)
         })
     }
 

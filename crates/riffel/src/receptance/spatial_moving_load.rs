@@ -256,8 +256,8 @@ impl SpatialMovingLoad {
                 }
             },
             |before, now| {
-                let pairs = before.chunks_exact(4).zip(now.chunks_exact(4));
-                pairs.into_iter().all(|(before, now)| {
+                let mut pairs = before.chunks_exact(4).zip(now.chunks_exact(4));
+                pairs.all(|(before, now)| {
                     (0..4).all(|entry| {
                         let size = sizes[entry / 2] * sizes[entry % 2];
                         (now[entry] - before[entry]).norm() <= Self::TOLERANCE * size
