@@ -6,13 +6,16 @@
 
 mod conicity;
 mod contact_table;
+mod crossing;
 mod error;
 mod nominal;
 #[allow(clippy::module_inception)]
 mod profile;
 mod smoothing;
 mod spline;
+mod wear;
 mod wheelset_on_track;
+mod worn_dimensions;
 
 pub use conicity::EquivalentConicity;
 pub use contact_table::ContactTable;
@@ -20,7 +23,9 @@ pub use error::ProfileError;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};
 pub use smoothing::SmoothedPoints;
+pub use wear::{ProfileAlignment, ProfileWear, WornPoint};
 pub use wheelset_on_track::{ProfileContact, Track, Wheels, WheelsetContact, WheelsetOnTrack};
+pub use worn_dimensions::{RailWear, WheelDimensions};
 
 #[cfg(test)]
 mod tests;

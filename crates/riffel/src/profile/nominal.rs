@@ -21,15 +21,23 @@ enum Shape {
     /// Tangent arcs from the crown outward: radius and half width at its end \[mm\]. The last one ends at the flank of 1:20.
     RailHead(&'static [(f64, f64)]),
     S1002,
+    /// A tread of this slope between the flange of S1002 and the field side.
+    Cone(f64),
 }
 
 /// The nominal profiles.
-pub static NOMINAL: [NominalProfile; 6] = [
+pub static NOMINAL: [NominalProfile; 7] = [
     NominalProfile {
         name: "S1002",
         source: "Wheel of EN 13715 and UIC 510-2, flange of 28 mm height and 32.5 mm width",
         is_wheel: true,
         shape: Shape::S1002,
+    },
+    NominalProfile {
+        name: "cone-1:40",
+        source: "Cone of 1:40 with the flange of S1002, joined by an arc of 13 mm; not the 1/40 profile of EN 13715",
+        is_wheel: true,
+        shape: Shape::Cone(1.0 / 40.0),
     },
     NominalProfile {
         name: "60E1",
@@ -88,6 +96,7 @@ impl NominalProfile {
         match self.shape {
             Shape::RailHead(arcs) => rail_head(arcs),
             Shape::S1002 => s1002(),
+            Shape::Cone(slope) => cone(slope),
         }
     }
 }
@@ -182,55 +191,88 @@ fn polynomial(coefficients: &[f64], at: f64) -> (f64, f64) {
         })
 }
 
-/// The sections H to A from the flange back to the field side. Angles of arcs are those of their points about the centre.
-fn s1002() -> Profile {
-    let mut spans = Vec::new();
-    // Over the angle, from −x to +x: centre, radius, ends; the sign tells a crest of F from a trough.
-    let arc = |centre: (f64, f64), radius: f64, from: f64, to: f64, crest: f64| {
-        let angle = |x: f64| ((x - centre.0) / radius).clamp(-1.0, 1.0).asin();
-        let (from, to) = (angle(from), angle(to));
-        let count = (radius * (to - from) / STEP).ceil() as usize;
-        let place = |index: usize| {
-            let angle = from + (to - from) * index as f64 / count as f64;
-            let depth = centre.1 + crest * radius * angle.cos();
-            knot(
-                centre.0 + radius * angle.sin(),
-                -depth,
-                [angle.cos(), crest * angle.sin()],
-            )
-        };
-        let length = radius * (to - from) / count as f64;
-        let pieces: Vec<_> = (0..count)
-            .map(|index| (place(index), place(index + 1), length))
-            .collect();
-        pieces
+/// Knots of a wheel, with the length of the parameter between them.
+type Spans = Vec<(Knot, Knot, f64)>;
+
+/// An arc from one x to another, about a centre (x, depth); the sign tells a crest of F from a trough.
+fn arc(centre: (f64, f64), radius: f64, from: f64, to: f64, crest: f64) -> Spans {
+    // Over the angle, from −x to +x.
+    let angle = |x: f64| ((x - centre.0) / radius).clamp(-1.0, 1.0).asin();
+    let (from, to) = (angle(from), angle(to));
+    let count = (radius * (to - from) / STEP).ceil() as usize;
+    let place = |index: usize| {
+        let angle = from + (to - from) * index as f64 / count as f64;
+        let depth = centre.1 + crest * radius * angle.cos();
+        knot(
+            centre.0 + radius * angle.sin(),
+            -depth,
+            [angle.cos(), crest * angle.sin()],
+        )
     };
-    spans.extend(arc((-49.5, 9.519259302), 20.5, -69.9, -62.764705882, 1.0));
+    let length = radius * (to - from) / count as f64;
+    let pieces = (0..count).map(|index| (place(index), place(index + 1), length));
+    pieces.collect()
+}
+
+/// A section given by its depth and the slope of it over x.
+fn over_x(depth: &dyn Fn(f64) -> (f64, f64), from: f64, to: f64) -> Spans {
+    let count = ((to - from) / STEP).ceil() as usize;
+    let place = |index: usize| {
+        let x = from + (to - from) * index as f64 / count as f64;
+        let (value, slope) = depth(x);
+        knot(x, -value, [1.0, -slope])
+    };
+    let length = (to - from) / count as f64;
+    let pieces = (0..count).map(|index| (place(index), place(index + 1), length));
+    pieces.collect()
+}
+
+/// Flank of the flange of S1002: F = A + B x, of 70 degrees.
+const FLANGE: (f64, f64) = (-93.576667419, -2.747477419);
+/// Where it begins \[mm\].
+const FLANK_BEGIN: f64 = -39.764473993;
+
+/// The sections H to F, from the flange back over the tip to the flank.
+fn flange() -> Spans {
+    let mut spans = arc((-49.5, 9.519259302), 20.5, -69.9, -62.764705882, 1.0);
     spans.extend(arc((-55.0, 16.0), 12.0, -62.764705882, -49.662510381, 1.0));
     spans.extend(arc(
         (-58.558326413, 8.834924130),
         20.0,
         -49.662510381,
-        -39.764473993,
+        FLANK_BEGIN,
         1.0,
     ));
-    let throat_arc = arc((-26.210665, 16.446), 13.0, -38.426669071, -35.0, -1.0);
-    let over_x = |depth: &dyn Fn(f64) -> (f64, f64), from: f64, to: f64| {
-        let count = ((to - from) / STEP).ceil() as usize;
-        let place = |index: usize| {
-            let x = from + (to - from) * index as f64 / count as f64;
-            let (value, slope) = depth(x);
-            knot(x, -value, [1.0, -slope])
-        };
-        let length = (to - from) / count as f64;
-        let pieces: Vec<_> = (0..count)
-            .map(|index| (place(index), place(index + 1), length))
-            .collect();
-        pieces
-    };
+    spans
+}
+
+/// Flange of S1002, an arc of 13 mm and a cone to the field side.
+fn cone(slope: f64) -> Profile {
+    const RADIUS: f64 = 13.0;
+    let mut spans = flange();
+    // The centre of the arc lies its radius below the tread, F = −slope x, and outside the flank.
+    let (tread, flank) = (slope.hypot(1.0), FLANGE.1.hypot(1.0));
+    let x = -(FLANGE.0 + RADIUS * (flank - tread)) / (FLANGE.1 + slope);
+    let depth = RADIUS * tread - slope * x;
+    let from = x + RADIUS * FLANGE.1 / flank;
+    let to = x - RADIUS * slope / tread;
     spans.extend(over_x(
-        &|x| (-93.576667419 - 2.747477419 * x, -2.747477419),
-        -39.764473993,
+        &|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1),
+        FLANK_BEGIN,
+        from,
+    ));
+    spans.extend(arc((x, depth), RADIUS, from, to, -1.0));
+    spans.extend(over_x(&|x| (-slope * x, -slope), to, 60.0));
+    Profile::of_knots(&spans)
+}
+
+/// The sections H to A from the flange back to the field side. Angles of arcs are those of their points about the centre.
+fn s1002() -> Profile {
+    let mut spans = flange();
+    let throat_arc = arc((-26.210665, 16.446), 13.0, -38.426669071, -35.0, -1.0);
+    spans.extend(over_x(
+        &|x| (FLANGE.0 + FLANGE.1 * x, FLANGE.1),
+        FLANK_BEGIN,
         -38.426669071,
     ));
     spans.extend(throat_arc);

@@ -1,6 +1,7 @@
 //! A smooth curve across the track.
 
 use super::ProfileError;
+use super::crossing::check_outline;
 use super::spline::slopes;
 
 /// How far points of an overhanging flank may lie beside the end of the curve \[m\]: unevenness of measured ones.
@@ -75,8 +76,8 @@ impl Profile {
     /// either way. Only the part around the highest point counts in which x increases: flanks that hang over are cut.
     ///
     /// # Errors
-    /// [`ProfileError`] for fewer than eight points, points that are not finite or stand twice, and for a curve that
-    /// turns back across the track between points that do not.
+    /// [`ProfileError`] for fewer than eight points, points that are not finite or stand twice, an outline that closes or crosses
+    /// itself, and for a curve that turns back across the track between points that do not.
     pub fn through(points: &[[f64; 2]]) -> Result<Self, ProfileError> {
         if points.len() < LEAST {
             return Err(ProfileError::TooFew {
@@ -93,6 +94,13 @@ impl Profile {
         let count = points.len();
         let original = |index: usize| if backward { count - 1 - index } else { index };
         let parameter = chords(&points);
+        check_outline(&points, parameter[count - 1]).map_err(|error| match error {
+            ProfileError::Point { index, rule } => ProfileError::Point {
+                index: original(index),
+                rule,
+            },
+            error => error,
+        })?;
         let coordinate = |axis: usize| points.iter().map(|point| point[axis]).collect::<Vec<f64>>();
         let (x, height) = (coordinate(0), coordinate(1));
         let (along, up) = (slopes(&parameter, &x), slopes(&parameter, &height));
@@ -133,10 +141,27 @@ impl Profile {
                     .to_owned(),
             });
         }
-        Ok(Self {
+        let profile = Self {
             ends: x[from..=to].to_vec(),
             pieces: pieces[from..to].to_vec(),
-        })
+        };
+        // What hangs over lies below; another pass over the same surface does not.
+        let above = |index: &usize| {
+            let place = x[*index];
+            let inside = place > x[from] + OVERHANG && place < x[to] - OVERHANG;
+            inside
+                && profile
+                    .at(place)
+                    .is_some_and(|point| height[*index] > point.height)
+        };
+        match (0..from).chain(to + 1..count).find(above) {
+            Some(index) => Err(ProfileError::Point {
+                index: original(index),
+                rule: "the outline comes back here above itself, as two passes of a device do"
+                    .to_owned(),
+            }),
+            None => Ok(profile),
+        }
     }
 
     /// A curve of knots, each pair with one length of the parameter between them.
@@ -216,6 +241,19 @@ impl Profile {
         let count = ((high - low) / step).ceil().max(1.0) as usize;
         let places = (0..=count).map(|index| low + (high - low) * index as f64 / count as f64);
         places.filter_map(|x| self.at(x)).collect()
+    }
+
+    /// Points from one end to the other, at most a step \[m\] apart along the curve.
+    pub fn along(&self, step: f64) -> Vec<ProfilePoint> {
+        let mut points = Vec::new();
+        for (piece, ends) in self.pieces.iter().zip(self.ends.windows(2)) {
+            let rise = piece.height[1] + piece.height[2] + piece.height[3];
+            let count = ((ends[1] - ends[0]).hypot(rise) / step).ceil().max(1.0);
+            points
+                .extend((0..count as usize).map(|index| piece.by_parameter(index as f64 / count)));
+        }
+        points.extend(self.pieces.last().map(|piece| piece.by_parameter(1.0)));
+        points
     }
 
     /// The highest point.
@@ -306,14 +344,21 @@ impl Piece {
                 break;
             }
         }
-        let [e, f, g, h] = self.height;
+        ProfilePoint {
+            x,
+            ..self.by_parameter(u)
+        }
+    }
+
+    fn by_parameter(&self, u: f64) -> ProfilePoint {
+        let ([a, b, c, d], [e, f, g, h]) = (self.x, self.height);
         let (along, up) = (
             b + u * (2.0 * c + 3.0 * d * u),
             f + u * (2.0 * g + 3.0 * h * u),
         );
         let (along_bend, up_bend) = (2.0 * c + 6.0 * d * u, 2.0 * g + 6.0 * h * u);
         ProfilePoint {
-            x,
+            x: a + u * (b + u * (c + u * d)),
             height: e + u * (f + u * (g + u * h)),
             slope: up / along,
             curvature: (along * up_bend - up * along_bend) / along.hypot(up).powi(3),

@@ -59,6 +59,32 @@ fn loops_and_wrong_orders_are_refused_with_their_point() {
     assert!(Profile::through(&points[..4]).is_err());
 }
 
+/// A second pass beside the first is refused; the underside of a head, which lies below, is cut.
+#[test]
+fn only_what_hangs_over_is_cut() {
+    let pass = |height: f64, back: bool| {
+        let places = (0..=40).map(move |place| if back { 40 - place } else { place });
+        places.map(move |place| {
+            let x = 1e-3 * f64::from(place);
+            [x, height - 2.0 * (x - 0.02) * (x - 0.02)]
+        })
+    };
+    let both = |height: f64| {
+        pass(0.0, false)
+            .chain(pass(height, true))
+            .collect::<Vec<_>>()
+    };
+    let error = Profile::through(&both(5e-5)).unwrap_err();
+    assert!(error.to_string().contains("closes"), "{error}");
+    let with_underside: Vec<[f64; 2]> =
+        pass(0.0, false).chain(pass(-0.03, true).take(20)).collect();
+    let head = Profile::through(&with_underside).unwrap();
+    assert!(head.range()[1] > 0.0399 && head.at(0.02).unwrap().height.abs() < 1e-9);
+    let above: Vec<[f64; 2]> = pass(0.0, false).chain(pass(0.03, true).take(20)).collect();
+    let error = Profile::through(&above).unwrap_err();
+    assert!(error.to_string().contains("above itself"), "{error}");
+}
+
 /// Half widths at the gauge point as EN 13674-1 prints them, and crowns in the origin.
 #[test]
 fn nominal_rails_have_their_widths() {
@@ -137,4 +163,106 @@ fn a_cone_has_its_conicity() {
         assert_relative_eq!(found.regression, conicity, max_relative = 1e-6);
     }
     assert!(EquivalentConicity::at(|y| -0.1 * y, 3e-3, 1.5, 0.46).is_none());
+}
+
+/// The cone of 1:40 has its slope and a continuous tangent from the flange of S1002 to the field side.
+#[test]
+fn the_nominal_cone_is_smooth() {
+    let (cone, wheel) = (nominal("cone-1:40"), nominal("S1002"));
+    assert_relative_eq!(
+        cone.at(0.03).unwrap().height,
+        0.03 / 40.0,
+        max_relative = 1e-9
+    );
+    assert_eq!(
+        cone.at(-0.05).unwrap().height,
+        wheel.at(-0.05).unwrap().height
+    );
+    let points = cone.along(1e-4);
+    for pair in points.windows(2) {
+        let turn = pair[1].slope.atan() - pair[0].slope.atan();
+        // At most 0.1 mm on an arc of 12 mm.
+        assert!(turn.abs() < 0.0085, "{turn} at {}", pair[0].x);
+    }
+}
+
+/// Dimensions of S1002 as EN 13715 names it: 28 mm high, 32.5 mm thick; qR from its arcs by hand, 10.794 mm.
+#[test]
+fn dimensions_of_a_wheel() {
+    let wheel = nominal("S1002");
+    let found = WheelDimensions::new(&wheel, -0.07).unwrap();
+    assert!((found.flange_height - 0.028).abs() < 1e-6, "{found:?}");
+    assert!((found.flange_thickness - 0.0325).abs() < 1e-6, "{found:?}");
+    assert!((found.flange_gradient - 0.010794).abs() < 1e-6, "{found:?}");
+    let rail = nominal("60E1");
+    assert!(WheelDimensions::new(&rail, -0.07).is_err());
+}
+
+/// A tread turned down by 2 mm, a rail ground by 1 mm and one worn by 3 mm at its gauge face.
+#[test]
+fn what_is_cut_off_is_found() {
+    let cut = |profile: &Profile, keep: &dyn Fn(&ProfilePoint) -> [f64; 2]| {
+        let points: Vec<[f64; 2]> = profile.along(2e-4).iter().map(keep).collect();
+        Profile::through(&points).unwrap()
+    };
+    // A hollow 40 mm wide and 2 mm deep, sin², in the tread of a wheel that lies 5 mm too low.
+    let wheel = nominal("S1002");
+    let hollow = |x: f64| {
+        let share = (x + 0.02) / 0.04;
+        match (0.0..=1.0).contains(&share) {
+            true => 2e-3 * (std::f64::consts::PI * share).sin().powi(2),
+            false => 0.0,
+        }
+    };
+    let worn = cut(&wheel, &|point| {
+        [point.x, point.height + hollow(point.x) - 5e-3]
+    });
+    let wear = ProfileWear::new(&worn, &wheel, true, ProfileAlignment::Flange).unwrap();
+    assert!((wear.shift[1] - 5e-3).abs() < 1e-7, "{:?}", wear.shift);
+    // Depth across a slope of 1:40 is that upward to 3e-4; the area is ∫ of the hollow, half its width times its depth.
+    let (place, depth) = wear.deepest().unwrap();
+    assert!(
+        (depth - 2e-3).abs() < 2e-6 && place.x.abs() < 1e-3,
+        "{depth} {place:?}"
+    );
+    assert_relative_eq!(wear.area, 40e-6, max_relative = 1e-4);
+    let dimensions = WheelDimensions::new(&wear.measured, -0.07).unwrap();
+    assert_relative_eq!(dimensions.flange_height, 0.030, max_relative = 1e-4);
+    // A head ground flat by a millimetre at its crown, displaced by (3, −4) mm: what is left has its field side.
+    let rail = nominal("60E1");
+    let ground = cut(&rail, &|point| {
+        [point.x + 3e-3, point.height.min(-1e-3) - 4e-3]
+    });
+    let wear = ProfileWear::new(&ground, &rail, false, ProfileAlignment::FieldSide).unwrap();
+    assert!(
+        (wear.shift[0] + 3e-3).abs() < 2e-6 && (wear.shift[1] - 4e-3).abs() < 2e-6,
+        "{:?}",
+        wear.shift
+    );
+    assert!(wear.misfit.unwrap() < 1e-6, "{:?}", wear.misfit);
+    let found = RailWear::new(&wear, &rail, 0.014);
+    assert_relative_eq!(found.vertical.unwrap(), 1e-3, max_relative = 3e-3);
+    assert!(
+        found.lateral.unwrap().abs() < 3e-6 && found.diagonal.unwrap().abs() < 3e-6,
+        "{found:?}"
+    );
+    // The segment between the crown and the chord 1 mm below it.
+    let segment: f64 = rail
+        .sampled(1e-5)
+        .windows(2)
+        .map(|pair| 1e-3 + pair[0].height.clamp(-1e-3, 0.0))
+        .filter(|depth| *depth > 0.0)
+        .map(|depth| depth * 1e-5)
+        .sum();
+    assert_relative_eq!(wear.area, segment, max_relative = 2e-3);
+    // The whole rail moved outward by 3 mm: W2 is that, and where the corner is an arc W3 is R − √(R² − s²) + s, s = 3 mm cos 45°,
+    // along the radius from the corner's point to the displaced arc.
+    let aside = rail.moved([3e-3, 0.0]);
+    let wear = ProfileWear::new(&aside, &rail, false, ProfileAlignment::AsWritten).unwrap();
+    let found = RailWear::new(&wear, &rail, 0.014);
+    assert_relative_eq!(found.lateral.unwrap(), 3e-3, max_relative = 1e-9);
+    let along = 3e-3 * std::f64::consts::FRAC_1_SQRT_2;
+    let exact = 0.013 + along - (0.013f64.powi(2) - along * along).sqrt();
+    // The point of the corner is within 0.6° of 45°.
+    assert_relative_eq!(found.diagonal.unwrap(), exact, max_relative = 1e-2);
 }
