@@ -43,15 +43,17 @@ impl CheckedKeys {
         let contact = &self.file.contact;
         self.hertz_of(
             steel,
+            contact.longitudinal_radius.map(|radius| radius.si()),
             contact.transverse_radius.si(),
             contact.normal_load.si(),
         )
     }
 
-    /// The ellipse of a contact of the transverse radius \[m\] under the load \[N\].
+    /// The ellipse of a contact of the radii along and across the rail \[m\] under the load \[N\]; along it is the rolling radius by default.
     pub(crate) fn hertz_of(
         &self,
         steel: ElasticMaterial,
+        along: Option<f64>,
         across: f64,
         load: f64,
     ) -> Result<HertzContact, CaseError> {
@@ -61,7 +63,14 @@ impl CheckedKeys {
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
         };
         // Both others are positive: what is left is a contact that is no ellipse.
-        self.physics("contact.transverse_radius", hertz)
+        let hertz = self.physics("contact.transverse_radius", hertz)?;
+        let Some(along) = along else {
+            return Ok(hertz);
+        };
+        self.physics(
+            "contact.longitudinal_radius",
+            hertz.with_longitudinal_radius(along),
+        )
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {

@@ -25,6 +25,27 @@ struct Side {
     carter: Option<Carter3d>,
 }
 
+/// That the ellipse takes the rolling radius where the wheel is much flatter.
+fn of_flatness(keys: &ContactKeys) -> Option<Remark> {
+    /// Share by which the radius along the rail may differ from the rolling radius without a word.
+    const WORTH_A_REMARK: f64 = 0.05;
+    let flatter = keys.contact_angle.cos().recip();
+    if keys.longitudinal_radius.is_some() || flatter < 1.0 + WORTH_A_REMARK {
+        return None;
+    }
+    let angle = keys.contact_angle.to_degrees();
+    Some(Remark::new(
+        format!(
+            "at {angle:.0}° the wheel is {flatter:.2} times as flat along the rail as its rolling radius, which the ellipse takes: give \
+             contact.longitudinal_radius"
+        ),
+        format!(
+            "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, den die Ellipse nimmt: geben Sie \
+             contact.longitudinal_radius an"
+        ),
+    ))
+}
+
 impl CheckedKeys {
     pub(super) fn general_loop(
         &self,
@@ -36,6 +57,7 @@ impl CheckedKeys {
         let study = self.side(keys.rail, &keys.contact, keys.mean, 1.0, steel)?;
         let steady = study.contact.rolling.steady();
         let (hertz, carter) = (study.hertz, study.carter);
+        remarks.extend(of_flatness(&keys.contact));
         let mut sides = vec![study.contact];
         let mut points = vec![(keys.rail, keys.contact.lateral_offset)];
         if let Some(opposite) = &keys.opposite {
@@ -114,7 +136,12 @@ impl CheckedKeys {
                 "give longitudinal or lateral creepage with it",
             ));
         }
-        let hertz = self.hertz_of(steel, keys.transverse_radius, keys.normal_load)?;
+        let hertz = self.hertz_of(
+            steel,
+            keys.longitudinal_radius,
+            keys.transverse_radius,
+            keys.normal_load,
+        )?;
         let built = self.contact_of(hertz, keys.friction, mean, OscillatingCreepages::InPlane)?;
         let steady = built.rolling.steady();
         let geometry = keys.conformity.map(|conformity| {
@@ -150,7 +177,8 @@ impl CheckedKeys {
         relative_radius: f64,
     ) -> Result<Conformity, CaseError> {
         const KEY: &str = "contact.conformity.rail_radius";
-        if keys.rail_radius > relative_radius {
+        // That of the profiles is what it is: the wheel is convex.
+        if keys.rail_radius > relative_radius && self.text.is_written(KEY) {
             return Err(self.text.keys.invalid(
                 KEY,
                 &format!(
@@ -160,10 +188,9 @@ impl CheckedKeys {
                 "transverse_radius is the relative one of both profiles, equal to that of the rail under a cone",
             ));
         }
-        // A wheel as flat as this is a cone.
-        let wheel = keys.rail_radius.recip() - relative_radius.recip();
-        let wheel_radius = Some(wheel.recip()).filter(|radius| radius.is_finite());
-        self.physics(KEY, Conformity::new(keys.rail_radius, wheel_radius))
+        let rail = keys.rail_radius.recip();
+        let wheel = rail - relative_radius.recip();
+        self.physics(KEY, Conformity::of_curvatures(rail, wheel))
     }
 
     /// What holds or frees the surfaces: structures say, but where the case says how a lone wheel turns.

@@ -150,6 +150,7 @@ pub(crate) fn of_contact(
             file.contact.transverse_radius.si(),
             hertz.normal_force(),
         )
+        .and_then(|exact| exact.with_longitudinal_radius(hertz.longitudinal_radius()))
     {
         let error = hertz.semi_axis_lateral() / exact.semi_axis_lateral() - 1.0;
         if error.abs() > CLOSED_FORM_UP_TO {

@@ -15,6 +15,9 @@ use super::{CreepLawName, Creepage, FromCurve};
 pub struct Contact {
     /// Relative transverse radius of wheel and rail R_r.
     pub transverse_radius: Quantity<Length>,
+    /// Relative radius of wheel and rail along the rail; left out, the rolling radius R, which under a contact angle γ is R/cos γ.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub longitudinal_radius: Option<Quantity<Length>>,
     /// Normal force P₀ per wheel.
     pub normal_load: Quantity<Force>,
     /// Coefficient of friction μ.

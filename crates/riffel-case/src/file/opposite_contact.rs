@@ -13,6 +13,9 @@ pub struct OppositeContact {
     /// Relative transverse radius of wheel and rail R_r; left out, that of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub transverse_radius: Option<Quantity<Length>>,
+    /// Relative radius of wheel and rail along the rail; left out, that of the contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub longitudinal_radius: Option<Quantity<Length>>,
     /// Normal force P₀; left out, that of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub normal_load: Option<Quantity<Force>>,
@@ -28,4 +31,7 @@ pub struct OppositeContact {
     /// Lateral offset e, to the right; left out, that of the contact to the other side.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lateral_offset: Option<Quantity<Length>>,
+    /// Transverse radius of the rail head, where `contact.conformity` is given; left out, that of it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rail_radius: Option<Quantity<Length>>,
 }

@@ -53,6 +53,7 @@ pub(crate) struct GeneralKeys {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ContactKeys {
     /// R_r \[m\].
+    pub(crate) longitudinal_radius: Option<f64>,
     pub(crate) transverse_radius: f64,
     /// P₀ \[N\].
     pub(crate) normal_load: f64,
@@ -208,11 +209,13 @@ impl CheckedKeys {
         let written = self.file.opposite_contact.clone().unwrap_or_default();
         let OppositeContact {
             transverse_radius,
+            longitudinal_radius,
             normal_load,
             friction,
             creepage,
             contact_angle,
             lateral_offset,
+            rail_radius,
         } = written;
         let creepages = match (creepage, self.mean_state()?) {
             (Some(creepage), _) => Some(self.creeping("opposite_contact.creepage", creepage)?),
@@ -225,12 +228,18 @@ impl CheckedKeys {
         Ok(Some(OppositeKeys {
             profile,
             contact: ContactKeys {
+                longitudinal_radius: longitudinal_radius
+                    .map(|radius| radius.si())
+                    .or(here.longitudinal_radius),
                 transverse_radius: or(transverse_radius, here.transverse_radius),
                 normal_load: or(normal_load, here.normal_load),
                 friction: or(friction, here.friction),
                 contact_angle: or(contact_angle, here.contact_angle),
                 lateral_offset: or(lateral_offset, -here.lateral_offset),
-                conformity: here.conformity,
+                conformity: here.conformity.map(|conformity| ConformityKeys {
+                    rail_radius: or(rail_radius, conformity.rail_radius),
+                    ..conformity
+                }),
             },
             creepages,
         }))
@@ -357,6 +366,7 @@ fn or<D: Dimension>(written: Option<Quantity<D>>, otherwise: f64) -> f64 {
 /// The contact on the rail under study, without its creepage.
 fn contact(contact: &Contact) -> ContactKeys {
     ContactKeys {
+        longitudinal_radius: contact.longitudinal_radius.map(|radius| radius.si()),
         transverse_radius: contact.transverse_radius.si(),
         normal_load: contact.normal_load.si(),
         friction: contact.friction.si(),

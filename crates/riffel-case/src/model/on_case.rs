@@ -308,6 +308,7 @@ impl ModelKeys<'_> {
             "opposite_contact",
             "train",
             "contact.contact_angle",
+            "contact.longitudinal_radius",
             "contact.lateral_offset",
             "contact.conformity",
             "rail.torsion_constant",

@@ -135,9 +135,12 @@ impl Case {
     ) -> Result<ContactInTime, CaseError> {
         let side = keys_of_side(keys, contact.rail);
         let steel = self.keys.steel()?;
-        let hertz = self
-            .keys
-            .hertz_of(steel, side.transverse_radius, side.normal_load)?;
+        let hertz = self.keys.hertz_of(
+            steel,
+            side.longitudinal_radius,
+            side.transverse_radius,
+            side.normal_load,
+        )?;
         let law = self.keys.creep_law(hertz, side.friction)?;
         let Some(law) = law else {
             let message = "on all axes a passage in time takes a creep law that is a formula or \"fastsim\": the exact theory is \

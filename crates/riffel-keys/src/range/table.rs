@@ -236,6 +236,15 @@ pub static RANGES: &[PhysicalRange] = &[
         [0.02, 20.0],
         "Rail heads have 10 to 600 mm; a conformal contact is flatter, a line contact as flat as one likes.",
     ),
+    row::<Length>(
+        &[
+            "contact.longitudinal_radius",
+            "opposite_contact.longitudinal_radius",
+        ],
+        [1e-3, 1e4],
+        [0.1, 3.0],
+        "The rolling radius over the cosine of the contact angle: on a flange of 70 degrees three times the radius.",
+    ),
     row::<Force>(
         &[
             "contact.normal_load",
@@ -306,7 +315,10 @@ pub static RANGES: &[PhysicalRange] = &[
         "Within half the width of a rail head, 30 to 37 mm.",
     ),
     row::<Length>(
-        &["contact.conformity.rail_radius"],
+        &[
+            "contact.conformity.rail_radius",
+            "opposite_contact.rail_radius",
+        ],
         [1e-3, 10.0],
         [0.08, 1.0],
         "The radius of the head where the wheel runs: 80 mm at the gauge corner of new rails, 300 on their crown, more on worn ones.",

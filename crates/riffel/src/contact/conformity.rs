@@ -56,10 +56,25 @@ impl Conformity {
                 });
             }
         }
-        Ok(Self {
-            rail: rail_radius.recip(),
-            wheel: wheel_radius.map_or(0.0, f64::recip),
-        })
+        Self::of_curvatures(rail_radius.recip(), wheel_radius.map_or(0.0, f64::recip))
+    }
+
+    /// A rail head and a wheel of curvatures across the track \[1/m\], positive for a convex head and a hollow wheel; a wheel may be
+    /// convex too, for only the difference has to part the profiles.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the rail is curved more than the wheel.
+    pub fn of_curvatures(rail: f64, wheel: f64) -> Result<Self, Error> {
+        let relative = rail - wheel;
+        if !(relative > 0.0 && relative.is_finite()) {
+            return Err(Error::OutOfRange {
+                quantity: "curvature of the rail less that of the wheel",
+                value: relative,
+                unit: "1/m",
+                rule: "must be positive, or the profiles do not touch at one point",
+            });
+        }
+        Ok(Self { rail, wheel })
     }
 
     /// Relative transverse radius R_r \[m\], that of the contact ellipse.
@@ -163,6 +178,10 @@ mod tests {
             assert!(Conformity::new(0.3, Some(wheel)).is_err(), "{wheel}");
         }
         assert!(Conformity::new(0.0, None).is_err());
+        assert!(Conformity::of_curvatures(3.0, 3.0).is_err());
+        // A convex wheel parts faster: the contact moves less than under a cone.
+        let convex = Conformity::of_curvatures(1.0 / 0.3, -2.0).unwrap();
+        assert!(convex.shift_on_rail(1e-3, 0.0) < 0.3e-3);
         assert!(Conformity::new(0.3, Some(0.300_001)).is_ok());
     }
 }

@@ -19,6 +19,7 @@ use crate::{ElasticMaterial, Error};
 pub struct HertzContact {
     material: ElasticMaterial,
     rolling_radius: f64,
+    longitudinal_radius: f64,
     transverse_radius: f64,
     normal_force: f64,
     /// The solved ellipse; none in the closed form.
@@ -46,9 +47,36 @@ impl HertzContact {
         Ok(Self {
             material,
             rolling_radius,
+            longitudinal_radius: rolling_radius,
             transverse_radius,
             normal_force,
             ellipse: None,
+        })
+    }
+
+    /// The same contact with another relative radius of wheel and rail along the rail \[m\] in the place of the rolling radius.
+    ///
+    /// Under a contact angle γ it is R/cos γ: a wheel is a surface of revolution, its circle of the radius R is curved by 1/R towards the axle,
+    /// and by Meusnier's theorem the section along the rail in the plane of the normal, which leaves that direction by γ, has the
+    /// share cos γ of it (do Carmo 1976, *Differential Geometry of Curves and Surfaces*, section 3-3).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] as of [`new`](Self::new).
+    pub fn with_longitudinal_radius(self, radius: f64) -> Result<Self, Error> {
+        Error::unless_positive("longitudinal radius", radius, "m")?;
+        let ratio = radius / self.transverse_radius;
+        UnitEllipse::check_curvature_ratio(ratio.max(ratio.recip()))?;
+        let ellipse = self.ellipse.map(|_| {
+            UnitEllipse::new(
+                self.contact_modulus(),
+                1.0 / radius,
+                1.0 / self.transverse_radius,
+            )
+        });
+        Ok(Self {
+            longitudinal_radius: radius,
+            ellipse: ellipse.transpose()?,
+            ..self
         })
     }
 
@@ -87,6 +115,11 @@ impl HertzContact {
         self.rolling_radius
     }
 
+    /// Relative radius of wheel and rail along the rail \[m\]: R, or what was given in its place.
+    pub fn longitudinal_radius(&self) -> f64 {
+        self.longitudinal_radius
+    }
+
     /// Normal force P₀ \[N\].
     pub fn normal_force(&self) -> f64 {
         self.normal_force
@@ -107,7 +140,7 @@ impl HertzContact {
     pub fn equivalent_radius(&self) -> f64 {
         match self.ellipse {
             Some(ellipse) => ellipse.equivalent_radius(self.contact_modulus()),
-            None => (self.rolling_radius * self.transverse_radius).sqrt(),
+            None => (self.longitudinal_radius * self.transverse_radius).sqrt(),
         }
     }
 
@@ -115,7 +148,7 @@ impl HertzContact {
     pub fn axis_ratio(&self) -> f64 {
         match self.ellipse {
             Some(ellipse) => ellipse.axis_ratio(),
-            None => (self.rolling_radius / self.transverse_radius).powf(2.0 / 3.0),
+            None => (self.longitudinal_radius / self.transverse_radius).powf(2.0 / 3.0),
         }
     }
 
@@ -125,7 +158,7 @@ impl HertzContact {
         match self.ellipse {
             Some(ellipse) => ellipse.semi_axis_longitudinal(self.normal_force),
             None => (0.75 * (1.0 - self.material.poisson_ratio()) / self.material.shear_modulus()
-                * self.rolling_radius
+                * self.longitudinal_radius
                 * self.equivalent_radius()
                 / self.transverse_radius
                 * self.normal_force)
@@ -282,6 +315,30 @@ mod tests {
             general.axis_ratio(),
             max_relative = 1e-14
         );
+    }
+
+    /// The section of a conical wheel along the rail, in the plane of the normal, is curved by cos γ/R: from its points.
+    #[test]
+    fn a_wheel_is_flatter_under_a_contact_angle() {
+        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        for angle in [0.05_f64, 0.6, 1.2] {
+            let radius = 0.46;
+            // At the angle θ about the axle the cone r = R − y tan γ meets that plane at y; x ahead, h against the normal.
+            let about = 1e-3_f64;
+            let y =
+                radius * (about.cos() - 1.0) / (angle.tan().recip() + angle.tan() * about.cos());
+            let (x, h) = ((radius - y * angle.tan()) * about.sin(), -y / angle.sin());
+            let flatter = x * x / (2.0 * h);
+            assert_relative_eq!(flatter, radius / angle.cos(), max_relative = 1e-6);
+            let contact = HertzContact::exact(steel, radius, 0.3, 50e3).unwrap();
+            let contact = contact.with_longitudinal_radius(flatter).unwrap();
+            let alone = HertzContact::exact(steel, flatter, 0.3, 50e3).unwrap();
+            assert_eq!(
+                contact.semi_axis_longitudinal(),
+                alone.semi_axis_longitudinal()
+            );
+            assert_eq!(contact.rolling_radius(), radius);
+        }
     }
 
     /// The equivalent sphere has the area of the patch: c² = ab with c³ = 3 P R_e / 4E*.
