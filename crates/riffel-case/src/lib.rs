@@ -53,7 +53,7 @@ pub use case::Case;
 pub use case_text::case_keys;
 pub use contact::{CaseContact, SteadyContact};
 pub use contact_name::ContactName;
-pub use curving::{CurvingCase, ProfileOfName, profile_of, read_profile};
+pub use curving::{CurvingCase, ProfileOfName, ProfileReading, profile_of, read_profile};
 pub use discrete_supports::DrawnSupports;
 pub use given::GivenReceptance;
 pub use hold::Hold;

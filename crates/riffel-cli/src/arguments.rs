@@ -473,14 +473,65 @@ pub(crate) struct Contact {
     pub(crate) json: bool,
 }
 
+/// By what a profile is laid on the nominal one.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Alignment {
+    /// A wheel by its flange back and the tip of its flange.
+    Flange,
+    /// A rail by its field side, which wheels do not touch.
+    FieldSide,
+    /// By nothing.
+    AsWritten,
+}
+
+/// How coordinates of profiles stand.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Orientation {
+    /// As the shape tells.
+    Found,
+    /// x to the field side, y upward.
+    AsWritten,
+    /// x to the gauge side.
+    Mirrored,
+    /// y downward.
+    UpsideDown,
+    /// x to the gauge side, y downward.
+    Turned,
+}
+
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\""
+    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile wheel.whl --against S1002\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\""
 )]
 pub(crate) struct Profile {
-    /// Nominal names or files of two columns x, y; with --wheelset a case file.
+    /// Nominal names, or files: two columns x, y, or of MiniProf, Simpack or Vampire; with --wheelset a case file.
     #[arg(value_name = "FILE", required = true)]
     pub(crate) files: Vec<PathBuf>,
+
+    /// Wear against a nominal profile or an earlier file.
+    #[arg(long, value_name = "NAME", conflicts_with = "wheelset")]
+    pub(crate) against: Option<String>,
+
+    /// By what profiles are laid on the nominal one [default: flange of wheels, field-side of rails].
+    #[arg(long, value_enum, value_name = "PART", requires = "against")]
+    pub(crate) align: Option<Alignment>,
+
+    /// Inclination of the rail in its coordinates, as in 1:40 [default: none].
+    #[arg(long, value_name = "SLOPE", requires = "against")]
+    pub(crate) inclination: Option<String>,
+
+    /// Depth below the nominal crown at which wear of the gauge face is measured [default: 14 mm].
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        requires = "against",
+        allow_hyphen_values = true
+    )]
+    pub(crate) gauge_height: Option<Quantity<Length>>,
+
+    /// How coordinates of files stand [default: as-written in columns, found in other formats].
+    #[arg(long, value_enum, value_name = "WAY", conflicts_with = "wheelset")]
+    pub(crate) orientation: Option<Orientation>,
 
     /// Smooth the points of files, which scatter with this standard deviation across the profile.
     #[arg(

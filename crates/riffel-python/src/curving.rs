@@ -5,8 +5,11 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel_answers::curve::CurveAnswer;
-use riffel_answers::profile::{OnTrackAnswer, OutlineAnswer};
-use riffel_case::CurvingCase;
+use riffel_answers::profile::{
+    OnTrackAnswer, OutlineAnswer, WearAnswer, WearSettings, alignment_named,
+};
+use riffel_case::file::{Inclination, ProfileOrientation};
+use riffel_case::{CurvingCase, ProfileReading};
 
 use crate::case::{Case, assignments};
 use crate::document::document;
@@ -60,17 +63,77 @@ pub(crate) fn curve<'py>(
     Ok((title, document(py, &answer.map_err(of_case)?)?))
 }
 
+/// How a file is read.
+fn reading(scatter: Option<f64>, orientation: Option<&str>) -> PyResult<ProfileReading> {
+    let orientation = orientation.map(|name| {
+        ProfileOrientation::named(name).ok_or_else(|| {
+            let known = ProfileOrientation::ALL.map(|(name, _)| name).join(", ");
+            wrong(format!(
+                "orientation is \"{name}\", but must be one of {known}"
+            ))
+        })
+    });
+    Ok(ProfileReading {
+        scatter,
+        orientation: orientation.transpose()?,
+        ..ProfileReading::default()
+    })
+}
+
 /// What `riffel profile FILE --json` prints, and the remarks.
 #[pyfunction]
-pub(crate) fn profile(
-    py: Python<'_>,
+pub(crate) fn profile<'py>(
+    py: Python<'py>,
     file: PathBuf,
     scatter: Option<f64>,
-) -> PyResult<(Bound<'_, PyAny>, Vec<String>)> {
-    let answer = interruptible(py, move || OutlineAnswer::new(&[file], scatter))?;
+    orientation: Option<&str>,
+) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
+    let reading = reading(scatter, orientation)?;
+    let answer = interruptible(py, move || OutlineAnswer::new(&[file], reading))?;
     let answer = answer.map_err(of_case)?;
     let remarks = answer.remarks.iter().map(ToString::to_string).collect();
     Ok((document(py, &answer.document())?, remarks))
+}
+
+/// What `riffel profile FILE --against NAME --json` prints.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub(crate) fn profile_wear<'py>(
+    py: Python<'py>,
+    file: PathBuf,
+    nominal: String,
+    scatter: Option<f64>,
+    orientation: Option<&str>,
+    align: Option<&str>,
+    inclination: &str,
+    gauge_height: f64,
+) -> PyResult<Bound<'py, PyAny>> {
+    let alignment = align.map(|name| {
+        alignment_named(name).ok_or_else(|| {
+            wrong(format!(
+                "align is \"{name}\", but must be flange, field-side or as-written"
+            ))
+        })
+    });
+    let inclination = Inclination::read(inclination).map_err(|rule| {
+        wrong(format!(
+            "inclination is \"{inclination}\", but must be {rule}"
+        ))
+    })?;
+    if !(gauge_height > 0.0 && gauge_height.is_finite()) {
+        return Err(wrong(format!(
+            "gauge_height is {gauge_height} m, but must be above zero"
+        )));
+    }
+    let settings = WearSettings {
+        reading: reading(scatter, orientation)?,
+        alignment: alignment.transpose()?,
+        inclination,
+        gauge_height,
+        ..WearSettings::default()
+    };
+    let answer = interruptible(py, move || WearAnswer::new(&[file], &nominal, settings))?;
+    document(py, &answer.map_err(of_case)?.document())
 }
 
 /// What `riffel profile CASE --wheelset --json` prints, with the title of the case.

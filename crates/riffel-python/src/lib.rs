@@ -32,7 +32,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]
-    use crate::curving::{contact_geometry, curve, profile};
+    use crate::curving::{contact_geometry, curve, profile, profile_wear};
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]

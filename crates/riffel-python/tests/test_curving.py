@@ -41,6 +41,31 @@ def test_measured_points_are_smoothed(tmp_path: Path) -> None:
         riffel.profile(rail, scatter="-10 um")
 
 
+def test_wear_is_that_of_the_program(program: Callable[..., Any]) -> None:
+    asked = ("cases/worn-rail.csv", "--against", "60E1", "--json")
+    worn = program("profile", *asked)["profiles"][0]
+    wear = riffel.profile_wear("cases/worn-rail.csv", "60E1")
+    assert float(wear["area"]) == worn["area_m2"]
+    assert float(wear["w2"]) == worn["w2_m"]
+    depth = wear["depth"].values
+    # What the device did not reach is NaN there and null here.
+    assert [None if np.isnan(one) else one for one in depth.tolist()] == worn["depth_m"]
+    # By NumPy: the area between both outlines, by heights. 3 %: normals and heights leave other ends, and chords are straight.
+    rail = riffel.profile("60E1")
+    x, y = np.loadtxt("cases/worn-rail.csv", delimiter=",", skiprows=2).T * 1e-3
+    across = np.linspace(-0.025, 0.03, 2000)
+    lower = np.interp(across, x + float(wear["shift_x"]), y + float(wear["shift_height"]))
+    between = np.trapezoid(np.interp(across, rail["x"], rail["height"]) - lower, across)
+    inside = (wear["x"].values > -0.025) & (wear["x"].values < 0.03)
+    steps = np.hypot(np.diff(wear["x"].values[inside]), np.diff(wear["height"].values[inside]))
+    by_depth = np.sum(0.5 * (depth[inside][1:] + depth[inside][:-1]) * steps)
+    assert abs(by_depth / between - 1.0) < 0.03
+    with pytest.raises(ValueError, match="align is"):
+        riffel.profile_wear("cases/worn-rail.csv", "60E1", align="foot")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="orientation is"):
+        riffel.profile("cases/worn-rail.csv", orientation="sideways")  # type: ignore[arg-type]
+
+
 def test_a_loop_takes_its_mean_state_from_the_curve(program: Callable[..., Any]) -> None:
     path = "cases/metro-curve.toml"
     asked = ("point", path, "--wavelength", "60 mm", "--speed", "45 km/h", "--json")

@@ -2,6 +2,10 @@
 
 mod on_track;
 mod outline;
+mod wear;
 
 pub use on_track::{OnTrackAnswer, OnTrackDocument};
 pub use outline::{OutlineAnswer, OutlineDocument};
+pub use wear::{
+    Measures, WearAnswer, WearDocument, WearSettings, Worn, alignment_name, alignment_named,
+};

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfilePoint};
-use riffel_case::profile_of;
+use riffel_case::{ProfileReading, profile_of};
 use riffel_keys::{CaseError, Remark};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
@@ -37,15 +37,15 @@ struct Outline {
 }
 
 impl OutlineAnswer {
-    /// The profiles of nominal names and files, those of files smoothed where the scatter of their points \[m\] is given.
+    /// The profiles of nominal names and files.
     ///
     /// # Errors
     /// [`CaseError`] with file and line.
-    pub fn new(files: &[PathBuf], scatter: Option<f64>) -> Result<Self, CaseError> {
+    pub fn new(files: &[PathBuf], reading: ProfileReading) -> Result<Self, CaseError> {
         let (mut profiles, mut remarks) = (Vec::new(), Vec::new());
         for file in files {
             let name = file.display().to_string();
-            let read = profile_of(&name, Path::new(""), scatter)?;
+            let read = profile_of(&name, Path::new(""), reading)?;
             profiles.push((name, read.profile));
             remarks.extend(read.remarks);
         }

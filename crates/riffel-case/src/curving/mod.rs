@@ -6,7 +6,7 @@ mod profile_file;
 mod wheelset;
 
 pub(crate) use keys::key_of_curving;
-pub use profile_file::{ProfileOfName, profile_of, read_profile};
+pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
 

@@ -2,15 +2,19 @@
 
 use std::path::Path;
 
+use riffel::Rail;
 use riffel::curving::{ContactPlane, Kinematics};
-use riffel::profile::{ContactTable, ProfileError, Track, Wheels, WheelsetOnTrack};
+use riffel::profile::{
+    ContactTable, NOMINAL, NominalProfile, Profile, ProfileError, Track, WheelDimensions, Wheels,
+    WheelsetOnTrack,
+};
 use riffel_keys::{CaseError, Remark};
 use std::sync::Arc;
 
 use super::CurvingCase;
 use super::build::is_cone;
-use super::profile_file::{ProfileOfName, profile_of};
-use crate::file::{CurvingTheory, Profiles, RailProfiles};
+use super::profile_file::{ProfileOfName, ProfileReading, profile_of};
+use crate::file::{CurvingTheory, ProfileKind, Profiles, RailProfiles};
 
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.
 const FARTHEST: f64 = 0.012;
@@ -29,19 +33,10 @@ impl CurvingCase {
             let help = "name a profile such as \"S1002\" or a file";
             return Err(self.text.keys.invalid("profiles.wheel", rule, help));
         }
-        let rail = profiles.rail.as_ref().ok_or_else(|| {
-            let help = "name a profile such as \"60E1\" or a file";
-            self.text.keys.missing("profiles.rail", help)
-        })?;
-        let names = match rail {
-            RailProfiles::Both(name) => [("profiles.rail", name), ("profiles.rail", name)],
-            RailProfiles::Each(each) => [
-                ("profiles.rail.left", &each.left),
-                ("profiles.rail.right", &each.right),
-            ],
-        };
-        let [left, right] = names.map(|(key, name)| self.profile(key, name));
-        let (left, right) = (left?.profile, right?.profile);
+        let (left, right) = (
+            self.profile_of_rail(Rail::Left)?,
+            self.profile_of_rail(Rail::Right)?,
+        );
         let wheel = self.profile("profiles.wheel", &profiles.wheel)?.profile;
         let fits = |key: &str, error: ProfileError| match error {
             ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
@@ -61,7 +56,41 @@ impl CurvingCase {
             profiles.flange_back_position.si(),
         )
         .map_err(|error| fits("profiles.wheel", error))?;
-        Ok(WheelsetOnTrack { wheels, track })
+        let wheelset = WheelsetOnTrack { wheels, track };
+        self.check_gauge(profiles, &wheel, &wheelset)?;
+        Ok(wheelset)
+    }
+
+    /// `Ok` if the wheelset goes between the rails and stands on both.
+    fn check_gauge(
+        &self,
+        profiles: &Profiles,
+        wheel: &Profile,
+        wheelset: &WheelsetOnTrack,
+    ) -> Result<(), CaseError> {
+        let gauge = &profiles.gauge;
+        let refuse = |rule: String| {
+            let help = "check profiles.gauge, flange_back_distance and flange_back_position";
+            Err(self.text.keys.invalid("profiles.gauge", &rule, help))
+        };
+        if let Ok(of_wheel) = WheelDimensions::new(wheel, profiles.flange_back_position.si()) {
+            let over = profiles.flange_back_distance.si() + 2.0 * of_wheel.flange_thickness;
+            if over > gauge.si() {
+                return refuse(format!(
+                    "is {gauge}, but the wheelset is {:.1} mm wide over its flanges, 10 mm below the tread, and does not go between such \
+                     rails",
+                    1e3 * over
+                ));
+            }
+        }
+        if wheelset.contact(0.0, 0.0).is_err() {
+            let [_, end] = wheel.range();
+            return refuse(format!(
+                "is {gauge}, but the wheels, {:.1} mm wide over their field sides, do not stand on both rails",
+                1e3 * (wheelset.wheels.spacing() + 2.0 * end)
+            ));
+        }
+        Ok(())
     }
 
     /// Contact of the wheelset of the case over its lateral shift, every 0.1 mm.
@@ -107,15 +136,54 @@ impl CurvingCase {
         Ok(remarks)
     }
 
+    /// The profile of a rail of the case.
+    pub(crate) fn profile_of_rail(&self, rail: Rail) -> Result<Profile, CaseError> {
+        let rails = self.profiles()?.rail.as_ref().ok_or_else(|| {
+            let help = "name a profile such as \"60E1\" or a file";
+            self.text.keys.missing("profiles.rail", help)
+        })?;
+        let (key, name) = match (rails, rail) {
+            (RailProfiles::Both(name), _) => ("profiles.rail", name),
+            (RailProfiles::Each(each), Rail::Left) => ("profiles.rail.left", &each.left),
+            (RailProfiles::Each(each), Rail::Right) => ("profiles.rail.right", &each.right),
+        };
+        Ok(self.profile(key, name)?.profile)
+    }
+
     fn profile(&self, key: &str, name: &str) -> Result<ProfileOfName, CaseError> {
         let profiles = self.file.profiles.as_ref();
-        let scatter = profiles.and_then(|profiles| profiles.scatter);
-        let scatter = scatter.map(|scatter| scatter.si());
-        profile_of(name, &self.folder, scatter).map_err(|error| match error {
+        let is_wheel = key == "profiles.wheel";
+        if let Some(nominal) = NominalProfile::named(name).filter(|one| one.is_wheel != is_wheel) {
+            let of_kind = NOMINAL.iter().filter(|one| one.is_wheel == is_wheel);
+            let known = of_kind.map(|one| one.name).collect::<Vec<_>>().join(", ");
+            let [is, asked] = match is_wheel {
+                true => ["a rail", "wheels"],
+                false => ["a wheel", "rails"],
+            };
+            let rule = format!("is \"{}\", which is {is}", nominal.name);
+            let help = format!("nominal {asked}: {known}");
+            return Err(self.text.keys.invalid(key, &rule, &help));
+        }
+        let reading = ProfileReading {
+            kind: Some(match is_wheel {
+                true => ProfileKind::Wheel,
+                false => ProfileKind::Rail,
+            }),
+            side: match key {
+                "profiles.rail.left" => Rail::Left,
+                _ => Rail::Right,
+            },
+            orientation: profiles.and_then(|profiles| match is_wheel {
+                true => profiles.wheel_orientation,
+                false => profiles.rail_orientation,
+            }),
+            scatter: profiles
+                .and_then(|profiles| profiles.scatter)
+                .map(|scatter| scatter.si()),
+        };
+        profile_of(name, &self.folder, reading).map_err(|error| match error {
             CaseError::Read { reason, .. } => {
-                let known = riffel::profile::NOMINAL
-                    .map(|profile| profile.name)
-                    .join(", ");
+                let known = NOMINAL.map(|profile| profile.name).join(", ");
                 let path = self.folder.join(Path::new(name));
                 let rule = format!(
                     "is \"{name}\", but {} cannot be read: {reason}",

@@ -139,6 +139,12 @@ pub struct Profiles {
     /// Standard deviation of the points of files across their curve, which is then a smooth one; left out, it goes through the points.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub scatter: Option<Quantity<Length>>,
+    /// How the coordinates of a file of the wheel stand; left out, as they are written in columns, and as they are found in other formats.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheel_orientation: Option<ProfileOrientation>,
+    /// How the coordinates of files of rails stand; left out, as they are written in columns, and as they are found in other formats.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rail_orientation: Option<ProfileOrientation>,
     /// Gauge.
     #[serde(default = "Profiles::standard_gauge")]
     pub gauge: Quantity<Length>,
@@ -184,6 +190,58 @@ impl Profiles {
 
     fn usual_flange_back_position() -> Quantity<Length> {
         Quantity::new(-0.07)
+    }
+}
+
+/// How the coordinates of a file of a profile stand; Riffel's x is positive to the field side, its y upward.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ProfileOrientation {
+    /// As the shape tells: flange inside and below, crown above; the gauge side of a rail is that of x below zero.
+    Found,
+    /// x to the field side, y upward.
+    AsWritten,
+    /// x to the gauge side.
+    Mirrored,
+    /// y downward.
+    UpsideDown,
+    /// x to the gauge side, y downward.
+    Turned,
+}
+
+impl ProfileOrientation {
+    /// All, with their names.
+    pub const ALL: [(&str, Self); 5] = [
+        ("found", Self::Found),
+        ("as-written", Self::AsWritten),
+        ("mirrored", Self::Mirrored),
+        ("upside-down", Self::UpsideDown),
+        ("turned", Self::Turned),
+    ];
+
+    /// The orientation of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        let found = Self::ALL.into_iter().find(|(known, _)| *known == name);
+        found.map(|(_, orientation)| orientation)
+    }
+}
+
+/// What a profile is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProfileKind {
+    /// A wheel.
+    Wheel,
+    /// A rail.
+    Rail,
+}
+
+impl ProfileKind {
+    /// "wheel" or "rail".
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wheel => "wheel",
+            Self::Rail => "rail",
+        }
     }
 }
 
@@ -443,6 +501,17 @@ impl Serialize for Inclination {
 impl<'de> Deserialize<'de> for Inclination {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = Cow::<str>::deserialize(deserializer)?;
+        Self::read(&text)
+            .map_err(|rule| de::Error::custom(format!("is \"{text}\", but must be {rule}")))
+    }
+}
+
+impl Inclination {
+    /// The inclination of a text such as "1:40", or "none".
+    ///
+    /// # Errors
+    /// What it must be.
+    pub fn read(text: &str) -> Result<Self, String> {
         if text == "none" {
             return Ok(Self { slope: 0.0 });
         }
@@ -451,9 +520,7 @@ impl<'de> Deserialize<'de> for Inclination {
             .and_then(|run| run.trim().parse::<f64>().ok());
         match run.filter(|run| run.abs() >= 5.0) {
             Some(run) => Ok(Self { slope: 1.0 / run }),
-            None => Err(de::Error::custom(format!(
-                "is \"{text}\", but must be \"none\" or as in \"1:40\", 1:5 at the steepest"
-            ))),
+            None => Err("\"none\" or as in \"1:40\", 1:5 at the steepest".to_owned()),
         }
     }
 }

@@ -25,8 +25,8 @@ pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
 pub use curving::{
     Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
-    CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination, Profiles,
-    RailFriction, RailProfiles, RailProfilesByRail,
+    CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
+    ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
 };
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve};
 pub use map::{Map, SpeedRange, WavelengthRange};

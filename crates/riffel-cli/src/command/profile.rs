@@ -1,8 +1,11 @@
 //! `riffel profile`
 
-use riffel_answers::profile::{OnTrackAnswer, OutlineAnswer};
+use riffel::profile::ProfileAlignment;
+use riffel_answers::profile::{Measures, OnTrackAnswer, OutlineAnswer, WearAnswer, WearSettings};
+use riffel_case::ProfileReading;
+use riffel_case::file::{Inclination, ProfileKind, ProfileOrientation};
 
-use crate::arguments::{CaseArguments, Profile, positive};
+use crate::arguments::{Alignment, CaseArguments, Orientation, Profile, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{json, table};
@@ -29,7 +32,21 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
         .scatter
         .map(|scatter| positive("--scatter", scatter))
         .transpose()?;
-    let answer = OutlineAnswer::new(&arguments.files, scatter)?;
+    let reading = ProfileReading {
+        orientation: arguments.orientation.map(|orientation| match orientation {
+            Orientation::Found => ProfileOrientation::Found,
+            Orientation::AsWritten => ProfileOrientation::AsWritten,
+            Orientation::Mirrored => ProfileOrientation::Mirrored,
+            Orientation::UpsideDown => ProfileOrientation::UpsideDown,
+            Orientation::Turned => ProfileOrientation::Turned,
+        }),
+        scatter,
+        ..ProfileReading::default()
+    };
+    if let Some(nominal) = &arguments.against {
+        return against(arguments, nominal, reading, &results);
+    }
+    let answer = OutlineAnswer::new(&arguments.files, reading)?;
     results.hand_out(
         || json(&answer.document()),
         |staging| {
@@ -40,14 +57,18 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
             let mut rows = table(&["profile", "from mm", "to mm", "radius at x = 0 mm"]);
             for (name, profile) in answer.profiles() {
                 let [from, to] = profile.range();
-                let radius = profile
-                    .at(0.0)
-                    .map_or(f64::NAN, |origin| -1e3 / origin.curvature);
+                /// Curvature \[1/m\] of what is straight.
+                const STRAIGHT: f64 = 1e-3;
+                let radius = match profile.at(0.0) {
+                    None => "–".to_owned(),
+                    Some(origin) if origin.curvature.abs() < STRAIGHT => "straight".to_owned(),
+                    Some(origin) => format!("{:.1}", -1e3 / origin.curvature),
+                };
                 rows.add_row([
                     name.clone(),
                     format!("{:.2}", 1e3 * from),
                     format!("{:.2}", 1e3 * to),
-                    format!("{radius:.1}"),
+                    radius,
                 ]);
             }
             format!("{rows}\n")
@@ -55,6 +76,96 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     )?;
     print_remarks(&answer.remarks);
     Ok(())
+}
+
+/// Wear against a nominal profile.
+fn against(
+    arguments: &Profile,
+    nominal: &str,
+    reading: ProfileReading,
+    results: &Results,
+) -> miette::Result<()> {
+    let default = WearSettings::default();
+    let settings = WearSettings {
+        reading,
+        alignment: arguments.align.map(|part| match part {
+            Alignment::Flange => ProfileAlignment::Flange,
+            Alignment::FieldSide => ProfileAlignment::FieldSide,
+            Alignment::AsWritten => ProfileAlignment::AsWritten,
+        }),
+        inclination: arguments
+            .inclination
+            .as_deref()
+            .map(|text| {
+                Inclination::read(text).map_err(|rule| CliError::Argument {
+                    argument: "--inclination",
+                    value: text.to_owned(),
+                    rule,
+                })
+            })
+            .transpose()?
+            .unwrap_or(default.inclination),
+        gauge_height: arguments
+            .gauge_height
+            .map(|height| positive("--gauge-height", height))
+            .transpose()?
+            .unwrap_or(default.gauge_height),
+        ..default
+    };
+    let answer = WearAnswer::new(&arguments.files, nominal, settings)?;
+    results.hand_out(
+        || json(&answer.document()),
+        |staging| {
+            staging.write_figure("wear", &answer.figure())?;
+            staging.write_with("wear.csv", |file| answer.csv(file))
+        },
+        || in_words(&answer),
+    )?;
+    print_remarks(&answer.remarks);
+    Ok(())
+}
+
+/// Wear as a table, in mm.
+fn in_words(answer: &WearAnswer) -> String {
+    let mut rows = match answer.kind() {
+        ProfileKind::Wheel => table(&[
+            "wheel",
+            "tread wear mm",
+            "flange height Sh mm",
+            "thickness Sd mm",
+            "qR mm",
+            "deepest mm",
+            "area mm2",
+        ]),
+        ProfileKind::Rail => table(&[
+            "rail",
+            "W1 vertical mm",
+            "W2 lateral mm",
+            "W3 at 45° mm",
+            "deepest mm",
+            "area mm2",
+        ]),
+    };
+    let millimetres = |length: f64| format!("{:.2}", 1e3 * length);
+    let or_dash = |length: Option<f64>| length.map_or("–".to_owned(), millimetres);
+    for worn in answer.worn() {
+        let mut cells = vec![worn.name.clone()];
+        match &worn.measures {
+            Measures::Wheel { measured, nominal } => cells.extend([
+                millimetres(measured.flange_height - nominal.flange_height),
+                millimetres(measured.flange_height),
+                millimetres(measured.flange_thickness),
+                millimetres(measured.flange_gradient),
+            ]),
+            Measures::Rail(rail) => {
+                cells.extend([rail.vertical, rail.lateral, rail.diagonal].map(or_dash));
+            }
+        }
+        cells.push(or_dash(worn.wear.deepest().map(|(_, depth)| depth)));
+        cells.push(format!("{:.1}", 1e6 * worn.wear.area));
+        rows.add_row(cells);
+    }
+    format!("Wear {}\n{rows}\n", answer.in_words())
 }
 
 fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> miette::Result<()> {

@@ -284,12 +284,12 @@ fn profiles_that_cannot_be_are_refused() {
     std::fs::write(sandbox.path("upside-down.csv"), arc(1.0).concat()).unwrap();
     std::fs::write(sandbox.path("words.csv"), "x,y\n1,2\nabout 3,4\n").unwrap();
     for (change, sentence) in [
-        ("profiles.rail=../swapped.csv", "swapped.csv, line 4"),
+        ("profiles.rail=../swapped.csv", "swapped.csv, line 90"),
         ("profiles.rail=../upside-down.csv", "upside down"),
         ("profiles.rail=../words.csv", "words.csv, line 3"),
         ("profiles.rail=../none.csv", "cannot be read"),
-        ("profiles.wheel=60E1", "`profiles.wheel`: its flange lies"),
-        ("profiles.gauge=1.6 m", "does not touch"),
+        ("profiles.wheel=60E1", "is \"60E1\", which is a rail"),
+        ("profiles.gauge=1.7 m", "do not stand on both rails"),
         ("profiles.gauge_height=40 mm", "ends above the gauge height"),
         ("profiles.inclination=steep", "as in \"1:40\""),
         ("profiles.wheel=cone", "which has no profile"),

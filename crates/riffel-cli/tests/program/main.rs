@@ -14,6 +14,7 @@ mod habits;
 mod models;
 mod noise;
 mod pictures;
+mod profiles;
 mod rails;
 mod reading;
 mod report;

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from riffel import roughness
     from riffel._case import Case
-    from riffel._curving import contact_geometry, curve, profile
+    from riffel._curving import contact_geometry, curve, profile, profile_wear
     from riffel._matlab import to_matlab
     from riffel._models import compare_models
     from riffel._receptance import receptance_from_uff
@@ -42,6 +42,7 @@ __all__ = [
     "open_results",
     "presets",
     "profile",
+    "profile_wear",
     "receptance_from_uff",
     "roughness",
     "study_summary",
@@ -62,6 +63,7 @@ _HOMES = {
     "open_results": "riffel._study",
     "presets": "riffel._riffel",
     "profile": "riffel._curving",
+    "profile_wear": "riffel._curving",
     "receptance_from_uff": "riffel._receptance",
     "study_summary": "riffel._study",
     "to_matlab": "riffel._matlab",

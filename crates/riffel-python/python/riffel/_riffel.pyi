@@ -100,7 +100,18 @@ class Case:
 def curve(
     case: Case | dict[str, Any] | str, overrides: dict[str, Any], radii: Sequence[float] | None
 ) -> tuple[str | None, dict[str, Any]]: ...
-def profile(file: str, scatter: float | None) -> tuple[dict[str, Any], list[str]]: ...
+def profile(
+    file: str, scatter: float | None, orientation: str | None
+) -> tuple[dict[str, Any], list[str]]: ...
+def profile_wear(
+    file: str,
+    nominal: str,
+    scatter: float | None,
+    orientation: str | None,
+    align: str | None,
+    inclination: str,
+    gauge_height: float,
+) -> dict[str, Any]: ...
 def contact_geometry(
     case: Case | dict[str, Any] | str, overrides: dict[str, Any], shifts: Sequence[float], yaw: float
 ) -> tuple[str | None, dict[str, Any]]: ...

@@ -1,0 +1,137 @@
+//! Files of MiniProf (Greenwood Engineering): lines `key=value`, an empty line, then columns in millimetres.
+//!
+//! The columns are those of `ColumnDef`, X and Y among them; a line that begins with a quotation mark is a point that was masked at the
+//! device. Files `.mpt` have heads in brackets and `[…Points]` before the columns. What X and Y point to depends on how the device was
+//! set up: it is found. Sources: the manual of Gensys' converter of such files, and the files of the Manchester contact benchmark that
+//! CONTACT ships.
+
+use riffel_keys::{Remark, clipped};
+
+use super::table::{number, without_comment};
+use super::written::{Fault, WrittenProfile};
+use crate::file::ProfileKind;
+
+/// Keys that a wheel or a rail alone has, if a value follows.
+const OF_WHEELS: [&str; 6] = [
+    "sd",
+    "sh",
+    "qr",
+    "wheelid",
+    "diameterflange",
+    "diametertaperline",
+];
+const OF_RAILS: [&str; 5] = ["w1", "w2", "w3", "railaligntype", "railangle"];
+
+/// Whether the first line is that of such a file.
+pub(super) fn is_first_line(line: &str) -> bool {
+    let key = line.split_once('=').map(|(key, _)| key.trim());
+    let is_key = key.is_some_and(|key| key.starts_with(|first: char| first.is_ascii_alphabetic()));
+    is_key || line.eq_ignore_ascii_case("[FileInfo]") || line.to_uppercase().contains("MINIPROF")
+}
+
+pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault> {
+    let mut written = WrittenProfile {
+        of_any_orientation: true,
+        ..WrittenProfile::default()
+    };
+    let (mut masked, mut announced, mut sections) = (0, None, 0);
+    let mut columns = [0, 1];
+    let (mut is_head, mut has_keys) = (true, false);
+    for (index, line) in text.lines().enumerate() {
+        let line = line.trim();
+        if line.starts_with('"') {
+            masked += 1;
+            continue;
+        }
+        let line = without_comment(line);
+        if line.is_empty() {
+            is_head &= !has_keys;
+            continue;
+        }
+        if line.starts_with('[') {
+            if line.to_lowercase().ends_with("points]") {
+                sections += 1;
+                is_head = false;
+            }
+            if sections > 1 {
+                let message = "the file holds several profiles: give a file with one of them";
+                return Err(Fault::at(index + 1, message));
+            }
+            continue;
+        }
+        if let Some((key, value)) = line.split_once('=') {
+            has_keys = true;
+            let (key, value) = (key.trim().to_lowercase(), value.trim());
+            match key.as_str() {
+                "columndef" => {
+                    columns = columns_of(value).ok_or_else(|| {
+                        let shown = clipped(value);
+                        Fault::at(
+                            index + 1,
+                            format!("ColumnDef is \"{shown}\", but must name the columns X and Y"),
+                        )
+                    })?;
+                }
+                "xypoints" => announced = value.parse::<usize>().ok(),
+                key if !value.is_empty() && OF_WHEELS.contains(&key) => {
+                    written.kind = Some(ProfileKind::Wheel);
+                }
+                key if !value.is_empty() && OF_RAILS.contains(&key) => {
+                    written.kind = Some(ProfileKind::Rail);
+                }
+                _ => {}
+            }
+            continue;
+        }
+        let cells = line
+            .split([' ', '\t', ',', ';'])
+            .filter(|cell| !cell.is_empty());
+        let cells: Vec<&str> = cells.collect();
+        let of = |column: usize| cells.get(column).and_then(|cell| number(cell));
+        match (of(columns[0]), of(columns[1])) {
+            (Some(x), Some(y)) => {
+                is_head = false;
+                written.push([x, y], index + 1);
+            }
+            // The title of an old file.
+            _ if is_head => {}
+            _ => {
+                let shown = clipped(line);
+                return Err(Fault::at(
+                    index + 1,
+                    format!("\"{shown}\" has no numbers X and Y"),
+                ));
+            }
+        }
+    }
+    let count = written.points.len();
+    if let Some(announced) = announced.filter(|&announced| announced != count + masked) {
+        written.remarks.push(Remark::new(
+            format!("the head announces {announced} points (XYPoints), but {} follow: the file may be cut short", count + masked),
+            format!("der Kopf kündigt {announced} Punkte an (XYPoints), es folgen {}: vielleicht fehlt ein Stück der Datei", count + masked),
+        ));
+    }
+    if masked > 0 {
+        written.remarks.push(Remark::new(
+            format!("{masked} points that were masked at the device are left out"),
+            format!("{masked} am Gerät ausgeblendete Punkte sind weggelassen"),
+        ));
+    }
+    match extension {
+        "whl" => written.kind = Some(ProfileKind::Wheel),
+        "ban" => written.kind = Some(ProfileKind::Rail),
+        _ => {}
+    }
+    written.scale(1e-3);
+    Ok(written)
+}
+
+/// Where X and Y are among the columns.
+fn columns_of(definition: &str) -> Option<[usize; 2]> {
+    let names: Vec<String> = definition
+        .split([',', ';'])
+        .map(|name| name.trim().to_uppercase())
+        .collect();
+    let of = |name: &str| names.iter().position(|known| known == name);
+    Some([of("X")?, of("Y")?])
+}

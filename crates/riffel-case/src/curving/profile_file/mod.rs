@@ -1,0 +1,231 @@
+//! Files of profiles: columns, and the text formats of devices and of programs for vehicle dynamics.
+
+mod mini_prof;
+mod orientation;
+mod simpack;
+mod table;
+#[cfg(test)]
+mod tests;
+mod vampire;
+mod written;
+
+use std::path::Path;
+
+use riffel::Rail;
+use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
+use riffel_keys::{CaseError, Language, Remark, text_file};
+
+use self::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
+use crate::file::{ProfileKind, ProfileOrientation};
+
+/// Largest file of a profile \[bytes\].
+const LARGEST: u64 = 16 << 20;
+
+/// A profile, and what is to be told of its points.
+pub struct ProfileOfName {
+    /// The profile.
+    pub profile: Profile,
+    /// Wheel or rail, as the file or the case says, or by its width.
+    pub kind: ProfileKind,
+    /// Of a file whose points scatter, or whose coordinates were turned.
+    pub remarks: Vec<Remark>,
+}
+
+/// How a file of a profile is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfileReading {
+    /// Wheel or rail, where it is known beforehand.
+    pub kind: Option<ProfileKind>,
+    /// Which side is taken of a file that has both.
+    pub side: Rail,
+    /// How the coordinates stand; none for what the format says.
+    pub orientation: Option<ProfileOrientation>,
+    /// Standard deviation of the points across their curve \[m\], which is then a smooth one.
+    pub scatter: Option<f64>,
+}
+
+impl Default for ProfileReading {
+    fn default() -> Self {
+        Self {
+            kind: None,
+            side: Rail::Right,
+            orientation: None,
+            scatter: None,
+        }
+    }
+}
+
+/// A profile of a name or of a file.
+///
+/// # Errors
+/// [`CaseError`] with file and line.
+pub fn profile_of(
+    name: &str,
+    folder: &Path,
+    reading: ProfileReading,
+) -> Result<ProfileOfName, CaseError> {
+    match NominalProfile::named(name) {
+        Some(nominal) => Ok(ProfileOfName {
+            profile: nominal.profile(),
+            kind: match nominal.is_wheel {
+                true => ProfileKind::Wheel,
+                false => ProfileKind::Rail,
+            },
+            remarks: Vec::new(),
+        }),
+        None => read_profile(&folder.join(name), reading),
+    }
+}
+
+/// The profile of a file, told apart by its first line: that of MiniProf (lines `key=value`, then columns X and Y), of Simpack
+/// (`header.begin`), of Vampire (`WHEELPROFILE`, `RAILPROFILE`), or else two columns, lateral coordinate (positive to the field side) and
+/// height (positive upward), with comma, semicolon or blanks between them. What follows #, ! or % is a comment. A head such as
+/// `x_mm,y_mm` or `x [m]; y [m]` tells the unit of columns; without one a profile of more than 1 across is in millimetres. Numbers may
+/// have a decimal comma where something else parts the columns.
+///
+/// The coordinates of columns stand as they are written; those of the other formats are turned to field side and up as they are found, and an origin
+/// off the datum circle or the crown is moved there, each with a remark. With the scatter \[m\] of the points the curve is a smooth one,
+/// else it goes through them, and a remark tells what that does to its curvature.
+///
+/// # Errors
+/// [`CaseError`] with file and line.
+pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfName, CaseError> {
+    let bytes = text_file::read_bounded(path, "profile", LARGEST)?;
+    let at_fault = |line: Option<usize>, message: String| CaseError::Data {
+        path: path.to_owned(),
+        line,
+        message,
+        help: None,
+    };
+    let of_fault = |fault: Fault| at_fault(fault.line, fault.message);
+    let text = text_file::decode(bytes)
+        .map_err(|binary| at_fault(Some(binary.line), binary.to_string()))?;
+    let extension = path.extension().and_then(|extension| extension.to_str());
+    let extension = extension.unwrap_or_default().to_lowercase();
+    let mut written = of_format(&text, &extension, reading.side).map_err(of_fault)?;
+    let kind = match (reading.kind, written.kind) {
+        (Some(asked), Some(kind)) if asked != kind => {
+            let message = format!(
+                "is the profile of a {} by what it says, but a {} is asked for",
+                kind.name(),
+                asked.name()
+            );
+            return Err(at_fault(None, message));
+        }
+        (asked, kind) => asked
+            .or(kind)
+            .unwrap_or_else(|| orientation::kind_by_width(written.width())),
+    };
+    let across = written.width();
+    if across > WIDEST_IN_METRES {
+        let message = format!(
+            "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
+        );
+        return Err(at_fault(None, message));
+    }
+    orientation::turn(&mut written, reading.orientation, kind).map_err(of_fault)?;
+    let WrittenProfile {
+        points,
+        lines,
+        remarks: of_format,
+        ..
+    } = written;
+    let refuse = |error: ProfileError| match &error {
+        ProfileError::Point { index, .. } => {
+            at_fault(lines.get(*index).copied(), error.to_string())
+        }
+        _ => at_fault(None, error.to_string()),
+    };
+    let name = path.display();
+    let named = |remark: &Remark| {
+        let [english, german] =
+            [Language::English, Language::German].map(|language| remark.in_language(language));
+        Remark::new(format!("{name}: {english}"), format!("{name}: {german}"))
+    };
+    let mut remarks: Vec<Remark> = of_format.iter().map(named).collect();
+    let Some(scatter) = reading.scatter else {
+        let profile = Profile::through(&points).map_err(refuse)?;
+        remarks.extend(of_scatter(&name.to_string(), &points));
+        return Ok(ProfileOfName {
+            profile,
+            kind,
+            remarks,
+        });
+    };
+    let smooth = SmoothedPoints::new(&points, scatter).map_err(refuse)?;
+    if let Some(&first) = smooth.dropped.first() {
+        let (count, line) = (smooth.dropped.len(), lines[first]);
+        remarks.push(Remark::new(
+            format!("{name}: {count} points far off those beside them are left out, the first in line {line}"),
+            format!("{name}: {count} Punkte weit neben ihren Nachbarn sind weggelassen, der erste in Zeile {line}"),
+        ));
+    }
+    let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
+    let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
+    if let Some((_, error)) = nearest {
+        remarks.push(Remark::new(
+            format!("{name}: scatter leaves ±{error:.2} 1/m of the curvature at x = 0"),
+            format!("{name}: Streuung lässt ±{error:.2} 1/m der Krümmung bei x = 0"),
+        ));
+    }
+    // The line of a point that is left: dropped ones are not counted.
+    let left: Vec<usize> = (0..points.len())
+        .filter(|index| smooth.dropped.binary_search(index).is_err())
+        .collect();
+    let profile = Profile::through(&smooth.points).map_err(|error| match error {
+        ProfileError::Point { index, rule } => refuse(ProfileError::Point {
+            index: left.get(index).copied().unwrap_or(index),
+            rule,
+        }),
+        error => refuse(error),
+    })?;
+    Ok(ProfileOfName {
+        profile,
+        kind,
+        remarks,
+    })
+}
+
+/// The points of a text, by its format.
+fn of_format(text: &str, extension: &str, side: Rail) -> Result<WrittenProfile, Fault> {
+    if matches!(extension, "slcs" | "slcw") {
+        let message = "is a list of slices along the rail or around the wheel: give one of the files it names";
+        return Err(Fault::of_file(message));
+    }
+    let first = text
+        .lines()
+        .map(table::without_comment)
+        .find(|line| !line.is_empty());
+    let written = match first.unwrap_or_default() {
+        line if simpack::is_first_line(line) => simpack::read(text)?,
+        line if vampire::is_first_line(line) => vampire::read(text, side)?,
+        line if mini_prof::is_first_line(line) => mini_prof::read(text, extension)?,
+        _ => table::read(text)?,
+    };
+    Ok(written)
+}
+
+/// That a curve through points bends with their scatter, where that is worth a word.
+fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Remark> {
+    /// Curvature \[1/m\], a third of that of a rail head.
+    const WORTH_A_REMARK: f64 = 1.0;
+    let scatter = SmoothedPoints::scatter_of(points)?;
+    let (first, last) = (points[0], points[points.len() - 1]);
+    let length = (last[0] - first[0]).hypot(last[1] - first[1]);
+    let step = length / (points.len() - 1) as f64;
+    // Of the second difference of three points.
+    let curvature = 6f64.sqrt() * scatter / (step * step);
+    let micrometres = 1e6 * scatter;
+    (curvature > WORTH_A_REMARK).then(|| {
+        Remark::new(
+            format!(
+                "{name}: the points scatter by {micrometres:.2} µm, so that the curvature of a curve through them is off by some \
+                 {curvature:.0} 1/m; give that scatter (profiles.scatter, --scatter) for a smooth one"
+            ),
+            format!(
+                "{name}: die Punkte streuen um {micrometres:.2} µm, so dass die Krümmung einer Kurve durch sie um etwa \
+                 {curvature:.0} 1/m daneben liegt; geben Sie diese Streuung an (profiles.scatter, --scatter), um zu glätten"
+            ),
+        )
+    })
+}

@@ -1,0 +1,172 @@
+//! Files of Simpack, `.prr` of rails and `.prw` of wheels: sections `header`, `spline` and `point`, each from `….begin` to `….end`.
+//!
+//! `header.type` is 0 for a rail and 1 for a wheel. Points have the columns y, z and perhaps a weight; what the section `spline` says is
+//! done to them in this order: near points left out, shifts, rotation, bounds, mirrors, unit (`units.len.f` units make a metre,
+//! `units.ang.f` a radian). z then points downward. Source: the files of the Manchester contact benchmark that CONTACT ships, and what
+//! CONTACT's open source says of them.
+
+use std::collections::BTreeMap;
+
+use riffel_keys::{Remark, clipped};
+
+use super::table::number;
+use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
+use crate::file::ProfileKind;
+
+/// Whether the first line is that of such a file.
+pub(super) fn is_first_line(line: &str) -> bool {
+    let line = line.to_lowercase();
+    line.starts_with("header.begin") || line.starts_with("spline.begin")
+}
+
+pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
+    let mut written = WrittenProfile {
+        of_any_orientation: true,
+        ..WrittenProfile::default()
+    };
+    // Sections that are open, with the lines of their beginnings.
+    let mut open: Vec<(String, usize)> = Vec::new();
+    let mut keys: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    for (index, line) in text.lines().enumerate() {
+        let line = line.split('!').next().unwrap_or_default().trim();
+        let lower = line.to_lowercase();
+        if line.is_empty() {
+            continue;
+        }
+        if let Some(section) = lower.strip_suffix(".begin") {
+            if !matches!(section, "header" | "spline" | "point") {
+                let message = format!(
+                    "\"{}\" is no section of a profile: header, spline and point are",
+                    clipped(line)
+                );
+                return Err(Fault::at(index + 1, message));
+            }
+            open.push((section.to_owned(), index + 1));
+        } else if let Some(section) = lower.strip_suffix(".end") {
+            match open.pop() {
+                Some((begun, _)) if begun == section => {}
+                _ => {
+                    return Err(Fault::at(
+                        index + 1,
+                        format!("{section}.end closes no {section}.begin"),
+                    ));
+                }
+            }
+        } else if open.last().is_some_and(|(section, _)| section == "point") {
+            let mut cells = line.split_whitespace().map(number);
+            match (cells.next().flatten(), cells.next().flatten()) {
+                (Some(y), Some(z)) => written.push([y, z], index + 1),
+                _ => {
+                    let message = format!("\"{}\" is not a point y z", clipped(line));
+                    return Err(Fault::at(index + 1, message));
+                }
+            }
+        } else if let Some((key, value)) = line.split_once('=') {
+            let section = open.last().map_or("", |(section, _)| section);
+            let key = format!("{section}.{}", key.trim().to_lowercase());
+            keys.insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
+        } else {
+            let message = format!("\"{}\" is neither key = value nor a section", clipped(line));
+            return Err(Fault::at(index + 1, message));
+        }
+    }
+    if let Some((section, line)) = open.first() {
+        return Err(Fault::at(
+            *line,
+            format!("{section}.begin has no {section}.end: the file is cut short"),
+        ));
+    }
+    let value = |key: &str| match keys.get(key) {
+        None => Ok(None),
+        Some((text, line)) => match number(text) {
+            Some(value) => Ok(Some(value)),
+            None => Err(Fault::at(
+                *line,
+                format!("{key} is \"{}\", but must be a number", clipped(text)),
+            )),
+        },
+    };
+    written.kind = value("header.type")?.map(|kind| match kind {
+        0.0 => ProfileKind::Rail,
+        _ => ProfileKind::Wheel,
+    });
+    let per_metre = match (value("spline.units.len.f")?, keys.get("spline.units.len")) {
+        (Some(per_metre), _) if per_metre > 0.0 => per_metre,
+        (Some(_), _) => {
+            let line = keys["spline.units.len.f"].1;
+            return Err(Fault::at(
+                line,
+                "units.len.f must be above zero: how many of the file's units make a metre",
+            ));
+        }
+        (None, Some((unit, _))) if unit == "mm" => 1e3,
+        (None, Some((unit, _))) if unit == "m" => 1.0,
+        (None, _) if written.width() > WIDEST_IN_METRES => 1e3,
+        (None, _) => 1.0,
+    };
+    let or = |key: &str, default: f64| Ok(value(key)?.unwrap_or(default));
+    let apart = or("spline.point.dist.min", 0.0)?;
+    if apart > 0.0 {
+        leave_out_near(&mut written, apart);
+    }
+    let (shift_y, shift_z) = (or("spline.shift.y", 0.0)?, or("spline.shift.z", 0.0)?);
+    let angle = or("spline.rotate", 0.0)? / or("spline.units.ang.f", 1.0)?;
+    let (sine, cosine) = angle.sin_cos();
+    written.map(|[y, z]| {
+        let (y, z) = (y + shift_y, z + shift_z);
+        [cosine * y - sine * z, sine * y + cosine * z]
+    });
+    let bounds = [
+        [
+            or("spline.bound.y.min", 0.0)?,
+            or("spline.bound.y.max", 0.0)?,
+        ],
+        [
+            or("spline.bound.z.min", 0.0)?,
+            or("spline.bound.z.max", 0.0)?,
+        ],
+    ];
+    let inside = |point: &[f64; 2]| {
+        let mut axes = point.iter().zip(&bounds);
+        axes.all(|(value, [low, high])| low >= high || (low..=high).contains(&value))
+    };
+    let kept = written.points.iter().map(inside).collect::<Vec<bool>>();
+    keep(&mut written, &kept);
+    let mirrored = [value("spline.mirror.y")?, value("spline.mirror.z")?];
+    let [across, down] = mirrored.map(|key| if key == Some(1.0) { -1.0 } else { 1.0 });
+    // z points downward.
+    written.map(|[y, z]| [across * y / per_metre, -down * z / per_metre]);
+    if value("spline.approx.smooth")?.is_some_and(|smooth| smooth > 0.0) {
+        written.remarks.push(Remark::new(
+            "the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points",
+            "die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: geben Sie die Streuung ihrer Punkte an",
+        ));
+    }
+    Ok(written)
+}
+
+/// Leave out points nearer than this to the one kept before, across the profile.
+fn leave_out_near(written: &mut WrittenProfile, apart: f64) {
+    let mut last = f64::NEG_INFINITY;
+    let kept: Vec<bool> = written
+        .points
+        .iter()
+        .map(|point| {
+            let far = (point[0] - last).abs() > apart;
+            if far {
+                last = point[0];
+            }
+            far
+        })
+        .collect();
+    keep(written, &kept);
+}
+
+fn keep(written: &mut WrittenProfile, kept: &[bool]) {
+    let mut of_points = kept.iter();
+    written
+        .points
+        .retain(|_| *of_points.next().unwrap_or(&true));
+    let mut of_lines = kept.iter();
+    written.lines.retain(|_| *of_lines.next().unwrap_or(&true));
+}

@@ -1,0 +1,343 @@
+//! Files of profiles, one profile in each format.
+
+use std::path::PathBuf;
+
+use super::*;
+
+/// Scatter is told, and smoothed if it is given; a spike is left out with its line.
+#[test]
+fn scatter_is_told_and_smoothed() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.csv");
+    // Alternate by 10 µm: their deviation.
+    let mut text = String::from("x_mm,y_mm\n");
+    for index in -100..=100 {
+        let x = 0.25 * f64::from(index);
+        let off = if index % 2 == 0 { 0.01 } else { -0.01 };
+        let spike = if index == 40 { 0.4 } else { 0.0 };
+        text += &format!("{x},{}\n", -x * x / 600.0 + off + spike);
+    }
+    std::fs::write(&path, text).unwrap();
+    let through = read_profile(&path, ProfileReading::default()).unwrap();
+    let told = through.remarks[0].to_string();
+    assert!(
+        told.contains("the points scatter by") && told.contains("profiles.scatter"),
+        "{told}"
+    );
+    let smooth = read_profile(
+        &path,
+        ProfileReading {
+            scatter: Some(10e-6),
+            ..ProfileReading::default()
+        },
+    )
+    .unwrap();
+    let told: Vec<String> = smooth.remarks.iter().map(ToString::to_string).collect();
+    assert!(
+        told[0].contains("1 points far off") && told[0].contains("line 142"),
+        "{told:?}"
+    );
+    assert!(told[1].contains("at x = 0"), "{told:?}");
+    let of = |profile: &Profile| profile.at(0.1e-3).unwrap().curvature;
+    assert!(
+        (of(&smooth.profile) + 1.0 / 0.3).abs() < 1.0,
+        "{}",
+        of(&smooth.profile)
+    );
+    assert!((of(&through.profile) + 1.0 / 0.3).abs() > 100.0);
+}
+
+/// An arc of 300 mm in each way of writing is one profile.
+#[test]
+fn every_way_of_writing_is_one_profile() {
+    let arc = |factor: f64, separator: &str| {
+        (-20..=20)
+            .map(|index| {
+                let x = 1e-3 * f64::from(index);
+                format!("{:.9}{separator}{:.9}\n", factor * x, -factor * x * x / 0.6)
+            })
+            .collect::<String>()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let read = |text: &str| {
+        let path = folder.path().join("rail.csv");
+        std::fs::write(&path, text).unwrap();
+        read_profile(&path, ProfileReading::default()).map(|read| read.profile)
+    };
+    for text in [
+        arc(1e3, ","),
+        format!("# crown at the origin\nx_mm,y_mm\n{}", arc(1e3, ",")),
+        format!("x [m]; y [m]\n{}", arc(1.0, ";")),
+        arc(1.0, "  ").replace('\n', "\r\n"),
+        arc(1e3, ";").replace('.', ","),
+        arc(1e3, "\t").replace('.', ","),
+        arc(1e3, " ").replace('.', ","),
+        format!(
+            "\"x_mm\";\"y_mm\"\n{}",
+            arc(1e3, "\";\"")
+                .replace('\n', "\"\n\"")
+                .trim_end_matches('"')
+                .replacen("-20", "\"-20", 1)
+        ),
+    ] {
+        let point = read(&text).unwrap().at(5e-3).unwrap();
+        assert!((point.height + 25e-6 / 0.6).abs() < 1e-9, "{text}");
+    }
+    let refused = |text: String| read(&text).unwrap_err().to_string();
+    let broken = arc(1e3, ",").replacen("-18.0", "-18,0", 1);
+    assert!(refused(broken).contains("line 3: "));
+    for (head, says) in [
+        ("x_um,y_um", "the head says um"),
+        ("x [µm], y [µm]", "the head says µm"),
+        ("x_mm,y_m", "units of their own"),
+        ("y_mm,x_mm", "in the order y, x"),
+        ("x_m,y_m", "40.0000 m across"),
+    ] {
+        let message = refused(format!("{head}\n{}", arc(1e3, ",")));
+        assert!(message.contains(says), "{head}: {message}");
+    }
+    let mut lines: Vec<String> = arc(1e3, ",").lines().map(str::to_owned).collect();
+    lines.swap(9, 14);
+    let message = refused(lines.join("\n"));
+    assert!(
+        message.contains("line ") && message.contains("wrong order"),
+        "{message}"
+    );
+    assert!(refused("1,2\n3,4\n".to_owned()).contains("8 points or more"));
+}
+
+/// A file of the test data.
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/profiles")
+        .join(name)
+}
+
+/// 60E1 and S1002 in each format are the nominal profiles. 2 µm: the points have tenths of a micrometre, and splines through points a
+/// millimetre apart leave the corner of 8 to 13 mm by one.
+#[test]
+fn every_format_is_one_profile() {
+    for (name, nominal, kind) in [
+        ("rail.ban", "60E1", ProfileKind::Rail),
+        ("rail.prr", "60E1", ProfileKind::Rail),
+        ("rail.rai", "60E1", ProfileKind::Rail),
+        ("wheel.whl", "S1002", ProfileKind::Wheel),
+        ("wheel.prw", "S1002", ProfileKind::Wheel),
+        ("wheel.whe", "S1002", ProfileKind::Wheel),
+    ] {
+        let nominal = NominalProfile::named(nominal).unwrap().profile();
+        for side in Rail::BOTH {
+            let reading = ProfileReading {
+                side,
+                ..ProfileReading::default()
+            };
+            let read = read_profile(&file(name), reading).unwrap();
+            assert_eq!(read.kind, kind, "{name}");
+            let places = match kind {
+                ProfileKind::Rail => [-33.0, -20.0, 0.3, 11.0, 30.0],
+                ProfileKind::Wheel => [-60.0, -39.0, -20.0, 5.0, 50.0],
+            };
+            for place in places.map(|place| 1e-3 * place) {
+                let (one, other) = (read.profile.at(place).unwrap(), nominal.at(place).unwrap());
+                let off = (one.height - other.height) / other.slope.hypot(1.0);
+                assert!(off.abs() < 2e-6, "{name} at {place}: {off:e}");
+            }
+        }
+    }
+}
+
+/// What was found is told; what is asked wins, and a wheel is no rail.
+#[test]
+fn orientation_is_found_or_asked() {
+    let told = |name: &str| {
+        let read = read_profile(&file(name), ProfileReading::default()).unwrap();
+        let told: Vec<String> = read.remarks.iter().map(ToString::to_string).collect();
+        told.join("\n")
+    };
+    for (name, words) in [
+        (
+            "rail.ban",
+            "upside down; x below zero is taken as the gauge side",
+        ),
+        ("rail.ban", "2 points that were masked"),
+        ("wheel.whl", "moved to the datum circle, by x = 70.00 mm"),
+        ("rail.rai", "moved to the crown, by x = 753.50 mm"),
+        (
+            "rail.rai",
+            "the gauge of the file is 1435.0 mm, 14.0 mm below",
+        ),
+        (
+            "wheel.whe",
+            "the flange backs of the file are 1360.0 mm apart",
+        ),
+        ("wheel.prw", "its coordinates stand as they should"),
+    ] {
+        assert!(told(name).contains(words), "{name}: {}", told(name));
+    }
+    let asked = |name: &str, orientation, kind| {
+        let reading = ProfileReading {
+            orientation: Some(orientation),
+            kind,
+            ..ProfileReading::default()
+        };
+        read_profile(&file(name), reading)
+    };
+    let mirrored = asked("rail.prr", ProfileOrientation::Mirrored, None).unwrap();
+    assert!(
+        (mirrored.profile.range()[0] + 36.77e-3).abs() < 1e-4,
+        "{:?}",
+        mirrored.profile.range()
+    );
+    let refused = asked(
+        "rail.prr",
+        ProfileOrientation::Found,
+        Some(ProfileKind::Wheel),
+    )
+    .err()
+    .unwrap();
+    assert!(
+        refused.to_string().contains("a wheel is asked for"),
+        "{refused}"
+    );
+    // A table is taken as written, and turned if that is asked.
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("wheel.txt");
+    let nominal = NominalProfile::named("S1002").unwrap().profile();
+    let text: String = nominal
+        .sampled(1e-3)
+        .iter()
+        .map(|point| {
+            format!(
+                "{} {} # towards the middle of the track, down\n",
+                -1e3 * point.x,
+                -1e3 * point.height
+            )
+        })
+        .collect();
+    std::fs::write(&path, text).unwrap();
+    for (orientation, is_nominal) in [
+        (None, false),
+        (Some(ProfileOrientation::AsWritten), false),
+        (Some(ProfileOrientation::Turned), true),
+        (Some(ProfileOrientation::Found), true),
+    ] {
+        let reading = ProfileReading {
+            orientation,
+            ..ProfileReading::default()
+        };
+        let read = read_profile(&path, reading).unwrap().profile;
+        let off = read.at(-30e-3).unwrap().height - nominal.at(-30e-3).unwrap().height;
+        assert_eq!(off.abs() < 1e-5, is_nominal, "{orientation:?}: {off}");
+    }
+}
+
+/// A file that is cut, or has a letter among its numbers, is refused with its line.
+#[test]
+fn broken_files_are_refused_with_their_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let refused = |name: &str, from: &str, to: &str| {
+        let text = std::fs::read_to_string(file(name)).unwrap();
+        assert!(text.contains(from), "{name}: {from}");
+        let path = folder.path().join(name);
+        std::fs::write(&path, text.replacen(from, to, 1)).unwrap();
+        match read_profile(&path, ProfileReading::default()) {
+            Err(error) => error.to_string(),
+            Ok(_) => panic!("{name} with {to} was taken"),
+        }
+    };
+    for (name, from, to, words) in [
+        (
+            "rail.prr",
+            "spline.end",
+            "",
+            "line 5: spline.begin has no spline.end",
+        ),
+        (
+            "rail.prr",
+            "units.len.f = 1000.",
+            "units.len.f = mm",
+            "line 6: spline.units.len.f is \"mm\"",
+        ),
+        (
+            "rail.prr",
+            "0.00000   -0.00000",
+            "0.00000",
+            "is not a point y z",
+        ),
+        (
+            "rail.prr",
+            "header.begin",
+            "spline.begin\nnonsense.begin",
+            "line 2: \"nonsense.begin\" is no section",
+        ),
+        (
+            "rail.ban",
+            "ColumnDef=X,Y",
+            "ColumnDef=A,B",
+            "line 5: ColumnDef is \"A,B\"",
+        ),
+        (
+            "wheel.whl",
+            "0.0000,",
+            "zero,",
+            "line 6: \"zero,   -5.0000, 0.0\" has no numbers X and Y",
+        ),
+        (
+            "wheel.whe",
+            "TREADDATUM EUROPEAN",
+            "TREADDATUM TRAM",
+            "line 3: TREADDATUM is \"TRAM\"",
+        ),
+        (
+            "rail.rai",
+            "GAUGE 1435.0",
+            "GAUGE 1435.0\n1 2 3",
+            "line 5: \"1 2 3\" is not y and z of both sides",
+        ),
+    ] {
+        let message = refused(name, from, to);
+        assert!(message.contains(words), "{name}: {message}");
+    }
+    let slices = folder.path().join("rail.slcs");
+    std::fs::write(&slices, "0 1 2\n").unwrap();
+    let error = read_profile(&slices, ProfileReading::default())
+        .err()
+        .unwrap();
+    assert!(error.to_string().contains("list of slices"), "{error}");
+}
+
+/// Outlines that close or cross themselves are refused with the line at which they do.
+#[test]
+fn closed_and_crossing_outlines_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.csv");
+    let refused = |points: &[(f64, f64)]| {
+        let text: String = points
+            .iter()
+            .map(|(x, y)| format!("{x:.4},{y:.4}\n"))
+            .collect();
+        std::fs::write(&path, format!("x_mm,y_mm\n{text}")).unwrap();
+        read_profile(&path, ProfileReading::default())
+            .err()
+            .unwrap()
+            .to_string()
+    };
+    let head: Vec<(f64, f64)> = (-30..=30)
+        .map(|x| (f64::from(x), -f64::from(x * x) / 600.0))
+        .collect();
+    let mut closed = head.clone();
+    closed.extend((-30..=30).map(|x| (f64::from(-x), -40.0)));
+    closed.push((-30.0, -1.6));
+    let message = refused(&closed);
+    assert!(
+        message.contains("line 124") && message.contains("closes here"),
+        "{message}"
+    );
+    let mut crossing = head;
+    crossing.extend([(20.0, -2.0), (10.0, 1.0)]);
+    let message = refused(&crossing);
+    assert!(
+        message.contains("line 6") && message.contains("crosses"),
+        "{message}"
+    );
+}

@@ -1,0 +1,132 @@
+//! Files of Vampire, `.whe` of wheels and `.rai` of rails: WHEELPROFILE or RAILPROFILE, a title, TREADDATUM or GAUGEPOINT, FLANGEBACK
+//! or GAUGE, then four columns in millimetres, y and z of the left and of the right one, y from the middle of the track to the right.
+//!
+//! Source: what CONTACT's open source says of these files.
+
+use riffel::Rail;
+use riffel_keys::{Remark, clipped};
+
+use super::table::{number, without_comment};
+use super::written::{Fault, WrittenProfile};
+use crate::file::ProfileKind;
+
+/// Millimetres of an inch.
+const INCH: f64 = 25.4;
+
+/// Whether the first line is that of such a file.
+pub(super) fn is_first_line(line: &str) -> bool {
+    kind_of(line).is_some()
+}
+
+fn kind_of(line: &str) -> Option<ProfileKind> {
+    match line.trim().to_uppercase().as_str() {
+        "WHEELPROFILE" => Some(ProfileKind::Wheel),
+        "RAILPROFILE" => Some(ProfileKind::Rail),
+        _ => None,
+    }
+}
+
+/// The profile of one side; the right one is drawn as it is, the left one turned over.
+pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
+    let mut written = WrittenProfile {
+        of_any_orientation: true,
+        ..WrittenProfile::default()
+    };
+    let mut lines = text
+        .lines()
+        .enumerate()
+        .map(|(index, line)| (index + 1, line.trim()));
+    let first = lines.find(|(_, line)| !line.is_empty());
+    let kind = first.and_then(|(_, line)| kind_of(line));
+    written.kind = kind;
+    // The title.
+    let _ = lines.next();
+    // Millimetres: TREADDATUM or GAUGEPOINT, and FLANGEBACK or GAUGE.
+    let (mut datum, mut distance) = (None, None);
+    for (line, text) in lines {
+        let text = without_comment(text);
+        if text.is_empty() {
+            continue;
+        }
+        let numbers: Vec<Option<f64>> = text
+            .split([' ', '\t', ','])
+            .filter(|cell| !cell.is_empty())
+            .map(number)
+            .collect();
+        match numbers[..] {
+            [Some(left), Some(left_z), Some(right), Some(right_z), ..] => {
+                let point = match side {
+                    Rail::Left => [-left, left_z],
+                    Rail::Right => [right, right_z],
+                };
+                written.push(point, line);
+                continue;
+            }
+            [Some(_), ..] => {
+                let message = format!("\"{}\" is not y and z of both sides", clipped(text));
+                return Err(Fault::at(line, message));
+            }
+            _ => {}
+        }
+        let upper = text.to_uppercase();
+        let (key, value) = upper.split_once([' ', '\t', '=']).unwrap_or((&upper, ""));
+        let value = value.trim();
+        let asked = || {
+            let number = value.rsplit([' ', '\t']).next().and_then(number);
+            number.ok_or_else(|| {
+                Fault::at(
+                    line,
+                    format!("{key} is \"{}\", which is not known", clipped(value)),
+                )
+            })
+        };
+        match key {
+            "TREADDATUM" => {
+                datum = Some(match value {
+                    "EUROPEAN" => 70.0,
+                    "US1" => (2.0 + 27.0 / 32.0) * INCH,
+                    "US2" => (3.0 + 1.0 / 16.0) * INCH,
+                    _ => asked()?,
+                });
+            }
+            "GAUGEPOINT" => {
+                datum = Some(match value {
+                    "EUROPEAN" => 14.0,
+                    "US" => 5.0 / 8.0 * INCH,
+                    _ => asked()?,
+                });
+            }
+            "FLANGEBACK" | "GAUGE" => distance = Some(asked()?),
+            _ => {
+                return Err(Fault::at(
+                    line,
+                    format!(
+                        "\"{}\" is no line of a head, nor are these coordinates",
+                        clipped(text)
+                    ),
+                ));
+            }
+        }
+    }
+    if let Some(distance) = distance {
+        match kind {
+            Some(ProfileKind::Wheel) => {
+                let origin = 0.5 * distance + datum.unwrap_or(70.0);
+                written.map(|[y, z]| [y - origin, z]);
+                written.remarks.push(Remark::new(
+                    format!("the flange backs of the file are {distance:.1} mm apart"),
+                    format!("die Spurkranzrücken der Datei stehen {distance:.1} mm auseinander"),
+                ));
+            }
+            _ => {
+                let depth = datum.unwrap_or(14.0);
+                written.remarks.push(Remark::new(
+                    format!("the gauge of the file is {distance:.1} mm, {depth:.1} mm below the crown"),
+                    format!("die Spurweite der Datei ist {distance:.1} mm, {depth:.1} mm unter der Schienenoberkante"),
+                ));
+            }
+        }
+    }
+    written.scale(1e-3);
+    Ok(written)
+}

@@ -1,0 +1,66 @@
+//! A profile as its file has it.
+
+use riffel_keys::Remark;
+
+use crate::file::ProfileKind;
+
+/// A profile without a unit is in millimetres if it is wider than this number; none is wider than this in metres.
+pub(super) const WIDEST_IN_METRES: f64 = 1.0;
+
+/// What is wrong with a file, and in which line.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub(super) line: Option<usize>,
+    pub(super) message: String,
+}
+
+impl Fault {
+    pub(super) fn at(line: usize, message: impl Into<String>) -> Self {
+        Self {
+            line: Some(line),
+            message: message.into(),
+        }
+    }
+
+    pub(super) fn of_file(message: impl Into<String>) -> Self {
+        Self {
+            line: None,
+            message: message.into(),
+        }
+    }
+}
+
+/// Points in the order of the file, x lateral and y the height, with their lines.
+#[derive(Debug, Default)]
+pub(super) struct WrittenProfile {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) lines: Vec<usize>,
+    /// Wheel or rail, where the file says so.
+    pub(super) kind: Option<ProfileKind>,
+    /// Whether the format leaves open how the coordinates stand, so that it is found.
+    pub(super) of_any_orientation: bool,
+    pub(super) remarks: Vec<Remark>,
+}
+
+impl WrittenProfile {
+    pub(super) fn push(&mut self, point: [f64; 2], line: usize) {
+        self.points.push(point);
+        self.lines.push(line);
+    }
+
+    pub(super) fn scale(&mut self, factor: f64) {
+        self.map(|point| point.map(|value| factor * value));
+    }
+
+    pub(super) fn map(&mut self, change: impl Fn([f64; 2]) -> [f64; 2]) {
+        for point in &mut self.points {
+            *point = change(*point);
+        }
+    }
+
+    /// Lateral extent.
+    pub(super) fn width(&self) -> f64 {
+        let x = || self.points.iter().map(|point| point[0]);
+        x().fold(f64::MIN, f64::max) - x().fold(f64::MAX, f64::min)
+    }
+}
