@@ -13,7 +13,8 @@ use crate::CaseKey;
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::curving::CurvingCase;
-use crate::file::{ContactOfWheel, CreepLawName, CurveRail, CurvingFile, FromCurve};
+use crate::file::{ContactOfWheel, CreepLawName, CurveRail, FromCurve};
+use crate::from_profiles::PlaceOnRail;
 
 /// A case as far as it says where its mean state comes from.
 #[derive(Deserialize)]
@@ -30,9 +31,13 @@ struct AskingContact {
 struct MeanContact {
     creepages: Creepages,
     contact_angle: f64,
+    /// r/cos γ: the wheel is a surface of revolution.
+    longitudinal_radius: f64,
     normal_force: f64,
     /// None where the case of curving gives no curvature across the track.
     transverse_radius: Option<f64>,
+    /// None on cones.
+    place: Option<PlaceOnRail>,
     friction: f64,
     tractive_ratio: f64,
     /// Share of the normal forces of the wheel that its other point carries.
@@ -41,7 +46,7 @@ struct MeanContact {
 
 impl CaseText {
     /// Put what the equilibrium of a bogie says of the contacts in the place of keys that are not written, if `contact.from` asks for it:
-    /// creepages, contact angle, normal load, transverse radius and friction of the rail under study, those of the opposite rail where
+    /// creepages, contact angle, normal load, radii of the ellipse, place on the rail and friction of the rail under study, those of the opposite rail where
     /// it is not absent, the rail of the wheelset and the rolling radius. `unfilled` are the keys without presets; values of presets give way.
     ///
     /// A lone wheel is always on the right rail: one on the left is turned over, with lateral creepage and spin of the other sign.
@@ -85,7 +90,7 @@ impl CaseText {
             ));
         }
         let file = &curving.file;
-        let study = self.contact_of(&from, file, &states[0], rail)?;
+        let study = self.contact_of(&from, &curving, &states[0], rail)?;
         let has_wheelset = self.keys.has("wheelset");
         if has_wheelset && self.keys.has("wheelset.rail") {
             let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
@@ -114,6 +119,7 @@ impl CaseText {
         }
         self.fill_contact(
             "contact",
+            rail,
             &study,
             mirrored,
             !at_tractive_ratio,
@@ -125,9 +131,16 @@ impl CaseText {
                 contact: None,
                 ..from.clone()
             };
-            let other = self.contact_of(&on_tread, file, &states[0], rail.opposite())?;
+            let other = self.contact_of(&on_tread, &curving, &states[0], rail.opposite())?;
             self.put_friction("opposite_contact", other.friction, &mut instead);
-            self.fill_contact("opposite_contact", &other, false, true, &mut instead)?;
+            self.fill_contact(
+                "opposite_contact",
+                rail.opposite(),
+                &other,
+                false,
+                true,
+                &mut instead,
+            )?;
             self.tell_of_second_point(rail.opposite(), other.elsewhere);
         }
         self.tell_where_from(&from, rail, &bogie.curve, &study);
@@ -160,7 +173,7 @@ impl CaseText {
     fn contact_of(
         &self,
         from: &FromCurve,
-        file: &CurvingFile,
+        curving: &CurvingCase,
         state: &BogieState,
         rail: Rail,
     ) -> Result<MeanContact, CaseError> {
@@ -170,6 +183,7 @@ impl CaseText {
         let Some(wheel) = state.wheels.iter().find(is_it) else {
             unreachable!("two wheelsets on two rails")
         };
+        let file = &curving.file;
         let friction = file.contact.as_ref().map_or(0.0, |contact| {
             contact.friction.of_rails()[usize::from(rail == Rail::Right)]
         });
@@ -181,10 +195,15 @@ impl CaseText {
             Some(curvature) => Some(curvature.recip()),
             None => across.map(|radius| radius.si()),
         };
+        let wheelset = usize::from(from.wheelset) - 1;
+        let shift = state.wheelsets[wheelset].lateral_shift;
+        let place = |angle: f64| curving.place_on_rail(rail, shift, angle);
         match (from.contact.unwrap_or_default(), wheel.second_contact) {
             (ContactOfWheel::Flange, Some(second)) => Ok(MeanContact {
                 creepages: second.creepages,
                 contact_angle: second.contact_angle,
+                longitudinal_radius: second.rolling_radius / second.contact_angle.cos(),
+                place: place(second.contact_angle)?,
                 normal_force: second.normal_force,
                 transverse_radius: radius_of(second.lateral_curvature),
                 friction,
@@ -202,6 +221,8 @@ impl CaseText {
             (ContactOfWheel::Tread, _) => Ok(MeanContact {
                 creepages: wheel.creepages,
                 contact_angle: wheel.contact_angle,
+                longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
+                place: place(wheel.contact_angle)?,
                 normal_force: wheel.normal_force,
                 transverse_radius: radius_of(wheel.lateral_curvature),
                 friction,
@@ -217,6 +238,7 @@ impl CaseText {
     fn fill_contact(
         &mut self,
         table: &str,
+        rail: Rail,
         contact: &MeanContact,
         mirrored: bool,
         creeps: bool,
@@ -247,9 +269,24 @@ impl CaseText {
         if self.is_written(&angle) {
             self.fill_number(&angle, contact.contact_angle, instead);
         } else {
-            self.fill(&angle, format!("{} rad", contact.contact_angle));
+            let of_loop = self.not_below_zero(&angle, contact.contact_angle);
+            self.fill(&angle, format!("{of_loop} rad"));
         }
         self.fill_number(&key("normal_load"), contact.normal_force, instead);
+        self.fill_number(
+            &key("longitudinal_radius"),
+            contact.longitudinal_radius,
+            instead,
+        );
+        if let Some(place) = &contact.place {
+            let to_the_right = if mirrored { 1.0 } else { rail.sign() };
+            self.fill_number(
+                &key("lateral_offset"),
+                to_the_right * place.outward,
+                instead,
+            );
+            self.fill_rail_radius(table, place, instead)?;
+        }
         if let Some(radius) = contact.transverse_radius {
             if !(radius > 0.0 && radius.is_finite()) {
                 let message = format!(
@@ -262,6 +299,52 @@ impl CaseText {
             }
             self.fill_number(&key("transverse_radius"), radius, instead);
         }
+        Ok(())
+    }
+
+    /// A contact angle \[rad\] of the loop, which knows none below zero: a wheel past the crown of its rail stands inclined the other way by a little,
+    /// which is told.
+    fn not_below_zero(&mut self, key: &str, angle: f64) -> f64 {
+        /// \[rad\], of which the sine is 2 % of the normal force; steeper ones are refused as values of the key.
+        const SMALL: f64 = 0.02;
+        if !(-SMALL..0.0).contains(&angle) {
+            return angle;
+        }
+        let degrees = angle.to_degrees();
+        self.curve_remarks.push(Remark::new(
+            format!("the wheel stands past the crown of its rail, at {degrees:.2}°: {key} is 0"),
+            format!("das Rad steht jenseits der höchsten Stelle der Schiene, bei {degrees:.2}°: {key} ist 0"),
+        ));
+        0.0
+    }
+
+    /// The radius of the rail where the contact moves across the profiles, if the case asks for that.
+    fn fill_rail_radius(
+        &mut self,
+        table: &str,
+        place: &PlaceOnRail,
+        instead: &mut Vec<String>,
+    ) -> Result<(), CaseError> {
+        if !self.keys.has("contact.conformity") {
+            return Ok(());
+        }
+        let key = match table {
+            "contact" => "contact.conformity.rail_radius",
+            _ => "opposite_contact.rail_radius",
+        };
+        let radius = place.rail_curvature.recip();
+        if !(radius > 0.0 && radius.is_finite()) {
+            let message = format!(
+                "the rail is not convex where the wheel stands (curvature {:.2} 1/m), so that no contact of a head moves there; \
+                 leave contact.conformity out, or give {key}",
+                place.rail_curvature
+            );
+            return match self.is_written(key) {
+                true => Ok(()),
+                false => Err(self.keys.refuse("contact.from", &message)),
+            };
+        }
+        self.fill_number(key, radius, instead);
         Ok(())
     }
 
@@ -386,21 +469,6 @@ impl CaseText {
                  {along:.3} % längs, {across:.3} % quer, Bohrschlupf {spin:.3} 1/m, unter {load:.1} kN bei {angle:.1}°"
             ),
         ));
-        /// Share by which the curvature of the wheel along the rail may differ from that of its rolling radius without a word.
-        const WORTH_A_REMARK: f64 = 0.05;
-        let flatter = contact.contact_angle.cos().recip();
-        if flatter > 1.0 + WORTH_A_REMARK {
-            self.curve_remarks.push(Remark::new(
-                format!(
-                    "at {angle:.0}° the wheel is {flatter:.2} times as flat along the rail as its rolling radius, which the ellipse of \
-                     the loop does not know"
-                ),
-                format!(
-                    "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, was die Ellipse des \
-                     Kreises nicht weiß"
-                ),
-            ));
-        }
     }
 }
 
@@ -446,6 +514,10 @@ mod tests {
                 format!("{table}.contact_angle={:e} rad", wheel.contact_angle),
                 format!("{table}.normal_load={:e}", wheel.normal_force),
                 format!(
+                    "{table}.longitudinal_radius={:e}",
+                    wheel.rolling_radius / wheel.contact_angle.cos()
+                ),
+                format!(
                     "{table}.transverse_radius={:e}",
                     wheel.lateral_curvature.unwrap().recip()
                 ),
@@ -460,6 +532,44 @@ mod tests {
         let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
         let (got, expected) = (growth(&asked), growth(&by_hand));
         assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
+    }
+
+    /// The place on the rail is where the upright profile, turned by the inclination, has the contact angle; its curvature goes where the
+    /// contact moves across the profiles, and what is written wins.
+    #[test]
+    fn the_place_on_the_rail_is_filled_in() {
+        use riffel::profile::NominalProfile;
+
+        let moving = "contact.conformity={cross_slope=\"10 1/m\"}";
+        let rail = NominalProfile::named("60E1").unwrap().profile();
+        for (wheelset, side) in [(1, "low"), (1, "high"), (2, "left"), (2, "right")] {
+            let from = format!("contact.from={{wheelset={wheelset}, rail=\"{side}\"}}");
+            let case = case(&[&from, moving]).unwrap();
+            let contact = &case.file.contact;
+            let offset = contact.lateral_offset.unwrap().si();
+            let is_left = matches!(side, "high" | "left");
+            let outward = if is_left { -offset } else { offset };
+            let there = rail.at(outward).unwrap();
+            let angle = there.slope.atan() + (1.0f64 / 40.0).atan();
+            // Rows of the table are interpolated.
+            let off = angle - contact.contact_angle.unwrap().si();
+            assert!(off.abs() < 2e-3, "{side}: {off:e}");
+            let radius = contact.conformity.unwrap().rail_radius.si();
+            assert!(
+                (radius + there.curvature.recip()).abs() < 1e-6,
+                "{side}: {radius}"
+            );
+            let opposite = case.file.opposite_contact.as_ref().unwrap();
+            assert!(opposite.lateral_offset.is_some() && opposite.rail_radius.is_some());
+        }
+        let written = case(&["contact.lateral_offset=12 mm"]).unwrap();
+        assert_eq!(written.file.contact.lateral_offset.unwrap().si(), 0.012);
+        let told: Vec<String> = written.remarks.iter().map(ToString::to_string).collect();
+        assert!(
+            told.iter()
+                .any(|remark| remark.contains("contact.lateral_offset")),
+            "{told:?}"
+        );
     }
 
     /// A curve to the left is its mirror image, with a wheelset and with a lone wheel.

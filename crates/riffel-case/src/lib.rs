@@ -26,6 +26,7 @@ mod discrete_supports;
 pub mod file;
 mod fill_in;
 mod from_curve;
+mod from_profiles;
 mod general_keys;
 mod given;
 mod held;

@@ -1,0 +1,85 @@
+//! Where a wheel stands on its rail, from the profiles of a case.
+
+use riffel::Rail;
+use riffel::profile::{Profile, ProfileContact};
+use riffel_keys::CaseError;
+
+use crate::curving::CurvingCase;
+
+/// A contact is that of the equilibrium if its angle is within this of it \[rad\]: positions between the rows of the table are
+/// interpolated, and those under load lie beside the rigid ones.
+const SAME_ANGLE: f64 = 0.02;
+/// To either side of an equilibrium both points of a wheel are looked for \[m\]: past a jump found to 1e-9 m.
+const BESIDE: f64 = 2e-8;
+
+/// A place on the rail.
+pub(crate) struct PlaceOnRail {
+    /// From the axis of the upright rail, x = 0 of its profile, to the field side \[m\].
+    pub(crate) outward: f64,
+    /// Curvature of the rail there \[1/m\], positive for a convex head.
+    pub(crate) rail_curvature: f64,
+}
+
+impl CurvingCase {
+    /// Where the wheel on a rail stands at a lateral shift \[m\] under a contact angle \[rad\]; none on cones, and where no rigid contact has that
+    /// angle.
+    ///
+    /// # Errors
+    /// [`CaseError`] for profiles that cannot be read.
+    pub(crate) fn place_on_rail(
+        &self,
+        rail: Rail,
+        lateral_shift: f64,
+        contact_angle: f64,
+    ) -> Result<Option<PlaceOnRail>, CaseError> {
+        let Some(profiles) = self
+            .file
+            .profiles
+            .as_ref()
+            .filter(|one| one.wheel != "cone")
+        else {
+            return Ok(None);
+        };
+        let wheelset = self.wheelset_on_track()?;
+        let index = usize::from(rail == Rail::Right);
+        let shifts = [0.0, -BESIDE, BESIDE].map(|beside| lateral_shift + beside);
+        let found = shifts
+            .iter()
+            .filter_map(|&shift| Some(wheelset.contact(shift, 0.0).ok()?.contacts[index]));
+        let off = |contact: &ProfileContact| (contact.contact_angle - contact_angle).abs();
+        let nearest = found.min_by(|one, other| off(one).total_cmp(&off(other)));
+        let Some(contact) = nearest.filter(|contact| off(contact) < SAME_ANGLE) else {
+            return Ok(None);
+        };
+        let profile = self.profile_of_rail(rail)?;
+        let slope = profiles.inclination.slope;
+        let placed = placed_origin(
+            &profile,
+            slope.atan(),
+            profiles.gauge.si(),
+            profiles.gauge_height.si(),
+        );
+        Ok(placed.map(|[origin, height]| {
+            let across = contact.on_track[1] * rail.sign() - origin;
+            let up = -contact.on_track[2] - height;
+            let (sine, cosine) = slope.atan().sin_cos();
+            PlaceOnRail {
+                outward: cosine * across + sine * up,
+                rail_curvature: contact.rail_curvature,
+            }
+        }))
+    }
+}
+
+/// Where the origin of a profile lies on the track: outward from the middle and above the crowns \[m\].
+fn placed_origin(
+    rail: &Profile,
+    inclination: f64,
+    gauge: f64,
+    gauge_height: f64,
+) -> Option<[f64; 2]> {
+    let turned = rail.turned(inclination);
+    let crown = turned.crown().height;
+    let face = turned.inner_face(crown - gauge_height)?;
+    Some([0.5 * gauge - face, -crown])
+}
