@@ -88,6 +88,9 @@ pub const FREIGHT_CASE: &str = include_str!("../cases/freight.toml");
 /// `cases/bhaskar-track.toml`: the nominal wheel on the track of Bhaskar et al., values inferred.
 pub const BHASKAR_TRACK_CASE: &str = include_str!("../cases/bhaskar-track.toml");
 
+/// `cases/metro-curve.toml`, commented: a metro bogie in a curve of 180 m.
+pub const METRO_CURVE_CASE: &str = include_str!("../cases/metro-curve.toml");
+
 /// `cases/traffic.toml`, commented: a mix of three kinds of vehicle, and the file that
 /// `riffel init --traffic` writes.
 pub const TRAFFIC: &str = include_str!("../cases/traffic.toml");

@@ -2,6 +2,7 @@
 
 import { Banner } from './banner.js';
 import { theme } from './colors.js';
+import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
@@ -490,6 +491,7 @@ const shared = {
 };
 startCompare(shared);
 const measure = startMeasure(shared);
+startBogie(shared);
 startPaper(shared);
 startTakeAway({ ...shared, measure });
 translate();

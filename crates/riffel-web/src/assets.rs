@@ -20,6 +20,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "page.css": "text/css; charset=utf-8",
     "icon.svg": "image/svg+xml",
     "banner.js": "text/javascript; charset=utf-8",
+    "bogie.js": "text/javascript; charset=utf-8",
     "colors.js": "text/javascript; charset=utf-8",
     "compare.js": "text/javascript; charset=utf-8",
     "curves.js": "text/javascript; charset=utf-8",

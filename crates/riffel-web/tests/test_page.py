@@ -16,7 +16,7 @@ from axe_playwright_python.sync_playwright import Axe
 from conftest import PROGRAM, ROOT, Served
 
 NOMINAL = (ROOT / "cases/nominal.toml").read_text()
-VIEWS = ["explore", "compare", "measure", "paper"]
+VIEWS = ["explore", "compare", "measure", "curve", "paper"]
 
 
 def drag(page, slider, value):
@@ -371,6 +371,35 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     with page.page.expect_download(timeout=60_000) as again:
         page.page.click("[data-take=report]")
     assert again.value.suggested_filename == "trolley-report.html"
+
+
+PROFILES = pathlib.Path(__file__).resolve().parents[2] / "riffel-case/tests/profiles"
+
+
+def test_profiles_and_the_wheels_of_a_curve(page):
+    page.page.click("#tab-curve")
+    rows = page.page.locator("#wheels tbody tr")
+    page.until(lambda: rows.count() == 4)
+    page.until(lambda: page.page.locator("#outlines .main-svg").count() > 0)
+    nominal = rows.first.inner_text()
+    # A wheel of a device in place of the nominal one: the same profile, within its digits, is said to be turned.
+    page.page.set_input_files("#profile-file-wheel", str(PROFILES / "wheel.whl"))
+    page.until(lambda: "wheel.whl: read as a wheel" in page.text("#profile-remarks"))
+    assert page.page.locator("#profile-wheel").input_value() == "wheel.whl"
+    assert "/" not in page.text("#profile-remarks")
+    assert rows.first.inner_text().split()[:3] == nominal.split()[:3]
+    page.page.fill("#curve-radius", "1500")
+    page.page.keyboard.press("Tab")
+    page.until(lambda: rows.first.inner_text().split()[2:] != nominal.split()[2:])
+    page.settle()
+    page.page.wait_for_timeout(300)
+    page.keep("curve", whole=True)
+    # What cannot be read says so in the name of the user.
+    broken = {"name": "scan.csv", "mimeType": "text/csv", "buffer": b"x_mm,y_mm\n1,2\n3,x\n"}
+    page.page.set_input_files("#profile-file-rail", files=[broken])
+    page.until(page.page.locator("#trouble").is_visible)
+    assert "scan.csv" in page.text("#trouble") and "line 3" in page.text("#trouble")
+    page.complaints.clear()
 
 
 @pytest.mark.without_curves

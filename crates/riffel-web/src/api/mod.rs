@@ -2,6 +2,7 @@
 
 pub(crate) mod case;
 pub(crate) mod compare;
+pub(crate) mod curve;
 pub(crate) mod export;
 pub(crate) mod figure;
 pub(crate) mod map;

@@ -1,0 +1,150 @@
+//! `POST /api/curve`: profiles of a wheel and a rail, and how a typical metro bogie stands on them in a curve.
+
+use axum::Json;
+use axum::extract::State;
+use riffel_answers::curve::CurveAnswer;
+use riffel_answers::profile::OutlineAnswer;
+use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
+use riffel_keys::{CaseError, Remark};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::roughness::LONGEST_NAME;
+use crate::Page;
+use crate::fault::Fault;
+use crate::request::{Asked, Asker};
+
+/// Endings of names by which a reader tells formats apart; others are left out.
+const ENDINGS: [&str; 8] = ["ban", "mpt", "prr", "prw", "rai", "slcs", "whe", "whl"];
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    wheel: ProfileText,
+    rail: ProfileText,
+    /// Above zero to the right.
+    radius_m: f64,
+    speed_m_per_s: f64,
+}
+
+/// A nominal profile, or a file.
+#[derive(Deserialize)]
+struct ProfileText {
+    /// Nominal name, or that of the file to the user.
+    name: String,
+    /// The file.
+    text: Option<String>,
+}
+
+impl Question {
+    /// `Ok` if the numbers are those of a curve.
+    fn check(&self) -> Result<(), Fault> {
+        for (what, value, unit, most) in [
+            ("the radius", self.radius_m.abs(), "m", 1e6),
+            ("the speed", self.speed_m_per_s, "m/s", 150.0),
+        ] {
+            if !(value > 0.0 && value <= most) {
+                return Err(Fault::bad(format!(
+                    "{what} is {value} {unit}, but must be above zero and at most {most} {unit}"
+                )));
+            }
+        }
+        Ok(())
+    }
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Json<Value>, Fault> {
+    question.check()?;
+    page.queue
+        .run(asker.subject("curve"), move |_| question.answer())
+        .await
+}
+
+impl Question {
+    fn answer(&self) -> Result<Json<Value>, Fault> {
+        // A folder of its own for each question: gone with it.
+        let folder = tempfile::tempdir()
+            .map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))?;
+        let mut paths = Vec::new();
+        for (kind, profile) in [("wheel", &self.wheel), ("rail", &self.rail)] {
+            paths.push(profile.put(folder.path(), kind)?);
+        }
+        let named =
+            |error: CaseError| Fault::from(error).in_words(|words| self.named(words, &paths));
+        let outlines = OutlineAnswer::new(
+            &paths
+                .iter()
+                .map(|path| path.clone().into())
+                .collect::<Vec<_>>(),
+            ProfileReading::default(),
+        )
+        .map_err(named)?;
+        let overrides = [
+            format!("profiles.wheel={}", paths[0]),
+            format!("profiles.rail={}", paths[1]),
+            format!("curve.radius={}", self.radius_m),
+            format!("curve.speed={}", self.speed_m_per_s),
+        ];
+        // Short of an equilibrium the profiles are still worth seeing.
+        let curve = CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
+            .and_then(|case| CurveAnswer::new(&case))
+            .map_err(named);
+        let curve = match curve {
+            Ok(answer) => {
+                let mut document = json!(answer.document(None));
+                document["remarks"] = json!(self.told(&answer.remarks, &paths));
+                document
+            }
+            Err(fault) => json!({ "fault": fault }),
+        };
+        let remarks = self.told(&outlines.remarks, &paths);
+        Ok(Json(
+            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks }),
+        ))
+    }
+
+    fn told(&self, remarks: &[Remark], paths: &[String]) -> Vec<String> {
+        let told = remarks.iter();
+        told.map(|remark| self.named(&remark.to_string(), paths))
+            .collect()
+    }
+
+    /// Words with the names that the user knows in place of paths.
+    fn named(&self, words: &str, paths: &[String]) -> String {
+        let both = [&self.wheel, &self.rail].into_iter().zip(paths);
+        both.fold(words.to_owned(), |words, (profile, path)| {
+            let name: String = profile.name.chars().take(LONGEST_NAME).collect();
+            words.replace(path.as_str(), &name)
+        })
+    }
+}
+
+impl ProfileText {
+    /// What the reader is given: the nominal name, or the path of the text in a folder. Nothing of a name becomes part of a path but an ending that
+    /// is known.
+    fn put(&self, folder: &std::path::Path, kind: &str) -> Result<String, Fault> {
+        let Some(text) = &self.text else {
+            return match riffel::profile::NominalProfile::named(&self.name) {
+                Some(nominal) => Ok(nominal.name.to_owned()),
+                None => Err(Fault::bad("there is no such nominal profile".to_owned())),
+            };
+        };
+        let ending = self
+            .name
+            .rsplit('.')
+            .next()
+            .unwrap_or_default()
+            .to_lowercase();
+        let ending = ENDINGS
+            .iter()
+            .find(|known| **known == ending)
+            .unwrap_or(&"csv");
+        let path = folder.join(format!("{kind}.{ending}"));
+        std::fs::write(&path, text)
+            .map_err(|error| Fault::defect(&format!("the profile cannot be stored: {error}")))?;
+        Ok(path.display().to_string())
+    }
+}
