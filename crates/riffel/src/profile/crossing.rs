@@ -9,8 +9,8 @@ const CLOSED: f64 = 0.05;
 
 /// `Ok` for the points (x, height) of an open outline that does not cross, touch or retrace itself; `length` is that of its chords.
 ///
-/// Method: the chords in the order of their left ends, each held against those that reach beyond its own. Cost: about n log n for an
-/// outline that runs across the track, n² at most.
+/// Method: the chords in the order of their first ends along the longer side of the outline, each held against those that reach beyond
+/// its own. Cost: about n log n for an outline that runs one way, n² at most.
 pub(super) fn check_outline(points: &[[f64; 2]], length: f64) -> Result<(), ProfileError> {
     let at_fault = |index: usize, rule: String| Err(ProfileError::Point { index, rule });
     let count = points.len();
@@ -49,16 +49,22 @@ fn crossing(points: &[[f64; 2]]) -> Option<(usize, usize)> {
         let (one, other) = (points[chord][axis], points[chord + 1][axis]);
         (one.min(other), one.max(other))
     };
+    let extent = |axis: usize| {
+        let values = || points.iter().map(|point| point[axis]);
+        values().fold(f64::MIN, f64::max) - values().fold(f64::MAX, f64::min)
+    };
+    let along = usize::from(extent(1) > extent(0));
+    let across = 1 - along;
     let mut order: Vec<usize> = (0..chords).collect();
-    order.sort_by(|&one, &other| span(0, one).0.total_cmp(&span(0, other).0));
+    order.sort_by(|&one, &other| span(along, one).0.total_cmp(&span(along, other).0));
     let mut open: Vec<usize> = Vec::new();
     let mut found: Option<(usize, usize)> = None;
     for chord in order {
-        let (left, _) = span(0, chord);
-        let (low, high) = span(1, chord);
-        open.retain(|&other| span(0, other).1 >= left);
+        let (first, _) = span(along, chord);
+        let (low, high) = span(across, chord);
+        open.retain(|&other| span(along, other).1 >= first);
         for &other in &open {
-            let (lowest, highest) = span(1, other);
+            let (lowest, highest) = span(across, other);
             if lowest > high || highest < low {
                 continue;
             }

@@ -15,11 +15,14 @@ use riffel::Rail;
 use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
 use riffel_keys::{CaseError, Language, Remark, text_file};
 
-use self::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
+use self::written::{Fault, NARROWEST, WIDEST_IN_METRES, WrittenProfile};
 use crate::file::{ProfileKind, ProfileOrientation};
 
 /// Largest file of a profile \[bytes\].
 const LARGEST: u64 = 16 << 20;
+
+/// Fewer points are no profile of any width.
+const FEWEST: usize = 8;
 
 /// A profile, and what is to be told of its points.
 pub struct ProfileOfName {
@@ -120,6 +123,13 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
     if across > WIDEST_IN_METRES {
         let message = format!(
             "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
+        );
+        return Err(at_fault(None, message));
+    }
+    if across < NARROWEST && written.points.len() >= FEWEST {
+        let message = format!(
+            "the profile is {:.3} mm across, narrower than any wheel or rail: check its unit",
+            1e3 * across
         );
         return Err(at_fault(None, message));
     }

@@ -96,6 +96,8 @@ fn every_way_of_writing_is_one_profile() {
         let message = refused(format!("{head}\n{}", arc(1e3, ",")));
         assert!(message.contains(says), "{head}: {message}");
     }
+    let message = refused(format!("x_mm,y_mm\n{}", arc(1.0, ",")));
+    assert!(message.contains("0.040 mm across, narrower"), "{message}");
     let mut lines: Vec<String> = arc(1e3, ",").lines().map(str::to_owned).collect();
     lines.swap(9, 14);
     let message = refused(lines.join("\n"));

@@ -6,6 +6,8 @@ use crate::file::ProfileKind;
 
 /// A profile without a unit is in millimetres if it is wider than this number; none is wider than this in metres.
 pub(super) const WIDEST_IN_METRES: f64 = 1.0;
+/// No profile is narrower than this \[m\].
+pub(super) const NARROWEST: f64 = 5e-3;
 
 /// What is wrong with a file, and in which line.
 #[derive(Debug)]
