@@ -281,7 +281,7 @@ pub(crate) fn curving_on_profiles() -> Row {
             expect[table][index][key].as_f64().expect("a number")
         };
         // Where Δr jumps there may be several; the reference stands between the jumps.
-        let distance = |state: &riffel::curving::BogieState| {
+        let distance = |state: &riffel::curving::VehicleState| {
             (0..2)
                 .map(|index| {
                     (state.wheelsets[index].lateral_shift

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::Rail;
 use riffel::contact::Creepages;
-use riffel::curving::{BogieState, WheelState};
+use riffel::curving::{VehicleState, WheelState};
 use riffel_keys::{CaseError, Remark};
 use serde::Deserialize;
 use toml::Value;
@@ -61,15 +61,11 @@ impl CaseText {
         let Asking {
             contact: AskingContact { from },
         } = self.keys.deserialize()?;
-        if !(1..=2).contains(&from.wheelset) {
-            let rule = format!("is {}, but must be 1, which leads, or 2", from.wheelset);
-            return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
-        }
         if from.curve.is_some() && folder.is_none() {
             return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
         }
         if from.curve.is_some()
-            && let Some(table) = ["curve", "bogie", "profiles"]
+            && let Some(table) = ["curve", "bogie", "body", "profiles"]
                 .into_iter()
                 .find(|table| self.keys.has(table))
         {
@@ -78,15 +74,41 @@ impl CaseText {
             return Err(self.keys.invalid("contact.from.curve", rule, &help));
         }
         let curving = self.curving_case(&from, unfilled, folder)?;
-        let bogie = curving.bogie_in_curve()?;
-        let states = curving.equilibria(&bogie)?;
+        let vehicle = curving.vehicle_in_curve()?;
+        let wheelsets = vehicle.running_gear.wheelsets();
+        if !(1..=wheelsets).contains(&usize::from(from.wheelset)) {
+            let last = match wheelsets {
+                1 => "the only one".to_owned(),
+                2 => "which leads, or 2".to_owned(),
+                last => format!("which leads, to {last}"),
+            };
+            let rule = format!("is {}, but must be 1, {last}", from.wheelset);
+            return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
+        }
+        let states = curving.equilibria(&vehicle)?;
         self.curve_remarks.extend(curving.remarks_of_profiles()?);
-        let radius = bogie.curve.radius;
+        let radius = vehicle.curve.radius;
         let rail = from.rail.in_curve(radius);
         if states.len() > 1 {
+            let (which, german) = match states[0].continuation.is_empty() {
+                false => (
+                    "that which straight track leads to",
+                    "der, zu dem gerades Gleis führt",
+                ),
+                true => (
+                    "of the first found, to which straight track does not lead",
+                    "aus dem zuerst gefundenen, zu dem gerades Gleis nicht führt",
+                ),
+            };
             self.curve_remarks.push(Remark::new(
-                format!("the bogie has {} equilibria in this curve; the contact is that which straight track leads to", states.len()),
-                format!("das Drehgestell hat {} Gleichgewichte in diesem Bogen; der Kontakt ist der, zu dem gerades Gleis führt", states.len()),
+                format!(
+                    "the vehicle has {} equilibria in this curve; the contact is {which}",
+                    states.len()
+                ),
+                format!(
+                    "das Fahrzeug hat {} Gleichgewichte in diesem Bogen; der Kontakt ist {german}",
+                    states.len()
+                ),
             ));
         }
         let file = &curving.file;
@@ -143,7 +165,7 @@ impl CaseText {
             )?;
             self.tell_of_second_point(rail.opposite(), other.elsewhere);
         }
-        self.tell_where_from(&from, rail, &bogie.curve, &study);
+        self.tell_where_from(&from, rail, &vehicle.curve, &study);
         self.tell_of_second_point(rail, study.elsewhere);
         if instead.is_empty() {
             self.curve_tractive_ratio = Some(study.tractive_ratio);
@@ -174,14 +196,14 @@ impl CaseText {
         &self,
         from: &FromCurve,
         curving: &CurvingCase,
-        state: &BogieState,
+        state: &VehicleState,
         rail: Rail,
     ) -> Result<MeanContact, CaseError> {
         let is_it = |wheel: &&WheelState| {
             wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail
         };
         let Some(wheel) = state.wheels.iter().find(is_it) else {
-            unreachable!("two wheelsets on two rails")
+            unreachable!("every wheelset has a wheel on either rail")
         };
         let file = &curving.file;
         let friction = file.contact.as_ref().map_or(0.0, |contact| {
@@ -500,8 +522,8 @@ mod tests {
         let from = format!("contact.from={{wheelset={wheelset}, rail=\"{rail}\"}}");
         let asked = case(&[&from]).unwrap();
         let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
-        let bogie = curving.bogie_in_curve().unwrap();
-        let state = &curving.equilibria(&bogie).unwrap()[0];
+        let vehicle = curving.vehicle_in_curve().unwrap();
+        let state = &curving.equilibria(&vehicle).unwrap()[0];
         // To the right: the right rail is the low one.
         let index = 2 * (wheelset - 1) + usize::from(matches!(rail, "low" | "right"));
         let typed = |table: &str, wheel: &WheelState| {

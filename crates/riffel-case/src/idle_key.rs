@@ -13,8 +13,10 @@ impl Case {
         let words = match table {
             "track" if inner == "model" => return None,
             "track" | "rail" => return self.idle_in_track(table, inner),
-            "curve" | "bogie" | "profiles" if contact.from.is_some() => return None,
-            "curve" | "bogie" | "profiles" => "it belongs to `riffel curve` and `riffel profile`",
+            "curve" | "bogie" | "body" | "profiles" if contact.from.is_some() => return None,
+            "curve" | "bogie" | "body" | "profiles" => {
+                "it belongs to `riffel curve` and `riffel profile`"
+            }
             "corrugation" => "growth rates do not depend on the amplitude",
             "train"
                 if inner == "comb"

@@ -1,4 +1,4 @@
-//! Profiles, and bogies in curves.
+//! Profiles, and vehicles in curves.
 
 use std::path::PathBuf;
 
@@ -48,13 +48,11 @@ pub(crate) fn curve<'py>(
     radii: Option<Vec<f64>>,
 ) -> PyResult<(Option<String>, Bound<'py, PyAny>)> {
     let case = case.read(overrides)?;
-    if let Some(radius) = radii
+    if let Some((radius, rule)) = radii
         .as_ref()
         .and_then(|radii| case.radius_that_no_curve_has(radii))
     {
-        return Err(wrong(format!(
-            "radius is {radius} m, but must be larger than the wheelbase, to either side, and at most 10000 km"
-        )));
+        return Err(wrong(format!("radius is {radius} m, but must be {rule}")));
     }
     let title = case.file.title.clone();
     let answer = interruptible(py, move || {

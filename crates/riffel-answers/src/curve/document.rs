@@ -1,6 +1,8 @@
-//! A bogie in its curve as data.
+//! A vehicle in its curve as data.
 
-use riffel::curving::{BogieState, SecondContact, WheelState, WheelsetState};
+use riffel::curving::{
+    BodyState, FrameState, SecondContact, VehicleState, WheelState, WheelsetState,
+};
 use riffel_keys::Remark;
 use serde::Serialize;
 
@@ -18,12 +20,17 @@ pub struct CurveDocument {
     over_radius: Option<Vec<AtRadius>>,
 }
 
-/// A bogie in equilibrium.
+/// A vehicle in equilibrium: `frame` of a wheelset or a bogie, `frames` and `body` of a vehicle.
 #[derive(Serialize)]
 pub(super) struct Equilibrium {
     wheelsets: Vec<Wheelset>,
     wheels: Vec<Wheel>,
-    frame: Frame,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    frame: Option<Frame>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    frames: Option<Vec<SecondaryFrame>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    body: Option<Body>,
     uncompensated_lateral_acceleration_m_s2: f64,
     normal_acceleration_m_s2: f64,
     frictional_power_w: f64,
@@ -98,6 +105,23 @@ struct Frame {
     inertial_lateral_force_n: f64,
 }
 
+/// A frame under a body.
+#[derive(Serialize)]
+struct SecondaryFrame {
+    #[serde(flatten)]
+    frame: Frame,
+    secondary_lateral_force_n: f64,
+    secondary_yaw_moment_nm: f64,
+}
+
+/// The body of a vehicle.
+#[derive(Serialize)]
+struct Body {
+    lateral_shift_m: f64,
+    yaw_rad: f64,
+    inertial_lateral_force_n: f64,
+}
+
 /// A step of the way from straight track.
 #[derive(Serialize)]
 struct Step {
@@ -109,8 +133,8 @@ struct Step {
 /// Where the wheelsets stand in another equilibrium.
 #[derive(Serialize)]
 struct Other {
-    lateral_shift_m: [f64; 2],
-    yaw_rad: [f64; 2],
+    lateral_shift_m: Vec<f64>,
+    yaw_rad: Vec<f64>,
     residual: f64,
 }
 
@@ -119,7 +143,7 @@ impl CurveDocument {
         let steps = answer.state.continuation.iter();
         let others = answer.others.iter();
         Self {
-            equilibrium: Equilibrium::new(&answer.state, answer.bogie.curve.speed),
+            equilibrium: Equilibrium::new(&answer.state, answer.vehicle.curve.speed),
             continuation: steps
                 .map(|step| Step {
                     fraction: step.fraction,
@@ -128,10 +152,15 @@ impl CurveDocument {
                 })
                 .collect(),
             other_equilibria: others
-                .map(|other| Other {
-                    lateral_shift_m: other.wheelsets.map(|wheelset| wheelset.lateral_shift),
-                    yaw_rad: other.wheelsets.map(|wheelset| wheelset.yaw),
-                    residual: other.residual,
+                .map(|other| {
+                    let of = |value: fn(&WheelsetState) -> f64| {
+                        other.wheelsets.iter().map(value).collect()
+                    };
+                    Other {
+                        lateral_shift_m: of(|wheelset| wheelset.lateral_shift),
+                        yaw_rad: of(|wheelset| wheelset.yaw),
+                        residual: other.residual,
+                    }
                 })
                 .collect(),
             remarks: answer.remarks.clone(),
@@ -141,24 +170,58 @@ impl CurveDocument {
 }
 
 impl Equilibrium {
-    pub(super) fn new(state: &BogieState, speed: f64) -> Self {
+    pub(super) fn new(state: &VehicleState, speed: f64) -> Self {
         let wheelsets = state.wheelsets.iter().enumerate();
         Self {
             wheelsets: wheelsets
                 .map(|(index, wheelset)| Wheelset::new(index + 1, wheelset))
                 .collect(),
             wheels: state.wheels.iter().map(Wheel::new).collect(),
-            frame: Frame {
-                lateral_shift_m: state.frame.lateral_shift,
-                yaw_rad: state.frame.yaw,
-                inertial_lateral_force_n: state.frame.inertial_lateral_force,
+            frame: match &state.frames[..] {
+                [lone] => Some(Frame::new(lone)),
+                _ => None,
             },
+            frames: state.body.map(|_| {
+                let frames = state.frames.iter();
+                frames.map(SecondaryFrame::new).collect()
+            }),
+            body: state.body.as_ref().map(Body::new),
             uncompensated_lateral_acceleration_m_s2: state.uncompensated_acceleration,
             normal_acceleration_m_s2: state.normal_acceleration,
             frictional_power_w: state.frictional_power,
             drive_power_w: state.drive_power,
             curving_resistance_n: state.curving_resistance(speed),
             residual: state.residual,
+        }
+    }
+}
+
+impl Frame {
+    fn new(state: &FrameState) -> Self {
+        Self {
+            lateral_shift_m: state.lateral_shift,
+            yaw_rad: state.yaw,
+            inertial_lateral_force_n: state.inertial_lateral_force,
+        }
+    }
+}
+
+impl SecondaryFrame {
+    fn new(state: &FrameState) -> Self {
+        Self {
+            frame: Frame::new(state),
+            secondary_lateral_force_n: state.secondary_lateral_force,
+            secondary_yaw_moment_nm: state.secondary_yaw_moment,
+        }
+    }
+}
+
+impl Body {
+    fn new(state: &BodyState) -> Self {
+        Self {
+            lateral_shift_m: state.lateral_shift,
+            yaw_rad: state.yaw,
+            inertial_lateral_force_n: state.inertial_lateral_force,
         }
     }
 }

@@ -1,50 +1,50 @@
-//! A bogie in its curve: shifts, angles of attack, creepages, forces and wear number of each wheel.
+//! A wheelset, a bogie or a vehicle in its curve: shifts, angles of attack, creepages, forces and wear number of each wheel.
 
 mod document;
 mod over_radius;
 mod remarks;
 
-use riffel::curving::{BogieInCurve, BogieState};
+use riffel::curving::{VehicleInCurve, VehicleState};
 use riffel_case::CurvingCase;
 use riffel_keys::{CaseError, Remark};
 
 pub use document::CurveDocument;
 pub use over_radius::OverRadius;
 
-/// The equilibrium of the bogie of a case.
+/// The equilibrium of the vehicle of a case.
 pub struct CurveAnswer {
-    bogie: BogieInCurve,
+    vehicle: VehicleInCurve,
     /// The equilibrium that straight track leads to.
-    pub state: BogieState,
+    pub state: VehicleState,
     /// Further ones that were found.
-    pub others: Vec<BogieState>,
+    pub others: Vec<VehicleState>,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
 }
 
 impl CurveAnswer {
-    /// The bogie of a case in its curve.
+    /// The vehicle of a case in its curve.
     ///
     /// # Errors
     /// [`CaseError`] for a key that is missing or has a value that is not allowed, and where no equilibrium is found.
     pub fn new(case: &CurvingCase) -> Result<Self, CaseError> {
-        let bogie = case.bogie_in_curve()?;
-        let mut states = case.equilibria(&bogie)?.into_iter();
+        let vehicle = case.vehicle_in_curve()?;
+        let mut states = case.equilibria(&vehicle)?.into_iter();
         let state = states.next().expect("at least one equilibrium");
         let mut remarks = case.remarks_of_profiles()?;
-        remarks.extend(remarks::of(case, &bogie, &state));
+        remarks.extend(remarks::of(case, &vehicle, &state));
         Ok(Self {
             remarks,
-            bogie,
+            vehicle,
             state,
             others: states.collect(),
         })
     }
 
-    /// The bogie in curves of other radii \[m\], none of them zero, each at the lateral acceleration of the case; by default
+    /// The vehicle in curves of other radii \[m\], none of them zero, each at the lateral acceleration of the case; by default
     /// from a fifth to twenty times that of the case.
     pub fn over_radius(&self, radii: Option<&[f64]>) -> OverRadius {
-        OverRadius::new(&self.bogie, radii)
+        OverRadius::new(&self.vehicle, radii)
     }
 
     /// What `riffel curve --json` prints, with equilibria at listed radii \[m\].

@@ -1,9 +1,9 @@
-//! A bogie over the radius of the curve.
+//! A vehicle over the radius of the curve.
 
 use std::io::{self, Write};
 
 use riffel::contact::{CreepForces, Creepages};
-use riffel::curving::{BogieInCurve, BogieState, Curve, WheelState};
+use riffel::curving::{Curve, RunningGear, VehicleInCurve, VehicleState, WheelState};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Mark, Scale, Series};
 
 use super::document::{AtRadius, Equilibrium};
@@ -13,10 +13,11 @@ const RADII: usize = 81;
 /// Tightest and widest of them over that of the case.
 const REACH: [f64; 2] = [0.2, 20.0];
 
-/// The bogie of a case in curves of other radii, each run through at the speed that has the lateral
+/// The vehicle of a case in curves of other radii, each run through at the speed that has the lateral
 /// acceleration of the case.
 pub struct OverRadius {
     radius: f64,
+    running_gear: RunningGear,
     /// Whether the radii are listed, not a range.
     listed: bool,
     points: Vec<Point>,
@@ -25,13 +26,13 @@ pub struct OverRadius {
 struct Point {
     curve: Curve,
     /// None where no equilibrium is found.
-    state: Option<BogieState>,
+    state: Option<VehicleState>,
 }
 
 impl OverRadius {
     /// At radii \[m\]; by default from a fifth to twenty times that of the case, to its side.
-    pub(super) fn new(bogie: &BogieInCurve, radii: Option<&[f64]>) -> Self {
-        let radius = bogie.curve.radius;
+    pub(super) fn new(vehicle: &VehicleInCurve, radii: Option<&[f64]>) -> Self {
+        let radius = vehicle.curve.radius;
         let [tightest, widest] = REACH;
         let usual = || -> Vec<f64> {
             let place = |index: usize| index as f64 / (RADII - 1) as f64;
@@ -44,12 +45,12 @@ impl OverRadius {
         let points = radii.into_iter().map(|of_curve| {
             let curve = Curve {
                 radius: of_curve,
-                speed: (of_curve / radius).abs().sqrt() * bogie.curve.speed,
-                ..bogie.curve
+                speed: (of_curve / radius).abs().sqrt() * vehicle.curve.speed,
+                ..vehicle.curve
             };
-            let moved = BogieInCurve {
+            let moved = VehicleInCurve {
                 curve,
-                ..bogie.clone()
+                ..vehicle.clone()
             };
             Point {
                 curve,
@@ -58,6 +59,7 @@ impl OverRadius {
         });
         Self {
             radius: radius.abs(),
+            running_gear: vehicle.running_gear,
             listed,
             points: points.collect(),
         }
@@ -168,10 +170,19 @@ impl OverRadius {
             true => String::new(),
             false => format!("; the line stands at the case, R = {:.0} m", self.radius),
         };
+        let leads = match self.running_gear.wheelsets() {
+            1 => "",
+            _ => "Wheelset 1 leads. ",
+        };
         LineFigure {
-            title: "Bogie in curves".to_owned(),
+            title: match self.running_gear {
+                RunningGear::Wheelset(_) => "Wheelset in curves",
+                RunningGear::Bogie(_) => "Bogie in curves",
+                RunningGear::Vehicle { .. } => "Vehicle in curves",
+            }
+            .to_owned(),
             caption: format!(
-                "Wheelset 1 leads. Each radius at the lateral acceleration of the case, the speed in proportion to \
+                "{leads}Each radius at the lateral acceleration of the case, the speed in proportion to \
                  √R{of_case}."
             ),
             panels: vec![
@@ -188,9 +199,9 @@ impl OverRadius {
         }
     }
 
-    fn of_wheelsets(&self, label: &str, value: impl Fn(&BogieState, usize) -> f64) -> LinePanel {
-        let series = (0..2).map(|index| {
-            let style = [LineStyle::Solid, LineStyle::Dashed][index];
+    fn of_wheelsets(&self, label: &str, value: impl Fn(&VehicleState, usize) -> f64) -> LinePanel {
+        let series = (0..self.running_gear.wheelsets()).map(|index| {
+            let style = [LineStyle::Solid, LineStyle::Dashed][index % 2];
             self.series(&format!("wheelset {}", index + 1), style, |state| {
                 value(state, index)
             })
@@ -199,16 +210,21 @@ impl OverRadius {
     }
 
     fn of_wheels(&self, label: &str, value: impl Fn(&WheelState) -> f64) -> LinePanel {
-        let series = (0..4).map(|index| {
+        let series = (0..2 * self.running_gear.wheelsets()).map(|index| {
             let rail = if index % 2 == 0 { "left" } else { "right" };
-            let style = [LineStyle::Solid, LineStyle::Dashed][index / 2];
+            let style = [LineStyle::Solid, LineStyle::Dashed][index / 2 % 2];
             let label = format!("wheelset {}, {rail}", index / 2 + 1);
             self.series(&label, style, |state| value(&state.wheels[index]))
         });
         self.panel(label, series.collect())
     }
 
-    fn series(&self, label: &str, style: LineStyle, value: impl Fn(&BogieState) -> f64) -> Series {
+    fn series(
+        &self,
+        label: &str,
+        style: LineStyle,
+        value: impl Fn(&VehicleState) -> f64,
+    ) -> Series {
         let at = |point: &Point| {
             let state = point.state.as_ref();
             (point.curve.radius.abs(), state.map_or(f64::NAN, &value))

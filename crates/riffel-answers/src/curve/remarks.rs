@@ -1,6 +1,6 @@
 //! What the reader of an equilibrium should know.
 
-use riffel::curving::{BogieInCurve, BogieState, Creep, WheelState};
+use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
 
@@ -8,7 +8,11 @@ use riffel_keys::Remark;
 const PLAY: f64 = 0.01;
 
 /// Remarks on an equilibrium.
-pub(super) fn of(case: &CurvingCase, bogie: &BogieInCurve, state: &BogieState) -> Vec<Remark> {
+pub(super) fn of(
+    case: &CurvingCase,
+    vehicle: &VehicleInCurve,
+    state: &VehicleState,
+) -> Vec<Remark> {
     let mut remarks = Vec::new();
     let profiles = case.file.profiles.as_ref();
     let without_flange =
@@ -31,7 +35,7 @@ pub(super) fn of(case: &CurvingCase, bogie: &BogieInCurve, state: &BogieState) -
             format!("ein Radsatz ist um {shift:.1} mm verschoben: Spurkränze lassen 5 bis 10 mm Spiel, dieser Fall hat keine"),
         ));
     }
-    let linear = bogie
+    let linear = vehicle
         .creep
         .iter()
         .any(|creep| matches!(creep, Creep::Linear { .. }));

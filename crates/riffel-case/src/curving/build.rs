@@ -1,12 +1,12 @@
-//! The bogie in the curve from its keys.
+//! The vehicle in its curve from its keys.
 
 use std::sync::Arc;
 
 use riffel::ElasticMaterial;
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
 use riffel::curving::{
-    Bogie, BogieInCurve, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring,
-    GRAVITY, Kinematics, RunningSurfaces,
+    Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics,
+    RunningSurfaces, VehicleInCurve,
 };
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
@@ -18,7 +18,7 @@ use crate::file::{self, CurvingContact, CurvingLaw, CurvingTheory, Profiles};
 const SAME_SPACING: f64 = 1e-4;
 
 impl CurvingCase {
-    pub(super) fn build_bogie(&self) -> Result<BogieInCurve, CaseError> {
+    pub(super) fn build_vehicle(&self) -> Result<VehicleInCurve, CaseError> {
         let curve = self.table("curve", &self.file.curve, "radius and speed")?;
         let bogie = self.table(
             "bogie",
@@ -27,37 +27,28 @@ impl CurvingCase {
         )?;
         let profiles = self.profiles()?;
         let contact = self.table("contact", &self.file.contact, "friction")?;
-        if curve.radius.si().abs() < bogie.wheelbase.si() {
+        let running_gear = self.running_gear(bogie)?;
+        let (what, shortest) = self.shortest_radius();
+        if curve.radius.si().abs() < shortest {
             let rule = format!(
-                "is {}, but must be larger than the wheelbase of {}",
-                curve.radius, bogie.wheelbase
+                "is {}, but must be larger than the {what} of {shortest} m",
+                curve.radius
             );
             return Err(self.text.keys.invalid("curve.radius", &rule, ""));
         }
         let kinematics = self.kinematics(curve.theory, profiles)?;
-        let wheelset = &self.file.wheelset;
-        let built = Bogie {
-            wheelbase: bogie.wheelbase.si(),
-            primary_spacing: bogie.primary_spacing.si(),
-            primary_longitudinal_stiffness: bogie.primary_longitudinal_stiffness.si(),
-            primary_lateral_stiffness: bogie.primary_lateral_stiffness.si(),
-            mass_per_axle: bogie.mass_per_axle.si(),
-            wheelset_mass: self.required("wheelset.mass", wheelset.mass)?,
-            rolling_radii: self.rolling_radii(),
-            contact_spacing: self.contact_spacing(profiles)?,
-            centre_of_mass_height: bogie.centre_of_mass_height.si(),
-            frame_yaw_moment: bogie.frame_yaw_moment.si(),
-            drive_torque: bogie.drive_torque.map(|torque| torque.si()),
-        };
-        Ok(BogieInCurve {
+        let axle = self.axle(bogie, self.contact_spacing(profiles)?)?;
+        Ok(VehicleInCurve {
             curve: Curve {
                 radius: curve.radius.si(),
                 cant: curve.cant.si(),
                 speed: curve.speed.si(),
             },
             kinematics,
-            creep: self.creep(curve.theory, profiles, contact, &built)?,
-            bogie: built,
+            creep: self.creep(curve.theory, profiles, contact, &axle)?,
+            drive_torque: self.drive_torque(bogie, running_gear.wheelsets())?,
+            running_gear,
+            axle,
         })
     }
 
@@ -81,7 +72,7 @@ impl CurvingCase {
         )
     }
 
-    fn required<D: Dimension>(
+    pub(super) fn required<D: Dimension>(
         &self,
         key: &str,
         value: Option<Quantity<D>>,
@@ -196,7 +187,7 @@ impl CurvingCase {
         theory: CurvingTheory,
         profiles: &Profiles,
         contact: &CurvingContact,
-        bogie: &Bogie,
+        axle: &Axle,
     ) -> Result<[Creep; 2], CaseError> {
         let keys = &self.text.keys;
         let usual = match theory {
@@ -233,7 +224,7 @@ impl CurvingCase {
             ),
             None if law == CurvingLaw::Linear => {
                 let radius = self.file.wheel.rolling_radius.si();
-                let load = 0.5 * bogie.mass_per_axle * GRAVITY;
+                let load = 0.5 * axle.mass_per_axle * GRAVITY;
                 let material = material()?;
                 let across = match is_cone(profiles) {
                     true => transverse_radius()?,

@@ -1,8 +1,9 @@
-//! Cases of curving: a file of which only the tables of curve, bogie, profiles, wheels and contacts are read.
+//! Cases of curving: a file of which only the tables of curve, bogie, body, profiles, wheels and contacts are read.
 
 mod build;
 mod keys;
 mod profile_file;
+mod running_gear;
 mod wheelset;
 
 pub(crate) use keys::key_of_curving;
@@ -10,7 +11,7 @@ pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
 
-use riffel::curving::{BogieInCurve, BogieState};
+use riffel::curving::{VehicleInCurve, VehicleState};
 use riffel::profile::NominalProfile;
 use riffel_keys::{CaseError, Remark, text_file};
 
@@ -145,32 +146,30 @@ impl CurvingCase {
         Self::of_text(text, &self.folder)
     }
 
-    /// The bogie of the case in its curve.
+    /// The vehicle of the case in its curve, or its bogie or wheelset.
     ///
     /// # Errors
     /// [`CaseError`] for a key that is missing or has a value that is not allowed, and for profiles that do not touch.
-    pub fn bogie_in_curve(&self) -> Result<BogieInCurve, CaseError> {
-        self.build_bogie()
+    pub fn vehicle_in_curve(&self) -> Result<VehicleInCurve, CaseError> {
+        self.build_vehicle()
     }
 
-    /// The first of radii \[m\] in which the bogie of the case does not fit, or that is no number.
-    pub fn radius_that_no_curve_has(&self, radii: &[f64]) -> Option<f64> {
+    /// The first of radii \[m\] in which the vehicle of the case does not fit, or that is no number, with the rule.
+    pub fn radius_that_no_curve_has(&self, radii: &[f64]) -> Option<(f64, String)> {
         const WIDEST: f64 = 1e7;
-        let wheelbase = self
-            .file
-            .bogie
-            .as_ref()
-            .map_or(0.0, |bogie| bogie.wheelbase.si());
-        let fits = |radius: &f64| radius.abs() > wheelbase && radius.abs() <= WIDEST;
-        radii.iter().copied().find(|radius| !fits(radius))
+        let (what, shortest) = self.shortest_radius();
+        let fits = |radius: &f64| radius.abs() > shortest && radius.abs() <= WIDEST;
+        let radius = radii.iter().copied().find(|radius| !fits(radius))?;
+        let rule = format!("larger than the {what}, to either side, and at most 10000 km");
+        Some((radius, rule))
     }
 
-    /// The equilibrium of a bogie of this case.
+    /// Every equilibrium found of a vehicle of this case, first that to which straight track leads.
     ///
     /// # Errors
     /// [`CaseError`] where none is found.
-    pub fn equilibria(&self, bogie: &BogieInCurve) -> Result<Vec<BogieState>, CaseError> {
-        bogie
+    pub fn equilibria(&self, vehicle: &VehicleInCurve) -> Result<Vec<VehicleState>, CaseError> {
+        vehicle
             .equilibria()
             .map_err(|error| self.no_equilibrium(error))
     }

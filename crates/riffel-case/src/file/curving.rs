@@ -1,9 +1,11 @@
-//! The keys of curving: curve, bogie, profiles, and what curving takes of the other tables.
+//! The keys of curving: curve, bogie, body, profiles, and what curving takes of the other tables.
 
 use std::borrow::Cow;
 use std::fmt;
 
-use riffel_keys::quantity::{Force, Length, Mass, Moment, Quantity, Ratio, Speed, Stiffness};
+use riffel_keys::quantity::{
+    Angle, Force, Length, Mass, Moment, Quantity, Ratio, Speed, Stiffness, TorsionalStiffness,
+};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -28,9 +30,12 @@ pub struct CurvingFile {
     /// The curve.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<Curve>,
-    /// The bogie.
+    /// The bogie, or what holds a lone wheelset.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bogie: Option<Bogie>,
+    /// The body of a vehicle on two bogies; left out, there is one bogie.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Body>,
     /// The profiles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profiles: Option<Profiles>,
@@ -93,12 +98,17 @@ pub enum CurvingTheory {
     Linear,
 }
 
-/// A bogie of two wheelsets in a rigid frame.
+/// A bogie of two wheelsets in a rigid frame, or a lone wheelset in a frame that follows the track.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Bogie {
-    /// Distance of the axles 2a.
-    pub wheelbase: Quantity<Length>,
+    /// Wheelsets in the frame: 2, or 1 alone.
+    #[serde(default = "Bogie::two", skip_serializing_if = "Bogie::is_two")]
+    #[schemars(range(min = 1, max = 2))]
+    pub wheelsets: u8,
+    /// Distance of the axles 2a, of two wheelsets.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheelbase: Option<Quantity<Length>>,
     /// Distance of the axle boxes of a wheelset 2b.
     pub primary_spacing: Quantity<Length>,
     /// Stiffness of the primary suspension along the track, per axle box.
@@ -109,22 +119,42 @@ pub struct Bogie {
     pub mass_per_axle: Quantity<Mass>,
     /// Height of its centre of mass above the rails.
     pub centre_of_mass_height: Quantity<Length>,
-    /// Moment on the frame about the vertical, above zero where it turns the nose to the right.
-    #[serde(default = "Bogie::no_moment")]
-    pub frame_yaw_moment: Quantity<Moment>,
-    /// Torque on each wheelset, above zero where it drives forward.
-    #[serde(default = "Bogie::no_torque")]
-    pub drive_torque: [Quantity<Moment>; 2],
+    /// Moment on the frame of two wheelsets about the vertical, above zero where it turns the nose to the right.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame_yaw_moment: Option<Quantity<Moment>>,
+    /// Yaw of the frame of a lone wheelset from the tangent, 0 if left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame_yaw: Option<Quantity<Angle>>,
+    /// Lateral shift at which the frame of a lone wheelset is held; left out, it is free across the track.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame_lateral_shift: Option<Quantity<Length>>,
+    /// Torque on each wheelset, above zero where it drives forward; left out, there is none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub drive_torque: Vec<Quantity<Moment>>,
 }
 
 impl Bogie {
-    fn no_moment() -> Quantity<Moment> {
-        Quantity::new(0.0)
+    fn two() -> u8 {
+        2
     }
 
-    fn no_torque() -> [Quantity<Moment>; 2] {
-        [Quantity::new(0.0); 2]
+    fn is_two(wheelsets: &u8) -> bool {
+        *wheelsets == 2
     }
+}
+
+/// A rigid body on two bogies.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Body {
+    /// Distance of the middles of the bogies 2l.
+    pub bogie_spacing: Quantity<Length>,
+    /// Mass of the body, a part of what the axles carry.
+    pub mass: Quantity<Mass>,
+    /// Stiffness of the secondary suspension across the track, per bogie.
+    pub secondary_lateral_stiffness: Quantity<Stiffness>,
+    /// Stiffness of the secondary suspension against yaw, per bogie.
+    pub secondary_yaw_stiffness: Quantity<TorsionalStiffness>,
 }
 
 /// Wheels and rails, and how they lie to each other.

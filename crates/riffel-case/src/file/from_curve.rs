@@ -1,18 +1,18 @@
-//! The keys that take the mean state from a bogie in a curve.
+//! The keys that take the mean state from a vehicle in a curve.
 
 use riffel::Rail;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// One contact of a bogie in its curve, as `riffel curve` finds it.
+/// One contact of a vehicle in its curve, as `riffel curve` finds it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FromCurve {
-    /// Case file of `riffel curve`, relative to this one; left out, the tables `[curve]`, `[bogie]` and `[profiles]` of this one.
+    /// Case file of `riffel curve`, relative to this one; left out, the tables `[curve]`, `[bogie]`, `[body]` and `[profiles]` of this one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<String>,
-    /// Wheelset of the bogie: 1, which leads, or 2.
-    #[schemars(range(min = 1, max = 2))]
+    /// Wheelset: 1, which leads, 2, or 3 and 4 of the trailing bogie of a vehicle.
+    #[schemars(range(min = 1, max = 4))]
     pub wheelset: u8,
     /// Rail under study.
     pub rail: CurveRail,

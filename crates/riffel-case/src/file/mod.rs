@@ -24,7 +24,7 @@ pub use contact::{
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
 pub use curving::{
-    Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
+    Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
     ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
 };
@@ -88,6 +88,9 @@ pub struct CaseFile {
     /// The bogie of `riffel curve`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bogie: Option<Bogie>,
+    /// The body of `riffel curve`, on two bogies.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Body>,
     /// The profiles of `riffel curve` and `riffel profile`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profiles: Option<Profiles>,

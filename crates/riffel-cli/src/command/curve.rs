@@ -37,11 +37,11 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
 /// The radii that are listed \[m\]; none where none are.
 fn radii(arguments: &Curve, case: &CurvingCase) -> miette::Result<Option<Vec<f64>>> {
     let listed: Vec<f64> = arguments.radius.iter().map(|radius| radius.si()).collect();
-    if let Some(radius) = case.radius_that_no_curve_has(&listed) {
+    if let Some((radius, rule)) = case.radius_that_no_curve_has(&listed) {
         Err(CliError::Argument {
             argument: "--radius",
             value: format!("{radius} m"),
-            rule: "larger than the wheelbase, to either side, and at most 10000 km".to_owned(),
+            rule,
         })?;
     }
     Ok((!listed.is_empty()).then_some(listed))
@@ -50,7 +50,12 @@ fn radii(arguments: &Curve, case: &CurvingCase) -> miette::Result<Option<Vec<f64
 /// The equilibrium for the terminal.
 fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
     let state = &answer.state;
-    let title = case.file.title.as_deref().unwrap_or("Bogie in a curve");
+    let usual = match state.wheelsets.len() {
+        1 => "Wheelset in a curve",
+        2 => "Bogie in a curve",
+        _ => "Vehicle in a curve",
+    };
+    let title = case.file.title.as_deref().unwrap_or(usual);
     let mut text = format!(
         "{title}\nuncompensated acceleration {:.2} m/s2, frictional power {:.0} W\n",
         state.uncompensated_acceleration, state.frictional_power
@@ -142,8 +147,10 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         [] => "no other equilibrium found\n".to_owned(),
         others => {
             let shifts = others.iter().map(|other| {
-                let [first, second] = other.wheelsets.map(|wheelset| 1e3 * wheelset.lateral_shift);
-                format!("{first:.3} and {second:.3} mm")
+                let wheelsets = other.wheelsets.iter();
+                let shifts =
+                    wheelsets.map(|wheelset| format!("{:.3}", 1e3 * wheelset.lateral_shift));
+                format!("{} mm", shifts.collect::<Vec<_>>().join(" and "))
             });
             let shifts: Vec<String> = shifts.collect();
             format!(

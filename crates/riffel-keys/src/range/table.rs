@@ -517,6 +517,42 @@ pub static RANGES: &[PhysicalRange] = &[
         [-1e5, 1e5],
         "At the limit of adhesion a locomotive has 35 kN m per wheelset.",
     ),
+    row::<Angle>(
+        &["bogie.frame_yaw"],
+        [-0.1, 0.1],
+        [-0.03, 0.03],
+        "Over one axle of a long vehicle half its wheelbase over the radius: 4 m in 200 m are 20 mrad.",
+    ),
+    row::<Length>(
+        &["bogie.frame_lateral_shift"],
+        [-0.1, 0.1],
+        [-0.02, 0.02],
+        "Flanges leave 5 to 10 mm to either side.",
+    ),
+    row::<Length>(
+        &["body.bogie_spacing"],
+        [0.1, 100.0],
+        [3.0, 25.0],
+        "Metro cars have 10 to 15 m between their bogies, main-line coaches 17 to 20 m.",
+    ),
+    row::<Mass>(
+        &["body.mass"],
+        [0.0, 1e6],
+        [1e3, 1.5e5],
+        "Metro cars 20 to 40 t with passengers, loaded wagons up to 130 t.",
+    ),
+    row::<Stiffness>(
+        &["body.secondary_lateral_stiffness"],
+        [1e-3, 1e13],
+        [1e4, 1e9],
+        "Per bogie: air springs 0.2 to 0.6 MN/m, flat centre bowls stand for rigid.",
+    ),
+    row::<TorsionalStiffness>(
+        &["body.secondary_yaw_stiffness"],
+        [0.0, 1e12],
+        [0.0, 1e7],
+        "Per bogie: 0.1 to 0.5 MN m/rad of air springs, above 1 of stiff ones.",
+    ),
     row::<Length>(
         &["profiles.scatter"],
         [1e-8, 1e-3],

@@ -1,4 +1,4 @@
-"""Profiles of wheels and rails, wheelsets on their track and bogies in curves as `xarray` objects."""
+"""Profiles of wheels and rails, wheelsets on their track and vehicles in curves as `xarray` objects."""
 
 from __future__ import annotations
 
@@ -48,6 +48,18 @@ WHEELSETS = {
     "suspension_lateral_force_n": ("N", "lateral force of the suspension on the wheelset"),
     "suspension_yaw_moment_nm": ("N m", "yaw moment of the suspension on the wheelset"),
 }
+FRAMES = {
+    "lateral_shift_m": ("m", "lateral shift of the frame from the chord between its axles"),
+    "yaw_rad": ("rad", "yaw of the frame from the tangent in its middle"),
+    "inertial_lateral_force_n": ("N", "lateral inertial force of the frame and all it carries but a body"),
+    "secondary_lateral_force_n": ("N", "lateral force of the secondary suspension on the frame"),
+    "secondary_yaw_moment_nm": ("N m", "yaw moment of the secondary suspension on the frame"),
+}
+BODY = {
+    "lateral_shift_m": ("m", "lateral shift of the body from the chord between the bogies"),
+    "yaw_rad": ("rad", "yaw of the body from the tangent in the middle of the vehicle"),
+    "inertial_lateral_force_n": ("N", "lateral inertial force of the body"),
+}
 WHOLE = {
     "uncompensated_lateral_acceleration_m_s2": ("m/s2", "lateral acceleration that the cant leaves, outward positive"),
     "frictional_power_w": ("W", "power of friction"),
@@ -76,7 +88,7 @@ UNITS = ("_1_per_m", "_m_s2", "_rad", "_nm", "_m", "_n", "_w")
 def curve(
     case: GivenCase, overrides: Mapping[str, Any] | None = None, *, radius: Quantities | None = None
 ) -> xr.Dataset:
-    """A bogie in its curve: how its wheelsets stand, creepages, forces and wear number of each wheel.
+    """A wheelset, a bogie or a vehicle in its curve: how it stands, creepages, forces and wear number of each wheel.
 
     Parameters
     ----------
@@ -91,8 +103,8 @@ def curve(
     Returns
     -------
     xarray.Dataset
-        Over ``wheelset`` and ``rail``, and over ``radius`` where radii are given; values are NaN in curves in which no
-        equilibrium is found. Of a wheel on two points ``second_…`` is the contact of the larger angle, NaN elsewhere.
+        Over ``wheelset`` and ``rail``, ``bogie`` for the frames of a vehicle, and over ``radius`` where radii are given;
+        values are NaN in curves in which no equilibrium is found. Of a wheel on two points ``second_…`` is the contact of the larger angle, NaN elsewhere.
         Attributes tell ``other_equilibria`` and ``remarks`` of the radius of the case.
 
     Raises
@@ -111,9 +123,10 @@ def curve(
     radii = None if radius is None else signed(radius, "radius", "length").tolist()
     title, document = _riffel.curve(_given(case), dict(overrides or {}), radii)
     states: list[Any] = [document]
+    numbers = [wheelset["wheelset"] for wheelset in document["wheelsets"]]
     dimensions: tuple[str, ...] = ()
     coordinates: dict[str, Any] = {
-        "wheelset": _along("wheelset", [1, 2], "1", "wheelset, 1 leads"),
+        "wheelset": _along("wheelset", numbers, "1", "wheelset, 1 leads"),
         "rail": ("rail", RAILS, {"long_name": "rail"}),
     }
     if radii is not None:
@@ -129,7 +142,7 @@ def curve(
     variables: dict[str, Any] = {}
 
     def add(name: str, of: tuple[str, ...], said: dict[str, str], value: Callable[[Any], Any]) -> None:
-        shape = (2,) * len(of)
+        shape = tuple(len(coordinates[dimension][1]) for dimension in of)
         none = np.full(shape, np.nan)
         values = [none if state is None else np.array(value(state), float).reshape(shape) for state in states]
         variables[name] = ((*dimensions, *of), np.array(values) if dimensions else values[0], said)
@@ -141,6 +154,12 @@ def curve(
             add(f"second_{_without_unit(key)}", ("wheelset", "rail"), said, partial(_of_second_contacts, key))
     for key, (units, name) in WHEELSETS.items():
         add(_without_unit(key), ("wheelset",), _said(units, name), partial(_of_wheelsets, key))
+    if "frames" in document:
+        coordinates["bogie"] = _along("bogie", [1, 2], "1", "bogie, 1 leads")
+        for key, (units, name) in FRAMES.items():
+            add(f"frame_{_without_unit(key)}", ("bogie",), _said(units, name), partial(_of_frames, key))
+        for key, (units, name) in BODY.items():
+            add(f"body_{_without_unit(key)}", (), _said(units, name), partial(_of_body, key))
     for key, (units, name) in WHOLE.items():
         add(_without_unit(key), (), _said(units, name), itemgetter(key))
     attributes = {key: document[key] for key in ("other_equilibria", "remarks")}

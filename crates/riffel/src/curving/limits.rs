@@ -1,6 +1,6 @@
-//! What no bogie does: limits of an equilibrium.
+//! What no vehicle does: limits of an equilibrium.
 
-use super::{BogieInCurve, BogieState, Creep};
+use super::{Creep, VehicleInCurve, VehicleState};
 use crate::Error;
 
 /// Lateral shift \[m\] at which a wheel has left its rail: half the width of a tread of 135 mm less its flange.
@@ -8,7 +8,7 @@ pub const FARTHEST_SHIFT: f64 = 0.06;
 /// Yaw \[rad\] beyond which the springs and the geometry of the contacts are no longer those of the equations.
 pub const LARGEST_YAW: f64 = 0.1;
 
-impl BogieState {
+impl VehicleState {
     /// `Ok` for wheelsets on their rails, shifted by less than [`FARTHEST_SHIFT`] and yawed by less than [`LARGEST_YAW`].
     pub(super) fn on_the_rails(self) -> Result<Self, Error> {
         for (index, wheelset) in self.wheelsets.iter().enumerate() {
@@ -25,18 +25,18 @@ impl BogieState {
     }
 }
 
-impl BogieInCurve {
+impl VehicleInCurve {
     /// A drive torque that is larger than Σ μ r W under the vertical loads W of the wheels of its wheelset \[N\], left and
     /// right. On a flange normal forces are larger than W: this is why no equilibrium is found, but does not preclude one.
     pub(super) fn torque_beyond_friction(&self, loads: [f64; 2]) -> Option<Error> {
-        let radii = self.bogie.rolling_radii;
+        let radii = self.axle.rolling_radii;
         let largest: f64 = (0..2)
             .map(|side| match &self.creep[side] {
                 Creep::Linear { .. } => f64::INFINITY,
                 creep => creep.friction() * radii[side] * loads[side],
             })
             .sum();
-        let torques = self.bogie.drive_torque.iter().enumerate();
+        let torques = self.drive_torque.iter().enumerate();
         let (index, torque) = torques.max_by(|one, other| one.1.abs().total_cmp(&other.1.abs()))?;
         (torque.abs() > largest).then_some(Error::TorqueBeyondFriction {
             wheelset: index + 1,

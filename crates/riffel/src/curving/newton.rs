@@ -1,8 +1,27 @@
 //! Newton's method on a small dense system, with halved steps.
 
+/// A system of equations of which evaluating a part is what costs.
+pub(super) trait Equations {
+    /// What is evaluated at values of the unknowns.
+    type Evaluated;
+
+    /// None where the equations are not defined.
+    fn evaluate(&self, unknowns: &[f64]) -> Option<Self::Evaluated>;
+
+    fn residuals(&self, unknowns: &[f64], evaluated: &Self::Evaluated) -> Vec<f64>;
+
+    /// Residuals where one unknown differs from those at which `evaluated` was found.
+    fn moved(
+        &self,
+        unknowns: &[f64],
+        evaluated: &Self::Evaluated,
+        unknown: usize,
+    ) -> Option<Vec<f64>>;
+}
+
 /// A root as far as rounding lets it be found.
-pub(super) struct Root<const N: usize> {
-    pub(super) unknowns: [f64; N],
+pub(super) struct Root {
+    pub(super) unknowns: Vec<f64>,
     /// Largest residual.
     pub(super) residual: f64,
     pub(super) iterations: usize,
@@ -16,37 +35,43 @@ const MOST_HALVINGS: usize = 24;
 /// rounding there.
 const DIFFERENCE: f64 = 1e-5;
 
-/// A root of `residuals` near a start; none where the method stays above the tolerance. Where residuals are not
-/// defined they are none. Unknowns are measured by their scales.
+/// A root near a start; none where the method stays above the tolerance. Unknowns are measured by their scales.
 ///
 /// Method: Jacobian by central differences, Gaussian elimination with partial pivoting, steps halved until the sum of
-/// squares falls; ends where rounding keeps it from falling. Cost: 2N + some evaluations a step.
-pub(super) fn root<const N: usize>(
-    residuals: impl Fn(&[f64; N]) -> Option<[f64; N]>,
-    start: [f64; N],
-    scales: &[f64; N],
+/// squares falls; ends where rounding keeps it from falling. Cost: some evaluations a step and 2N of the part that an
+/// unknown moves.
+pub(super) fn root<E: Equations>(
+    equations: &E,
+    start: Vec<f64>,
+    scales: &[f64],
     tolerance: f64,
-) -> Option<Root<N>> {
-    let square = |values: &[f64; N]| values.iter().map(|value| value * value).sum::<f64>();
+) -> Option<Root> {
+    let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
     let mut unknowns = start;
-    let mut values = residuals(&unknowns)?;
+    let mut evaluated = equations.evaluate(&unknowns)?;
+    let mut values = equations.residuals(&unknowns, &evaluated);
     let mut iterations = 0;
     while iterations < MOST_STEPS && square(&values) > 0.0 {
-        let Some(step) = newton_step(&residuals, &unknowns, &values, scales) else {
+        let Some(step) = newton_step(equations, &unknowns, &evaluated, &values, scales) else {
             break;
         };
         let mut share = 1.0;
         let next = (0..MOST_HALVINGS).find_map(|_| {
-            let trial: [f64; N] = std::array::from_fn(|i| unknowns[i] - share * step[i]);
+            let trial: Vec<f64> = unknowns
+                .iter()
+                .zip(&step)
+                .map(|(unknown, step)| unknown - share * step)
+                .collect();
             share *= 0.5;
-            let values_there = residuals(&trial)?;
-            (square(&values_there) < square(&values)).then_some((trial, values_there))
+            let there = equations.evaluate(&trial)?;
+            let values_there = equations.residuals(&trial, &there);
+            (square(&values_there) < square(&values)).then_some((trial, there, values_there))
         });
         let Some(next) = next else {
             break;
         };
         iterations += 1;
-        (unknowns, values) = next;
+        (unknowns, evaluated, values) = next;
     }
     let residual = values
         .iter()
@@ -58,49 +83,54 @@ pub(super) fn root<const N: usize>(
     })
 }
 
-fn newton_step<const N: usize>(
-    residuals: &impl Fn(&[f64; N]) -> Option<[f64; N]>,
-    unknowns: &[f64; N],
-    values: &[f64; N],
-    scales: &[f64; N],
-) -> Option<[f64; N]> {
-    let mut jacobian = [[0.0; N]; N];
-    for column in 0..N {
+fn newton_step<E: Equations>(
+    equations: &E,
+    unknowns: &[f64],
+    evaluated: &E::Evaluated,
+    values: &[f64],
+    scales: &[f64],
+) -> Option<Vec<f64>> {
+    let count = unknowns.len();
+    let mut jacobian = vec![vec![0.0; count]; count];
+    let mut moved = unknowns.to_vec();
+    for column in 0..count {
         let difference = DIFFERENCE * scales[column];
-        let at = |change: f64| {
-            let mut moved = *unknowns;
-            moved[column] += change;
-            residuals(&moved)
+        let mut at = |change: f64| {
+            moved[column] = unknowns[column] + change;
+            equations.moved(&moved, evaluated, column)
         };
         let (above, below) = (at(difference)?, at(-difference)?);
-        for row in 0..N {
+        moved[column] = unknowns[column];
+        for row in 0..count {
             jacobian[row][column] = (above[row] - below[row]) / (2.0 * difference);
         }
     }
-    solve(jacobian, *values)
+    solve(jacobian, values.to_vec())
 }
 
 /// The solution of a system of equations; none for a singular one.
-fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Option<[f64; N]> {
-    for column in 0..N {
+fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Option<Vec<f64>> {
+    let count = right.len();
+    for column in 0..count {
         let weight = |row: &usize| matrix[*row][column].abs();
-        let pivot = (column..N).max_by(|one, other| weight(one).total_cmp(&weight(other)))?;
+        let pivot = (column..count).max_by(|one, other| weight(one).total_cmp(&weight(other)))?;
         let largest = matrix[pivot][column].abs();
         if largest == 0.0 || largest.is_nan() {
             return None;
         }
         matrix.swap(column, pivot);
         right.swap(column, pivot);
-        for row in column + 1..N {
-            let factor = matrix[row][column] / matrix[column][column];
-            let pivot_row = matrix[column];
-            let entries = matrix[row].iter_mut().zip(pivot_row).skip(column);
+        let (above, below) = matrix.split_at_mut(column + 1);
+        let pivot_row = &above[column];
+        for (row, below) in below.iter_mut().enumerate() {
+            let factor = below[column] / pivot_row[column];
+            let entries = below.iter_mut().zip(pivot_row).skip(column);
             entries.for_each(|(entry, above)| *entry -= factor * above);
-            right[row] -= factor * right[column];
+            right[column + 1 + row] -= factor * right[column];
         }
     }
-    for row in (0..N).rev() {
-        let known: f64 = (row + 1..N)
+    for row in (0..count).rev() {
+        let known: f64 = (row + 1..count)
             .map(|entry| matrix[row][entry] * right[entry])
             .sum();
         right[row] = (right[row] - known) / matrix[row][row];
@@ -112,16 +142,39 @@ fn solve<const N: usize>(mut matrix: [[f64; N]; N], mut right: [f64; N]) -> Opti
 mod tests {
     use super::*;
 
+    /// Equations of which nothing is kept.
+    struct Plain<F>(F);
+
+    impl<F: Fn(&[f64]) -> Vec<f64>> Equations for Plain<F> {
+        type Evaluated = ();
+
+        fn evaluate(&self, _: &[f64]) -> Option<()> {
+            Some(())
+        }
+
+        fn residuals(&self, unknowns: &[f64], (): &()) -> Vec<f64> {
+            self.0(unknowns)
+        }
+
+        fn moved(&self, unknowns: &[f64], (): &(), _: usize) -> Option<Vec<f64>> {
+            Some(self.0(unknowns))
+        }
+    }
+
     #[test]
     fn finds_where_a_circle_meets_a_hyperbola() {
-        let residuals = |[x, y]: &[f64; 2]| Some([x * x + y * y - 5.0, x * y - 2.0]);
-        let found = root(residuals, [3.0, 0.5], &[1.0, 1.0], 1e-12).unwrap();
+        let equations = Plain(|at: &[f64]| {
+            let (x, y) = (at[0], at[1]);
+            vec![x * x + y * y - 5.0, x * y - 2.0]
+        });
+        let found = root(&equations, vec![3.0, 0.5], &[1.0, 1.0], 1e-12).unwrap();
         assert!((found.unknowns[0] - 2.0).abs() < 1e-14 && (found.unknowns[1] - 1.0).abs() < 1e-14);
         assert!(found.iterations < 10);
     }
 
     #[test]
     fn tells_where_there_is_none() {
-        assert!(root(|[x]: &[f64; 1]| Some([x * x + 1.0]), [3.0], &[1.0], 1e-12).is_none());
+        let equations = Plain(|at: &[f64]| vec![at[0] * at[0] + 1.0]);
+        assert!(root(&equations, vec![3.0], &[1.0], 1e-12).is_none());
     }
 }

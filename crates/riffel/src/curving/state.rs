@@ -1,4 +1,4 @@
-//! A bogie in equilibrium.
+//! A vehicle in equilibrium.
 
 use crate::Rail;
 use crate::contact::{CreepForces, Creepages};
@@ -126,15 +126,31 @@ impl WheelState {
     }
 }
 
-/// The frame in equilibrium.
+/// A frame in equilibrium; forces and moments are those on the frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FrameState {
-    /// Lateral shift \[m\] from the middle of the chord between the axles.
+    /// Lateral shift \[m\] from the middle of the chord between the axles; of a lone wheelset from the centre line.
     pub lateral_shift: f64,
     /// Yaw \[rad\] from the tangent in the middle.
     pub yaw: f64,
-    /// Lateral inertial force of all that is not wheelsets \[N\].
+    /// Lateral inertial force \[N\] of the frame and all it carries but a body.
+    pub inertial_lateral_force: f64,
+    /// Lateral force of the secondary suspension \[N\], zero without a body.
+    pub secondary_lateral_force: f64,
+    /// Yaw moment of the secondary suspension \[N m\], zero without a body.
+    pub secondary_yaw_moment: f64,
+}
+
+/// The body of a vehicle in equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct BodyState {
+    /// Lateral shift \[m\] from the middle of the chord between the bogies.
+    pub lateral_shift: f64,
+    /// Yaw \[rad\] from the tangent in the middle of the vehicle.
+    pub yaw: f64,
+    /// Lateral inertial force of the body \[N\].
     pub inertial_lateral_force: f64,
 }
 
@@ -150,16 +166,18 @@ pub struct ContinuationStep {
     pub iterations: usize,
 }
 
-/// A bogie in equilibrium.
+/// A vehicle in equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub struct BogieState {
+pub struct VehicleState {
     /// The wheelsets; the first leads.
-    pub wheelsets: [WheelsetState; 2],
-    /// The wheels: 1 left, 1 right, 2 left, 2 right.
-    pub wheels: [WheelState; 4],
-    /// The frame.
-    pub frame: FrameState,
+    pub wheelsets: Vec<WheelsetState>,
+    /// The wheels: 1 left, 1 right, 2 left, 2 right and so on.
+    pub wheels: Vec<WheelState>,
+    /// The frames; the first leads.
+    pub frames: Vec<FrameState>,
+    /// The body on two bogies.
+    pub body: Option<BodyState>,
     /// Lateral acceleration that the cant leaves \[m/s²\], positive outward.
     pub uncompensated_acceleration: f64,
     /// Acceleration into the plane of the track \[m/s²\].
@@ -174,7 +192,7 @@ pub struct BogieState {
     pub continuation: Vec<ContinuationStep>,
 }
 
-impl BogieState {
+impl VehicleState {
     /// Resistance of the curve \[N\]: frictional less drive power, over the speed \[m/s\].
     pub fn curving_resistance(&self, speed: f64) -> f64 {
         (self.frictional_power - self.drive_power) / speed

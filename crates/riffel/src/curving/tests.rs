@@ -13,15 +13,14 @@ fn ellipse() -> CreepEllipse {
     CreepEllipse::of_coefficients(10.5e6, 9.2e6, 22e3, 54e3).unwrap()
 }
 
-fn creep(friction: f64) -> Creep {
+pub(super) fn creep(friction: f64) -> Creep {
     Creep::Law(Arc::new(
         ShenHedrickElkins::new(ellipse(), friction).unwrap(),
     ))
 }
 
-fn bogie() -> Bogie {
-    Bogie {
-        wheelbase: 2.5,
+pub(super) fn axle() -> Axle {
+    Axle {
         primary_spacing: 2.0,
         primary_longitudinal_stiffness: 10e6,
         primary_lateral_stiffness: 5e6,
@@ -30,12 +29,17 @@ fn bogie() -> Bogie {
         rolling_radii: [0.46, 0.46],
         contact_spacing: 1.5,
         centre_of_mass_height: 1.7,
-        frame_yaw_moment: 0.0,
-        drive_torque: [0.0, 0.0],
     }
 }
 
-fn tilted(shift_moment: bool) -> Kinematics {
+pub(super) fn bogie(yaw_moment: f64) -> RunningGear {
+    RunningGear::Bogie(BogieFrame {
+        wheelbase: 2.5,
+        yaw_moment,
+    })
+}
+
+pub(super) fn tilted(shift_moment: bool) -> Kinematics {
     Kinematics::Nonlinear {
         surfaces: Arc::new(ConeWithFlangePlane {
             conicity: 0.05,
@@ -108,14 +112,16 @@ impl RunningSurfaces for ConeAndFlange {
     }
 }
 
-fn on_two_points(radius: f64) -> BogieInCurve {
-    BogieInCurve {
+fn on_two_points(radius: f64) -> VehicleInCurve {
+    VehicleInCurve {
         curve: Curve {
             radius,
             cant: 0.05,
             speed: (0.6 * radius.abs()).sqrt(),
         },
-        bogie: bogie(),
+        axle: axle(),
+        running_gear: bogie(0.0),
+        drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Nonlinear {
             surfaces: Arc::new(ConeAndFlange::new()),
             contact_plane: ContactPlane::Tilted {
@@ -161,7 +167,7 @@ fn a_wheel_goes_onto_its_flange_without_a_jump() {
         last = Some((shift, flange));
         shares.push(flange / (flange + wheel.normal_force));
 
-        let mirror = BogieInCurve {
+        let mirror = VehicleInCurve {
             curve: Curve {
                 radius: -radius,
                 ..tight.curve
@@ -186,7 +192,7 @@ fn a_wheel_goes_onto_its_flange_without_a_jump() {
             let turning = 0.75 * (along(right) - along(left));
             let given = along(left) + along(right) - turning / radius;
             let taken = left.whole_t_gamma() + right.whole_t_gamma();
-            let scale = 0.5 * bogie().mass_per_axle * GRAVITY;
+            let scale = 0.5 * axle().mass_per_axle * GRAVITY;
             assert!(
                 (given - taken).abs() < 1e-9 * scale,
                 "{given} {taken} {}",
@@ -209,17 +215,19 @@ fn soft_springs_leave_the_wheelsets_free() {
         ellipse: CreepEllipse::of_coefficients(10e6, 9e6, 0.0, 54e3).unwrap(),
         friction: 0.4,
     };
-    let free = BogieInCurve {
+    let free = VehicleInCurve {
         curve: Curve {
             radius,
             cant,
             speed,
         },
-        bogie: Bogie {
+        axle: Axle {
             primary_longitudinal_stiffness: 0.01,
             primary_lateral_stiffness: 0.01,
-            ..bogie()
+            ..axle()
         },
+        running_gear: bogie(0.0),
+        drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Linear { conicity: 0.1 },
         creep: [linear.clone(), linear],
     };
@@ -234,13 +242,15 @@ fn soft_springs_leave_the_wheelsets_free() {
 /// Where every contact slides, no tangential force is above μP, and tight curves with stiff springs bring it there.
 #[test]
 fn tight_curves_slide() {
-    let tight = BogieInCurve {
+    let tight = VehicleInCurve {
         curve: Curve {
             radius: 100.0,
             cant: 0.0,
             speed: 3.0,
         },
-        bogie: bogie(),
+        axle: axle(),
+        running_gear: bogie(0.0),
+        drive_torque: vec![0.0; 2],
         kinematics: Kinematics::Nonlinear {
             surfaces: Arc::new(Cone { conicity: 0.05 }),
             contact_plane: ContactPlane::Horizontal,
@@ -279,15 +289,17 @@ proptest! {
     ) {
         let curve = Curve { radius, cant: 0.05, speed };
         prop_assume!(curve.uncompensated_acceleration(1.5) < 1.5);
-        let one = BogieInCurve {
+        let one = VehicleInCurve {
             curve,
-            bogie: Bogie { frame_yaw_moment: moment, drive_torque: [torque, 0.0], ..bogie() },
+            axle: axle(),
+            running_gear: bogie(moment),
+            drive_torque: vec![torque, 0.0],
             kinematics: tilted(false),
             creep: [creep(left), creep(right)],
         };
-        let other = BogieInCurve {
+        let other = VehicleInCurve {
             curve: Curve { radius: -radius, ..curve },
-            bogie: Bogie { frame_yaw_moment: -moment, ..one.bogie },
+            running_gear: bogie(-moment),
             creep: [creep(right), creep(left)],
             ..one.clone()
         };

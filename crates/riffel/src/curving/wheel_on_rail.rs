@@ -23,6 +23,7 @@ pub(super) struct WheelsetMotion {
 }
 
 /// A wheel on its rail under a normal force.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct WheelOnRail {
     pub(super) state: WheelState,
     /// Vertical force that normal and tangential force carry \[N\].

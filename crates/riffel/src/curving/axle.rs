@@ -1,12 +1,10 @@
-//! A bogie of two wheelsets in a rigid frame.
+//! A wheelset with its suspension and what it carries.
 
 use crate::Error;
 
-/// A bogie of two wheelsets whose axle boxes are held in a rigid frame by springs.
+/// What the wheelsets of a vehicle have in common: their wheels, the springs of their axle boxes and what they carry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bogie {
-    /// Distance of the axles 2a \[m\].
-    pub wheelbase: f64,
+pub struct Axle {
     /// Distance of the axle boxes of a wheelset 2b \[m\].
     pub primary_spacing: f64,
     /// Stiffness of the suspension along the track k_x \[N/m\], per axle box.
@@ -23,15 +21,20 @@ pub struct Bogie {
     pub contact_spacing: f64,
     /// Height of the centre of mass of what an axle carries above the rails h \[m\].
     pub centre_of_mass_height: f64,
-    /// Moment on the frame about the vertical \[N m\], positive where it turns the nose to the right.
-    pub frame_yaw_moment: f64,
-    /// Torque on each wheelset \[N m\], positive where it drives forward.
-    pub drive_torque: [f64; 2],
 }
 
-impl Bogie {
+impl Axle {
+    /// Stiffness of the primary suspension of a wheelset across the track 2k_y \[N/m\].
+    pub(super) fn lateral_stiffness(&self) -> f64 {
+        2.0 * self.primary_lateral_stiffness
+    }
+
+    /// That against yaw 2b²k_x \[N m/rad\].
+    pub(super) fn yaw_stiffness(&self) -> f64 {
+        0.5 * self.primary_spacing * self.primary_spacing * self.primary_longitudinal_stiffness
+    }
+
     pub(super) fn check(&self) -> Result<(), Error> {
-        Error::unless_positive("wheelbase", self.wheelbase, "m")?;
         Error::unless_positive("spacing of the axle boxes", self.primary_spacing, "m")?;
         Error::unless_positive(
             "longitudinal stiffness of the primary suspension",
