@@ -124,9 +124,9 @@ pub enum Error {
         yaw: f64,
     },
 
-    /// A bogie for which no equilibrium was found.
+    /// A vehicle for which no equilibrium was found.
     #[error(
-        "no equilibrium of the bogie was found beyond {:.0} % of this curve: it may be tighter than the wheelsets can take on these \
+        "no equilibrium was found beyond {:.0} % of this curve: it may be tighter than the wheelsets can take on these \
          profiles; take a wider curve, less uncompensated acceleration, less moment and torque or softer springs",
         100.0 * reached
     )]

@@ -106,6 +106,48 @@ fn unusual_equilibria_are_remarked() {
     assert!(wide.contains("without the moment of spin"), "{wide}");
 }
 
+/// A vehicle on two bogies and a lone wheelset from the same file.
+#[test]
+fn vehicles_and_lone_wheelsets_run() {
+    let sandbox = Sandbox::new();
+    let text = std::fs::read_to_string(sandbox.path(CASE)).unwrap();
+    let body = "[body]\nbogie_spacing = \"15 m\"\nmass = \"28 t\"\nsecondary_lateral_stiffness = \"0.4 MN/m\"\nsecondary_yaw_stiffness = \"0.3 MN m/rad\"\n";
+    std::fs::write(sandbox.path("vehicle.toml"), format!("{text}\n{body}")).unwrap();
+    let document = sandbox.json("curve vehicle.toml --json");
+    let count = |key: &str| document[key].as_array().unwrap().len();
+    assert_eq!(
+        (count("wheelsets"), count("wheels"), count("frames")),
+        (4, 8, 2)
+    );
+    assert!(document["body"]["yaw_rad"].is_number() && document["frame"].is_null());
+    let moment = |bogie: usize| {
+        document["frames"][bogie]["secondary_yaw_moment_nm"]
+            .as_f64()
+            .unwrap()
+    };
+    // To the right: the leading bogie is turned to the left.
+    assert!(moment(0) < 0.0 && moment(1) > 0.0);
+    let torque = sandbox.riffel("curve vehicle.toml --set 'bogie.drive_torque=[1, 2]'");
+    assert!(
+        torque
+            .sentence()
+            .contains("has 2 torques, but there are 4 wheelsets"),
+        "{}",
+        torque.text
+    );
+    let alone: String = text
+        .lines()
+        .filter(|line| !line.starts_with("wheelbase"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    std::fs::write(sandbox.path("alone.toml"), alone).unwrap();
+    let document = sandbox.json("curve alone.toml --set bogie.wheelsets=1 --json");
+    assert_eq!(document["wheels"].as_array().unwrap().len(), 2);
+    assert!(document["frame"]["yaw_rad"].as_f64() == Some(0.0));
+    let missing = sandbox.riffel("curve alone.toml --json");
+    assert!(missing.sentence().contains("wheelbase"), "{}", missing.text);
+}
+
 /// Bad input ends in one sentence with its key.
 #[test]
 fn what_cannot_run_is_refused() {

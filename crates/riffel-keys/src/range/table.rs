@@ -519,8 +519,14 @@ pub static RANGES: &[PhysicalRange] = &[
     ),
     row::<Angle>(
         &["bogie.frame_yaw"],
-        [-0.1, 0.1],
-        [-0.03, 0.03],
+        [
+            -6.0 / 180.0 * std::f64::consts::PI,
+            6.0 / 180.0 * std::f64::consts::PI,
+        ],
+        [
+            -2.0 / 180.0 * std::f64::consts::PI,
+            2.0 / 180.0 * std::f64::consts::PI,
+        ],
         "Over one axle of a long vehicle half its wheelbase over the radius: 4 m in 200 m are 20 mrad.",
     ),
     row::<Length>(

@@ -236,10 +236,13 @@ impl<'a> Balance<'a> {
                 inertial_lateral_force: inertial,
             });
         }
-        for frame in 0..vehicle.running_gear.frames() {
-            let row = frame * places.unknowns + places.frame;
-            residuals[row] = on_frames[frame][0] / load;
-            residuals[row + 1] = on_frames[frame][1] / (load * half_spacing);
+        // A lone wheelset's frame has no equations.
+        let frames_of_equations = vehicle.running_gear.frames();
+        for (index, [force, moment]) in on_frames.into_iter().take(frames_of_equations).enumerate()
+        {
+            let row = index * places.unknowns + places.frame;
+            residuals[row] = force / load;
+            residuals[row + 1] = moment / (load * half_spacing);
         }
         Balanced {
             residuals,
