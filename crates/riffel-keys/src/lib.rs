@@ -29,6 +29,7 @@ mod remark;
 mod sentence;
 pub mod text_file;
 mod unit;
+pub mod universal_file;
 
 pub use error::CaseError;
 pub use excerpt::clipped;

@@ -7,6 +7,7 @@
 
 mod array;
 mod arrays_of_rails;
+mod axlebox;
 mod case;
 mod curving;
 mod diagnosis;
@@ -29,6 +30,8 @@ mod tables;
 /// The extension `riffel._riffel`.
 #[pyo3::pymodule]
 mod _riffel {
+    #[pymodule_export]
+    use crate::axlebox::axlebox;
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]

@@ -1,56 +1,66 @@
 //! Files of axle-box acceleration over time.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use riffel_keys::CaseError;
-use riffel_keys::text_file::Encoding;
 
-use crate::axle_box_columns::{Content, channel_name, content};
-use crate::axle_box_rows::Reader;
-use crate::format::{DecimalMark, Delimiter};
-use crate::refusal::Refusal;
-use crate::sniff::Table;
-use crate::{number, rows};
+use crate::axle_box_arrays::{AxleBoxArrays, AxleBoxPlace};
+use crate::axle_box_listener::{Counting, Listener, Row};
+use crate::axle_box_table::AxleBoxTable;
+use crate::axle_box_universal::{AxleBoxUniversal, is_universal};
+use crate::axle_box_wave::{AxleBoxWave, is_wave};
 
 /// Bytes that are looked at first.
 const HEAD: u64 = 1 << 16;
-/// Longest line \[bytes\].
-const LONGEST_LINE: u64 = 1 << 16;
 
 /// What a user says of a file of axle-box acceleration.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct AxleBoxLayout {
     /// Samples per second \[Hz\], in place of a column of times.
     pub rate: Option<f64>,
     /// Speed of the train \[m/s\], in place of a column.
     pub speed: Option<f64>,
+    /// Channels of a WAV file in their order, each as a column is called, and its value at full scale:
+    /// `acceleration_left_g=50`.
+    pub channels: Vec<String>,
 }
 
-/// A table of readings, which is read as often as it is asked and never held whole.
+/// A run of readings, which is read as often as it is asked and never held whole.
 #[derive(Debug)]
 pub struct AxleBoxFile {
     path: PathBuf,
-    pub(super) delimiter: Delimiter,
-    pub(super) decimal: DecimalMark,
-    pub(super) header_lines: usize,
-    /// Column and unit of each channel.
-    pub(super) channels: Vec<(usize, f64)>,
-    pub(super) names: Vec<String>,
-    pub(super) place: PlaceBy,
-    /// Column and unit of the time, unless a rate was given.
-    pub(super) time: Option<(usize, f64)>,
-    pub(super) rate: f64,
+    head: AxleBoxHead,
+    source: Source,
 }
 
-/// How the file tells where the train is.
+/// What is known before the first reading.
+#[derive(Debug)]
+pub(super) struct AxleBoxHead {
+    /// Of the channels.
+    pub(super) names: Vec<String>,
+    /// Samples per second \[Hz\].
+    pub(super) rate: f64,
+    pub(super) place: PlaceBy,
+    pub(super) counting: Counting,
+}
+
+/// How a run tells where the train is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PlaceBy {
-    Odometer(usize, f64),
-    Speed(usize, f64),
+    Odometer,
+    Speed,
     /// \[m/s\].
     Constant(f64),
+}
+
+#[derive(Debug)]
+enum Source {
+    Table(AxleBoxTable),
+    Wave(AxleBoxWave),
+    Universal(Box<AxleBoxUniversal>),
+    Arrays(AxleBoxArrays),
 }
 
 /// What comes out of a file, one after the other.
@@ -63,180 +73,142 @@ pub enum AxleBoxReading<'a> {
 }
 
 impl AxleBoxFile {
-    /// Look at the head of a file: text in columns under a head that names them with their units, as
-    /// `time_s,acceleration_left_m_per_s2,speed_km_per_h`, separated and with decimal marks as of a trolley's record.
+    /// Look at the head of a file, which is told by its first bytes:
+    ///
+    /// * text in columns under a head that names them with their units, as
+    ///   `time_s,acceleration_left_m_per_s2,speed_km_per_h`, separated and with decimal marks as of a trolley's record;
+    /// * WAV, of which the layout names the channels;
+    /// * a universal file with accelerations over time, and speed or odometer as signals of their own (dataset 58, as text
+    ///   or binary).
     ///
     /// # Errors
-    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with what is missing.
-    pub fn open(path: &Path, layout: AxleBoxLayout) -> Result<Self, CaseError> {
+    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with what is missing, two channels of one name, or
+    /// channels named of what is no WAV file.
+    pub fn open(path: &Path, layout: &AxleBoxLayout) -> Result<Self, CaseError> {
         let mut head = Vec::new();
         let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
         read.map_err(|reason| unreadable(path, reason))?;
-        Self::of_head(path, &head, layout).map_err(|refusal| refusal.of(path))
+        if !layout.channels.is_empty() && !is_wave(&head) {
+            let message = "--channels is for WAV files: what is in other files their heads say";
+            return Err(CaseError::data(path, message));
+        }
+        let (source, head) = if is_wave(&head) {
+            let (wave, head) = AxleBoxWave::find(path, layout)?;
+            (Source::Wave(wave), head)
+        } else if is_universal(&head) {
+            let (file, head) = AxleBoxUniversal::find(path, layout)?;
+            (Source::Universal(Box::new(file)), head)
+        } else {
+            let table = AxleBoxTable::find(&head, layout);
+            let (table, head) = table.map_err(|refusal| refusal.of(path))?;
+            (Source::Table(table), head)
+        };
+        Self::checked(path.to_owned(), head, source)
     }
 
-    fn of_head(path: &Path, head: &[u8], layout: AxleBoxLayout) -> Result<Self, Refusal> {
-        let refuse = |message: String| Refusal::new(None, message);
-        match Encoding::of(head) {
-            Ok(Encoding::Utf8 | Encoding::Windows1252) => {}
-            Ok(_) => return Err(refuse("the file is UTF-16; write it as UTF-8".to_owned())),
-            Err(byte) => return Err(refuse(byte.to_string())),
-        }
-        let nothing =
-            "there is no table under a head such as time_s,acceleration_m_per_s2,speed_km_per_h";
-        let table = Table::find(head).ok_or_else(|| refuse(nothing.to_owned()))?;
-        if table.heading.names.is_none() {
-            return Err(refuse(nothing.to_owned()));
-        }
-        let (mut channels, mut names) = (Vec::new(), Vec::new());
-        let (mut speed, mut odometer, mut time) = (None, None, None);
-        for column in (0..table.count).filter(|&column| table.numeric[column]) {
-            let found = content(&table.heading, column)
-                .map_err(|message| Refusal::new(Some(table.header_lines), message))?;
-            match found {
-                Some(Content::Acceleration(unit)) => {
-                    channels.push((column, unit));
-                    names.push(channel_name(&table.heading, column));
-                }
-                Some(Content::Speed(unit)) => speed = speed.or(Some((column, unit))),
-                Some(Content::Odometer(unit)) => odometer = odometer.or(Some((column, unit))),
-                Some(Content::Time(unit)) => time = time.or(Some((column, unit))),
-                None => {}
-            }
-        }
-        if channels.is_empty() {
-            return Err(refuse(
-                "there is no column of accelerations; call it acceleration_m_per_s2 or acceleration_g".to_owned(),
-            ));
-        }
-        let place = match (layout.speed, odometer, speed) {
-            (Some(speed), _, _) => PlaceBy::Constant(speed),
-            (None, Some((column, unit)), _) => PlaceBy::Odometer(column, unit),
-            (None, None, Some((column, unit))) => PlaceBy::Speed(column, unit),
-            (None, None, None) => {
-                return Err(refuse(
-                    "there is no column of speeds or of an odometer, as speed_km_per_h or odometer_m; \
-                     give the speed by --speed where it was constant"
-                        .to_owned(),
+    /// A run that is there as arrays: channels by name with their accelerations \[m/s²\], and samples per second \[Hz\].
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] unless every array has a value for each sample and every name is another.
+    pub fn of_arrays(
+        name: &str,
+        channels: Vec<(String, Vec<f64>)>,
+        rate: f64,
+        place: AxleBoxPlace,
+    ) -> Result<Self, CaseError> {
+        let path = PathBuf::from(name);
+        let refuse = |message: String| Err(CaseError::data(&path, message));
+        let (names, channels): (Vec<_>, Vec<_>) = channels.into_iter().unzip();
+        let Some(count) = channels.first().map(Vec::len).filter(|count| *count > 0) else {
+            return refuse("there is no acceleration".to_owned());
+        };
+        for (name, values) in names.iter().zip(&channels) {
+            if values.len() != count {
+                return refuse(format!(
+                    "{name} has {} values, but {} has {count}",
+                    values.len(),
+                    names[0]
                 ));
             }
-        };
-        let mut file = Self {
-            path: path.to_owned(),
-            delimiter: table.delimiter,
-            decimal: table.decimal,
-            header_lines: table.header_lines,
-            channels,
-            names,
-            place,
-            time: time.filter(|_| layout.rate.is_none()),
-            rate: layout.rate.unwrap_or(0.0),
-        };
-        if let (None, Some((column, unit))) = (layout.rate, time) {
-            file.rate = file.rate_of(head, column, unit)?;
-        } else if layout.rate.is_none() {
-            return Err(refuse(
-                "there is no column of times, as time_s; give the sampling rate by --rate"
-                    .to_owned(),
+        }
+        if let Some(values) = place.values().filter(|values| values.len() != count) {
+            return refuse(format!(
+                "speed or odometer have {} values, but {} has {count}",
+                values.len(),
+                names[0]
             ));
         }
-        Ok(file)
+        let head = AxleBoxHead {
+            names,
+            rate,
+            place: place.by(),
+            counting: Counting::Samples,
+        };
+        Self::checked(
+            path,
+            head,
+            Source::Arrays(AxleBoxArrays { channels, place }),
+        )
     }
 
-    /// Samples per second by the times in the head of the file: the median of their steps.
-    fn rate_of(&self, head: &[u8], column: usize, unit: f64) -> Result<f64, Refusal> {
-        let lines = rows::lines(head).skip(self.header_lines);
-        let times = lines
-            .filter(|line| !rows::is_comment(line))
-            .filter_map(|line| {
-                let cells = rows::cells(line, self.delimiter);
-                number::parse(cells.get(column)?, self.decimal.byte())
-            });
-        let times: Vec<f64> = times.filter(|time| time.is_finite()).collect();
-        // The last line of the head may be cut.
-        let whole = &times[..times.len().saturating_sub(1)];
-        let mut steps: Vec<f64> = whole
-            .windows(2)
-            .map(|pair| unit * (pair[1] - pair[0]))
-            .collect();
-        steps.sort_by(f64::total_cmp);
-        let median = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
-        if median <= 0.0 {
-            return Err(Refusal::new(
-                Some(self.header_lines + 1),
-                "the times do not rise from line to line; give the sampling rate by --rate",
-            ));
+    fn checked(path: PathBuf, head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
+        for (index, name) in head.names.iter().enumerate() {
+            if head.names[..index].contains(name) {
+                let message = format!(
+                    "two channels are called \"{name}\", and would be taken for one rail; call them apart"
+                );
+                return Err(CaseError::data(&path, message));
+            }
         }
-        // The mean of the steps that are like it: times are rounded.
-        let like = steps
-            .iter()
-            .filter(|step| (**step / median - 1.0).abs() < 0.5);
-        let (count, sum) = like.fold((0.0, 0.0), |(count, sum), step| (count + 1.0, sum + step));
-        // To nine digits, which is more than times have.
-        let rate: f64 = count / sum;
-        let digits = 10f64.powi(9 - rate.log10().ceil() as i32);
-        Ok((rate * digits).round() / digits)
+        Ok(Self { path, head, source })
     }
 
     /// Names of the channels.
     pub fn channels(&self) -> &[String] {
-        &self.names
+        &self.head.names
     }
 
     /// Samples per second \[Hz\].
     pub fn rate(&self) -> f64 {
-        self.rate
+        self.head.rate
     }
 
-    /// Read it all, row by row; what was found wrong and passed over, each with its first line. `progress` is told of
-    /// bytes done.
+    /// Read it all, reading by reading; what was found wrong and passed over, each with where it is first. `progress` is told
+    /// of bytes done, of arrays of samples.
     ///
-    /// Gaps are where times leap, cells are empty, or a channel keeps one value for 50 ms.
+    /// Gaps are where times or odometer leap, values are missing, or a channel keeps one value for 50 ms.
     ///
     /// # Errors
-    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line and the rule for what is no
-    /// number, a time or an odometer that falls, a speed below zero, and a channel that is clipped, in another unit than
-    /// its head says, or dead; those of `visit`.
+    /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line or the sample and the rule for what
+    /// is no number, a time or an odometer that falls, a speed below zero or above any train's, and a channel that is
+    /// clipped, in another unit than its head says, or dead; those of `visit`.
     pub fn read(
         &self,
         visit: &mut dyn FnMut(AxleBoxReading<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
     ) -> Result<Vec<String>, CaseError> {
-        let failed = |reason| unreadable(&self.path, reason);
-        let mut file = File::open(&self.path).map_err(failed)?;
-        file.seek(SeekFrom::Start(0)).map_err(failed)?;
-        let mut reader = BufReader::with_capacity(1 << 20, file);
-        let mut table = Reader::new(self);
-        let mut bytes = Vec::new();
-        for line in 1.. {
-            bytes.clear();
-            let read = reader
-                .by_ref()
-                .take(LONGEST_LINE)
-                .read_until(b'\n', &mut bytes)
-                .map_err(failed)?;
-            if read == 0 {
-                break;
-            }
-            progress(read);
-            if line <= self.header_lines || rows::is_comment(bytes.trim_ascii_end()) {
-                continue;
-            }
-            let gap = table
-                .row(bytes.trim_ascii_end(), line)
-                .map_err(|refusal| refusal.of(&self.path))?;
-            if gap {
+        let mut listener = Listener::new(&self.head);
+        let mut take = |row: &Row<'_>| {
+            let gap = listener.row(row);
+            if gap.map_err(|refusal| refusal.of(&self.path))? {
                 visit(AxleBoxReading::Gap)?;
             }
-            if table.is_there {
-                visit(AxleBoxReading::Sample(&table.accelerations, table.position))?;
+            if listener.is_there {
+                visit(AxleBoxReading::Sample(row.accelerations, listener.position))?;
             }
+            Ok(())
+        };
+        match &self.source {
+            Source::Table(table) => table.each(&self.path, &mut take, progress)?,
+            Source::Wave(wave) => wave.each(&self.path, &mut take, progress)?,
+            Source::Universal(file) => file.each(&self.path, &mut take, progress)?,
+            Source::Arrays(arrays) => arrays.each(&mut take, progress)?,
         }
-        table.finish().map_err(|refusal| refusal.of(&self.path))
+        listener.finish().map_err(|refusal| refusal.of(&self.path))
     }
 }
 
-fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
+pub(super) fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
     CaseError::Read {
         what: "file",
         path: path.to_owned(),
@@ -263,7 +235,10 @@ mod tests {
     const HEAD: &str = "time_s;acceleration_left_m_per_s2;speed_km_per_h";
 
     /// Samples, gaps, last position and remarks of a table.
-    fn read(text: &str, layout: AxleBoxLayout) -> Result<(usize, usize, f64, Vec<String>), String> {
+    fn read(
+        text: &str,
+        layout: &AxleBoxLayout,
+    ) -> Result<(usize, usize, f64, Vec<String>), String> {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("run.csv");
         std::fs::write(&path, text).unwrap();
@@ -286,17 +261,17 @@ mod tests {
     #[test]
     fn a_run_is_read() {
         let (samples, gaps, last, remarks) =
-            read(&table(HEAD, |_, _| ()), AxleBoxLayout::default()).unwrap();
+            read(&table(HEAD, |_, _| ()), &AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (2000, 0));
         assert!((last - 40.0).abs() < 1e-6, "{last}");
         assert!(remarks.is_empty(), "{remarks:?}");
         let commas = table(HEAD, |_, _| ()).replace('.', ",");
-        assert_eq!(read(&commas, AxleBoxLayout::default()).unwrap().0, 2000);
+        assert_eq!(read(&commas, &AxleBoxLayout::default()).unwrap().0, 2000);
         let odometer = "time_s;acceleration_left_g;odometer_m";
         let along = table(odometer, |row, values| {
             values[2] = 12_000.0 + 0.02 * row as f64
         });
-        let (_, _, last, _) = read(&along, AxleBoxLayout::default()).unwrap();
+        let (_, _, last, _) = read(&along, &AxleBoxLayout::default()).unwrap();
         assert!((last - 12_039.98).abs() < 1e-6);
     }
 
@@ -305,7 +280,7 @@ mod tests {
         let leaping = table(HEAD, |row, values| {
             values[0] += if row > 500 { 1.0 } else { 0.0 };
         });
-        let (samples, gaps, _, remarks) = read(&leaping, AxleBoxLayout::default()).unwrap();
+        let (samples, gaps, _, remarks) = read(&leaping, &AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (2000, 1));
         assert!(
             remarks[0].contains("leaps once, at line 503"),
@@ -316,7 +291,7 @@ mod tests {
                 values[1] = 0.123;
             }
         });
-        let (samples, gaps, _, remarks) = read(&dead, AxleBoxLayout::default()).unwrap();
+        let (samples, gaps, _, remarks) = read(&dead, &AxleBoxLayout::default()).unwrap();
         assert_eq!((samples, gaps), (1850, 1));
         assert!(remarks[0].contains("drops out once"), "{remarks:?}");
         assert!(remarks[0].contains("line 802"), "{remarks:?}");
@@ -324,7 +299,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_refused_with_its_line() {
-        let plain = AxleBoxLayout::default();
+        let plain = &AxleBoxLayout::default();
         for (text, part) in [
             (
                 table(HEAD, |row, values| values[2] = 50.0 - 0.1 * row as f64),

@@ -45,6 +45,14 @@ impl Kind {
 }
 
 impl Heading {
+    /// The head of one column.
+    pub(super) fn of_name(name: &str) -> Self {
+        Self {
+            names: Some(vec![name.to_owned()]),
+            ..Self::default()
+        }
+    }
+
     /// What the lines above a table of `count` columns say, of which rows may have up to `widest` cells.
     pub(super) fn read(above: &[&[u8]], delimiter: Delimiter, count: usize, widest: usize) -> Self {
         let mut heading = Self::default();

@@ -17,9 +17,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axle_box_arrays;
 mod axle_box_columns;
 mod axle_box_file;
-mod axle_box_rows;
+mod axle_box_listener;
+mod axle_box_table;
+mod axle_box_universal;
+mod axle_box_wave;
 mod built_in;
 mod chainage;
 mod date;
@@ -53,6 +57,7 @@ mod survey;
 mod transfer_table;
 mod wheel_roughness;
 
+pub use axle_box_arrays::AxleBoxPlace;
 pub use axle_box_file::{AxleBoxFile, AxleBoxLayout, AxleBoxReading};
 pub use date::{read_date, read_dates};
 pub use decay_rate_file::read_decay_rates;

@@ -1,5 +1,6 @@
 //! Whether a sensor of acceleration is well.
 
+use crate::axle_box_listener::Counting;
 use crate::refusal::Refusal;
 
 /// Time for which a channel that is alive keeps no value to the last digit \[s\].
@@ -16,6 +17,7 @@ const NEAR: f64 = 0.03;
 /// A channel as it is listened to, sample by sample.
 pub(super) struct Sensor {
     name: String,
+    counting: Counting,
     /// Samples for which no value stays.
     patience: usize,
     last: f64,
@@ -62,7 +64,7 @@ impl End {
 
 impl Sensor {
     /// A channel of some name at a sampling rate \[Hz\].
-    pub(super) fn new(name: &str, rate: f64) -> Self {
+    pub(super) fn new(name: &str, rate: f64, counting: Counting) -> Self {
         let end = End {
             value: f64::NEG_INFINITY,
             run: 0,
@@ -71,6 +73,7 @@ impl Sensor {
         };
         Self {
             name: name.to_owned(),
+            counting,
             patience: ((DEAD * rate).round() as usize).max(10),
             last: f64::NAN,
             same: 0,
@@ -119,9 +122,9 @@ impl Sensor {
                 return Err(Refusal {
                     line: None,
                     message: format!(
-                        "{name}: the mean is {shown:.3} {what}, as gravity is in {other}: the head gives the wrong unit"
+                        "{name}: the mean is {shown:.3} {what}, as gravity is in {other}: the unit is wrong"
                     ),
-                    help: Some(format!("write {other} into the head of the column")),
+                    help: Some(format!("give it in {other}")),
                 });
             }
         }
@@ -140,13 +143,14 @@ impl Sensor {
                 .map(|(sign, end)| format!("{:.4} m/s²", sign * end.value))
                 .collect();
             let message = format!(
-                "{name}: clipped at {} in {clipped} samples, {:.2} %; the first are at line {line}",
+                "{name}: clipped at {} in {clipped} samples, {:.2} %; the first are at {}",
                 at.join(" and "),
-                100.0 * share
+                100.0 * share,
+                self.counting.at(line)
             );
             if share > MOST_CLIPPED {
-                return Err(Refusal::new(
-                    Some(line),
+                return Err(self.counting.refuse(
+                    line,
                     format!("{message}; at most {:.0} % may be", 100.0 * MOST_CLIPPED),
                 ));
             }
@@ -154,11 +158,11 @@ impl Sensor {
         }
         if self.dead > 0 {
             let keeping = format!("keeping one value for more than {:.0} ms", 1e3 * DEAD);
-            let (times, line) = (self.dead, self.dead_from);
+            let (times, first) = (self.dead, self.counting.at(self.dead_from));
             remarks.push(match times {
-                1 => format!("{name}: drops out once, {keeping}, at line {line}"),
+                1 => format!("{name}: drops out once, {keeping}, at {first}"),
                 _ => {
-                    format!("{name}: drops out {times} times, {keeping}; the first is line {line}")
+                    format!("{name}: drops out {times} times, {keeping}; the first is {first}")
                 }
             });
         }

@@ -6,7 +6,6 @@ mod response_unit;
 mod smoothing;
 mod table;
 mod universal;
-mod universal_file;
 mod universal_function;
 mod wheelset_modes;
 mod wheelset_receptances;

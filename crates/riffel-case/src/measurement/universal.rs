@@ -1,9 +1,10 @@
 //! A frequency response in a universal file.
 
-use riffel::forecast::STANDARD_GRAVITY;
-use riffel_keys::{Exponents, Remark, Sentence, Unit};
+use riffel_keys::universal_file::{
+    self, ACCELERATION, Axis, DISPLACEMENT, Freedom, Function, Units, VELOCITY, unit_size,
+};
+use riffel_keys::{Exponents, Remark, Sentence};
 
-use super::universal_file::{self, Axis, Freedom, Function, Units};
 use super::{FrequencyResponse, MeasurementError};
 use crate::UniversalFunction;
 use crate::file::{Measurement, Response, VerticalAxis};
@@ -11,9 +12,6 @@ use crate::file::{Measurement, Response, VerticalAxis};
 /// Kinds of the format, dataset 58.
 const FREQUENCY_RESPONSE: i32 = 4;
 const FREQUENCY: i32 = 18;
-const DISPLACEMENT: i32 = 8;
-const VELOCITY: i32 = 11;
-const ACCELERATION: i32 = 12;
 const REACTION_FORCE: i32 = 9;
 const EXCITATION_FORCE: i32 = 13;
 
@@ -192,8 +190,11 @@ fn response(
         Response::Accelerance => Exponents::new(0, 1, -2),
     };
     let newton = Exponents::new(1, 1, -2);
-    let factors =
-        size(&function.numerator, motion, length).zip(size(&function.denominator, newton, force));
+    let factors = unit_size(&function.numerator, motion, length).zip(unit_size(
+        &function.denominator,
+        newton,
+        force,
+    ));
     let Some((numerator, denominator)) = factors else {
         return wrong("is labelled with a unit that does not fit what it is");
     };
@@ -214,18 +215,4 @@ fn response(
             .map(|number| place(format!("value {number}")))
             .collect(),
     })
-}
-
-/// SI units in one unit of an axis: by its label, or by the units of the file where it has none.
-fn size(axis: &Axis, exponents: Exponents, per_si: f64) -> Option<f64> {
-    let label = axis.unit.trim();
-    if label.is_empty() || label.eq_ignore_ascii_case("none") {
-        return Some(per_si.recip());
-    }
-    // Of an acceleration, "g" is no gram.
-    if label == "g" && exponents == Exponents::new(0, 1, -2) {
-        return Some(STANDARD_GRAVITY);
-    }
-    let unit = Unit::parse(label).ok()?;
-    (unit.exponents == exponents).then_some(unit.factor)
 }

@@ -14,11 +14,14 @@ use crate::error::CliError;
 #[command(
     after_help = "Example: riffel axlebox run.csv --case case.toml -o results && riffel roughness results/spectrum.csv\n\n\
         A run of constant speed without a column of times: riffel axlebox run.csv --case case.toml --rate \"10 kHz\" --speed \
-        \"80 km/h\""
+        \"80 km/h\"\n\n\
+        A WAV file whose full scale is 50 g on two channels and 250 km/h on the third: riffel axlebox run.wav --case case.toml \
+        --channels acceleration_left_g=50,acceleration_right_g=50,speed_km_per_h=250"
 )]
 pub(crate) struct AxleBox {
-    /// Accelerations over time with speed or odometer, under a head with units, as in
-    /// time_s,acceleration_left_m_per_s2,speed_km_per_h; every column of accelerations is a rail.
+    /// Accelerations over time with speed or odometer: text under a head with units, as in
+    /// time_s,acceleration_left_m_per_s2,speed_km_per_h, a WAV file, or a universal file (dataset 58); every channel of
+    /// accelerations is a rail.
     #[arg(value_name = "FILE", required = true)]
     pub(crate) paths: Vec<PathBuf>,
 
@@ -37,6 +40,10 @@ pub(crate) struct AxleBox {
     /// Speed of the train, in place of a column of speeds or of an odometer.
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     speed: Option<Asked<Speed>>,
+
+    /// Channels of a WAV file in their order, each called as a column is, with its value at full scale.
+    #[arg(long, value_name = "NAME=FULL_SCALE", value_delimiter = ',')]
+    channels: Vec<String>,
 
     /// Shortest wavelength; the sampling rate may not reach it.
     #[arg(
@@ -104,6 +111,7 @@ impl AxleBox {
         Ok(AxleBoxLayout {
             rate,
             speed: speed.map(|speed| speed.within("--speed")).transpose()?,
+            channels: self.channels.clone(),
         })
     }
 

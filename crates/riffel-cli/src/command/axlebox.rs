@@ -18,7 +18,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
     let case = arguments.case().read()?;
     let mut files = Vec::new();
     for path in &arguments.paths {
-        files.push((path.clone(), AxleBoxFile::open(path, layout)?));
+        files.push((path.clone(), AxleBoxFile::open(path, &layout)?));
     }
     let sizes = arguments
         .paths

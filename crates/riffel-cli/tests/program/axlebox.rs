@@ -148,7 +148,7 @@ fn bad_runs_are_refused_and_nothing_is_written() {
         ("axlebox gravity.csv", "as gravity is in g"),
         (
             "axlebox run.csv --rate \"100 Hz\"",
-            "sampling rate is 100 Hz, but must be at least five times",
+            "the times make 20000 samples a second, but --rate says",
         ),
         (
             "axlebox run.csv --rate \"-1 Hz\"",

@@ -11,6 +11,7 @@ import numpy.typing as npt
 import xarray as xr
 
 from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _passage, _riffel, _track
+from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
 from riffel._receptance import GivenReceptance, checked_receptance
 from riffel._records import Date, Levels, RailRecord, checked_levels
@@ -1061,6 +1062,85 @@ class Case:
             None if step is None else scalar(step, "step", "length"),
             contact_filter,
             self.title,
+        )
+
+    def axlebox(
+        self,
+        run: AxleBoxRun,
+        *,
+        rate: Quantity | None = None,
+        speed: Quantities | None = None,
+        odometer: Quantities | None = None,
+        channels: Sequence[str] = (),
+        shortest: Quantity = 0.01,
+        longest: Quantity = 0.4,
+        slowest: Quantity = "20 km/h",
+        contact_filter: bool = False,
+        limit: str | Sequence[str] = (),
+        block: Quantity = 10.0,
+    ) -> dict[str, Any]:
+        """Roughness of the rails from the acceleration of axle boxes on a train in service.
+
+        Parameters
+        ----------
+        run : path, paths, mapping or array
+            Files as of ``riffel axlebox``: text in columns, WAV, universal files. Or accelerations in m/s² at even times, of
+            one channel or of several by name, as `scipy.io.loadmat` gives them of a file of MATLAB.
+        rate : quantity, optional
+            Samples per second: needed of arrays, and of files without times.
+        speed : quantity or array, optional
+            Speed of the train: one, or for arrays one for each sample.
+        odometer : array, optional
+            Reading of the odometer in m for each sample, in place of `speed`.
+        channels : sequence of str, optional
+            Channels of a WAV file in their order, each with its value at full scale: ``"acceleration_left_g=50"``.
+        shortest, longest : quantity
+            Wavelengths.
+        slowest : quantity
+            Lowest speed at which the train is listened to.
+        contact_filter : bool
+            Give back what the contact patch does not let through.
+        limit : str or sequence of str, optional
+            Limit tables, by name or as TOML files; by default all.
+        block : quantity
+            Length of a block.
+
+        Returns
+        -------
+        dict
+            With the keys of ``riffel axlebox --json``: ``rails`` with their ``spectrum``, ``bands``, ``verdicts`` and
+            ``grind``, and ``remarks``.
+
+        Raises
+        ------
+        ValueError
+            For signals that are clipped, in another unit or shorter than the others, a speed or an odometer that falls, and
+            for a value that is not allowed.
+
+        Examples
+        --------
+        A wave of 3 µm and 100 mm at 20 m/s, under a wheel that follows it; by hand, 3 µm are 6.5 dB re 1 µm:
+
+        >>> case = riffel.Case.from_toml("cases/nominal.toml")
+        >>> time = np.arange(30_000) / 1000.0
+        >>> follows = 3e-6 * (2 * np.pi * 200.0) ** 2 * np.sin(2 * np.pi * 200.0 * time)
+        >>> found = case.axlebox({"left": follows}, rate=1000.0, speed=20.0)
+        >>> [rail["name"] for rail in found["rails"]]
+        ['left']
+        """
+        given = checked_run(run)
+        rate_hz, place = checked_place(given, rate, speed, odometer)
+        within = (
+            scalar(shortest, "shortest", "length"),
+            scalar(longest, "longest", "length"),
+            scalar(slowest, "slowest", "speed"),
+            scalar(block, "block", "length"),
+        )
+        if within[1] < 2.0 * within[0]:
+            raise ValueError(f"longest is {longest}, but must be at least twice shortest")
+        limits = [limit] if isinstance(limit, str) else list(limit)
+        return _riffel.axlebox(
+            self._case, given, rate_hz, place, list(channels), within, bool(contact_filter), limits
         )
 
     def noise(

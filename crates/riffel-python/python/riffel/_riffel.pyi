@@ -166,6 +166,16 @@ def evolve(
     step: float | None,
     contact_filter: bool,
 ) -> tuple[dict[str, Any], list[int], _Floats, float, list[str]]: ...
+def axlebox(
+    case: Case,
+    run: Sequence[str] | Sequence[tuple[str, _Floats]],
+    rate: float | None,
+    place: tuple[float | None, _Floats | None, _Floats | None],
+    channels: Sequence[str],
+    within: tuple[float, float, float, float],
+    contact_filter: bool,
+    limits: Sequence[str],
+) -> dict[str, Any]: ...
 def noise(
     case: Case,
     spectrum: tuple[_Floats, _Floats],

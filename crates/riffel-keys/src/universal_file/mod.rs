@@ -11,100 +11,114 @@ mod error;
 mod fields;
 mod form;
 mod lines;
+mod signal;
 
 #[cfg(test)]
 mod tests;
 
 use riffel::Complex64;
+use riffel::forecast::STANDARD_GRAVITY;
+
+use crate::{Exponents, Unit};
 
 use binary::Encoding;
-pub(crate) use error::UniversalFileError;
+pub use error::UniversalFileError;
 use fields::Fields;
 use form::Form;
 use lines::Lines;
+pub use signal::{Signal, SignalError, Signals, Values};
+
+/// Kind of an axis: a displacement.
+pub const DISPLACEMENT: i32 = 8;
+/// Kind of an axis: a velocity.
+pub const VELOCITY: i32 = 11;
+/// Kind of an axis: an acceleration.
+pub const ACCELERATION: i32 = 12;
+/// Kind of an axis: time.
+pub const TIME: i32 = 17;
 
 /// What a universal file says that is of use here.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct UniversalFile {
+pub struct UniversalFile {
     /// The functions in the order of the file.
-    pub(crate) functions: Vec<Function>,
+    pub functions: Vec<Function>,
     /// Its units, if it states them.
-    pub(crate) units: Option<Units>,
+    pub units: Option<Units>,
 }
 
 /// How many of the file's units make one unit of SI: a value of the file is divided by the factor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Units {
+pub struct Units {
     /// Units of length in a metre.
-    pub(crate) length: f64,
+    pub length: f64,
     /// Units of force in a newton.
-    pub(crate) force: f64,
+    pub force: f64,
     /// Units of temperature in a kelvin.
-    pub(crate) temperature: f64,
+    pub temperature: f64,
     /// What the file's temperature scale is off the absolute one.
-    pub(crate) temperature_offset: f64,
+    pub temperature_offset: f64,
 }
 
 /// One function of a universal file, in the units of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Function {
+pub struct Function {
     /// Line with the mark that opens its dataset, from 1; a binary part counts as one line.
-    pub(crate) line: usize,
+    pub line: usize,
     /// First of the five lines of description.
-    pub(crate) title: String,
+    pub title: String,
     /// Kind of function: 4 for a frequency response.
-    pub(crate) function_type: i32,
+    pub function_type: i32,
     /// Load case; the reference means something only if this is 0, an excitation at one point.
-    pub(crate) load_case: i32,
+    pub load_case: i32,
     /// Where the response was observed.
-    pub(crate) response: Freedom,
+    pub response: Freedom,
     /// Where the excitation acted.
-    pub(crate) reference: Freedom,
+    pub reference: Freedom,
     /// What the abscissa is.
-    pub(crate) abscissa_axis: Axis,
+    pub abscissa_axis: Axis,
     /// What the ordinate is, or the numerator of it.
-    pub(crate) numerator: Axis,
+    pub numerator: Axis,
     /// What the ordinate is divided by; of kind 0 if by nothing.
-    pub(crate) denominator: Axis,
+    pub denominator: Axis,
     /// Whether the ordinate is complex in the file.
-    pub(crate) complex: bool,
+    pub complex: bool,
     /// Values of the abscissa.
-    pub(crate) abscissa: Vec<f64>,
+    pub abscissa: Vec<f64>,
     /// Value of the ordinate at each one of the abscissa; real ones have no imaginary part.
-    pub(crate) ordinate: Vec<Complex64>,
+    pub ordinate: Vec<Complex64>,
 }
 
 /// A degree of freedom of the tested structure.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Freedom {
+pub struct Freedom {
     /// Part of the structure, "NONE" if unnamed.
-    pub(crate) entity: String,
+    pub entity: String,
     /// Node of the part.
-    pub(crate) node: i32,
+    pub node: i32,
     /// 1 to 3 along x, y, z, 4 to 6 about them, negative in the other sense, 0 for a scalar.
-    pub(crate) direction: i32,
+    pub direction: i32,
 }
 
 /// What one axis of a function measures.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Axis {
+pub struct Axis {
     /// Kind of quantity: 8 displacement, 9 reaction force, 11 velocity, 12 acceleration,
     /// 13 excitation force, 18 frequency; 0 unknown, 1 given by the exponents alone.
-    pub(crate) kind: i32,
+    pub kind: i32,
     /// Exponent of length; the three say something only for kind 1 and for scalars.
-    pub(crate) length: i32,
+    pub length: i32,
     /// Exponent of force.
-    pub(crate) force: i32,
+    pub force: i32,
     /// Exponent of temperature.
-    pub(crate) temperature: i32,
+    pub temperature: i32,
     /// Name of the axis, "NONE" if unnamed.
-    pub(crate) label: String,
+    pub label: String,
     /// Its unit as text, "NONE" if unnamed.
-    pub(crate) unit: String,
+    pub unit: String,
 }
 
 /// Read a universal file.
-pub(crate) fn read(bytes: &[u8]) -> Result<UniversalFile, UniversalFileError> {
+pub fn read(bytes: &[u8]) -> Result<UniversalFile, UniversalFileError> {
     let mut lines = Lines::new(bytes);
     let mut file = UniversalFile {
         functions: Vec::new(),
@@ -196,6 +210,17 @@ impl Units {
 impl Function {
     /// Read the dataset after its number, with its closing mark.
     fn read(lines: &mut Lines, encoding: Option<&Encoding>) -> Result<Self, UniversalFileError> {
+        let (mut function, form) = Self::read_head(lines)?;
+        let numbers = match encoding {
+            Some(encoding) => encoding.numbers(lines, &form)?,
+            None => ascii::numbers(lines, &form)?,
+        };
+        (function.abscissa, function.ordinate) = form.points_of(&numbers);
+        Ok(function)
+    }
+
+    /// Read the eleven records before the values; the function has none yet.
+    fn read_head(lines: &mut Lines) -> Result<(Self, Form), UniversalFileError> {
         let line = lines.opening();
         let title = lines.record("record 1")?.text.trim().to_owned();
         for name in ["record 2", "record 3", "record 4", "record 5"] {
@@ -215,12 +240,7 @@ impl Function {
         let denominator = Axis::read(lines.record("record 10")?.fields())?;
         // The axis of a third dimension, which one function does not have.
         lines.record("record 11")?;
-        let numbers = match encoding {
-            Some(encoding) => encoding.numbers(lines, &form)?,
-            None => ascii::numbers(lines, &form)?,
-        };
-        let (abscissa, ordinate) = form.points_of(&numbers);
-        Ok(Self {
+        let function = Self {
             line,
             title,
             function_type,
@@ -231,9 +251,10 @@ impl Function {
             numerator,
             denominator,
             complex: form.complex,
-            abscissa,
-            ordinate,
-        })
+            abscissa: Vec::new(),
+            ordinate: Vec::new(),
+        };
+        Ok((function, form))
     }
 }
 
@@ -260,5 +281,28 @@ impl Axis {
             label: fields.text(21).to_owned(),
             unit: fields.text(21).to_owned(),
         })
+    }
+}
+
+/// SI units in one unit of an axis: by its label, or by the units of the file where it has none. None where the label does
+/// not fit the dimensions, which are those of `exponents`; `per_si` is how many of the file's units make one of SI.
+pub fn unit_size(axis: &Axis, exponents: Exponents, per_si: f64) -> Option<f64> {
+    if !axis.has_unit() {
+        return Some(per_si.recip());
+    }
+    let label = axis.unit.trim();
+    // Of an acceleration, "g" is no gram.
+    if label == "g" && exponents == Exponents::new(0, 1, -2) {
+        return Some(STANDARD_GRAVITY);
+    }
+    let unit = Unit::parse(label).ok()?;
+    (unit.exponents == exponents).then_some(unit.factor)
+}
+
+impl Axis {
+    /// Whether its unit is named.
+    pub fn has_unit(&self) -> bool {
+        let label = self.unit.trim();
+        !label.is_empty() && !label.eq_ignore_ascii_case("none")
     }
 }

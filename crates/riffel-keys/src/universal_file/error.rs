@@ -4,7 +4,8 @@ use thiserror::Error;
 
 /// A universal file that cannot be read, and why, in a sentence that begins with the line.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub(crate) enum UniversalFileError {
+#[allow(missing_docs)] // fields are what the sentences say
+pub enum UniversalFileError {
     /// Nothing in it.
     #[error("the file holds no dataset, which would begin with -1 in columns 5 and 6")]
     NoDataset,

@@ -6,6 +6,7 @@ use super::UniversalFileError;
 use super::fields::Fields;
 
 /// How the values of a function are laid out (record 7).
+#[derive(Debug, Clone)]
 pub(super) struct Form {
     pub(super) line: usize,
     pub(super) complex: bool,
@@ -14,6 +15,7 @@ pub(super) struct Form {
     spacing: Spacing,
 }
 
+#[derive(Debug, Clone)]
 enum Spacing {
     Even { minimum: f64, increment: f64 },
     Uneven,
@@ -72,6 +74,14 @@ impl Form {
 
     pub(super) fn uneven(&self) -> bool {
         matches!(self.spacing, Spacing::Uneven)
+    }
+
+    /// Step of the abscissa; none where it is uneven.
+    pub(super) fn increment(&self) -> Option<f64> {
+        match self.spacing {
+            Spacing::Even { increment, .. } => Some(increment),
+            Spacing::Uneven => None,
+        }
     }
 
     /// Numbers in the file for one point: abscissa if uneven, real part, imaginary part if complex.

@@ -18,7 +18,7 @@ const DOUBLE: f64 = 5e-12 + 2.0 * FORMULA;
 /// Binary doubles lose nothing: what is left is the rounding of the formula here and there.
 const FORMULA: f64 = 1e-12;
 
-const FIXTURES: [&str; 11] = [
+pub(super) const FIXTURES: [&str; 11] = [
     "accelerance_single_uneven.uff",
     "mobility_single_even.uff",
     "modulus_double_even.uff",
@@ -34,11 +34,11 @@ const FIXTURES: [&str; 11] = [
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/universal-files")
+        .join("../riffel-case/tests/universal-files")
         .join(name)
 }
 
-fn fixture(name: &str) -> Vec<u8> {
+pub(super) fn fixture(name: &str) -> Vec<u8> {
     fs::read(path(name)).unwrap()
 }
 
@@ -352,7 +352,13 @@ fn reads_units_alone() {
 const POINTS: [[f64; 3]; 3] = [[20.0, 1.5, -2.25], [40.0, -3.0, 4.5], [80.0, 5.0, 0.125]];
 
 /// A dataset 58b of the three points with abscissae of the given width.
-fn binary(data_type: i32, even: bool, order: i32, abscissa: usize, end: &str) -> Vec<u8> {
+pub(super) fn binary(
+    data_type: i32,
+    even: bool,
+    order: i32,
+    abscissa: usize,
+    end: &str,
+) -> Vec<u8> {
     let double = data_type == 4 || data_type == 6;
     let mut data = Vec::new();
     let mut push = |value: f64, width| match (width, order) {

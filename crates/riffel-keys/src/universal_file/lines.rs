@@ -28,6 +28,15 @@ impl<'a> Lines<'a> {
         }
     }
 
+    /// Lines from within a dataset, so many of the file before them, and the one with the opening mark.
+    pub(super) fn within(bytes: &'a [u8], taken: usize, opening: usize) -> Self {
+        Self {
+            rest: bytes,
+            taken,
+            opening,
+        }
+    }
+
     /// Line with the mark that opened the present dataset.
     pub(super) fn opening(&self) -> usize {
         self.opening
@@ -46,10 +55,7 @@ impl<'a> Lines<'a> {
         let bytes = parts.next().unwrap_or_default();
         self.rest = parts.next().unwrap_or_default();
         self.taken += 1;
-        Some(Line {
-            number: self.taken,
-            text: decode(bytes.strip_suffix(b"\r").unwrap_or(bytes)),
-        })
+        Some(Line::new(self.taken, bytes))
     }
 
     /// Take the mark that opens a dataset; false at the end of the file.
@@ -123,7 +129,16 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-impl Line<'_> {
+impl<'a> Line<'a> {
+    /// A line of a number, with its end.
+    pub(super) fn new(number: usize, bytes: &'a [u8]) -> Self {
+        let bytes = bytes.strip_suffix(b"\n").unwrap_or(bytes);
+        Self {
+            number,
+            text: decode(bytes.strip_suffix(b"\r").unwrap_or(bytes)),
+        }
+    }
+
     pub(super) fn is_mark(&self) -> bool {
         self.text.trim_end() == "    -1"
     }

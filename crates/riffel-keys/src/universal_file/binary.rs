@@ -1,14 +1,17 @@
 //! The binary form of dataset 58: the same lines, but the values as IEEE floating point numbers.
 
-use super::UniversalFileError;
+use std::io;
+
 use super::fields::Fields;
 use super::form::Form;
 use super::lines::Lines;
+use super::{SignalError, UniversalFileError};
 
 const SINGLE: usize = 4;
 const DOUBLE: usize = 8;
 
 /// How the binary part is encoded, from the line with the dataset's number.
+#[derive(Debug, Clone)]
 pub(super) struct Encoding {
     line: usize,
     big_endian: bool,
@@ -55,6 +58,31 @@ impl Encoding {
         })
     }
 
+    /// Leap over the values of a dataset 58b and its closing mark: `block` does so if the mark follows so many bytes.
+    ///
+    /// Returns the bytes of each number of a point.
+    pub(super) fn leap(
+        &self,
+        form: &Form,
+        mut block: impl FnMut(u64) -> io::Result<bool>,
+    ) -> Result<Vec<usize>, SignalError> {
+        let ordinate = if form.double { DOUBLE } else { SINGLE };
+        for abscissa in [SINGLE, ordinate] {
+            let widths = widths(form, abscissa, ordinate);
+            let bytes = length(form, &widths);
+            if block(bytes as u64)? {
+                self.check_bytes(bytes, form.points.saturating_mul(ordinate))?;
+                return Ok(widths);
+            }
+        }
+        Err(UniversalFileError::BinaryEnd {
+            line: form.line,
+            points: form.points,
+            bytes: length(form, &widths(form, SINGLE, ordinate)),
+        }
+        .into())
+    }
+
     /// The declared number of bytes must be right, or the one that pyuff writes, which counts one
     /// number for each point also where there are two or three.
     fn check_bytes(&self, bytes: usize, one_each: usize) -> Result<(), UniversalFileError> {
@@ -82,17 +110,22 @@ impl Encoding {
                 break;
             };
             rest = after;
-            let number = self.number(field);
-            if !number.is_finite() {
-                return Err(UniversalFileError::Number {
-                    line,
-                    what: "a value",
-                    text: number.to_string(),
-                });
-            }
-            numbers.push(number);
+            numbers.push(self.finite(field, line)?);
         }
         Ok(numbers)
+    }
+
+    /// One number of four or eight bytes, which must be finite.
+    pub(super) fn finite(&self, field: &[u8], line: usize) -> Result<f64, UniversalFileError> {
+        let number = self.number(field);
+        if number.is_finite() {
+            return Ok(number);
+        }
+        Err(UniversalFileError::Number {
+            line,
+            what: "a value",
+            text: number.to_string(),
+        })
     }
 
     /// One number of four or eight bytes.

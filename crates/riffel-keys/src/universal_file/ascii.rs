@@ -48,7 +48,7 @@ pub(super) fn numbers(lines: &mut Lines, form: &Form) -> Result<Vec<f64>, Univer
 }
 
 /// Widths of the numbers of a line; an abscissa is single whatever the ordinate is.
-fn widths(form: &Form) -> &'static [usize] {
+pub(super) fn widths(form: &Form) -> &'static [usize] {
     match (form.double, form.uneven(), form.complex) {
         (false, ..) => &[13; 6],
         (true, false, _) => &[20; 4],

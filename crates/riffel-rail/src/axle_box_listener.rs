@@ -1,0 +1,252 @@
+//! Readings of axle boxes, one after the other, whatever they come from.
+
+use crate::axle_box_file::{AxleBoxHead, PlaceBy};
+use crate::refusal::Refusal;
+use crate::sensor::Sensor;
+
+/// Largest fall of an odometer that is rounding \[m\].
+const ROUNDING: f64 = 1e-3;
+/// Largest step of an odometer that counts \[m\]: kilometre posts stand closer than what is more.
+const LARGEST_COUNT: f64 = 20.0;
+/// Faster than any train on rails has run, 574.8 km/h on 3 April 2007 \[m/s\].
+const FASTEST: f64 = 160.0;
+
+/// One reading, in SI; what is missing is NaN.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Row<'a> {
+    /// Of every channel \[m/s²\].
+    pub(super) accelerations: &'a [f64],
+    /// \[s\]; none where a rate was given.
+    pub(super) time: Option<f64>,
+    /// Speed \[m/s\] or odometer \[m\], whichever the file tells the place by.
+    pub(super) place: f64,
+    /// Line of the file or number of the sample, from 1.
+    pub(super) number: usize,
+}
+
+/// How readings are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Counting {
+    Lines,
+    Samples,
+}
+
+impl Counting {
+    pub(super) fn at(self, number: usize) -> String {
+        match self {
+            Self::Lines => format!("line {number}"),
+            Self::Samples => format!("sample {number}"),
+        }
+    }
+
+    pub(super) fn refuse(self, number: usize, message: impl Into<String>) -> Refusal {
+        match self {
+            Self::Lines => Refusal::new(Some(number), message),
+            Self::Samples => Refusal::new(None, format!("{}: {}", self.at(number), message.into())),
+        }
+    }
+}
+
+/// What is known while a run is read.
+pub(super) struct Listener<'a> {
+    head: &'a AxleBoxHead,
+    sensors: Vec<Sensor>,
+    /// \[m\].
+    pub(super) position: f64,
+    /// Last speed \[m/s\].
+    speed: Option<f64>,
+    /// Last reading of the odometer \[m\].
+    odometer: Option<f64>,
+    /// Reading of the odometer \[m\] at the beginning of the present second, and samples since.
+    second: (f64, usize),
+    time: Option<f64>,
+    /// Whether the last row was a sample.
+    pub(super) is_there: bool,
+    rows: usize,
+    leaps: Counted,
+    jumps: Counted,
+    missing: Counted,
+}
+
+/// How often something was found, and where the first time.
+#[derive(Default)]
+struct Counted {
+    count: usize,
+    first: usize,
+}
+
+impl Counted {
+    fn at(&mut self, number: usize) {
+        if self.count == 0 {
+            self.first = number;
+        }
+        self.count += 1;
+    }
+
+    fn remark(&self, what: &str, counting: Counting) -> Option<String> {
+        let (count, first) = (self.count, counting.at(self.first));
+        match count {
+            0 => None,
+            1 => Some(format!("{what} once, at {first}")),
+            _ => Some(format!("{what} {count} times; the first is {first}")),
+        }
+    }
+}
+
+impl<'a> Listener<'a> {
+    pub(super) fn new(head: &'a AxleBoxHead) -> Self {
+        let sensors = head.names.iter();
+        Self {
+            sensors: sensors
+                .map(|name| Sensor::new(name, head.rate, head.counting))
+                .collect(),
+            head,
+            position: 0.0,
+            speed: None,
+            odometer: None,
+            second: (0.0, 0),
+            time: None,
+            is_there: false,
+            rows: 0,
+            leaps: Counted::default(),
+            jumps: Counted::default(),
+            missing: Counted::default(),
+        }
+    }
+
+    fn refuse<T>(&self, number: usize, message: String) -> Result<T, Refusal> {
+        Err(self.head.counting.refuse(number, message))
+    }
+
+    /// Take in a row; whether there is a gap before what comes next.
+    pub(super) fn row(&mut self, row: &Row<'_>) -> Result<bool, Refusal> {
+        self.rows += 1;
+        let mut there = row.accelerations.iter().all(|value| value.is_finite());
+        let mut leap = false;
+        if let Some(time) = row.time {
+            if let Some(before) = self.time {
+                let steps = (time - before) * self.head.rate;
+                if steps <= 0.0 {
+                    let message = format!("the time falls from {before} s to {time} s");
+                    return self.refuse(row.number, message);
+                }
+                leap = steps > 1.5;
+            }
+            there &= time.is_finite();
+            self.time = Some(time).filter(|time| time.is_finite()).or(self.time);
+        }
+        if leap {
+            self.leaps.at(row.number);
+        }
+        there &= match self.head.place {
+            PlaceBy::Constant(speed) => self.advance(speed),
+            PlaceBy::Speed => self.with_speed(row.place, row.number)?,
+            PlaceBy::Odometer => self.with_odometer(row.place, row.number, &mut leap)?,
+        };
+        if !there {
+            self.missing.at(row.number);
+        } else {
+            for (sensor, &acceleration) in self.sensors.iter_mut().zip(row.accelerations) {
+                there &= sensor.listen(acceleration, row.number);
+            }
+        }
+        let gap = self.is_there && (leap || !there);
+        self.is_there = there;
+        Ok(gap)
+    }
+
+    /// One sample further at a speed.
+    fn advance(&mut self, speed: f64) -> bool {
+        let before = self.speed.unwrap_or(speed);
+        self.position += 0.5 * (before + speed) / self.head.rate;
+        self.speed = Some(speed);
+        true
+    }
+
+    fn with_speed(&mut self, speed: f64, number: usize) -> Result<bool, Refusal> {
+        if speed.is_nan() {
+            return Ok(false);
+        }
+        if speed < 0.0 {
+            let message = format!("the speed is {speed} m/s, but must be zero or greater");
+            return self.refuse(number, message);
+        }
+        if speed > FASTEST {
+            let message = format!(
+                "the speed is {speed:.1} m/s, {:.0} km/h, faster than any train; is its unit right?",
+                3.6 * speed
+            );
+            return self.refuse(number, message);
+        }
+        Ok(self.advance(speed))
+    }
+
+    fn with_odometer(
+        &mut self,
+        odometer: f64,
+        number: usize,
+        leap: &mut bool,
+    ) -> Result<bool, Refusal> {
+        if odometer.is_nan() {
+            return Ok(false);
+        }
+        let before = self.odometer.unwrap_or(odometer);
+        if odometer < before - ROUNDING {
+            let message = format!(
+                "the odometer falls from {before} m to {odometer} m, but must rise; where chainage falls along the \
+                 run, give the speed in its stead"
+            );
+            return self.refuse(number, message);
+        }
+        if odometer > before + LARGEST_COUNT && !*leap {
+            self.jumps.at(number);
+            *leap = true;
+        }
+        self.position = before.max(odometer);
+        self.odometer = Some(self.position);
+        let (from, since) = self.second;
+        if self.rows == 1 || *leap {
+            self.second = (self.position, 0);
+        } else if (since as f64) < self.head.rate {
+            self.second.1 += 1;
+        } else {
+            let speed = (self.position - from) * self.head.rate / since as f64;
+            if speed > FASTEST {
+                let message = format!(
+                    "by the odometer the train runs at {speed:.1} m/s, {:.0} km/h, faster than any train; are its unit \
+                     and the sampling rate, {} Hz, right?",
+                    3.6 * speed,
+                    self.head.rate
+                );
+                return self.refuse(number, message);
+            }
+            self.second = (self.position, 0);
+        }
+        Ok(true)
+    }
+
+    /// What is to be said at the end.
+    pub(super) fn finish(self) -> Result<Vec<String>, Refusal> {
+        let counting = self.head.counting;
+        let mut remarks: Vec<String> = [
+            self.leaps.remark("the time leaps", counting),
+            self.jumps
+                .remark("the odometer leaps by more than 20 m", counting),
+            self.missing.remark("a value is missing", counting),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        if self.rows == 0 {
+            return Err(Refusal::new(None, "there is no reading"));
+        }
+        if self.missing.count == self.rows {
+            let message = "every row lacks a value that is needed";
+            return Err(counting.refuse(self.missing.first, message));
+        }
+        for sensor in self.sensors {
+            remarks.extend(sensor.judged()?);
+        }
+        Ok(remarks)
+    }
+}

@@ -1,0 +1,227 @@
+//! Universal files (dataset 58) with what axle boxes felt.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use riffel_keys::universal_file::{
+    ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY,
+    unit_size,
+};
+use riffel_keys::{CaseError, Exponents, Unit};
+
+use crate::axle_box_file::{AxleBoxHead, AxleBoxLayout, PlaceBy, unreadable};
+use crate::axle_box_listener::{Counting, Row};
+use crate::refusal::Refusal;
+
+/// Share by which steps of signals may differ that are one: they are printed with six digits.
+const SAME_STEP: f64 = 1e-5;
+
+/// Which signals of a universal file hold what, each with the SI units in one of its own.
+#[derive(Debug)]
+pub(super) struct AxleBoxUniversal {
+    channels: Vec<(Signal, f64)>,
+    place: Option<(Signal, f64)>,
+}
+
+/// Whether a file is a universal file by its first line that is not blank.
+pub(super) fn is_universal(head: &[u8]) -> bool {
+    let mut lines = head.split(|&byte| byte == b'\n');
+    let first = lines.find(|line| !line.trim_ascii().is_empty());
+    first.is_some_and(|line| line.trim_ascii_end() == b"    -1")
+}
+
+/// What a signal is, by its kind or else by its unit.
+fn kind(axis: &Axis) -> i32 {
+    if axis.kind > 1 {
+        return axis.kind;
+    }
+    let exponents = Unit::parse(axis.unit.trim()).map(|unit| unit.exponents);
+    match exponents {
+        _ if axis.unit.trim() == "g" => ACCELERATION,
+        Ok(of) if of == Exponents::new(0, 1, -2) => ACCELERATION,
+        Ok(of) if of == Exponents::new(0, 1, -1) => VELOCITY,
+        Ok(of) if of == Exponents::new(0, 1, 0) => DISPLACEMENT,
+        _ => axis.kind,
+    }
+}
+
+impl AxleBoxUniversal {
+    /// Find the signals over time.
+    pub(super) fn find(
+        path: &Path,
+        layout: &AxleBoxLayout,
+    ) -> Result<(Self, AxleBoxHead), CaseError> {
+        let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
+        let found = Signals::find(BufReader::with_capacity(1 << 20, file));
+        let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
+        let refuse = |message: String| Err(CaseError::data(path, message));
+        let (mut channels, mut speed, mut odometer) = (Vec::new(), None, None);
+        for signal in signals {
+            let function = &signal.function;
+            if function.abscissa_axis.kind != TIME && function.function_type != 1 {
+                continue;
+            }
+            let kind = kind(&function.numerator);
+            let (exponents, what) = match kind {
+                ACCELERATION => (Exponents::new(0, 1, -2), "an acceleration"),
+                VELOCITY => (Exponents::new(0, 1, -1), "a speed"),
+                DISPLACEMENT => (Exponents::new(0, 1, 0), "an odometer"),
+                _ => continue,
+            };
+            let unit =
+                unit_of(&signal, exponents, units, what).map_err(|refusal| refusal.of(path))?;
+            match kind {
+                ACCELERATION => {
+                    let sign = f64::from(function.response.direction.signum());
+                    let sign = if sign == 0.0 { 1.0 } else { sign };
+                    channels.push((signal, sign * unit));
+                }
+                VELOCITY => speed = speed.or(Some((signal, unit))),
+                _ => odometer = odometer.or(Some((signal, unit))),
+            }
+        }
+        let Some((first, _)) = channels.first() else {
+            return refuse(
+                "the file has no acceleration over time (dataset 58 with an abscissa of kind 17 and an ordinate of kind 12)"
+                    .to_owned(),
+            );
+        };
+        let (place, by) = match (layout.speed, odometer, speed) {
+            (Some(speed), _, _) => (None, PlaceBy::Constant(speed)),
+            (None, Some(odometer), _) => (Some(odometer), PlaceBy::Odometer),
+            (None, None, Some(speed)) => (Some(speed), PlaceBy::Speed),
+            (None, None, None) => {
+                return refuse(
+                    "the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by --speed where \
+                     it was constant"
+                        .to_owned(),
+                );
+            }
+        };
+        let names = names(&channels);
+        let (points, step) = (first.points, first.step.unwrap_or(1.0));
+        for (signal, _) in channels.iter().chain(&place) {
+            let same = signal
+                .step
+                .is_some_and(|other| (other / step - 1.0).abs() < SAME_STEP);
+            if signal.function.complex || !same || signal.points != points {
+                let (line, title) = (signal.function.line, &signal.function.title);
+                let message = format!(
+                    "\"{title}\" must have {points} real values with a step of {step} s, as the first acceleration has"
+                );
+                return Err(Refusal::new(Some(line), message).of(path));
+            }
+        }
+        // Steps are printed with six digits, as 4.00000e-04.
+        let rate = 1.0 / step;
+        let digits = 10f64.powi(6 - rate.log10().ceil() as i32);
+        let rate = (rate * digits).round() / digits;
+        if let Some(given) = layout.rate
+            && (given / rate - 1.0).abs() > SAME_STEP
+        {
+            return refuse(format!(
+                "the file says {rate} samples a second; leave out --rate"
+            ));
+        }
+        let head = AxleBoxHead {
+            names,
+            rate,
+            place: by,
+            counting: Counting::Samples,
+        };
+        Ok((Self { channels, place }, head))
+    }
+
+    /// Hand on sample by sample; `progress` is told of bytes done. Memory: 256 KB for each signal, which are read side by side
+    /// although they stand one behind the other.
+    pub(super) fn each(
+        &self,
+        path: &Path,
+        take: &mut dyn FnMut(&Row<'_>) -> Result<(), CaseError>,
+        progress: &dyn Fn(usize),
+    ) -> Result<(), CaseError> {
+        let signals: Vec<&(Signal, f64)> = self.channels.iter().chain(&self.place).collect();
+        let mut values = Vec::new();
+        for (signal, _) in &signals {
+            let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
+            let reader = BufReader::with_capacity(1 << 18, file);
+            values.push(
+                signal
+                    .values(reader)
+                    .map_err(|error| at_fault(path, error))?,
+            );
+        }
+        let points = self.channels[0].0.points;
+        let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
+        let mut sample = vec![0.0; signals.len()];
+        for number in 1..=points {
+            for ((value, of), (_, unit)) in sample.iter_mut().zip(&mut values).zip(&signals) {
+                let next = of.next().unwrap_or(Ok(f64::NAN));
+                *value = unit * next.map_err(|error| at_fault(path, error))?;
+            }
+            let count = self.channels.len();
+            take(&Row {
+                accelerations: &sample[..count],
+                time: None,
+                place: sample.get(count).copied().unwrap_or(f64::NAN),
+                number,
+            })?;
+            progress(number * size / points - (number - 1) * size / points);
+        }
+        Ok(())
+    }
+}
+
+/// SI units in one of a signal's.
+fn unit_of(
+    signal: &Signal,
+    exponents: Exponents,
+    units: Option<Units>,
+    what: &str,
+) -> Result<f64, Refusal> {
+    let (axis, line) = (&signal.function.numerator, signal.function.line);
+    let title = &signal.function.title;
+    if !axis.has_unit() && units.is_none() {
+        let message = format!(
+            "\"{title}\" is {what} without a unit: neither its axis nor a dataset 164 gives one"
+        );
+        return Err(Refusal::new(Some(line), message));
+    }
+    let per_si = units.map_or(1.0, |units| units.length);
+    unit_size(axis, exponents, per_si).ok_or_else(|| {
+        let unit = &axis.unit;
+        let message = format!("\"{title}\" is {what}, but is labelled with the unit \"{unit}\"");
+        Refusal::new(Some(line), message)
+    })
+}
+
+/// What channels are called: their titles where they have different ones, their nodes and directions otherwise.
+fn names(channels: &[(Signal, f64)]) -> Vec<String> {
+    let titles: Vec<String> = channels
+        .iter()
+        .map(|(signal, _)| signal.function.title.clone())
+        .collect();
+    let said = |title: &String| !title.is_empty() && !title.eq_ignore_ascii_case("none");
+    let mut different = titles.clone();
+    different.sort_unstable();
+    different.dedup();
+    if different.len() == titles.len() && titles.iter().all(said) {
+        return titles;
+    }
+    let of = channels.iter().map(|(signal, _)| {
+        let response = &signal.function.response;
+        let axis = ["", "x", "y", "z"].get(response.direction.unsigned_abs() as usize);
+        format!("node {} {}", response.node, axis.unwrap_or(&""))
+            .trim_end()
+            .to_owned()
+    });
+    of.collect()
+}
+
+fn at_fault(path: &Path, error: SignalError) -> CaseError {
+    match error {
+        SignalError::Read(reason) => unreadable(path, reason),
+        SignalError::File(error) => CaseError::data(path, error.to_string()),
+    }
+}
