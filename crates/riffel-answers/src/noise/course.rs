@@ -37,13 +37,6 @@ impl Course {
         future: &Future,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, AnswerError> {
-        if !(future.months.is_finite() && future.months > 0.0) {
-            return Err(AnswerError::Argument {
-                argument: "--months",
-                value: future.months.to_string(),
-                rule: "finite and greater than zero".to_owned(),
-            });
-        }
         let bands = bands_of(case);
         let on = future
             .traffic
