@@ -3,6 +3,7 @@
 mod asked;
 mod axlebox;
 mod forecast;
+pub(crate) mod network;
 mod noise;
 mod number;
 mod roughness;
@@ -26,6 +27,7 @@ use crate::staging::add_input;
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
+pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{LengthPair, Simulate};
@@ -89,6 +91,8 @@ pub(crate) enum Command {
     /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
     #[command(name = "axlebox")]
     AxleBox(AxleBox),
+    /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
+    Network(Network),
     /// Dominant wavelengths of a measured rail, and what may have made them.
     Diagnose(Diagnose),
     /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.

@@ -85,6 +85,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Curve(arguments) => command::curve::run(&arguments)?,
         Command::Profile(arguments) => command::profile::run(&arguments)?,
         Command::AxleBox(arguments) => command::axlebox::run(&arguments)?,
+        Command::Network(arguments) => command::network::run(&arguments)?,
         Command::Diagnose(arguments) => command::diagnose::run(&arguments)?,
         Command::Report(arguments) => command::report::run(&arguments)?,
         Command::Figures(arguments) => command::figures::run(&arguments)?,

@@ -33,6 +33,8 @@ mod results;
 mod run;
 pub mod sensitivity;
 mod study;
+pub mod whole_file;
+pub mod zarr;
 
 pub use design::Design;
 pub use distribution::Distribution;

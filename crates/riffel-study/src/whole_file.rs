@@ -7,10 +7,13 @@ use std::path::Path;
 use crate::StudyError;
 
 /// What the names of half-written files begin with.
-pub(super) const PREFIX: &str = ".riffel-";
+pub const PREFIX: &str = ".riffel-";
 
 /// Write a file under another name in its folder, which is made if need be, and rename it.
-pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
+///
+/// # Errors
+/// [`StudyError::Write`].
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
     let put = || {
         let folder = path.parent().unwrap_or_else(|| Path::new("."));
         let mut builder = tempfile::Builder::new();
@@ -37,7 +40,10 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
 }
 
 /// Remove half-written files below a folder.
-pub(super) fn sweep(folder: &Path) -> Result<(), StudyError> {
+///
+/// # Errors
+/// [`StudyError::Write`].
+pub fn sweep(folder: &Path) -> Result<(), StudyError> {
     let wrong = |reason| StudyError::Write {
         path: folder.to_owned(),
         reason,

@@ -10,7 +10,7 @@ const CHECKSUM: usize = 4;
 
 /// What an element of an array is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum DataType {
+pub enum DataType {
     /// A number, missing where NaN.
     Float64,
     /// A complex number, missing where both parts are NaN.
@@ -21,23 +21,24 @@ pub(super) enum DataType {
 
 /// An array in chunks of whole rows. A row is what belongs to one index of the first dimension.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Array {
+pub struct Array {
     /// The name of its folder.
-    pub(super) name: String,
-    pub(super) data_type: DataType,
+    pub name: String,
+    /// What an element is.
+    pub data_type: DataType,
     /// Elements along each dimension; the first counts the rows.
-    pub(super) shape: Vec<u64>,
+    pub shape: Vec<u64>,
     /// Rows of each chunk. The last chunk is filled up.
-    pub(super) rows_per_chunk: u64,
+    pub rows_per_chunk: u64,
     /// Names of the dimensions.
-    pub(super) dimensions: Vec<&'static str>,
+    pub dimensions: Vec<&'static str>,
     /// What else is to be known of it, an object.
-    pub(super) attributes: Value,
+    pub attributes: Value,
 }
 
 /// Elements of an array in order, the last dimension fastest.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Values {
+pub enum Values {
     /// Numbers, complex ones as pairs.
     Numbers(Vec<f64>),
     /// Texts.
@@ -46,7 +47,7 @@ pub(super) enum Values {
 
 impl Array {
     /// The document `zarr.json`.
-    pub(super) fn metadata(&self) -> Value {
+    pub fn metadata(&self) -> Value {
         let (data_type, fill_value, codec) = match self.data_type {
             DataType::Float64 => ("float64", json!("NaN"), little_endian()),
             DataType::Complex128 => ("complex128", json!(["NaN", "NaN"]), little_endian()),
@@ -69,7 +70,7 @@ impl Array {
     }
 
     /// The file of a chunk, below the folder of the group.
-    pub(super) fn file(&self, chunk: u64) -> String {
+    pub fn file(&self, chunk: u64) -> String {
         let zeros = "/0".repeat(self.shape.len() - 1);
         format!("{}/c/{chunk}{zeros}", self.name)
     }
@@ -89,7 +90,7 @@ impl Array {
     }
 
     /// The bytes of a chunk, filled up where there are fewer rows. Texts must be of an array of texts.
-    pub(super) fn encode(&self, values: &Values) -> Vec<u8> {
+    pub fn encode(&self, values: &Values) -> Vec<u8> {
         let mut bytes = Vec::with_capacity(8 * self.length() + CHECKSUM);
         match values {
             Values::Numbers(numbers) => {
@@ -114,8 +115,11 @@ impl Array {
         bytes
     }
 
-    /// The first rows of a chunk by its bytes, or why they are not those of a chunk.
-    pub(super) fn decode(&self, bytes: &[u8], rows: u64) -> Result<Values, &'static str> {
+    /// The first rows of a chunk by its bytes.
+    ///
+    /// # Errors
+    /// Why they are not those of a chunk.
+    pub fn decode(&self, bytes: &[u8], rows: u64) -> Result<Values, &'static str> {
         let cut = "a chunk is cut short";
         let (bytes, checksum) = bytes.split_last_chunk::<CHECKSUM>().ok_or(cut)?;
         if crc32c::crc32c(bytes) != u32::from_le_bytes(*checksum) {

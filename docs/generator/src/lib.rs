@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 24] = [
+const COMMANDS: [&str; 25] = [
     "init",
     "point",
     "map",
@@ -26,6 +26,7 @@ const COMMANDS: [&str; 24] = [
     "contact",
     "roughness",
     "axlebox",
+    "network",
     "diagnose",
     "report",
     "forecast",
@@ -336,12 +337,17 @@ fn command_line(program: &Path) -> Result<String, String> {
             &[command, "--help"],
         )?);
     }
-    for command in ["merge", "sensitivity"] {
-        text.push_str(&section(
-            program,
-            &format!("riffel study {command}"),
-            &["study", command, "--help"],
-        )?);
+    for (of, commands) in [
+        ("study", &["merge", "sensitivity"][..]),
+        ("network", &["ingest", "status", "worst", "growth", "plan"]),
+    ] {
+        for command in commands {
+            text.push_str(&section(
+                program,
+                &format!("riffel {of} {command}"),
+                &[of, command, "--help"],
+            )?);
+        }
     }
     Ok(text)
 }

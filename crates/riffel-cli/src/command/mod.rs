@@ -12,6 +12,7 @@ pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod map;
 mod models;
+pub(crate) mod network;
 pub(crate) mod noise;
 pub(crate) mod point;
 pub(crate) mod presets;

@@ -12,6 +12,7 @@ mod files;
 mod forecast;
 mod habits;
 mod models;
+mod network;
 mod noise;
 mod pictures;
 mod profiles;

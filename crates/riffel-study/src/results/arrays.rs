@@ -2,11 +2,11 @@
 
 use serde_json::{Map, Value, json};
 
-use super::zarr::{Array, DataType, Values};
 use crate::StudyError;
 use crate::outputs::Dimension;
 use crate::parameter::ParameterValue;
 use crate::study::{Chunk, Sample, Study};
+use crate::zarr::{Array, DataType, Values};
 
 /// The name of the array that says why a sample failed.
 pub(crate) const FAILURE: &str = "failure";

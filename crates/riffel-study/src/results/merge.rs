@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 
 use super::record::ChunkRecord;
-use super::{ARRAYS, ChunkState, ResultFolder, atomic};
-use crate::{Shard, StudyError, Summary};
+use super::{ARRAYS, ChunkState, ResultFolder};
+use crate::{Shard, StudyError, Summary, whole_file};
 
 /// What a merge did.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -102,9 +102,9 @@ impl ResultFolder {
                 if super::checksum(&bytes) != *checksum {
                     return Err(StudyError::Damaged { path, chunk });
                 }
-                atomic::write(&target.path.join(ARRAYS).join(name), &bytes)?;
+                whole_file::write(&target.path.join(ARRAYS).join(name), &bytes)?;
             }
-            atomic::write(&target.record_path(chunk), &super::record::json(&record))?;
+            whole_file::write(&target.record_path(chunk), &super::record::json(&record))?;
             copied += 1;
         }
         target.report(copied, there_already)

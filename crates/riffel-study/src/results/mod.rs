@@ -13,10 +13,8 @@
 //! files have the checksums that the record tells.
 
 mod arrays;
-mod atomic;
 mod merge;
 mod record;
-mod zarr;
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -27,11 +25,12 @@ pub use merge::MergeReport;
 pub use record::{Reason, Summary};
 
 use crate::study::{Chunk, Study};
+use crate::whole_file;
+use crate::zarr::Values;
 use crate::{ParameterValue, Shard, StudyError};
 use arrays::Arrays;
 use record::{ChunkRecord, StudyRecord};
 use sha2::{Digest, Sha256};
-use zarr::Values;
 
 /// The folder of the arrays.
 pub(crate) const ARRAYS: &str = "results.zarr";
@@ -138,7 +137,8 @@ impl ResultFolder {
         for entry in fs::read_dir(&self.path).map_err(read)? {
             let name = entry.map_err(read)?.file_name();
             let name = name.to_string_lossy();
-            let folder = [ARRAYS, FINISHED].contains(&&*name) || name.starts_with(atomic::PREFIX);
+            let folder =
+                [ARRAYS, FINISHED].contains(&&*name) || name.starts_with(whole_file::PREFIX);
             let mut own = files
                 .iter()
                 .filter(|(file, _)| first(file) == name)
@@ -159,7 +159,7 @@ impl ResultFolder {
 
     /// Write all but the chunks; `study.json` last, so that a folder with it is complete.
     fn write_study(&self, study: &Study) -> Result<(), StudyError> {
-        let write = |name: &str, bytes: &[u8]| atomic::write(&self.path.join(name), bytes);
+        let write = |name: &str, bytes: &[u8]| whole_file::write(&self.path.join(name), bytes);
         for folder in [FINISHED, ARRAYS] {
             let path = self.path.join(folder);
             fs::create_dir_all(&path).map_err(|reason| StudyError::Write { path, reason })?;
@@ -192,10 +192,10 @@ impl ResultFolder {
     pub fn commit(&self, chunk: &Chunk) -> Result<(), StudyError> {
         let mut record = ChunkRecord::new(chunk);
         for (name, bytes) in self.arrays.encode(chunk) {
-            atomic::write(&self.path.join(ARRAYS).join(&name), &bytes)?;
+            whole_file::write(&self.path.join(ARRAYS).join(&name), &bytes)?;
             record.files.insert(name, checksum(&bytes));
         }
-        atomic::write(&self.record_path(chunk.index), &record::json(&record))
+        whole_file::write(&self.record_path(chunk.index), &record::json(&record))
     }
 
     /// What is known of a chunk. Cost: its files are read.
@@ -269,7 +269,7 @@ impl ResultFolder {
     /// # Errors
     /// [`StudyError::Write`].
     pub fn sweep(&self) -> Result<(), StudyError> {
-        atomic::sweep(&self.path)
+        whole_file::sweep(&self.path)
     }
 
     /// All values of an output, sample after sample; complex ones as pairs.

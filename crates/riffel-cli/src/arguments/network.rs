@@ -1,0 +1,170 @@
+//! Arguments of `network`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+use riffel_keys::quantity::{Length, Quantity};
+
+use super::number::plain_number;
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel axlebox run.csv --case case.toml -o run && riffel network ingest railway run/blocks.csv \
+        --line \"Main line\" --date 2026-01-31 && riffel network worst railway"
+)]
+pub(crate) struct Network {
+    #[command(subcommand)]
+    pub(crate) command: NetworkCommand,
+}
+
+/// What is done with the store.
+#[derive(Subcommand)]
+pub(crate) enum NetworkCommand {
+    /// Add a survey of a line at a date; the store is made if need be.
+    Ingest(Ingest),
+    /// Lines, dates, kilometres and the RMS of the latest surveys.
+    Status(Status),
+    /// Sections of the latest surveys that are farthest over their limit.
+    Worst(Worst),
+    /// How sections grew between two dates, and when they reach their limit.
+    Growth(Growth),
+    /// What to grind with a budget.
+    Plan(Plan),
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel network ingest railway blocks.csv --line \"Main line\" --date 2026-01-31\n\n\
+        The same survey again changes nothing, and one that was stopped is done anew: surveys are there whole or not at all."
+)]
+pub(crate) struct Ingest {
+    /// Folder of the store.
+    #[arg(value_name = "STORE")]
+    pub(crate) store: PathBuf,
+
+    /// Blocks along the rails, as `riffel axlebox` and `riffel roughness` write them: rail,from_m,to_m and
+    /// rms_30_to_100_mm_m for each band.
+    #[arg(value_name = "CSV")]
+    pub(crate) path: PathBuf,
+
+    /// The line.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) line: String,
+
+    /// Day of the survey, as in 2026-01-31.
+    #[arg(long, value_name = "DATE")]
+    pub(crate) date: String,
+
+    /// Length of a cell of a new store [default: that of the first block].
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub(crate) resolution: Option<Quantity<Length>>,
+
+    /// Put it in the place of another survey of the line on that day.
+    #[arg(long)]
+    pub(crate) replace: bool,
+
+    /// Print one JSON document.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel network status railway")]
+pub(crate) struct Status {
+    /// Folder of the store.
+    #[arg(value_name = "STORE")]
+    pub(crate) store: PathBuf,
+
+    /// Print one JSON document.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// What sections are judged by.
+#[derive(Args)]
+pub(crate) struct Judged {
+    /// Folder of the store.
+    #[arg(value_name = "STORE")]
+    pub(crate) store: PathBuf,
+
+    /// Limit of the RMS in bands of wavelength, by name or as a TOML file.
+    #[arg(long, value_name = "LIMIT", default_value = "grassie-1999")]
+    pub(crate) limit: String,
+
+    /// Length of a section.
+    #[arg(
+        long,
+        value_name = "LENGTH",
+        default_value = "100 m",
+        allow_hyphen_values = true
+    )]
+    pub(crate) section: Quantity<Length>,
+
+    /// Print one JSON document.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel network worst railway --section \"200 m\" --most 10")]
+pub(crate) struct Worst {
+    #[command(flatten)]
+    pub(crate) judged: Judged,
+
+    /// The state of this day [default: of the latest surveys].
+    #[arg(long, value_name = "DATE")]
+    pub(crate) until: Option<String>,
+
+    /// Show so many sections.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) most: u32,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel network growth railway --from 2025-01-31 --to 2026-01-31")]
+pub(crate) struct Growth {
+    #[command(flatten)]
+    pub(crate) judged: Judged,
+
+    /// The earlier day: the latest survey up to it [default: the last survey but one].
+    #[arg(long, value_name = "DATE", requires = "to")]
+    pub(crate) from: Option<String>,
+
+    /// The later day.
+    #[arg(long, value_name = "DATE", requires = "from")]
+    pub(crate) to: Option<String>,
+
+    /// Show so many sections.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) most: u32,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
+        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000"
+)]
+pub(crate) struct Plan {
+    #[command(flatten)]
+    pub(crate) judged: Judged,
+
+    /// Plan for the state in so many months.
+    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = plain_number, default_value = "12")]
+    pub(crate) months: f64,
+
+    /// Length of track that can be ground.
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "money", conflicts_with_all = ["money", "cost_per_metre", "cost_per_site"])]
+    pub(crate) length: Option<Quantity<Length>>,
+
+    /// Money that can be spent.
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, requires = "cost_per_metre")]
+    pub(crate) money: Option<f64>,
+
+    /// Cost of a metre of track.
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, requires = "money")]
+    pub(crate) cost_per_metre: Option<f64>,
+
+    /// Cost of each site, besides.
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, default_value = "0", requires = "money")]
+    pub(crate) cost_per_site: f64,
+}

@@ -1,0 +1,250 @@
+//! `riffel network`
+
+use riffel_network::{
+    Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, SurveyFile,
+    WorstPlace, growth, plan, status, worst,
+};
+use riffel_rail::{LimitTable, read_date};
+use serde::Serialize;
+
+use crate::arguments::{Judged, Network, NetworkCommand, network, positive};
+use crate::error::CliError;
+use crate::messages::print_remarks;
+use crate::output::{Progress, json, print, table};
+
+/// Sites of a plan that the table shows.
+const SITES: usize = 40;
+
+pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
+    match &arguments.command {
+        NetworkCommand::Ingest(arguments) => ingest(arguments),
+        NetworkCommand::Status(arguments) => {
+            let found = status(&Store::open(&arguments.store)?)?;
+            say(arguments.json, &found, || status_in_words(&found))
+        }
+        NetworkCommand::Worst(arguments) => {
+            let (store, judgement, section) = judged(&arguments.judged)?;
+            let until = arguments.until.as_deref().map(|text| day("--until", text));
+            let most = arguments.most as usize;
+            let found = worst(&store, &judgement, section, until.transpose()?, most)?;
+            say(arguments.judged.json, &found, || worst_in_words(&found))
+        }
+        NetworkCommand::Growth(arguments) => {
+            let (store, judgement, section) = judged(&arguments.judged)?;
+            let between = match (&arguments.from, &arguments.to) {
+                (Some(from), Some(to)) => Some([day("--from", from)?, day("--to", to)?]),
+                _ => None,
+            };
+            let mut found = growth(&store, &judgement, section, between)?;
+            found.truncate(arguments.most as usize);
+            say(arguments.judged.json, &found, || growth_in_words(&found))
+        }
+        NetworkCommand::Plan(arguments) => {
+            let (store, judgement, section) = judged(&arguments.judged)?;
+            let budget = match (arguments.length, arguments.money, arguments.cost_per_metre) {
+                (Some(length), ..) => Budget::of_length(positive("--length", length)?),
+                (None, money, per_metre) => Budget {
+                    money: money.unwrap_or(0.0),
+                    per_metre: per_metre.unwrap_or(1.0),
+                    per_site: arguments.cost_per_site,
+                },
+            };
+            let found = plan(&store, &judgement, section, arguments.months, &budget)?;
+            say(arguments.judged.json, &found, || {
+                plan_in_words(&found, arguments.money.is_some())
+            })?;
+            print_remarks(&found.remarks);
+            Ok(())
+        }
+    }
+}
+
+fn say(
+    as_json: bool,
+    found: &impl Serialize,
+    words: impl FnOnce() -> String,
+) -> miette::Result<()> {
+    let text = if as_json { json(found) } else { words() };
+    Ok(print(&text)?)
+}
+
+fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
+    let resolution = arguments.resolution;
+    let settings = StoreSettings {
+        resolution: resolution
+            .map(|length| positive("--resolution", length))
+            .transpose()?,
+    };
+    let store = Store::create_or_open(&arguments.store, settings)?;
+    let file = SurveyFile::check(&arguments.path)?;
+    let progress = Progress::new("taking in blocks", file.rows() as usize);
+    let (line, date) = (&arguments.line, &arguments.date);
+    let found = store.ingest(line, date, &file, arguments.replace, &|by| {
+        progress.advance(by)
+    })?;
+    drop(progress);
+    say(arguments.json, &found, || {
+        if found.there_already {
+            return format!("{}, {}: is there already\n", found.line, found.date);
+        }
+        let rails = found.measured.iter();
+        let rails: Vec<String> = rails
+            .map(|(rail, cells)| format!("{rail} {cells} cells"))
+            .collect();
+        format!("{}, {}: {}\n", found.line, found.date, rails.join(", "))
+    })
+}
+
+/// Store, limit and length of a section.
+fn judged(arguments: &Judged) -> miette::Result<(Store, Judgement, f64)> {
+    let store = Store::open(&arguments.store)?;
+    let judgement = Judgement::new(&store, &LimitTable::find(&arguments.limit)?)?;
+    Ok((store, judgement, positive("--section", arguments.section)?))
+}
+
+fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError> {
+    read_date(text).map_err(|sentence| CliError::Argument {
+        argument,
+        value: sentence,
+        rule: "a day, as in 2026-01-31".to_owned(),
+    })
+}
+
+fn millimetres(band: [f64; 2]) -> String {
+    format!("{:.0}–{:.0}", 1e3 * band[0], 1e3 * band[1])
+}
+
+fn kilometres(metres: f64) -> String {
+    format!("{:.3}", 1e-3 * metres)
+}
+
+fn status_in_words(status: &Status) -> String {
+    let mut header = vec!["line", "surveys", "latest", "from km", "to km", "rails km"]
+        .into_iter()
+        .map(str::to_owned)
+        .collect::<Vec<_>>();
+    let bands = status.bands_m.iter();
+    header.extend(bands.map(|&band| format!("rms {} mm µm", millimetres(band))));
+    let mut rows = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    for line in &status.lines {
+        let measured: f64 = line.measured_m.iter().map(|(_, length)| length).sum();
+        let mut row = vec![
+            line.line.clone(),
+            line.dates.len().to_string(),
+            line.dates.last().cloned().unwrap_or_default(),
+            kilometres(line.ends_m[0]),
+            kilometres(line.ends_m[1]),
+            kilometres(measured),
+        ];
+        let cell =
+            |rms: &Option<f64>| rms.map_or_else(String::new, |rms| format!("{:.2}", 1e6 * rms));
+        row.extend(line.rms_m.iter().map(cell));
+        rows.add_row(row);
+    }
+    format!(
+        "{rows}\n{} surveys in cells of {} m\n",
+        status.surveys, status.resolution_m
+    )
+}
+
+fn worst_in_words(places: &[WorstPlace]) -> String {
+    if places.is_empty() {
+        return "no section is known in a band that has a limit\n".to_owned();
+    }
+    let mut rows = table(&[
+        "line",
+        "date",
+        "rail",
+        "from km",
+        "to km",
+        "band mm",
+        "rms µm",
+        "over limit",
+    ]);
+    for place in places {
+        rows.add_row([
+            place.line.clone(),
+            place.date.clone(),
+            place.rail.clone(),
+            kilometres(place.from_m),
+            kilometres(place.to_m),
+            millimetres(place.band_m),
+            format!("{:.2}", 1e6 * place.rms_m),
+            format!("{:.2}", place.rms_over_limit),
+        ]);
+    }
+    format!("{rows}\n")
+}
+
+fn growth_in_words(sections: &[SectionGrowth]) -> String {
+    let mut rows = table(&[
+        "line",
+        "rail",
+        "from km",
+        "to km",
+        "band mm",
+        "between",
+        "rms µm",
+        "dB a year",
+        "over limit",
+        "months to limit",
+    ]);
+    for section in sections {
+        let [before, after] = section.rms_m.map(|rms| 1e6 * rms);
+        rows.add_row([
+            section.line.clone(),
+            section.rail.clone(),
+            kilometres(section.from_m),
+            kilometres(section.to_m),
+            millimetres(section.band_m),
+            section.dates.join(" "),
+            format!("{before:.2} → {after:.2}"),
+            match section.ground {
+                true => "ground".to_owned(),
+                false => format!("{:+.1}", section.growth_db_per_year),
+            },
+            format!("{:.2}", section.rms_over_limit),
+            section
+                .months_to_limit
+                .map_or_else(|| "never".to_owned(), |months| format!("{months:.1}")),
+        ]);
+    }
+    format!("{rows}\n")
+}
+
+fn plan_in_words(plan: &GrindingPlan, money: bool) -> String {
+    let mut header = vec!["line", "from km", "to km", "over limit"];
+    header.extend(money.then_some("cost"));
+    let mut rows = table(&header);
+    for site in plan.sites.iter().take(SITES) {
+        let mut row = vec![
+            site.line.clone(),
+            kilometres(site.from_m),
+            kilometres(site.to_m),
+            format!("{:.2}", site.rms_over_limit),
+        ];
+        row.extend(money.then(|| format!("{:.0}", site.cost)));
+        rows.add_row(row);
+    }
+    let mut text = match plan.sites.is_empty() {
+        true => String::new(),
+        false => format!("{rows}\n"),
+    };
+    if plan.sites.len() > SITES {
+        text += &format!(
+            "and {} more sites: --json has them all\n",
+            plan.sites.len() - SITES
+        );
+    }
+    let cost = match money {
+        true => format!(" for {:.0}", plan.cost),
+        false => String::new(),
+    };
+    text + &format!(
+        "in {} months {} km of track are over the limit; {} km are ground{cost}, {} km are left\n",
+        plan.months,
+        kilometres(plan.over_limit_m),
+        kilometres(plan.length_m),
+        kilometres(plan.left_over_limit_m)
+    )
+}

@@ -1,0 +1,128 @@
+//! A network, from surveys to a plan.
+
+use crate::sandbox::{Sandbox, number};
+
+/// 2 km of two rails, 1 µm but for 100 m of `rough` µm on the left one.
+fn survey(sandbox: &Sandbox, name: &str, rough: f64) {
+    let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um\n".to_owned();
+    for rail in ["left", "right"] {
+        for from in (0..2000).step_by(10) {
+            let is_rough = rail == "left" && (500..600).contains(&from);
+            let rms = if is_rough { rough } else { 1.0 };
+            text += &format!("{rail},{from},{},{rms}\n", from + 10);
+        }
+    }
+    std::fs::write(sandbox.path(name), text).unwrap();
+}
+
+/// 3.5 µm are half of the limit of 7 µm; 7 µm half a year later reach it, and 100 m of track are to be ground.
+#[test]
+fn surveys_become_a_plan() {
+    let sandbox = Sandbox::new();
+    survey(&sandbox, "before.csv", 3.5);
+    survey(&sandbox, "after.csv", 6.9);
+    let take = |file: &str, date: &str| {
+        sandbox.json(&format!(
+            "network ingest railway {file} --line \"Main line\" --date {date} --json"
+        ))
+    };
+    assert_eq!(
+        number(&take("before.csv", "2025-07-01")["measured"]["left"]),
+        200.0
+    );
+    assert_eq!(take("after.csv", "2026-01-01")["there_already"], false);
+    assert_eq!(take("after.csv", "2026-01-01")["there_already"], true);
+    let status = sandbox.json("network status railway --json");
+    assert_eq!(status["lines"][0]["dates"].as_array().unwrap().len(), 2);
+
+    let worst = sandbox.json("network worst railway --most 1 --json");
+    assert_eq!(number(&worst[0]["from_m"]), 500.0);
+    assert!((number(&worst[0]["rms_over_limit"]) - 6.9 / 7.0).abs() < 1e-12);
+    let before = sandbox.json("network worst railway --most 1 --until 2025-12-31 --json");
+    assert!((number(&before[0]["rms_over_limit"]) - 0.5).abs() < 1e-12);
+
+    let growth = sandbox.json("network growth railway --json");
+    let yearly = 20.0 * (6.9f64 / 3.5).log10() / 184.0 * 365.2425;
+    assert!((number(&growth[0]["growth_db_per_year"]) - yearly).abs() < 1e-9);
+    let plan = sandbox.json("network plan railway --months 6 --length \"1 km\" --json");
+    assert_eq!(number(&plan["over_limit_m"]), 100.0);
+    assert_eq!(number(&plan["sites"][0]["from_m"]), 500.0);
+    assert_eq!(number(&plan["left_over_limit_m"]), 0.0);
+    for (command, words) in [
+        ("status railway", "Main line"),
+        ("worst railway", "30–100"),
+        ("growth railway", "3.50 → 6.90"),
+        (
+            "plan railway --months 6 --money 500 --cost-per-metre 4",
+            "0.000 km are left",
+        ),
+        (
+            "plan railway --months 6 --money 500 --cost-per-metre 6",
+            "0.100 km are left",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&format!("network {command}"));
+        assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
+        assert!(outcome.text.contains(words), "{command}: {}", outcome.text);
+    }
+}
+
+#[test]
+fn what_cannot_be_is_refused() {
+    let sandbox = Sandbox::new();
+    survey(&sandbox, "a.csv", 5.0);
+    let ingest = "network ingest railway a.csv --line A";
+    for (arguments, words) in [
+        (
+            "network status nowhere".to_owned(),
+            "nowhere holds no network",
+        ),
+        (format!("{ingest} --date tomorrow"), "the date is"),
+        (
+            format!("{ingest} --date 2026-01-01 --resolution \"1 mm\""),
+            "the resolution is 0.001 m, but must be between 0.1 m and 1000 m",
+        ),
+        (
+            "network ingest railway none.csv --line A --date 2026-01-01".to_owned(),
+            "none.csv",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&arguments);
+        assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
+        assert!(
+            outcome.sentence().contains(words),
+            "{arguments}: {}",
+            outcome.text
+        );
+        assert!(
+            !sandbox.path("railway/network.json").exists(),
+            "{arguments}"
+        );
+    }
+    let made = sandbox.riffel(&format!("{ingest} --date 2026-01-01"));
+    assert_eq!(made.status, Some(0), "{}", made.text);
+    for (arguments, words) in [
+        ("growth railway", "no line has surveys of two dates"),
+        (
+            "worst railway --section \"1 m\"",
+            "at least a cell of the store, 10 m",
+        ),
+        ("worst railway --limit iso-3095-2013", "a table of RMS"),
+        (
+            "plan railway --length \"-1 km\"",
+            "--length is -1000 m, but must be greater",
+        ),
+        (
+            "plan railway --months -1 --length \"1 km\"",
+            "the number of months is -1",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&format!("network {arguments}"));
+        assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
+        assert!(
+            outcome.sentence().contains(words),
+            "{arguments}: {}",
+            outcome.text
+        );
+    }
+}

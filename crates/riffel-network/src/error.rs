@@ -1,0 +1,115 @@
+//! What can be wrong with a network.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use miette::Diagnostic;
+use riffel_keys::CaseError;
+use riffel_study::StudyError;
+use thiserror::Error;
+
+/// A store that cannot be made, read or added to, and why, in a sentence.
+#[derive(Debug, Error, Diagnostic)]
+#[non_exhaustive]
+pub enum NetworkError {
+    /// A file that is read is wrong.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Input(#[from] CaseError),
+
+    /// An array cannot be written.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Study(#[from] StudyError),
+
+    /// A file of the store cannot be read.
+    #[error("cannot read {path}: {reason}", path = path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        reason: io::Error,
+    },
+
+    /// A file of the store cannot be written.
+    #[error("cannot write to {path}: {reason}", path = path.display())]
+    #[diagnostic(help("surveys are there whole or not at all: the same command does it anew"))]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why not.
+        reason: io::Error,
+    },
+
+    /// The folder holds no network.
+    #[error("{folder} holds no network: there is no network.json", folder = folder.display())]
+    #[diagnostic(help("`riffel network ingest` makes one in a new or empty folder"))]
+    NoNetwork {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// The folder holds something else.
+    #[error("{folder} is not empty and holds no network", folder = folder.display())]
+    #[diagnostic(help("give another folder"))]
+    NotANetwork {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// Another process adds to the store.
+    #[error("another process adds to {folder} at this moment", folder = folder.display())]
+    Locked {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// A file of the store is not what was written.
+    #[error("{path} is damaged: {reason}", path = path.display())]
+    #[diagnostic(help("ingest the survey again, with --replace"))]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+
+    /// The line has another survey of the date.
+    #[error("{line} has another survey of {date} already, from {source_name}")]
+    #[diagnostic(help("--replace puts this one in its place"))]
+    Conflict {
+        /// The line.
+        line: String,
+        /// The date.
+        date: String,
+        /// The file it came from.
+        source_name: String,
+    },
+
+    /// A value that is not allowed.
+    #[error("{what} is {value}, but must be {rule}")]
+    Value {
+        /// What it is.
+        what: &'static str,
+        /// The value.
+        value: String,
+        /// What is allowed.
+        rule: String,
+    },
+
+    /// What was asked cannot be answered by what is there.
+    #[error("{0}")]
+    Nothing(String),
+}
+
+impl NetworkError {
+    pub(crate) fn read(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        |reason| Self::Read { path, reason }
+    }
+
+    pub(crate) fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        |reason| Self::Write { path, reason }
+    }
+}

@@ -1,0 +1,309 @@
+//! A survey into the store.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use riffel_rail::read_date;
+use riffel_study::whole_file;
+use riffel_study::zarr::{Array, DataType, Values};
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::grid::Gridded;
+use crate::record::{NetworkRecord, RailRecord, SurveyRecord};
+use crate::store::{ROWS, Store, array, write_document};
+use crate::{NetworkError, SurveyFile};
+
+/// Most cells of a survey: a line of 10 000 km at 0.1 m.
+const MOST_CELLS: f64 = 1e8;
+
+/// What became of a survey.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Ingested {
+    /// The line.
+    pub line: String,
+    /// The day.
+    pub date: String,
+    /// Whether the store had it already, and nothing was written.
+    pub there_already: bool,
+    /// Cells that are measured, of each rail.
+    pub measured: BTreeMap<String, u64>,
+}
+
+impl Store {
+    /// Add a survey of a line at a date. The same file of the same date is there already and changes nothing; another one is
+    /// refused, unless it is to `replace`. `progress` is told of blocks done.
+    ///
+    /// Memory: a chunk of cells for each rail.
+    ///
+    /// # Errors
+    /// [`NetworkError::Value`] for what is no date, a line without a name, other bands than the store has, or more than 10⁸
+    /// cells; [`NetworkError::Conflict`], [`NetworkError::Locked`], [`NetworkError::Write`].
+    pub fn ingest(
+        &self,
+        line: &str,
+        date: &str,
+        file: &SurveyFile,
+        replace: bool,
+        progress: &dyn Fn(usize),
+    ) -> Result<Ingested, NetworkError> {
+        let line = line.trim();
+        let value = |what, value: String, rule: &str| {
+            Err(NetworkError::Value {
+                what,
+                value,
+                rule: rule.to_owned(),
+            })
+        };
+        if line.is_empty() || line.len() > 80 || line.chars().any(char::is_control) {
+            return value(
+                "the line",
+                format!("\"{line}\""),
+                "a name of up to 80 bytes",
+            );
+        }
+        let day = match read_date(date) {
+            Ok(day) => day,
+            Err(sentence) => return value("the date", sentence, "a day, as in 2026-01-31"),
+        };
+        let _held = self.lock()?;
+        let network = self.begin(&file.bands(), file.first_block()?)?;
+        let folder = self.line_folder(line);
+        let record = folder.join(format!("{day}.json"));
+        let there = self
+            .surveys()?
+            .into_iter()
+            .find(|survey| survey.line == line && survey.date == day);
+        if let Some(survey) = &there {
+            if survey.sha256 == file.sha256 {
+                return Ok(done(survey, true));
+            }
+            if !replace {
+                return Err(NetworkError::Conflict {
+                    line: line.to_owned(),
+                    date: day.to_string(),
+                    source_name: survey.source.clone(),
+                });
+            }
+        }
+        fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
+        self.sweep(line, &folder)?;
+        let resolution = network.resolution_m;
+        let first = (file.ends[0] / resolution + 1e-6).floor();
+        let cells = (file.ends[1] / resolution - 1e-6).ceil() - first;
+        if cells > MOST_CELLS {
+            return value(
+                "the length of the line",
+                format!("{:.0} km", 1e-3 * cells * resolution),
+                "at most 10⁸ cells of the store",
+            );
+        }
+        let mut survey = SurveyRecord {
+            line: line.to_owned(),
+            date: day,
+            source: file.name(),
+            sha256: file.sha256.clone(),
+            folder: format!("{day}-{}.zarr", &file.sha256[..12]),
+            start_m: first * resolution,
+            cells: cells as u64,
+            rails: (file.rails.iter().enumerate())
+                .map(|(index, name)| RailRecord {
+                    name: name.clone(),
+                    array: array_name(name, index),
+                    measured: 0,
+                })
+                .collect(),
+        };
+        let temporary = tempfile::Builder::new()
+            .prefix(whole_file::PREFIX)
+            .tempdir_in(&folder)
+            .map_err(NetworkError::write(&folder))?;
+        write_arrays(temporary.path(), file, &network, &mut survey, progress)?;
+        let arrays = folder.join(&survey.folder);
+        if arrays.exists() {
+            fs::remove_dir_all(&arrays).map_err(NetworkError::write(&arrays))?;
+        }
+        fs::rename(temporary.keep(), &arrays).map_err(NetworkError::write(&arrays))?;
+        write_document(&record, &json!(survey))?;
+        self.sweep(line, &folder)?;
+        Ok(done(&survey, false))
+    }
+
+    /// Remove what no record names: arrays that were half written, or replaced.
+    fn sweep(&self, line: &str, folder: &Path) -> Result<(), NetworkError> {
+        let surveys = self.surveys()?;
+        let named = |name: &str| {
+            let mut of_line = surveys.iter().filter(|survey| survey.line == line);
+            of_line.any(|survey| survey.folder == name)
+        };
+        for entry in fs::read_dir(folder).map_err(NetworkError::read(folder))? {
+            let entry = entry.map_err(NetworkError::read(folder))?;
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let path = entry.path();
+            let removed = if path.is_dir() && !named(&name) {
+                fs::remove_dir_all(&path)
+            } else if name.starts_with(whole_file::PREFIX) && path.is_file() {
+                fs::remove_file(&path)
+            } else {
+                Ok(())
+            };
+            removed.map_err(NetworkError::write(&path))?;
+        }
+        Ok(())
+    }
+}
+
+fn done(survey: &SurveyRecord, there_already: bool) -> Ingested {
+    let rails = survey.rails.iter();
+    Ingested {
+        line: survey.line.clone(),
+        date: survey.date.to_string(),
+        there_already,
+        measured: rails
+            .map(|rail| (rail.name.clone(), rail.measured))
+            .collect(),
+    }
+}
+
+/// The name of the array of a rail: its own where that is a plain word, which no coordinate has.
+fn array_name(rail: &str, index: usize) -> String {
+    let plain = rail
+        .bytes()
+        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    let taken = ["place", "band", "band_from", "band_to"].contains(&rail);
+    match plain && !taken && rail.len() <= 40 {
+        true => rail.to_owned(),
+        false => format!("rail_{}", index + 1),
+    }
+}
+
+/// All arrays of a survey below a folder.
+fn write_arrays(
+    folder: &Path,
+    file: &SurveyFile,
+    network: &NetworkRecord,
+    survey: &mut SurveyRecord,
+    progress: &dyn Fn(usize),
+) -> Result<(), NetworkError> {
+    let bands = network.bands_m.len();
+    let arrays: Vec<Array> = survey
+        .rails
+        .iter()
+        .map(|rail| array(survey, rail, bands))
+        .collect();
+    let gridded = || Gridded::new(survey.start_m, network.resolution_m, ROWS as usize, bands);
+    let mut rails: Vec<Gridded> = arrays.iter().map(|_| gridded()).collect();
+    let put = |rail: usize, chunk: u64, values: Vec<f64>| -> Result<(), NetworkError> {
+        let bytes = arrays[rail].encode(&Values::Numbers(values));
+        write(&folder.join(arrays[rail].file(chunk)), &bytes)
+    };
+    file.each(
+        &mut |block, _| {
+            let rail = block.rail;
+            rails[rail].add(block.from, block.to, &block.rms, |chunk, values| {
+                put(rail, chunk, values)
+            })
+        },
+        progress,
+    )?;
+    for (index, (rail, record)) in rails.iter_mut().zip(&mut survey.rails).enumerate() {
+        rail.finish(|chunk, values| put(index, chunk, values))?;
+        record.measured = rail.measured;
+    }
+    coordinates(folder, network, survey, &arrays)
+}
+
+/// Places and bands, and what the group says of its arrays.
+fn coordinates(
+    folder: &Path,
+    network: &NetworkRecord,
+    survey: &SurveyRecord,
+    arrays: &[Array],
+) -> Result<(), NetworkError> {
+    let mut metadata = serde_json::Map::new();
+    let mut describe = |array: &Array| -> Result<(), NetworkError> {
+        let document = array.metadata();
+        let path = folder.join(&array.name).join("zarr.json");
+        write(&path, &pretty(&document))?;
+        metadata.insert(array.name.clone(), document);
+        Ok(())
+    };
+    for array in arrays {
+        describe(array)?;
+    }
+    let axis = |name: &str, dimension, length: u64, rows, words: &str| Array {
+        name: name.to_owned(),
+        data_type: DataType::Float64,
+        shape: vec![length],
+        rows_per_chunk: rows,
+        dimensions: vec![dimension],
+        attributes: json!({ "units": "m", "long_name": words }),
+    };
+    let place = axis(
+        "place",
+        "place",
+        survey.cells,
+        ROWS,
+        "middle of a cell along the line",
+    );
+    describe(&place)?;
+    for chunk in 0..survey.cells.div_ceil(ROWS) {
+        let middle = |row: u64| survey.start_m + (row as f64 + 0.5) * network.resolution_m;
+        let rows = chunk * ROWS..((chunk + 1) * ROWS).min(survey.cells);
+        let bytes = place.encode(&Values::Numbers(rows.map(middle).collect()));
+        write(&folder.join(place.file(chunk)), &bytes)?;
+    }
+    let count = network.bands_m.len() as u64;
+    let bands = |value: &dyn Fn([f64; 2]) -> f64| {
+        Values::Numbers(network.bands_m.iter().map(|&band| value(band)).collect())
+    };
+    for (name, words, values) in [
+        (
+            "band",
+            "centre of the band in the logarithm of wavelength",
+            bands(&|[from, to]| (from * to).sqrt()),
+        ),
+        (
+            "band_from",
+            "shortest wavelength of the band",
+            bands(&|band| band[0]),
+        ),
+        (
+            "band_to",
+            "longest wavelength of the band",
+            bands(&|band| band[1]),
+        ),
+    ] {
+        let array = axis(name, "band", count, count, words);
+        describe(&array)?;
+        write(&folder.join(array.file(0)), &array.encode(&values))?;
+    }
+    let group = json!({
+        "zarr_format": 3,
+        "node_type": "group",
+        "attributes": {
+            "title": survey.line,
+            "date": survey.date.to_string(),
+            "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
+            "Conventions": "CF-1.8",
+            "coordinates": "band_from band_to",
+        },
+        "consolidated_metadata": { "kind": "inline", "must_understand": false, "metadata": metadata },
+    });
+    write(&folder.join("zarr.json"), &pretty(&group))
+}
+
+/// Write a file of a folder that is not there yet for anybody else.
+fn write(path: &Path, bytes: &[u8]) -> Result<(), NetworkError> {
+    let parent = path.parent().unwrap_or_else(|| Path::new("."));
+    fs::create_dir_all(parent)
+        .and_then(|()| fs::write(path, bytes))
+        .map_err(NetworkError::write(path))
+}
+
+fn pretty(document: &Value) -> Vec<u8> {
+    let mut text = serde_json::to_vec_pretty(document).unwrap_or_default();
+    text.push(b'\n');
+    text
+}

@@ -1,0 +1,76 @@
+//! What a store says of itself and of its surveys.
+
+use jiff::civil::Date;
+use riffel::roughness::WavelengthBand;
+use serde::{Deserialize, Serialize};
+
+/// Version of the layout of a store.
+pub(crate) const FORMAT: u32 = 1;
+
+/// `network.json`
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct NetworkRecord {
+    pub(crate) format: u32,
+    pub(crate) riffel_version: String,
+    /// Length of a cell of the grid \[m\].
+    pub(crate) resolution_m: f64,
+    /// Shortest and longest wavelength of each band \[m\].
+    pub(crate) bands_m: Vec<[f64; 2]>,
+}
+
+/// A survey of a line at a date: the file beside its arrays, without which they are not there.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SurveyRecord {
+    /// The line.
+    pub line: String,
+    /// The day.
+    #[serde(with = "day")]
+    pub date: Date,
+    /// Name of the file it came from.
+    pub source: String,
+    /// SHA-256 of that file.
+    pub sha256: String,
+    /// Folder of the arrays, beside this record.
+    pub(crate) folder: String,
+    /// Where the first cell begins \[m\].
+    pub start_m: f64,
+    /// Cells of the grid from there on.
+    pub cells: u64,
+    /// The rails.
+    pub rails: Vec<RailRecord>,
+}
+
+/// A rail of a survey.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RailRecord {
+    /// What it is called.
+    pub name: String,
+    /// Name of its array.
+    pub(crate) array: String,
+    /// Cells that are measured, in one band or more.
+    pub measured: u64,
+}
+
+impl NetworkRecord {
+    /// The bands; what was written is valid.
+    pub(crate) fn bands(&self) -> Result<Vec<WavelengthBand>, riffel::Error> {
+        let bands = self.bands_m.iter();
+        bands
+            .map(|&[from, to]| WavelengthBand::new(from, to))
+            .collect()
+    }
+}
+
+/// A day as its text, 2026-01-31.
+mod day {
+    use jiff::civil::Date;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    pub(super) fn serialize<S: Serializer>(date: &Date, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(date)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Date, D::Error> {
+        String::deserialize(from)?.parse().map_err(D::Error::custom)
+    }
+}

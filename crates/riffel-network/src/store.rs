@@ -1,0 +1,321 @@
+//! A folder with the surveys of a network.
+
+use std::fs::{self, File, TryLockError};
+use std::path::{Path, PathBuf};
+
+use jiff::civil::Date;
+use riffel::roughness::WavelengthBand;
+use riffel_study::whole_file;
+use riffel_study::zarr::{Array, DataType, Values};
+use serde_json::json;
+
+use crate::NetworkError;
+use crate::record::{FORMAT, NetworkRecord, RailRecord, SurveyRecord};
+
+/// What a store says of itself.
+const RECORD: &str = "network.json";
+/// The surveys, a folder for each line.
+const SURVEYS: &str = "surveys";
+/// Held while surveys are added.
+const LOCK: &str = "network.lock";
+/// Cells of a chunk.
+pub(crate) const ROWS: u64 = 8192;
+
+/// How a store that is not there yet is made.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StoreSettings {
+    /// Length of a cell of the grid \[m\]; that of the first block where it is left out.
+    pub resolution: Option<f64>,
+}
+
+/// The surveys of a network, each one a group of zarr arrays (version 3) that xarray opens.
+///
+/// `network.json` says what the grid and the bands are, `surveys/LINE/DATE.json` that a survey is there, and its arrays are
+/// in a folder beside it. That record is written last and at once: a process that is killed leaves a survey whole or not at
+/// all, and what it left half is removed by the next that adds to the line.
+#[derive(Debug)]
+pub struct Store {
+    pub(crate) folder: PathBuf,
+    settings: StoreSettings,
+}
+
+impl Store {
+    /// The store in a folder, or a new one in a folder that is new or empty; nothing is written yet.
+    ///
+    /// # Errors
+    /// [`NetworkError::NotANetwork`] for a folder with other files, [`NetworkError::Value`] for a resolution below 0.1 m or
+    /// above 1 km, or another than the store has.
+    pub fn create_or_open(folder: &Path, settings: StoreSettings) -> Result<Self, NetworkError> {
+        if let Some(resolution) = settings.resolution
+            && !(0.1..=1e3).contains(&resolution)
+        {
+            return Err(NetworkError::Value {
+                what: "the resolution",
+                value: format!("{resolution} m"),
+                rule: "between 0.1 m and 1000 m".to_owned(),
+            });
+        }
+        let store = Self {
+            folder: folder.to_owned(),
+            settings,
+        };
+        if let Some(record) = store.record()? {
+            let there = record.resolution_m;
+            if let Some(asked) = settings.resolution.filter(|asked| *asked != there) {
+                return Err(NetworkError::Value {
+                    what: "the resolution",
+                    value: format!("{asked} m"),
+                    rule: format!("that of the store, {there} m"),
+                });
+            }
+            return Ok(store);
+        }
+        match fs::read_dir(folder) {
+            Ok(mut entries) => {
+                let foreign = entries.any(|entry| {
+                    entry.is_ok_and(|entry| {
+                        entry.file_name() != LOCK && entry.file_name() != SURVEYS
+                    })
+                });
+                match foreign {
+                    true => Err(NetworkError::NotANetwork {
+                        folder: folder.to_owned(),
+                    }),
+                    false => Ok(store),
+                }
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(store),
+            Err(error) => Err(NetworkError::read(folder)(error)),
+        }
+    }
+
+    /// A store that is there.
+    ///
+    /// # Errors
+    /// [`NetworkError::NoNetwork`] where there is none.
+    pub fn open(folder: &Path) -> Result<Self, NetworkError> {
+        let store = Self {
+            folder: folder.to_owned(),
+            settings: StoreSettings::default(),
+        };
+        match store.record()? {
+            Some(_) => Ok(store),
+            None => Err(NetworkError::NoNetwork {
+                folder: folder.to_owned(),
+            }),
+        }
+    }
+
+    fn record(&self) -> Result<Option<NetworkRecord>, NetworkError> {
+        let path = self.folder.join(RECORD);
+        match fs::read(&path) {
+            Ok(bytes) => {
+                let record: NetworkRecord = parsed(&path, &bytes)?;
+                if record.format == FORMAT {
+                    return Ok(Some(record));
+                }
+                Err(NetworkError::Damaged {
+                    path,
+                    reason: format!("its format is {}, not {FORMAT}", record.format),
+                })
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(NetworkError::read(&path)(error)),
+        }
+    }
+
+    fn there(&self) -> Result<NetworkRecord, NetworkError> {
+        self.record()?.ok_or_else(|| NetworkError::NoNetwork {
+            folder: self.folder.clone(),
+        })
+    }
+
+    /// Length of a cell of the grid \[m\].
+    ///
+    /// # Errors
+    /// [`NetworkError::NoNetwork`] before the first survey.
+    pub fn resolution(&self) -> Result<f64, NetworkError> {
+        Ok(self.there()?.resolution_m)
+    }
+
+    /// The bands of wavelength.
+    ///
+    /// # Errors
+    /// [`NetworkError::NoNetwork`] before the first survey.
+    pub fn bands(&self) -> Result<Vec<WavelengthBand>, NetworkError> {
+        let path = self.folder.join(RECORD);
+        self.there()?
+            .bands()
+            .map_err(|error| NetworkError::Damaged {
+                path,
+                reason: error.to_string(),
+            })
+    }
+
+    /// What the first survey makes of a new store; that of one that is there must have its bands.
+    pub(crate) fn begin(
+        &self,
+        bands: &[WavelengthBand],
+        block: f64,
+    ) -> Result<NetworkRecord, NetworkError> {
+        let bands_m: Vec<[f64; 2]> = bands.iter().map(|band| [band.from(), band.to()]).collect();
+        if let Some(record) = self.record()? {
+            let same = |a: &[f64; 2], b: &[f64; 2]| {
+                a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-9)
+            };
+            let alike = record.bands_m.len() == bands_m.len()
+                && record.bands_m.iter().zip(&bands_m).all(|(a, b)| same(a, b));
+            if alike {
+                return Ok(record);
+            }
+            return Err(NetworkError::Value {
+                what: "the list of bands",
+                value: in_words(&bands_m),
+                rule: format!("that of the store, {}", in_words(&record.bands_m)),
+            });
+        }
+        let record = NetworkRecord {
+            format: FORMAT,
+            riffel_version: env!("CARGO_PKG_VERSION").to_owned(),
+            resolution_m: self.settings.resolution.unwrap_or(block),
+            bands_m,
+        };
+        write_document(&self.folder.join(RECORD), &json!(record))?;
+        Ok(record)
+    }
+
+    /// Hold the store against others that add to it; given back when the file is dropped.
+    pub(crate) fn lock(&self) -> Result<File, NetworkError> {
+        fs::create_dir_all(&self.folder).map_err(NetworkError::write(&self.folder))?;
+        let path = self.folder.join(LOCK);
+        let file = File::create(&path).map_err(NetworkError::write(&path))?;
+        match file.try_lock() {
+            Ok(()) => Ok(file),
+            Err(TryLockError::WouldBlock) => Err(NetworkError::Locked {
+                folder: self.folder.clone(),
+            }),
+            Err(TryLockError::Error(reason)) => Err(NetworkError::write(&path)(reason)),
+        }
+    }
+
+    /// The folder of a line, whose name has nothing in it that a file system could take amiss.
+    pub(crate) fn line_folder(&self, line: &str) -> PathBuf {
+        let mut name = String::new();
+        for byte in line.bytes() {
+            match byte {
+                b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' => name.push(byte.into()),
+                _ => name += &format!("%{byte:02X}"),
+            }
+        }
+        self.folder.join(SURVEYS).join(name)
+    }
+
+    /// The surveys that are there, by line and date.
+    ///
+    /// # Errors
+    /// [`NetworkError::Read`], or [`NetworkError::Damaged`] for a record that is none.
+    pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
+        let folder = self.folder.join(SURVEYS);
+        let mut surveys = Vec::new();
+        if !folder.exists() {
+            return Ok(surveys);
+        }
+        for line in fs::read_dir(&folder).map_err(NetworkError::read(&folder))? {
+            let line = line.map_err(NetworkError::read(&folder))?.path();
+            for entry in fs::read_dir(&line).map_err(NetworkError::read(&line))? {
+                let path = entry.map_err(NetworkError::read(&line))?.path();
+                if path.extension().is_some_and(|end| end == "json") {
+                    let bytes = fs::read(&path).map_err(NetworkError::read(&path))?;
+                    surveys.push(parsed(&path, &bytes)?);
+                }
+            }
+        }
+        surveys.sort_by(|a: &SurveyRecord, b| (&a.line, a.date).cmp(&(&b.line, b.date)));
+        Ok(surveys)
+    }
+
+    /// The latest survey of each line, or the latest up to a day.
+    ///
+    /// # Errors
+    /// As [`surveys`](Self::surveys).
+    pub fn latest(&self, until: Option<Date>) -> Result<Vec<SurveyRecord>, NetworkError> {
+        let mut latest: Vec<SurveyRecord> = Vec::new();
+        let surveys = self.surveys()?.into_iter();
+        for survey in surveys.filter(|survey| until.is_none_or(|day| survey.date <= day)) {
+            match latest.last_mut().filter(|last| last.line == survey.line) {
+                Some(last) => *last = survey,
+                None => latest.push(survey),
+            }
+        }
+        Ok(latest)
+    }
+
+    /// RMS \[m\] of a chunk of cells of a rail, band by band; none where nothing is known.
+    pub(crate) fn chunk(
+        &self,
+        survey: &SurveyRecord,
+        rail: &RailRecord,
+        bands: usize,
+        chunk: u64,
+    ) -> Result<Option<Vec<f64>>, NetworkError> {
+        let array = array(survey, rail, bands);
+        let group = self.line_folder(&survey.line).join(&survey.folder);
+        let path = group.join(array.file(chunk));
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound && group.exists() => {
+                return Ok(None);
+            }
+            Err(error) => return Err(NetworkError::read(&path)(error)),
+        };
+        match array.decode(&bytes, ROWS) {
+            Ok(Values::Numbers(values)) => Ok(Some(values)),
+            Ok(Values::Texts(_)) => Ok(None),
+            Err(reason) => Err(NetworkError::Damaged {
+                path,
+                reason: reason.to_owned(),
+            }),
+        }
+    }
+}
+
+/// The array of a rail.
+pub(crate) fn array(survey: &SurveyRecord, rail: &RailRecord, bands: usize) -> Array {
+    Array {
+        name: rail.array.clone(),
+        data_type: DataType::Float64,
+        shape: vec![survey.cells, bands as u64],
+        rows_per_chunk: ROWS,
+        dimensions: vec!["place", "band"],
+        attributes: json!({
+            "units": "m",
+            "long_name": format!("RMS of roughness in a band of wavelength, {} rail", rail.name),
+            "rail": rail.name,
+        }),
+    }
+}
+
+fn in_words(bands: &[[f64; 2]]) -> String {
+    let bands = bands.iter();
+    let texts: Vec<String> = bands
+        .map(|[from, to]| format!("{:.0}–{:.0} mm", 1e3 * from, 1e3 * to))
+        .collect();
+    texts.join(", ")
+}
+
+fn parsed<T: serde::de::DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, NetworkError> {
+    serde_json::from_slice(bytes).map_err(|error| NetworkError::Damaged {
+        path: path.to_owned(),
+        reason: error.to_string(),
+    })
+}
+
+pub(crate) fn write_document(
+    path: &Path,
+    document: &serde_json::Value,
+) -> Result<(), NetworkError> {
+    // A document made of values is always written.
+    let mut text = serde_json::to_vec_pretty(document).unwrap_or_default();
+    text.push(b'\n');
+    Ok(whole_file::write(path, &text)?)
+}

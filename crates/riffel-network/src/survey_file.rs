@@ -1,0 +1,324 @@
+//! A table of blocks along the rails of a line: what `riffel roughness` and `riffel axlebox` write as `blocks.csv`.
+
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use riffel::roughness::WavelengthBand;
+use riffel_keys::CaseError;
+use sha2::{Digest, Sha256};
+
+/// Roughest that a band can be \[m\]: what is more is another unit.
+const ROUGHEST: f64 = 0.01;
+/// Farthest place \[m\].
+const FARTHEST: f64 = 1e8;
+/// By how much blocks may overlap that join on \[m\]: places are rounded.
+const ROUNDING: f64 = 1e-3;
+
+/// One block of one rail.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Block {
+    /// Number of the rail, in the order in which they come.
+    pub(crate) rail: usize,
+    /// First place \[m\].
+    pub(crate) from: f64,
+    /// Last place \[m\].
+    pub(crate) to: f64,
+    /// RMS in each band \[m\]; NaN where not known.
+    pub(crate) rms: Vec<f64>,
+}
+
+/// A survey that was read once, from end to end, and found right.
+#[derive(Debug, Clone)]
+pub struct SurveyFile {
+    path: PathBuf,
+    columns: Columns,
+    /// SHA-256 of the file.
+    pub(crate) sha256: String,
+    /// Names of the rails.
+    pub(crate) rails: Vec<String>,
+    /// First and last place \[m\].
+    pub(crate) ends: [f64; 2],
+    rows: u64,
+}
+
+#[derive(Debug, Clone)]
+struct Columns {
+    rail: Option<usize>,
+    from: (usize, f64),
+    to: (usize, f64),
+    /// Column and unit of each band.
+    bands: Vec<(WavelengthBand, usize, f64)>,
+}
+
+impl SurveyFile {
+    /// Read a file once: a head with `rail`, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
+    /// band of wavelength, and a row for each block; empty cells are not known. Memory: a row.
+    ///
+    /// # Errors
+    /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] with the line: a column that is missing, a number that is
+    /// none, below zero or more than 10 mm, a block that ends before it begins, blocks of a rail that overlap or fall.
+    pub fn check(path: &Path) -> Result<Self, CaseError> {
+        let unreadable = |reason| CaseError::Read {
+            what: "file",
+            path: path.to_owned(),
+            reason,
+        };
+        let mut hash = Sha256::new();
+        let mut file = File::open(path).map_err(unreadable)?;
+        let mut piece = vec![0; 1 << 20];
+        loop {
+            let read = file.read(&mut piece).map_err(unreadable)?;
+            if read == 0 {
+                break;
+            }
+            hash.update(&piece[..read]);
+        }
+        let sha256: String = hash
+            .finalize()
+            .iter()
+            .map(|byte| format!("{byte:02x}"))
+            .collect();
+        let head = reader(path)?
+            .headers()
+            .map_err(|error| csv_error(path, &error))?
+            .clone();
+        let columns = Columns::of(&head).map_err(|message| at(path, 1, message))?;
+        let mut survey = Self {
+            path: path.to_owned(),
+            columns,
+            sha256,
+            rails: Vec::new(),
+            ends: [f64::INFINITY, f64::NEG_INFINITY],
+            rows: 0,
+        };
+        let (mut ends, mut rows, mut rails) = (survey.ends, 0, Vec::new());
+        survey.each(
+            &mut |block, name| {
+                if block.rail == rails.len() {
+                    rails.push(name.to_owned());
+                }
+                ends = [ends[0].min(block.from), ends[1].max(block.to)];
+                rows += 1;
+                Ok::<(), CaseError>(())
+            },
+            &|_| (),
+        )?;
+        if rows == 0 {
+            return Err(at(path, 1, "there is no block below the head".to_owned()));
+        }
+        (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
+        Ok(survey)
+    }
+
+    /// The bands, as the head names them.
+    pub fn bands(&self) -> Vec<WavelengthBand> {
+        self.columns.bands.iter().map(|(band, ..)| *band).collect()
+    }
+
+    /// Blocks of all rails.
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Length of the first block \[m\].
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn first_block(&self) -> Result<f64, CaseError> {
+        let mut reader = reader(&self.path)?;
+        let mut record = csv::ByteRecord::new();
+        let read = reader.read_byte_record(&mut record);
+        if !read.map_err(|error| csv_error(&self.path, &error))? {
+            return Ok(1.0);
+        }
+        let block = self.columns.block(&record, 0);
+        let block = block.map_err(|message| at(&self.path, 2, message))?;
+        Ok(block.to - block.from)
+    }
+
+    /// The name of the file, without its folder.
+    pub(crate) fn name(&self) -> String {
+        self.path.file_name().map_or_else(
+            || self.path.display().to_string(),
+            |name| name.to_string_lossy().into_owned(),
+        )
+    }
+
+    /// Hand on block by block with the name of the rail; `progress` is told of blocks done.
+    pub(crate) fn each<E: From<CaseError>>(
+        &self,
+        take: &mut dyn FnMut(&Block, &str) -> Result<(), E>,
+        progress: &dyn Fn(usize),
+    ) -> Result<(), E> {
+        let path = &self.path;
+        let mut reader = reader(path)?;
+        let mut record = csv::ByteRecord::new();
+        let mut rails: HashMap<Vec<u8>, (usize, f64)> = HashMap::new();
+        loop {
+            let read = reader.read_byte_record(&mut record);
+            if !read.map_err(|error| csv_error(path, &error))? {
+                return Ok(());
+            }
+            let line = record.position().map_or(0, csv::Position::line) as usize;
+            let wrong = |message: String| at(path, line, message);
+            let name = self.columns.rail.map_or(&b"rail"[..], |column| {
+                record.get(column).unwrap_or_default().trim_ascii()
+            });
+            let text = String::from_utf8_lossy(name).into_owned();
+            if text.is_empty() {
+                return Err(wrong("the rail has no name".to_owned()).into());
+            }
+            let next = rails.len();
+            let (rail, before) = rails
+                .entry(name.to_vec())
+                .or_insert((next, f64::NEG_INFINITY));
+            let block = self.columns.block(&record, *rail).map_err(&wrong)?;
+            if block.from < *before - ROUNDING {
+                let message = format!(
+                    "{text}: the block begins at {} m, before the end of the one above, {before} m; blocks of a rail must \
+                     rise and not overlap",
+                    block.from
+                );
+                return Err(wrong(message).into());
+            }
+            *before = block.to;
+            take(&block, &text)?;
+            progress(1);
+        }
+    }
+}
+
+impl Columns {
+    fn of(head: &csv::StringRecord) -> Result<Self, String> {
+        let find = |name: &str| head.iter().position(|column| column.trim() == name);
+        let place = |name: &str| {
+            let metres = find(&format!("{name}_m")).map(|column| (column, 1.0));
+            metres
+                .or_else(|| find(&format!("{name}_km")).map(|column| (column, 1e3)))
+                .ok_or_else(|| {
+                    format!("there is no column {name}_m or {name}_km; blocks.csv of `riffel axlebox` has what is needed")
+                })
+        };
+        let (from, to) = (place("from")?, place("to")?);
+        let mut bands = Vec::new();
+        for (column, name) in head.iter().enumerate() {
+            if let Some(rest) = name.trim().strip_prefix("rms_") {
+                let (band, unit) = band_of(rest).ok_or_else(|| {
+                    format!(
+                        "column `{name}` has no band and unit known here; call it as in rms_30_to_100_mm_m or \
+                         rms_30_to_100_mm_um"
+                    )
+                })?;
+                bands.push((band, column, unit));
+            }
+        }
+        if bands.is_empty() {
+            return Err("there is no column of RMS in a band, as rms_30_to_100_mm_m".to_owned());
+        }
+        Ok(Self {
+            rail: find("rail"),
+            from,
+            to,
+            bands,
+        })
+    }
+
+    fn block(&self, record: &csv::ByteRecord, rail: usize) -> Result<Block, String> {
+        let value = |column: usize, unit: f64| -> Result<f64, String> {
+            let cell = record.get(column).unwrap_or_default().trim_ascii();
+            if cell.is_empty() {
+                return Ok(f64::NAN);
+            }
+            let number = str::from_utf8(cell)
+                .ok()
+                .and_then(|text| text.parse::<f64>().ok());
+            number.map(|number| unit * number).ok_or_else(|| {
+                let shown = String::from_utf8_lossy(cell);
+                format!("column {} is \"{shown}\", not a number", column + 1)
+            })
+        };
+        let (from, to) = (
+            value(self.from.0, self.from.1)?,
+            value(self.to.0, self.to.1)?,
+        );
+        if !(to > from && from.abs() < FARTHEST && to.abs() < FARTHEST) {
+            return Err(format!(
+                "the block runs from {from} m to {to} m, but must end after it begins"
+            ));
+        }
+        let mut rms = Vec::with_capacity(self.bands.len());
+        for (band, column, unit) in &self.bands {
+            let found = value(*column, *unit)?;
+            if found < 0.0 || found > ROUGHEST || found.is_infinite() {
+                return Err(format!(
+                    "the RMS between {:.0} and {:.0} mm is {found} m, but must be between 0 and 10 mm; is its unit right?",
+                    1e3 * band.from(),
+                    1e3 * band.to()
+                ));
+            }
+            rms.push(found);
+        }
+        Ok(Block {
+            rail,
+            from,
+            to,
+            rms,
+        })
+    }
+}
+
+/// `30_to_100_mm_um`: the band, and the unit of the RMS in metres.
+fn band_of(name: &str) -> Option<(WavelengthBand, f64)> {
+    let (from, rest) = name.split_once("_to_")?;
+    let (to, unit) = rest.split_once("_mm_")?;
+    let unit = match unit {
+        "m" => 1.0,
+        "um" => 1e-6,
+        "mm" => 1e-3,
+        _ => return None,
+    };
+    let millimetres = |text: &str| text.parse::<f64>().ok().map(|value| 1e-3 * value);
+    let band = WavelengthBand::new(millimetres(from)?, millimetres(to)?).ok()?;
+    Some((band, unit))
+}
+
+fn reader(path: &Path) -> Result<csv::Reader<File>, CaseError> {
+    let file = File::open(path).map_err(|reason| CaseError::Read {
+        what: "file",
+        path: path.to_owned(),
+        reason,
+    })?;
+    Ok(csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .buffer_capacity(1 << 20)
+        .from_reader(file))
+}
+
+fn csv_error(path: &Path, error: &csv::Error) -> CaseError {
+    let line = error.position().map_or(1, csv::Position::line);
+    match error.kind() {
+        csv::ErrorKind::Io(reason) => CaseError::Read {
+            what: "file",
+            path: path.to_owned(),
+            reason: io::Error::new(reason.kind(), reason.to_string()),
+        },
+        csv::ErrorKind::UnequalLengths {
+            expected_len, len, ..
+        } => {
+            let message = format!("has {len} columns, but the head has {expected_len}");
+            at(path, line as usize, message)
+        }
+        _ => at(path, line as usize, error.to_string()),
+    }
+}
+
+fn at(path: &Path, line: usize, message: String) -> CaseError {
+    CaseError::Data {
+        path: path.to_owned(),
+        line: Some(line),
+        message,
+        help: None,
+    }
+}
