@@ -251,7 +251,7 @@ impl Columns {
         let mut rms = Vec::with_capacity(self.bands.len());
         for (band, column, unit) in &self.bands {
             let found = value(*column, *unit)?;
-            if found < 0.0 || found > ROUGHEST || found.is_infinite() {
+            if !found.is_nan() && !(0.0..=ROUGHEST).contains(&found) {
                 return Err(format!(
                     "the RMS between {:.0} and {:.0} mm is {found} m, but must be between 0 and 10 mm; is its unit right?",
                     1e3 * band.from(),
