@@ -142,7 +142,7 @@ fn status_in_words(status: &Status) -> String {
         rows.add_row(row);
     }
     format!(
-        "{rows}\n{} surveys in cells of {} m\n",
+        "{rows}\nsurveys: {}, in cells of {} m\n",
         status.surveys, status.resolution_m
     )
 }
