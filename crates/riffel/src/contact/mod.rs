@@ -14,6 +14,7 @@ mod quasi_static_half_space;
 mod response;
 mod rolling;
 mod spring_dashpot;
+mod virtual_penetration;
 
 pub use conformity::{Conformity, GeometricCreepage};
 pub use ellipse::{
@@ -22,7 +23,7 @@ pub use ellipse::{
 };
 pub use half_space::{
     ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
-    TransientRolling, TransientStep,
+    PatchRolling, TransientRolling, TransientStep,
 };
 pub use half_space_curve::HalfSpaceCurve;
 pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
@@ -39,3 +40,4 @@ pub use quasi_static_half_space::QuasiStaticHalfSpace;
 pub use response::{ContactDerivative, ContactResponse, GridError, OscillatingCreepages};
 pub use rolling::RollingContact;
 pub use spring_dashpot::SpringDashpot;
+pub use virtual_penetration::{GapStrip, PenetrationState, VirtualPenetration};

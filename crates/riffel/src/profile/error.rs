@@ -32,6 +32,10 @@ pub enum ProfileError {
     #[error("{0}")]
     Gauge(String),
 
+    /// A contact under load that has no solution.
+    #[error("{0}")]
+    Contact(#[from] crate::Error),
+
     /// A wheelset that does not touch both rails.
     #[error("at a lateral shift of {:.3} mm and a yaw of {:.3} mrad the {rail} wheel does not touch its rail", 1e3 * lateral_shift, 1e3 * yaw)]
     NoContact {

@@ -5,9 +5,11 @@
 //! x below zero and downward. Both are drawn as those of the right rail; the left ones are turned over.
 
 mod conicity;
+mod contact_gap;
 mod contact_table;
 mod crossing;
 mod error;
+mod loaded_contact;
 mod nominal;
 #[allow(clippy::module_inception)]
 mod profile;
@@ -18,8 +20,10 @@ mod wheelset_on_track;
 mod worn_dimensions;
 
 pub use conicity::EquivalentConicity;
+pub use contact_gap::ContactGap;
 pub use contact_table::ContactTable;
 pub use error::ProfileError;
+pub use loaded_contact::LoadedContact;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};
 pub use smoothing::SmoothedPoints;

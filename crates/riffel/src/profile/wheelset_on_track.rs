@@ -124,10 +124,10 @@ pub struct Wheels {
 }
 
 #[derive(Debug)]
-struct SampledWheel {
-    profile: Profile,
-    rolling_radius: f64,
-    samples: Vec<ProfilePoint>,
+pub(super) struct SampledWheel {
+    pub(super) profile: Profile,
+    pub(super) rolling_radius: f64,
+    pub(super) samples: Vec<ProfilePoint>,
 }
 
 impl Wheels {
@@ -143,7 +143,7 @@ impl Wheels {
         flange_back_distance: f64,
         flange_back_position: f64,
     ) -> Result<Self, ProfileError> {
-        let sampled = |index: usize| {
+        let sampled = |index: usize| -> Result<Arc<SampledWheel>, ProfileError> {
             let profile: &Profile = profiles[index];
             check_wheel(profile)?;
             Ok(Arc::new(SampledWheel {
@@ -254,13 +254,38 @@ struct Attitude {
     roll: (f64, f64),
 }
 
+/// How a wheel of a wheelset that touches stands, seen as a right one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stand {
+    pub(super) lateral_shift: f64,
+    /// Sine and cosine.
+    pub(super) yaw: (f64, f64),
+    pub(super) roll: (f64, f64),
+    /// Distance of the axle's middle below the crowns, below zero \[m\].
+    pub(super) height: f64,
+    /// Distance of the datum circle from the axle's middle \[m\].
+    pub(super) half_spacing: f64,
+}
+
+impl Stand {
+    /// The point of the outline of a point of the profile.
+    pub(super) fn outline(&self, point: &ProfilePoint, rolling_radius: f64) -> Option<Outline> {
+        let attitude = Attitude {
+            lateral_shift: self.lateral_shift,
+            yaw: self.yaw,
+            roll: self.roll,
+        };
+        outline_of(point, rolling_radius, self.half_spacing, &attitude)
+    }
+}
+
 /// A point of a wheel's outline as seen along the track, from the axle's middle.
-struct Outline {
-    ahead: f64,
-    across: f64,
-    down: f64,
+pub(super) struct Outline {
+    pub(super) ahead: f64,
+    pub(super) across: f64,
+    pub(super) down: f64,
     /// dz/dy of the outline.
-    slope: f64,
+    pub(super) slope: f64,
 }
 
 /// A local minimum of the gap.
@@ -342,6 +367,28 @@ impl WheelsetOnTrack {
         } else {
             Rail::Left
         }))
+    }
+
+    /// Rail and wheel of a contact on one side, and how the wheel stands there.
+    pub(super) fn standing(
+        &self,
+        contact: &WheelsetContact,
+        rail: Rail,
+    ) -> (&Profile, Arc<SampledWheel>, Stand) {
+        let attitude = attitude(rail, contact.lateral_shift, contact.yaw, contact.roll);
+        let stand = Stand {
+            lateral_shift: attitude.lateral_shift,
+            yaw: attitude.yaw,
+            roll: attitude.roll,
+            height: contact.centre_z - self.wheels.wheels[1].rolling_radius,
+            half_spacing: self.wheels.half_spacing,
+        };
+        let index = place(rail);
+        (
+            &self.track.rails[index].profile,
+            Arc::clone(&self.wheels.wheels[index]),
+            stand,
+        )
     }
 
     fn outline(&self, rail: Rail, x_wheel: f64, attitude: &Attitude) -> Option<Outline> {

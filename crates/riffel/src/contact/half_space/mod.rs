@@ -11,6 +11,7 @@ mod influence;
 mod normal;
 mod partial_slip;
 mod patch;
+mod patch_rolling;
 mod response;
 mod response_sweep;
 mod scalar;
@@ -22,6 +23,7 @@ mod transform;
 mod transient;
 
 pub use self::normal::{ContactGrid, NormalContact, NormalState};
+pub use self::patch_rolling::PatchRolling;
 pub use self::transient::{TransientRolling, TransientStep};
 
 use self::friction::Slip;

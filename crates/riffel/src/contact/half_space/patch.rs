@@ -1,13 +1,14 @@
 //! The contact ellipse cut into elements.
 
 use super::influence::Field;
+use super::normal::NormalState;
 use crate::Error;
 use crate::contact::{CreepForces, HertzContact};
 
 /// Fewest and most elements across a diameter of the ellipse.
 const ELEMENTS: std::ops::RangeInclusive<usize> = 8..=200;
 
-/// Equal rectangles over the box around a Hertz ellipse; those with their centre inside carry
+/// Equal rectangles over the box around a patch; those inside it carry
 /// traction. x points along the direction of rolling, so that the rail's material enters at x = +a.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Patch {
@@ -84,6 +85,29 @@ impl Patch {
         Ok(patch)
     }
 
+    /// The elements of a grid that are under pressure.
+    pub(super) fn under_pressure(state: &NormalState) -> Self {
+        let grid = state.grid();
+        let mut patch = Self {
+            across: grid.columns().max(grid.rows()),
+            dx: grid.dx(),
+            dy: grid.dy(),
+            places: Vec::new(),
+            centres: Vec::new(),
+            steps: Vec::new(),
+        };
+        for ((index, centre), &pressure) in grid.centres().enumerate().zip(state.pressures()) {
+            if pressure > 0.0 {
+                patch
+                    .places
+                    .push((index % grid.columns(), index / grid.columns()));
+                patch.centres.push(centre);
+            }
+        }
+        patch.steps = patch.all_steps();
+        patch
+    }
+
     /// Largest traction μp of each element \[Pa\] in a contact on this patch or within it.
     pub(super) fn traction_bound(&self, hertz: HertzContact, friction: f64) -> Vec<f64> {
         let semi_axes = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
@@ -128,12 +152,13 @@ impl Patch {
     }
 
     fn all_steps(&self) -> Vec<Step> {
-        // Elements of a row follow each other.
+        // Elements of a row follow each other; a patch that is no ellipse may have gaps in it.
         let neighbour = |index: Option<usize>, of: usize| {
             index.filter(|&index| {
+                let of = self.places[of];
                 self.places
                     .get(index)
-                    .is_some_and(|place| place.1 == self.places[of].1)
+                    .is_some_and(|place| place.1 == of.1 && place.0.abs_diff(of.0) == 1)
             })
         };
         let step = |index: usize, back: bool| {
@@ -159,10 +184,11 @@ impl Patch {
         into.chain(out_of.map(|index| step(index, true))).collect()
     }
 
-    /// The elements of each row.
+    /// The elements of each row, or of each part of it where there are gaps.
     pub(super) fn rows(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let mut begin = 0;
-        self.places.chunk_by(|a, b| a.1 == b.1).map(move |row| {
+        let follows = |a: &(usize, usize), b: &(usize, usize)| a.1 == b.1 && b.0 == a.0 + 1;
+        self.places.chunk_by(follows).map(move |row| {
             let range = begin..begin + row.len();
             begin = range.end;
             range

@@ -75,7 +75,7 @@ impl CreepForces {
     }
 
     /// `factor` times this plus `other_factor` times the other.
-    pub(super) fn combine(self, factor: f64, other: Self, other_factor: f64) -> Self {
+    pub(crate) fn combine(self, factor: f64, other: Self, other_factor: f64) -> Self {
         Self {
             longitudinal: factor * self.longitudinal + other_factor * other.longitudinal,
             lateral: factor * self.lateral + other_factor * other.lateral,
