@@ -23,7 +23,7 @@ const STRIPS: usize = 400;
 /// Method: no surface is approximated by its curvatures. With the wheel's radius ρ at the profile's coordinate, its
 /// points at the distance X along the track have the forward part F = (X + Y sin ψ)/cos ψ and the depth √(ρ² − F²) in the
 /// frame of the wheelset, and roll follows yaw; the point above y is found by Newton's method. Accuracy: that of the
-/// profiles and rounding, 1e-12 m. Cost: some 0.3 µs a place. Range of validity: inclinations of both surfaces against the contact
+/// profiles and rounding, 1e-12 m. Cost: three or four evaluations of the profile a place. Range of validity: inclinations of both surfaces against the contact
 /// plane well below 90°, and patches flat enough to have one normal, see [`inclination_over`](Self::inclination_over).
 #[derive(Debug, Clone)]
 pub struct ContactGap {

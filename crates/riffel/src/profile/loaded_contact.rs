@@ -26,7 +26,7 @@ const CHANGE_OF_LOAD: f64 = 0.05;
 ///
 /// Method: [`ContactGap`], on it [`NormalContact`], elements nearly square. Accuracy with 48 elements: approach 0.05 %, peak
 /// pressure 0.3 %, stiffness 0.3 %, area 3 % (test `a_wheel_of_circles_is_that_of_hertz`); the places of Manchester's profiles
-/// against CONTACT: `validation/README.md`. Cost with 48: some 15 ms. Range of validity: that of [`NormalContact`]; patches
+/// against CONTACT: the book, chapter *Normal contact*. Cost: that of [`NormalContact`] on 24 and on n elements. Range of validity: that of [`NormalContact`]; patches
 /// over which the rail turns little, see [`inclination`](Self::inclination).
 pub struct LoadedContact {
     material: ElasticMaterial,

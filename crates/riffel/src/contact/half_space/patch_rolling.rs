@@ -10,8 +10,8 @@ use crate::{ElasticMaterial, Error};
 /// a [`NormalState`], Coulomb friction of a coefficient that may differ from place to place.
 ///
 /// Method: that of [`HalfSpace`](super::HalfSpace) on the elements under pressure: semismooth Newton, 1e-6 of the
-/// tractions. Errors are of first order in the size of an element; two grids, n and n/2, give 2·fine − coarse. Cost: some
-/// 5–30 ms for 1000 elements under pressure, most where little slips.
+/// tractions. Errors are of first order in the size of an element; two grids, n and n/2, give 2·fine − coarse. Cost: grows
+/// with the number of elements under pressure, most where little slips.
 ///
 /// Source: Kalker (1990), *Three-dimensional elastic bodies in rolling contact*. Range of validity: one material, flat
 /// patches, bodies much larger than these; x along the direction of rolling, y and the spin about the normal of
