@@ -15,6 +15,7 @@ mod general_loop;
 mod ground;
 mod growth;
 mod linear_theory;
+mod loaded_contact;
 mod noise;
 pub mod place_of_wear;
 mod points;
@@ -132,6 +133,8 @@ checks! {
     curving: closed_forms_of_curving, linear_steering, saturated_curving, curving_on_flanges;
     profile: wheelset_on_nominal_rails, wheelset_on_measured_rails, conicity_of_a_cubic, equivalent_conicity,
         curving_on_profiles;
+    loaded_contact: contact_under_load_on_the_tread, contact_under_load_on_the_flange,
+        rolling_on_the_patch_of_profiles, first_touch_under_thirty_newtons;
     forecast: growth_of_levels, mean_over_speeds, wear_coefficient_is_found, fading_mark_is_not_fitted;
 }
 

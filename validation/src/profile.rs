@@ -46,7 +46,7 @@ fn nominal(description: &str) -> WheelsetOnTrack {
 }
 
 /// The Manchester profiles, whose rail is inclined in its coordinates.
-fn measured() -> WheelsetOnTrack {
+pub(crate) fn measured() -> WheelsetOnTrack {
     let profile = |text: &str| {
         let rows = text.lines().filter_map(|line| {
             let (x, height) = line.split_once(',')?;
