@@ -319,9 +319,9 @@ fn balance(
                     }
                     // Q + F_ξ iω/V u = F_P P, over both tangential rows of the contact.
                     let rate = Complex64::new(0.0, w / SPEED);
-                    for other in 0..2 {
-                        let to = 3 * (i / 3) + other;
-                        matrix[6 * row + to][6 * column + j] += by[i % 3][other] * rate * moved;
+                    let contact = 6 * row + 3 * (i / 3);
+                    for (at, by) in matrix[contact..contact + 2].iter_mut().zip(by[i % 3]) {
+                        at[6 * column + j] += by * rate * moved;
                     }
                 }
             }
