@@ -386,6 +386,14 @@ def _of_second_contacts(key: str, state: Mapping[str, Any]) -> list[float]:
     return [wheel.get("second_contact", {}).get(key, np.nan) for wheel in state["wheels"]]
 
 
+def _of_frames(key: str, state: Any) -> list[Any]:
+    return [frame[key] for frame in state["frames"]]
+
+
+def _of_body(key: str, state: Any) -> Any:
+    return state["body"][key]
+
+
 def _of_wheelsets(key: str, state: Mapping[str, Any]) -> list[float]:
     return [wheelset[key] for wheelset in state["wheelsets"]]
 
