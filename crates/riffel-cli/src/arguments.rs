@@ -17,7 +17,7 @@ use riffel_answers::paper::Model;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CaseContact, CurvingCase};
 use riffel_keys::CaseError;
-use riffel_keys::quantity::{Angle, Dimension, Frequency, Length, Quantity, Ratio, Speed};
+use riffel_keys::quantity::{Angle, Dimension, Force, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;
 
 use crate::error::CliError;
@@ -505,7 +505,7 @@ pub(crate) enum Orientation {
 
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile wheel.whl --against S1002\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\""
+    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile wheel.whl --against S1002\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\"\n  riffel profile case.toml --wheelset --load \"60 kN\""
 )]
 pub(crate) struct Profile {
     /// Nominal names, or files: two columns x, y, or of MiniProf, Simpack or Vampire; with --wheelset a case file.
@@ -568,6 +568,16 @@ pub(crate) struct Profile {
         allow_hyphen_values = true
     )]
     pub(crate) lateral_shift: Vec<Quantity<Length>>,
+
+    /// Normal force on each wheel, in N or with its unit: patch, pressure and stiffness of both contacts, at the shift 0 or those
+    /// of --lateral-shift.
+    #[arg(
+        long,
+        value_name = "FORCE",
+        requires = "wheelset",
+        allow_hyphen_values = true
+    )]
+    pub(crate) load: Option<Quantity<Force>>,
 
     /// Override a value of the case, as in --set "profiles.gauge=1432 mm"; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "wheelset")]

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::{
-    OnTrackAnswer, OutlineAnswer, WearAnswer, WearSettings, alignment_named,
+    OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings, alignment_named,
 };
 use riffel_case::file::{Inclination, ProfileOrientation};
 use riffel_case::{CurvingCase, ProfileReading};
@@ -147,4 +147,22 @@ pub(crate) fn contact_geometry<'py>(
     let title = case.file.title.clone();
     let answer = interruptible(py, move || OnTrackAnswer::new(&case, &shifts, yaw))?;
     Ok((title, document(py, &answer.map_err(of_answer)?.document())?))
+}
+
+/// What `riffel profile CASE --wheelset --load P --json` prints, with the remarks.
+#[pyfunction]
+pub(crate) fn contact_under_load<'py>(
+    py: Python<'py>,
+    case: GivenCase<'py>,
+    overrides: &Bound<'py, PyDict>,
+    load: f64,
+    shifts: Vec<f64>,
+    yaw: f64,
+) -> PyResult<(Option<String>, Bound<'py, PyAny>, Vec<String>)> {
+    let case = case.read(overrides)?;
+    let title = case.file.title.clone();
+    let answer = interruptible(py, move || UnderLoadAnswer::new(&case, &shifts, yaw, load))?;
+    let answer = answer.map_err(of_answer)?;
+    let remarks = answer.remarks.iter().map(ToString::to_string).collect();
+    Ok((title, document(py, answer.document())?, remarks))
 }

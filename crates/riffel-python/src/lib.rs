@@ -35,7 +35,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]
-    use crate::curving::{contact_geometry, curve, profile, profile_wear};
+    use crate::curving::{contact_geometry, contact_under_load, curve, profile, profile_wear};
     #[pymodule_export]
     use crate::diagnosis::diagnose;
     #[pymodule_export]

@@ -107,3 +107,17 @@ def test_contact_geometry_is_that_of_the_program(program: Callable[..., Any]) ->
         riffel.contact_geometry("cases/profiles.toml", lateral_shift="90 mm")
     with pytest.raises(FileNotFoundError):
         riffel.profile("no-such-file.csv")
+
+
+def test_contact_under_load_is_that_of_the_program(program: Callable[..., Any]) -> None:
+    asked = ("profile", "cases/profiles.toml", "--wheelset", "--json", "--load", "60 kN", "--lateral-shift=2 mm")
+    rows = program(*asked)["contacts"]
+    found = riffel.contact_under_load("cases/profiles.toml", "60 kN", lateral_shift="2 mm")
+    assert found["peak_pressure"].dims == ("lateral_shift", "rail", "theory")
+    for row in rows:
+        at = found.sel(rail=row["rail"]).isel(lateral_shift=0)
+        assert at["stiffness"].item() == row["stiffness_n_per_m"]
+        assert at["peak_pressure"].sel(theory="exact").item() == row["peak_pressure_pa"]
+        assert at["width"].sel(theory="fast").item() == row["fast"]["width_m"]
+    with pytest.raises(ValueError, match="load"):
+        riffel.contact_under_load("cases/profiles.toml", "-60 kN")

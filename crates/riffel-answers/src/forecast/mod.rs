@@ -130,6 +130,13 @@ impl ForecastAnswer {
             .as_ref()
             .map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
+        if let (Some(from), true) = (&case.file.contact.from, rails.len() > 1) {
+            warnings.push(format!(
+                "all rails are given the growth of the {} rail (contact.from); in a curve the other one grows at its own rate, which \
+                 contact.from.rail asks for",
+                from.rail.name()
+            ));
+        }
         Ok(Self {
             passages: horizon.passages(&on)?,
             traffic,

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use riffel::ElasticMaterial;
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
 use riffel::curving::{
     Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics,
@@ -199,11 +198,7 @@ impl CurvingCase {
             let rule = "is not \"linear\", the law of curve.theory = \"linear\"";
             return Err(keys.invalid("contact.creep_law", rule, ""));
         }
-        let material = || {
-            let steel = &self.file.steel;
-            ElasticMaterial::new(steel.youngs_modulus.si(), steel.poisson_ratio.si())
-                .map_err(|error| self.physics("steel", error))
-        };
+        let material = || self.steel();
         let physics = |error| self.physics("contact", error);
         let transverse_radius = || {
             let help = "the ellipse of cones needs it; or give contact.creep_coefficients";

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use riffel::Rail;
 use riffel::curving::{ContactPlane, Kinematics};
 use riffel::profile::{
     ContactTable, NOMINAL, NominalProfile, Profile, ProfileError, Track, WheelDimensions, Wheels,
     WheelsetOnTrack,
 };
+use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Remark};
 use std::sync::Arc;
 
@@ -21,6 +21,16 @@ const FARTHEST: f64 = 0.012;
 const STEP: f64 = 1e-4;
 
 impl CurvingCase {
+    /// The steel of wheels and rails.
+    ///
+    /// # Errors
+    /// [`CaseError`] for constants that no material has.
+    pub fn steel(&self) -> Result<ElasticMaterial, CaseError> {
+        let steel = &self.file.steel;
+        ElasticMaterial::new(steel.youngs_modulus.si(), steel.poisson_ratio.si())
+            .map_err(|error| self.physics("steel", error))
+    }
+
     /// The wheelset of the case on its track.
     ///
     /// # Errors

@@ -1,9 +1,11 @@
 //! `riffel profile`
 
 use riffel::profile::ProfileAlignment;
-use riffel_answers::profile::{Measures, OnTrackAnswer, OutlineAnswer, WearAnswer, WearSettings};
-use riffel_case::ProfileReading;
+use riffel_answers::profile::{
+    Measures, OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings,
+};
 use riffel_case::file::{Inclination, ProfileKind, ProfileOrientation};
+use riffel_case::{CurvingCase, ProfileReading};
 
 use crate::arguments::{Alignment, CaseArguments, Orientation, Profile, positive};
 use crate::error::CliError;
@@ -185,6 +187,9 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
             rule: format!("between -{LARGEST_YAW} and {LARGEST_YAW} rad"),
         })?;
     }
+    if let Some(load) = arguments.load {
+        return under_load(arguments, &case, yaw, positive("--load", load)?, results);
+    }
     let shifts: Vec<f64> = match &arguments.lateral_shift[..] {
         [] => (-TENTHS..=TENTHS)
             .map(|tenth| 1e-4 * f64::from(tenth))
@@ -223,6 +228,49 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
             format!("{title}\n{rows}\n")
         },
     )?;
+    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_of_profiles()?);
+    Ok(())
+}
+
+/// Both contacts of a wheelset under load.
+fn under_load(
+    arguments: &Profile,
+    case: &CurvingCase,
+    yaw: f64,
+    load: f64,
+    results: &Results,
+) -> miette::Result<()> {
+    /// Some tenths of a second each.
+    const MOST_SHIFTS: usize = 201;
+    if arguments.lateral_shift.len() > MOST_SHIFTS {
+        Err(CliError::Argument {
+            argument: "--lateral-shift",
+            value: format!("{} shifts", arguments.lateral_shift.len()),
+            rule: format!("at most {MOST_SHIFTS} with --load"),
+        })?;
+    }
+    let shifts: Vec<f64> = match &arguments.lateral_shift[..] {
+        [] => vec![0.0],
+        listed => listed.iter().map(|shift| shift.si()).collect(),
+    };
+    let answer = UnderLoadAnswer::new(case, &shifts, yaw, load)?;
+    results.hand_out(
+        || json(answer.document()),
+        |staging| {
+            staging.write_figure("contact", &answer.figure())?;
+            staging.write_with("contact.csv", |file| answer.csv(file))
+        },
+        || {
+            let (heading, lines) = answer.table();
+            let mut rows = table(&heading);
+            for line in lines {
+                rows.add_row(line);
+            }
+            format!("Wheels under {:.1} kN each\n{rows}\n", 1e-3 * load)
+        },
+    )?;
+    print_remarks(&answer.remarks);
     print_remarks(&case.remarks);
     print_remarks(&case.remarks_of_profiles()?);
     Ok(())

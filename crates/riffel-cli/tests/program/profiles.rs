@@ -195,3 +195,69 @@ fn conformity_and_inertia_are_switches() {
     ));
     assert_eq!(refused.status, Some(2));
 }
+
+/// Both wheels under load: a symmetric wheelset has two equal contacts, and the pressure carries the load. Hertz is beside it where
+/// curvatures are those of a single place. The patch is of 48 elements: an element in size, 3·10⁻³ in pressure.
+#[test]
+fn wheels_are_pressed_on_their_rails() {
+    let sandbox = sandbox();
+    let document = sandbox.json(
+        "profile cases/profiles.toml --wheelset --load 60kN --lateral-shift=0mm,-2mm --json -o out",
+    );
+    let [left, right, _, aside] = [0, 1, 2, 3].map(|index| document["contacts"][index].clone());
+    assert_eq!([&left["rail"], &right["rail"]], ["left", "right"]);
+    for key in [
+        "approach_m",
+        "peak_pressure_pa",
+        "stiffness_n_per_m",
+        "area_m2",
+    ] {
+        let (left, right) = (number(&left[key]), number(&right[key]));
+        assert!((left / right - 1.0).abs() < 1e-2, "{key}: {left} {right}");
+    }
+    let hertz = &right["hertz"];
+    let ratio = number(&right["peak_pressure_pa"]) / number(&hertz["peak_pressure_pa"]);
+    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
+    let stiffness = number(&right["stiffness_n_per_m"]);
+    let secant = 60e3 / number(&right["approach_m"]);
+    // Hertz: dP/dδ = 3/2 P/δ.
+    assert!(
+        (stiffness / secant - 1.5).abs() < 0.05,
+        "{stiffness} {secant}"
+    );
+    // The elements of the table carry the load.
+    let table = std::fs::read_to_string(sandbox.path("out/contact.csv")).unwrap();
+    let mut places: Vec<[f64; 3]> = Vec::new();
+    for line in table.lines().filter(|line| line.starts_with("0.0,right,")) {
+        let cells: Vec<f64> = line
+            .split(',')
+            .filter_map(|cell| cell.parse().ok())
+            .collect();
+        places.push([cells[1], cells[2], cells[3]]);
+    }
+    let step = |axis: usize| {
+        let mut values: Vec<f64> = places.iter().map(|place| place[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        let steps = values.windows(2).map(|pair| pair[1] - pair[0]);
+        steps
+            .filter(|step| *step > 1e-7)
+            .fold(f64::INFINITY, f64::min)
+    };
+    let carried: f64 = places.iter().map(|place| place[2]).sum::<f64>() * step(0) * step(1);
+    assert!((carried / 60e3 - 1.0).abs() < 1e-3, "{carried}");
+}
+
+#[test]
+fn loads_that_press_nothing_are_refused() {
+    let sandbox = sandbox();
+    for (asked, words) in [
+        ("--wheelset --load=-5kN", "--load"),
+        ("--wheelset --load 60kg", "60kg"),
+        ("--wheelset --load 60kN --lateral-shift=90mm", "touch"),
+        ("--load 60kN", "--wheelset"),
+    ] {
+        let run = sandbox.riffel(&format!("profile cases/profiles.toml {asked}"));
+        assert_eq!(run.status, Some(2), "{asked}: {}", run.text);
+        assert!(run.text.contains(words), "{asked}: {}", run.text);
+    }
+}

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from riffel import roughness
     from riffel._case import Case
-    from riffel._curving import contact_geometry, curve, profile, profile_wear
+    from riffel._curving import contact_geometry, contact_under_load, curve, profile, profile_wear
     from riffel._matlab import to_matlab
     from riffel._models import compare_models
     from riffel._receptance import receptance_from_uff
@@ -37,6 +37,7 @@ __all__ = [
     "__version__",
     "compare_models",
     "contact_geometry",
+    "contact_under_load",
     "curve",
     "merge_studies",
     "open_results",
@@ -58,6 +59,7 @@ _HOMES = {
     "Study": "riffel._study",
     "compare_models": "riffel._models",
     "contact_geometry": "riffel._curving",
+    "contact_under_load": "riffel._curving",
     "curve": "riffel._curving",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",

@@ -423,3 +423,100 @@ def _without_unit(key: str) -> str:
         if key.endswith(unit):
             return key.removesuffix(unit)
     return key
+
+
+def contact_under_load(
+    case: GivenCase,
+    load: Quantity,
+    overrides: Mapping[str, Any] | None = None,
+    *,
+    lateral_shift: Quantities = 0.0,
+    yaw: Quantity = 0.0,
+) -> xr.Dataset:
+    """Both contacts of a wheelset pressed on its track by their own profiles, exact on the half-space.
+
+    Parameters
+    ----------
+    case : Case, path-like or mapping
+        As of `curve`; only the tables of wheels, profiles and steel are needed.
+    load : float
+        Normal force on each wheel in N.
+    overrides : mapping, optional
+        Values by dotted key.
+    lateral_shift : quantities, optional
+        To the right positive.
+    yaw : float, optional
+        In rad, nose to the right positive.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``lateral_shift``, ``rail`` and ``theory`` (exact, fast after Kik and Piotrowski, Hertz): ``approach``,
+        ``peak_pressure``, ``area``, ``length``, ``width``, NaN where a theory has none; over the first two ``stiffness``,
+        equivalent semi-axes and ``turn_of_rail``, which a flat patch leaves out. Remarks are attributes.
+
+    Raises
+    ------
+    ValueError
+        For profiles that do not fit, a load that is not positive, and contacts at the end of a profile.
+
+    Examples
+    --------
+    >>> pressed = riffel.contact_under_load("cases/profiles.toml", "60 kN")
+    >>> pressed["peak_pressure"].dims
+    ('lateral_shift', 'rail', 'theory')
+    """
+    shifts = signed(lateral_shift, "lateral_shift", "length")
+    angle = float(signed(yaw, "yaw", "ratio")[0])
+    force = scalar(load, "load", "force")
+    given = (_given(case), dict(overrides or {}), force, shifts.tolist(), angle)
+    title, found, remarks = _riffel.contact_under_load(*given)
+    rows = found["contacts"]
+
+    def over_theories(key: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+        values = [[(of or {}).get(key, np.nan) for of in (row, row["fast"], row["hertz"])] for row in rows]
+        return np.array(values, float).reshape(len(shifts), len(RAILS), 3)
+
+    def alone(values: list[float | None]) -> np.ndarray[Any, np.dtype[np.float64]]:
+        return np.array(values, float).reshape(len(shifts), len(RAILS))
+
+    theories = {
+        "approach": ("approach_m", "m", "approach of wheel and rail"),
+        "peak_pressure": ("peak_pressure_pa", "Pa", "largest pressure"),
+        "area": ("area_m2", "m2", "area of the patch"),
+        "length": ("length_m", "m", "length of the patch along the rail"),
+        "width": ("width_m", "m", "width of the patch"),
+    }
+    places = ("lateral_shift", "rail")
+    return xr.Dataset(
+        {
+            **{
+                name: ((*places, "theory"), over_theories(key), _said(units, words))
+                for name, (key, units, words) in theories.items()
+            },
+            "stiffness": (places, alone([row["stiffness_n_per_m"] for row in rows]), _said("N/m", "contact stiffness")),
+            "turn_of_rail": (
+                places,
+                alone([row["turn_of_rail_rad"] for row in rows]),
+                _said("rad", "turn of the rail across the patch"),
+            ),
+            "semi_axis_longitudinal": (
+                places,
+                alone([row["equivalent_semi_axes_m"][0] for row in rows]),
+                _said("m", "semi-axis along the rail of the equivalent ellipse"),
+            ),
+            "semi_axis_lateral": (
+                places,
+                alone([row["equivalent_semi_axes_m"][1] for row in rows]),
+                _said("m", "semi-axis across the rail of the equivalent ellipse"),
+            ),
+        },
+        {
+            "lateral_shift": _along("lateral_shift", shifts.tolist(), "m", "lateral shift, to the right positive"),
+            "rail": ("rail", RAILS, {"long_name": "rail"}),
+            "theory": ("theory", ["exact", "fast", "hertz"], {"long_name": "theory of the contact"}),
+            "yaw": ((), angle, _said("rad", "yaw, nose to the right positive")),
+            "load": ((), force, _said("N", "normal force on each wheel")),
+        },
+        {**_titled(title), "remarks": remarks},
+    )

@@ -1,0 +1,377 @@
+//! The contacts of a wheelset pressed on its track by their own profiles.
+
+use std::io::{self, Write};
+
+use riffel::profile::{LoadedContact, WheelsetContact};
+use riffel::{ElasticMaterial, Rail};
+use riffel_case::CurvingCase;
+use riffel_keys::Remark;
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
+use serde::Serialize;
+
+use crate::AnswerError;
+
+/// Both contacts of a wheelset under a normal force each, at lateral shifts.
+pub struct UnderLoadAnswer {
+    normal_force: f64,
+    /// By lateral shift, the left contact and the right one.
+    contacts: Vec<(WheelsetContact, [LoadedContact; 2])>,
+    document: UnderLoadDocument,
+    /// What the reader should know.
+    pub remarks: Vec<Remark>,
+}
+
+/// What `riffel profile CASE --wheelset --load P --json` prints.
+#[derive(Serialize)]
+pub struct UnderLoadDocument {
+    normal_force_n: f64,
+    /// By lateral shift, left before right.
+    contacts: Vec<ContactDocument>,
+}
+
+/// One contact under load.
+#[derive(Serialize)]
+struct ContactDocument {
+    lateral_shift_m: f64,
+    yaw_rad: f64,
+    rail: &'static str,
+    approach_m: f64,
+    stiffness_n_per_m: f64,
+    peak_pressure_pa: f64,
+    area_m2: f64,
+    length_m: f64,
+    width_m: f64,
+    /// Along and across the contact plane, from where it touches the rail.
+    centre_of_pressure_m: [f64; 2],
+    /// Along and across, of the ellipse with the second moments of the pressure.
+    equivalent_semi_axes_m: [f64; 2],
+    /// Turn of the rail from one side of the patch to the other.
+    turn_of_rail_rad: Option<f64>,
+    /// Kik and Piotrowski.
+    fast: PatchDocument,
+    /// None where a curvature at the first touch is not positive.
+    hertz: Option<PatchDocument>,
+}
+
+/// A patch of another theory at the same place.
+#[derive(Serialize)]
+struct PatchDocument {
+    approach_m: f64,
+    peak_pressure_pa: f64,
+    area_m2: f64,
+    length_m: f64,
+    width_m: f64,
+}
+
+const RAILS: [Rail; 2] = [Rail::Left, Rail::Right];
+
+impl UnderLoadAnswer {
+    /// Elements of the grid across a patch that is as long as wide: approach, pressure and stiffness to 3·10⁻³ of those of 96.
+    pub const ELEMENTS: usize = 48;
+
+    /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\], each wheel under the normal force \[N\].
+    ///
+    /// # Errors
+    /// [`AnswerError`] for profiles that cannot be read or do not fit, where a wheel has left its rail, and where a contact lies at
+    /// the end of a profile.
+    pub fn new(
+        case: &CurvingCase,
+        shifts: &[f64],
+        yaw: f64,
+        normal_force: f64,
+    ) -> Result<Self, AnswerError> {
+        let wheelset = case.wheelset_on_track()?;
+        let steel: ElasticMaterial = case.steel()?;
+        let refused =
+            |error: riffel::profile::ProfileError| AnswerError::Profile(error.to_string());
+        let mut contacts = Vec::with_capacity(shifts.len());
+        let mut rows = Vec::with_capacity(2 * shifts.len());
+        for shift in shifts {
+            let at = wheelset.contact(*shift, yaw).map_err(refused)?;
+            let under = |rail| {
+                let loaded = wheelset.under_load(&at, rail, steel, normal_force, Self::ELEMENTS);
+                loaded.map_err(refused)
+            };
+            let loaded = [under(Rail::Left)?, under(Rail::Right)?];
+            for (rail, loaded) in RAILS.iter().zip(&loaded) {
+                rows.push(ContactDocument::new(&at, *rail, loaded)?);
+            }
+            contacts.push((at, loaded));
+        }
+        Ok(Self {
+            normal_force,
+            remarks: of_turn(&rows).into_iter().collect(),
+            contacts,
+            document: UnderLoadDocument {
+                normal_force_n: normal_force,
+                contacts: rows,
+            },
+        })
+    }
+
+    /// What `riffel profile CASE --wheelset --load P --json` prints.
+    pub fn document(&self) -> &UnderLoadDocument {
+        &self.document
+    }
+
+    /// Heading and rows of a table, in mm and MPa.
+    pub fn table(&self) -> (Vec<&'static str>, Vec<Vec<String>>) {
+        let heading = vec![
+            "shift mm",
+            "rail",
+            "length mm",
+            "width mm",
+            "peak MPa",
+            "Hertz MPa",
+            "approach µm",
+            "stiffness MN/m",
+        ];
+        let rows = self.document.contacts.iter().map(|row| {
+            vec![
+                format!("{:.1}", 1e3 * row.lateral_shift_m),
+                row.rail.to_owned(),
+                format!("{:.1}", 1e3 * row.length_m),
+                format!("{:.1}", 1e3 * row.width_m),
+                format!("{:.0}", 1e-6 * row.peak_pressure_pa),
+                row.hertz.as_ref().map_or("–".to_owned(), |hertz| {
+                    format!("{:.0}", 1e-6 * hertz.peak_pressure_pa)
+                }),
+                format!("{:.1}", 1e6 * row.approach_m),
+                format!("{:.0}", 1e-6 * row.stiffness_n_per_m),
+            ]
+        });
+        (heading, rows.collect())
+    }
+
+    /// Elements under pressure, in SI: shift, rail, place in the contact plane, pressure.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn csv(&self, file: &mut impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(["lateral_shift_m", "rail", "x_m", "y_m", "pressure_pa"])?;
+        for (at, loaded) in &self.contacts {
+            for (rail, loaded) in RAILS.iter().zip(loaded) {
+                for ((x, y), pressure) in loaded.under_pressure() {
+                    writer.serialize((at.lateral_shift, rail.name(), x, y, pressure))?;
+                }
+            }
+        }
+        writer.flush()
+    }
+
+    /// Pressure and outline of both patches at one shift, or peak pressure and stiffness over several.
+    pub fn figure(&self) -> LineFigure {
+        let panels = match &self.contacts[..] {
+            [(_, loaded)] => {
+                let rails = RAILS.iter().zip(loaded);
+                rails
+                    .flat_map(|(rail, loaded)| of_patch(*rail, loaded))
+                    .collect()
+            }
+            _ => self.over_shifts(),
+        };
+        LineFigure {
+            title: format!("Wheels under {:.1} kN each", 1e-3 * self.normal_force),
+            caption: "Exact contact of the profiles (half-space), the fast patch of Kik and Piotrowski, and Hertz with the curvatures \
+                      where the profiles first touch; y across the contact plane, to the right."
+                .to_owned(),
+            panels,
+            arrangement: Arrangement::SideBySide,
+        }
+    }
+
+    fn over_shifts(&self) -> Vec<LinePanel> {
+        let of = |label: &str, style, rail: Rail, value: &dyn Fn(&ContactDocument) -> f64| {
+            let rows = self.document.contacts.iter();
+            let (x, y) = rows
+                .filter(|row| row.rail == rail.name())
+                .map(|row| (1e3 * row.lateral_shift_m, value(row)))
+                .unzip();
+            Series {
+                label: format!("{label}{}", rail.name()),
+                x,
+                y,
+                style,
+                color: None,
+            }
+        };
+        let panel = |y_label: &str, series: Vec<Series>| LinePanel {
+            x_label: "lateral shift y, to the right positive [mm]".to_owned(),
+            y_label: y_label.to_owned(),
+            series,
+            ..LinePanel::default()
+        };
+        let both = |label: &str, style: LineStyle, value: &dyn Fn(&ContactDocument) -> f64| {
+            RAILS.map(|rail| of(label, style, rail, value))
+        };
+        let peaks = [
+            both("exact, ", LineStyle::Solid, &|row| {
+                1e-6 * row.peak_pressure_pa
+            }),
+            both("Hertz, ", LineStyle::Dashed, &|row| {
+                let hertz = row.hertz.as_ref();
+                hertz.map_or(f64::NAN, |hertz| 1e-6 * hertz.peak_pressure_pa)
+            }),
+        ];
+        let stiffness = both("", LineStyle::Solid, &|row| 1e-6 * row.stiffness_n_per_m);
+        vec![
+            panel("peak pressure [MPa]", peaks.into_iter().flatten().collect()),
+            panel("contact stiffness [MN/m]", stiffness.into()),
+        ]
+    }
+}
+
+impl ContactDocument {
+    fn new(at: &WheelsetContact, rail: Rail, loaded: &LoadedContact) -> Result<Self, AnswerError> {
+        let [length, width] = loaded.size();
+        let (state, fast) = (loaded.state(), loaded.fast());
+        let [first, last] = fast.ends();
+        Ok(Self {
+            lateral_shift_m: at.lateral_shift,
+            yaw_rad: at.yaw,
+            rail: rail.name(),
+            approach_m: state.approach(),
+            stiffness_n_per_m: loaded.stiffness()?,
+            peak_pressure_pa: state.peak_pressure(),
+            area_m2: state.contact_area(),
+            length_m: length,
+            width_m: width,
+            centre_of_pressure_m: loaded.centre_of_pressure(),
+            equivalent_semi_axes_m: loaded.equivalent_semi_axes(),
+            turn_of_rail_rad: loaded.inclination(),
+            fast: PatchDocument {
+                approach_m: fast.approach,
+                peak_pressure_pa: fast.peak_pressure(),
+                area_m2: fast.contact_area(),
+                length_m: 2.0 * fast.half_length(),
+                width_m: last - first,
+            },
+            hertz: loaded.hertz().map(|hertz| {
+                let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
+                PatchDocument {
+                    approach_m: hertz.approach(),
+                    peak_pressure_pa: hertz.peak_pressure(),
+                    area_m2: std::f64::consts::PI * a * b,
+                    length_m: 2.0 * a,
+                    width_m: 2.0 * b,
+                }
+            }),
+        })
+    }
+}
+
+/// Largest pressure and outline of a patch over y.
+fn of_patch(rail: Rail, loaded: &LoadedContact) -> [LinePanel; 2] {
+    let grid = loaded.state().grid();
+    // Rows of the grid follow each other.
+    let mut rows: Vec<(f64, f64, [f64; 2])> = Vec::new();
+    for ((x, y), pressure) in loaded.under_pressure() {
+        let ends = [x - 0.5 * grid.dx(), x + 0.5 * grid.dx()];
+        match rows.last_mut() {
+            Some((row, peak, [low, high])) if (*row - y).abs() < 0.5 * grid.dy() => {
+                *peak = peak.max(pressure);
+                *low = low.min(ends[0]);
+                *high = high.max(ends[1]);
+            }
+            _ => rows.push((y, pressure, ends)),
+        }
+    }
+    let y: Vec<f64> = rows.iter().map(|row| 1e3 * row.0).collect();
+    let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series {
+        label: label.to_owned(),
+        x,
+        y,
+        style,
+        color: None,
+    };
+    let fast: Vec<[f64; 2]> = loaded.fast().pressures().collect();
+    let mut pressures = vec![
+        series(
+            "exact",
+            LineStyle::Solid,
+            y.clone(),
+            rows.iter().map(|row| 1e-6 * row.1).collect(),
+        ),
+        series(
+            "Kik and Piotrowski",
+            LineStyle::Dashed,
+            fast.iter().map(|[y, _]| 1e3 * y).collect(),
+            fast.iter().map(|[_, pressure]| 1e-6 * pressure).collect(),
+        ),
+    ];
+    let outline = loaded.fast().outline();
+    let (fast_y, fast_ends): (Vec<f64>, Vec<[f64; 2]>) = outline
+        .map(|[y, back, front]| (1e3 * y, [1e3 * back, 1e3 * front]))
+        .unzip();
+    let around = |y: &[f64], ends: &[[f64; 2]]| -> (Vec<f64>, Vec<f64>) {
+        let there = y.iter().copied().zip(ends.iter().map(|ends| ends[1]));
+        let back = y.iter().copied().zip(ends.iter().map(|ends| ends[0])).rev();
+        let first = y
+            .iter()
+            .copied()
+            .zip(ends.iter().map(|ends| ends[1]))
+            .take(1);
+        there.chain(back).chain(first).unzip()
+    };
+    let ends: Vec<[f64; 2]> = rows.iter().map(|row| row.2.map(|end| 1e3 * end)).collect();
+    let (exact_y, exact_x) = around(&y, &ends);
+    let (quick_y, quick_x) = around(&fast_y, &fast_ends);
+    let mut outlines = vec![
+        series("exact", LineStyle::Solid, exact_y, exact_x),
+        series("Kik and Piotrowski", LineStyle::Dashed, quick_y, quick_x),
+    ];
+    if let Some(hertz) = loaded.hertz() {
+        const POINTS: u32 = 120;
+        let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
+        // Hertz knows no place in the plane under load: drawn about the centre of pressure.
+        let [x0, y0] = loaded.centre_of_pressure();
+        let turns = (0..=POINTS)
+            .map(|index| (std::f64::consts::TAU * f64::from(index) / f64::from(POINTS)).sin_cos());
+        let (ellipse_y, ellipse_x) = turns
+            .map(|(sine, cosine)| (1e3 * (y0 + b * sine), 1e3 * (x0 + a * cosine)))
+            .unzip();
+        outlines.push(series("Hertz", LineStyle::Dotted, ellipse_y, ellipse_x));
+        let across = (0..=POINTS).map(|index| -1.0 + 2.0 * f64::from(index) / f64::from(POINTS));
+        let (hertz_y, hertz_p) = across
+            .map(|share| {
+                let pressure = hertz.peak_pressure() * (1.0 - share * share).max(0.0).sqrt();
+                (1e3 * (y0 + b * share), 1e-6 * pressure)
+            })
+            .unzip();
+        pressures.push(series("Hertz", LineStyle::Dotted, hertz_y, hertz_p));
+    }
+    let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
+        subtitle,
+        x_label: "y across [mm]".to_owned(),
+        y_label: label.to_owned(),
+        series,
+        ..LinePanel::default()
+    };
+    let name = |what: &str| format!("{} rail: {what}", rail.name());
+    [
+        panel(name("largest pressure"), "pressure [MPa]", pressures),
+        panel(name("patch"), "x along [mm]", outlines),
+    ]
+}
+
+/// That a patch is curved.
+fn of_turn(rows: &[ContactDocument]) -> Option<Remark> {
+    /// \[rad\]: half a width over the radius of 0.2, from which on the half-space is no longer a good neighbour of the bodies.
+    const FLAT: f64 = 0.4;
+    let turns = rows.iter().filter_map(|row| row.turn_of_rail_rad);
+    let most = turns.map(f64::abs).fold(0.0, f64::max);
+    (most > FLAT).then(|| {
+        let degrees = most.to_degrees();
+        Remark::new(
+            format!(
+                "the rail turns by {degrees:.0}° across a patch, which is taken as flat on a half-space: that holds to some 23°, half a width \
+                 over the radius of 0.2; beyond, the contact is conformal, and stiffer than told"
+            ),
+            format!(
+                "die Schiene dreht sich über eine Berührfläche um {degrees:.0}°, die als eben auf einem Halbraum gilt: das trägt bis etwa 23°, \
+                 halbe Breite durch Radius 0,2; darüber ist der Kontakt konform und steifer als angegeben"
+            ),
+        )
+    })
+}
