@@ -215,14 +215,15 @@ fn wheels_are_pressed_on_their_rails() {
         let (left, right) = (number(&left[key]), number(&right[key]));
         assert!((left / right - 1.0).abs() < 1e-2, "{key}: {left} {right}");
     }
-    let hertz = &right["hertz"];
-    let ratio = number(&right["peak_pressure_pa"]) / number(&hertz["peak_pressure_pa"]);
-    assert!((ratio - 1.0).abs() < 0.05, "{ratio}");
-    let stiffness = number(&right["stiffness_n_per_m"]);
-    let secant = 60e3 / number(&right["approach_m"]);
-    // Hertz: dP/dδ = 3/2 P/δ.
+    // Two millimetres to the left the patch of the right wheel stays on one radius of either profile.
+    let peak = |of: &Value| number(&of["peak_pressure_pa"]);
+    let ratio = peak(&aside) / peak(&aside["hertz"]);
+    assert!((ratio - 1.0).abs() < 5e-3, "{ratio}");
+    let stiffness = number(&aside["stiffness_n_per_m"]);
+    let secant = 60e3 / number(&aside["approach_m"]);
+    // Hertz: dP/dδ = 3/2 P/δ; the wheel's radius changes a little over the patch.
     assert!(
-        (stiffness / secant - 1.5).abs() < 0.05,
+        (stiffness / secant - 1.5).abs() < 0.02,
         "{stiffness} {secant}"
     );
     // The elements of the table carry the load.
