@@ -41,7 +41,8 @@ type Growth<'a> = dyn Fn(f64) -> Result<Complex64, CaseError> + Sync + 'a;
 impl Linear {
     /// The waves of a ring before any wheel, of heights \[m\] at equal distances \[m\], under the mean of the wheels.
     ///
-    /// On discrete supports the growth is that of a wave [alone](riffel::growth::GrowthWithNeighbours::alone).
+    /// On discrete supports the growth is that of a wave [alone](riffel::growth::GrowthWithNeighbours::alone); on all axes, the mean of
+    /// that at places of the bay, each as if the wheels stayed there.
     ///
     /// # Errors
     /// Those of [`Case::growth_with_neighbours`].
@@ -126,18 +127,29 @@ impl Linear {
 fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError> {
     /// Neighbours of a wave on each side, where these have a wavelength.
     const NEIGHBOURS: usize = 3;
-    if let Some(spacing) = case.track.support_spacing() {
-        let most = (0.99 * spacing / wavelength) as usize;
-        let growth = case.growth_with_neighbours(wavelength, speed, most.min(NEIGHBOURS))?;
-        return Ok(growth.alone());
-    }
-    Ok(match &case.feedback {
-        Loop::Longitudinal(feedback) => {
+    /// Of a bay: harmonics of it from this one on, some 10⁻³, stay in the mean.
+    const PLACES: u32 = 16;
+    Ok(match (&case.feedback, case.track.support_spacing()) {
+        (Loop::Longitudinal(_), Some(spacing)) => {
+            let most = (0.99 * spacing / wavelength) as usize;
+            let most = most.min(NEIGHBOURS);
+            case.growth_with_neighbours(wavelength, speed, most)?
+                .alone()
+        }
+        (Loop::Longitudinal(feedback), None) => {
             let state = feedback.at(wavelength, speed);
             let energy = state.dissipation_at_rail / speed / feedback.amplitude;
             -feedback.wear.depth_per_energy() * energy
         }
-        Loop::General(feedback) => feedback.complex_growth_rate(wavelength, speed),
+        (Loop::General(feedback), Some(spacing)) => {
+            let at = |place: u32| {
+                let position = spacing * f64::from(place) / f64::from(PLACES);
+                let there = feedback.clone().at_position(position);
+                there.complex_growth_rate(wavelength, speed)
+            };
+            (0..PLACES).map(at).sum::<Complex64>() / f64::from(PLACES)
+        }
+        (Loop::General(feedback), None) => feedback.complex_growth_rate(wavelength, speed),
     })
 }
 
