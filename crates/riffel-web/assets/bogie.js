@@ -52,7 +52,7 @@ export function startBogie({ state, listen, complain, banner }) {
   place.append(
     element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...numbers, worded('p', 'bogie_intro', { className: 'why' })),
     element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'profiles_panel')), outlines, curvatures),
-    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'wheels_panel')), trouble, table, remarks),
+    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'wheels_panel')), trouble, element('div', { className: 'sideways' }, table), remarks),
   );
 
   function choose(kind, profile) {

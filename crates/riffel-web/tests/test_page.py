@@ -498,6 +498,8 @@ def test_any_size_of_window(open_page, name, width, height):
     for view in VIEWS:
         page.page.click(f"#tab-{view}")
         page.page.wait_for_timeout(300)
+        if view == "curve":
+            page.page.wait_for_selector("#wheels tbody tr")
         wide = page.page.evaluate("() => document.documentElement.scrollWidth")
         assert wide <= width, f"{view} is {wide} wide"
         if view == "compare":
