@@ -73,6 +73,19 @@ impl MovingLoadTrack {
         })
     }
 
+    /// `Ok` if a load that does not oscillate stays below its critical speed at the speed \[m/s\].
+    pub(super) fn check_steady_load(&self, speed: f64) -> Result<(), Error> {
+        if speed < self.critical_speed(0.0) {
+            return Ok(());
+        }
+        Err(Error::OutOfRange {
+            quantity: "speed",
+            value: speed,
+            unit: "m/s",
+            rule: "must stay below the critical speed of the track",
+        })
+    }
+
     /// Smallest value over the wavenumbers 1e-4 … 1e4 rad/m.
     fn slowest(&self, speed: impl Fn(f64) -> f64) -> f64 {
         let ends = [1e-4f64.ln(), 1e4f64.ln()];

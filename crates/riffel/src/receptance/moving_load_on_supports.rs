@@ -51,14 +51,7 @@ impl MovingLoadOnSupports {
         Error::unless_positive("speed", speed, "m/s")?;
         let (rail, support, spacing) = track.parts();
         let even = MovingLoadTrack::new(rail, Some(support.per_metre(spacing)?));
-        if speed >= even.critical_speed(0.0) {
-            return Err(Error::OutOfRange {
-                quantity: "speed",
-                value: speed,
-                unit: "m/s",
-                rule: "must stay below the critical speed of the track",
-            });
-        }
+        even.check_steady_load(speed)?;
         Ok(Self {
             rail,
             support,

@@ -64,14 +64,7 @@ impl SpatialMovingLoad {
         };
         let even = track.spread(spacing)?;
         let down = MovingLoadTrack::new(even.rail().vertical, even.supports().vertical);
-        if speed >= down.critical_speed(0.0) {
-            return Err(Error::OutOfRange {
-                quantity: "speed",
-                value: speed,
-                unit: "m/s",
-                rule: "must stay below the critical speed of the track",
-            });
-        }
+        down.check_steady_load(speed)?;
         Ok(Self {
             track: *track,
             even,
