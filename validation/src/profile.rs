@@ -233,7 +233,7 @@ pub(crate) fn equivalent_conicity() -> Row {
         .map(|(_, description)| (nominal(description), *description, 1.0));
     for (wheelset, description, size) in tables.chain([(measured(), MEASURED[0].1, 5.0)]) {
         let description: Value = serde_json::from_str(description).expect("valid JSON");
-        let table = ContactTable::new(&wheelset, [0.46; 2], 0.010, 1e-4).expect("a table");
+        let table = ContactTable::new(&wheelset, 0.46, 0.010, 1e-4).expect("a table");
         let conicities = description["equivalent_conicity"]
             .as_object()
             .expect("conicities");

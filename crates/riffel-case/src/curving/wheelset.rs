@@ -4,8 +4,8 @@ use std::path::Path;
 
 use riffel::curving::{ContactPlane, Kinematics};
 use riffel::profile::{
-    ContactTable, NOMINAL, NominalProfile, Profile, ProfileError, Track, WheelDimensions, Wheels,
-    WheelsetOnTrack,
+    ContactTable, NOMINAL, NominalProfile, Profile, ProfileError, RollingTable, Track,
+    WheelDimensions, Wheels, WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Remark};
@@ -108,7 +108,8 @@ impl CurvingCase {
     /// # Errors
     /// As [`wheelset_on_track`](Self::wheelset_on_track), and where the centred wheelset does not touch both rails.
     pub fn contact_table(&self, wheelset: &WheelsetOnTrack) -> Result<ContactTable, CaseError> {
-        ContactTable::new(wheelset, self.rolling_radii(), FARTHEST, STEP)
+        let [_, right] = self.rolling_radii();
+        ContactTable::new(wheelset, right, FARTHEST, STEP)
             .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))
     }
 
@@ -228,8 +229,10 @@ impl CurvingCase {
             return Err(self.text.keys.invalid(key, rule, ""));
         }
         let wheelset = self.wheelset_on_track()?;
+        let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), FARTHEST, STEP)
+            .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))?;
         Ok(Kinematics::Nonlinear {
-            surfaces: Arc::new(self.contact_table(&wheelset)?),
+            surfaces: Arc::new(surfaces),
             contact_plane,
             flange: None,
         })

@@ -107,11 +107,13 @@ impl<'a> Balance<'a> {
         let motion = &unknowns[first + 3 * own..first + 3 * own + 3];
         let normal = first + places.normal + 2 * own;
         let place = way::place(vehicle.kinematics.two_points(), motion[0]);
+        let Some(lateral_shift) = vehicle.kinematics.axle_shift(place.shift) else {
+            return Ok(None);
+        };
         let motion = WheelsetMotion {
             curvature: self.fraction / vehicle.curve.radius,
             half_spacing: 0.5 * vehicle.axle.contact_spacing,
             reference_radius: vehicle.axle.rolling_radii[1],
-            lateral_shift: place.lateral_shift,
             yaw: motion[1],
             rotation: motion[2],
         };
@@ -134,7 +136,7 @@ impl<'a> Balance<'a> {
             return Ok(None);
         };
         Ok(wheel(1)?.map(|right| Rolling {
-            lateral_shift: place.lateral_shift,
+            lateral_shift,
             wheels: [left, right],
         }))
     }

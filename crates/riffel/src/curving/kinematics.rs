@@ -55,6 +55,14 @@ impl Kinematics {
         }
     }
 
+    /// Lateral shift of the axle \[m\] at a shift \[m\] at the level of the rails; none off the track.
+    pub(super) fn axle_shift(&self, shift: f64) -> Option<f64> {
+        match self {
+            Self::Linear { .. } => Some(shift),
+            Self::Nonlinear { surfaces, .. } => surfaces.axle_shift(shift),
+        }
+    }
+
     /// Lateral force \[N\] of a flange that is a spring at a lateral shift \[m\].
     pub(super) fn flange_force(&self, lateral_shift: f64) -> f64 {
         match self {

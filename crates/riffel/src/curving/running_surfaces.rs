@@ -13,22 +13,30 @@ pub struct RollingPosition {
     pub lateral_curvature: Option<f64>,
 }
 
-/// A lateral shift at which a wheel stands on two points, past which it stands on the other of them.
+/// A shift of a wheelset at which a wheel stands on two points, past which it stands on the other of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TwoPoints {
     /// The rail of the wheel.
     pub rail: Rail,
-    /// The shift \[m\].
-    pub lateral_shift: f64,
+    /// The shift at the level of the rails \[m\].
+    pub shift: f64,
     /// Where it stands below that shift and above it.
     pub positions: [RollingPosition; 2],
 }
 
 /// The running surfaces of a wheelset on its track, without yaw.
+///
+/// They are told over the shift η \[m\] of the wheelset at the level of the rails, positive to the right. As it rolls the axle
+/// goes another way.
 pub trait RunningSurfaces: Send + Sync {
-    /// Where a wheel runs at the lateral shift y \[m\] of its wheelset, positive to the right; none where the wheelset
-    /// has left the track.
-    fn position(&self, rail: Rail, lateral_shift: f64) -> Option<RollingPosition>;
+    /// Where a wheel runs at a shift; none where the wheelset has left the track.
+    fn position(&self, rail: Rail, shift: f64) -> Option<RollingPosition>;
+
+    /// Lateral shift y of the axle \[m\] at a shift; none where the wheelset has left the track. Surfaces that leave roll out have
+    /// y = η.
+    fn axle_shift(&self, shift: f64) -> Option<f64> {
+        Some(shift)
+    }
 
     /// Shifts at which a wheel stands on two points, in their order; between them positions are continuous.
     fn two_points(&self) -> &[TwoPoints] {
@@ -44,9 +52,9 @@ pub struct Cone {
 }
 
 impl RunningSurfaces for Cone {
-    fn position(&self, rail: Rail, lateral_shift: f64) -> Option<RollingPosition> {
+    fn position(&self, rail: Rail, shift: f64) -> Option<RollingPosition> {
         Some(RollingPosition {
-            radius_change: self.conicity * rail.sign() * lateral_shift,
+            radius_change: self.conicity * rail.sign() * shift,
             contact_angle: self.conicity.atan(),
             lateral_curvature: None,
         })
@@ -69,8 +77,8 @@ pub struct ConeWithFlangePlane {
 }
 
 impl RunningSurfaces for ConeWithFlangePlane {
-    fn position(&self, rail: Rail, lateral_shift: f64) -> Option<RollingPosition> {
-        let y = rail.sign() * lateral_shift;
+    fn position(&self, rail: Rail, shift: f64) -> Option<RollingPosition> {
+        let y = rail.sign() * shift;
         let rise = 0.5 * (self.slope - self.conicity);
         let reduced = (y - self.shift) / self.width;
         let log_cosh = |u: f64| u.abs() + (-2.0 * u.abs()).exp().ln_1p() - std::f64::consts::LN_2;

@@ -76,7 +76,7 @@ impl ConeAndFlange {
             };
             TwoPoints {
                 rail,
-                lateral_shift: rail.sign() * Self::SHIFT,
+                shift: rail.sign() * Self::SHIFT,
                 positions: [below, above],
             }
         };

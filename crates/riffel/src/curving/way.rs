@@ -1,9 +1,9 @@
 //! The way of a wheelset across the track, on which two-point contact has a length.
 //!
-//! A rigid wheel whose contact jumps from one place to another touches both at one lateral shift y*. There y is held and how
-//! the two normal forces share the load is free, P₁ ≥ 0 and P₂ ≥ 0; before it P₂ = 0, after it P₁ = 0. One coordinate u tells
-//! all three: y = u before, y = y* while the share of the second point goes from 0 to 1 over a length, y = u less that
-//! length after. Equilibrium is continuous in u, and complementarity holds by construction.
+//! A rigid wheel whose contact jumps from one place to another touches both at one shift η* at the level of the rails. There η
+//! is held and how the two normal forces share the load is free, P₁ ≥ 0 and P₂ ≥ 0; before it P₂ = 0, after it P₁ = 0. One
+//! coordinate u tells all three: η = u before, η = η* while the share of the second point goes from 0 to 1 over a length,
+//! η = u less that length after. Equilibrium is continuous in u, and complementarity holds by construction.
 
 use super::TwoPoints;
 use crate::Rail;
@@ -14,8 +14,8 @@ const LENGTH: f64 = 1e-3;
 /// A place on the way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'a> {
-    /// Lateral shift y \[m\].
-    pub(super) lateral_shift: f64,
+    /// Shift η at the level of the rails \[m\].
+    pub(super) shift: f64,
     /// Where a wheel stands on two points, and the share of its normal force on the second, 0 to 1.
     pub(super) between: Option<(&'a TwoPoints, f64)>,
 }
@@ -29,7 +29,7 @@ impl Place<'_> {
 
 /// The place of a coordinate u \[m\], with jumps in the order of their shifts. Zero is the centred wheelset.
 pub(super) fn place(jumps: &[TwoPoints], u: f64) -> Place<'_> {
-    let middle = jumps.partition_point(|jump| jump.lateral_shift < 0.0);
+    let middle = jumps.partition_point(|jump| jump.shift < 0.0);
     let mut passed = 0.0;
     let outward: &mut dyn Iterator<Item = &TwoPoints> = if u >= 0.0 {
         &mut jumps[middle..].iter()
@@ -37,32 +37,32 @@ pub(super) fn place(jumps: &[TwoPoints], u: f64) -> Place<'_> {
         &mut jumps[..middle].iter().rev()
     };
     for jump in outward {
-        let beyond = u.abs() - passed - jump.lateral_shift.abs();
+        let beyond = u.abs() - passed - jump.shift.abs();
         if beyond < 0.0 {
             break;
         }
         if beyond <= LENGTH {
             let share = beyond / LENGTH;
             return Place {
-                lateral_shift: jump.lateral_shift,
+                shift: jump.shift,
                 between: Some((jump, if u >= 0.0 { share } else { 1.0 - share })),
             };
         }
         passed += LENGTH;
     }
     Place {
-        lateral_shift: u - passed.copysign(u),
+        shift: u - passed.copysign(u),
         between: None,
     }
 }
 
-/// The coordinate u \[m\] of a lateral shift \[m\] beside all jumps.
-pub(super) fn coordinate(jumps: &[TwoPoints], lateral_shift: f64) -> f64 {
+/// The coordinate u \[m\] of a shift \[m\] beside all jumps.
+pub(super) fn coordinate(jumps: &[TwoPoints], shift: f64) -> f64 {
     let passed = jumps.iter().filter(|jump| {
-        let at = jump.lateral_shift;
-        (at >= 0.0) == (lateral_shift >= 0.0) && at.abs() < lateral_shift.abs()
+        let at = jump.shift;
+        (at >= 0.0) == (shift >= 0.0) && at.abs() < shift.abs()
     });
-    lateral_shift + (LENGTH * passed.count() as f64).copysign(lateral_shift)
+    shift + (LENGTH * passed.count() as f64).copysign(shift)
 }
 
 #[cfg(test)]
@@ -72,21 +72,21 @@ mod tests {
 
     #[test]
     fn the_way_is_continuous_and_turns_back() {
-        let jump = |lateral_shift| TwoPoints {
+        let jump = |shift| TwoPoints {
             rail: Rail::Right,
-            lateral_shift,
+            shift,
             positions: [RollingPosition::default(); 2],
         };
         let jumps = [-0.006, -0.001, 0.002, 0.006].map(jump);
         for shift in [-0.008, -0.003, -0.0005, 0.0, 0.001, 0.004, 0.007] {
             let there = place(&jumps, coordinate(&jumps, shift));
-            assert!((there.lateral_shift - shift).abs() < 1e-15 && there.between.is_none());
+            assert!((there.shift - shift).abs() < 1e-15 && there.between.is_none());
         }
         // The share of the point of larger shifts falls from one to zero on the way to the left.
         let mut last = place(&jumps, 0.009);
         for index in (-9000..9000).rev() {
             let next = place(&jumps, 1e-6 * f64::from(index));
-            let fallen = last.lateral_shift - next.lateral_shift;
+            let fallen = last.shift - next.shift;
             assert!((-1e-12..=1.001e-6).contains(&fallen));
             if let (Some((one, before)), Some((other, after))) = (last.between, next.between) {
                 assert!(one == other && (before - after - 1e-3).abs() < 1e-9);

@@ -14,8 +14,6 @@ pub(super) struct WheelsetMotion {
     pub(super) half_spacing: f64,
     /// Radius r₀ of the right wheel \[m\], to which the rotation refers.
     pub(super) reference_radius: f64,
-    /// Lateral shift y \[m\].
-    pub(super) lateral_shift: f64,
     /// Yaw ψ \[rad\].
     pub(super) yaw: f64,
     /// Ω r₀/V − 1 \[-\].
@@ -48,9 +46,16 @@ pub(super) fn wheel_on_rail(
     creep: &Creep,
 ) -> Result<Option<WheelOnRail>, Error> {
     match kinematics {
-        Kinematics::Linear { conicity } => {
-            linear(rail, radius, motion, normal_force, *conicity, creep).map(Some)
-        }
+        Kinematics::Linear { conicity } => linear(
+            rail,
+            radius,
+            motion,
+            place.shift,
+            normal_force,
+            *conicity,
+            creep,
+        )
+        .map(Some),
         Kinematics::Nonlinear {
             surfaces,
             contact_plane,
@@ -64,7 +69,7 @@ pub(super) fn wheel_on_rail(
                     .map(Some),
             };
             let Some((points, share)) = place.two_points(rail) else {
-                let position = surfaces.position(rail, motion.lateral_shift);
+                let position = surfaces.position(rail, place.shift);
                 return position.map_or(Ok(None), |position| at(&position, normal_force));
             };
             let [below, above] = points.positions;
@@ -91,12 +96,13 @@ fn linear(
     rail: Rail,
     radius: f64,
     motion: &WheelsetMotion,
+    lateral_shift: f64,
     normal_force: f64,
     conicity: f64,
     creep: &Creep,
 ) -> Result<WheelOnRail, Error> {
     let side = rail.sign();
-    let radius_change = side * conicity * motion.lateral_shift;
+    let radius_change = side * conicity * lateral_shift;
     let curve = side * motion.half_spacing * motion.curvature;
     let creepages = Creepages {
         longitudinal: -motion.rotation - curve - radius_change / radius,

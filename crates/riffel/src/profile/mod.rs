@@ -13,6 +13,7 @@ mod loaded_contact;
 mod nominal;
 #[allow(clippy::module_inception)]
 mod profile;
+mod rolling_table;
 mod smoothing;
 mod spline;
 mod wear;
@@ -26,6 +27,7 @@ pub use error::ProfileError;
 pub use loaded_contact::LoadedContact;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};
+pub use rolling_table::RollingTable;
 pub use smoothing::SmoothedPoints;
 pub use wear::{ProfileAlignment, ProfileWear, WornPoint};
 pub use wheelset_on_track::{ProfileContact, Track, Wheels, WheelsetContact, WheelsetOnTrack};

@@ -307,8 +307,37 @@ impl WheelsetOnTrack {
     /// # Errors
     /// [`ProfileError::NoContact`] where a wheel has left its rail.
     pub fn contact(&self, lateral_shift: f64, yaw: f64) -> Result<WheelsetContact, ProfileError> {
+        self.rolled(|_| (lateral_shift, 0.0), yaw)
+    }
+
+    /// Where the wheelset touches if it is shifted by η \[m\] at the level of the rails: its axle has the lateral shift
+    /// y = η + r₀ sin φ, with the radius r₀ of the right wheel on its datum circle.
+    ///
+    /// On a flange the wheelset rolls back as it climbs: dy/dη = 1 − r₀ tan γ/2s, so that where r₀ tan γ > 2s one lateral shift of
+    /// the axle has several contacts, or none. η has one. Method, accuracy, cost and errors are those of
+    /// [`contact`](Self::contact).
+    ///
+    /// # Errors
+    /// [`ProfileError::NoContact`] where a wheel has left its rail.
+    pub fn contact_at_rail_level(
+        &self,
+        shift: f64,
+        yaw: f64,
+    ) -> Result<WheelsetContact, ProfileError> {
+        let radius = self.wheels.wheels[1].rolling_radius;
+        let of_roll = |roll: f64| (shift + radius * roll.sin(), radius * roll.cos());
+        self.rolled(of_roll, yaw)
+    }
+
+    /// Contact at the roll at which both wheels touch, with the lateral shift of the axle \[m\] and its slope over that roll.
+    fn rolled(
+        &self,
+        shift_of_roll: impl Fn(f64) -> (f64, f64),
+        yaw: f64,
+    ) -> Result<WheelsetContact, ProfileError> {
+        let shift_without_roll = shift_of_roll(0.0).0;
         let failed = |rail: Rail| ProfileError::NoContact {
-            lateral_shift,
+            lateral_shift: shift_without_roll,
             yaw,
             rail: rail.name(),
         };
@@ -320,6 +349,7 @@ impl WheelsetOnTrack {
                 near.iter_mut().for_each(Vec::clear);
                 scanned = roll;
             }
+            let (lateral_shift, shift_slope) = shift_of_roll(roll);
             let [left, right] = Rail::BOTH.map(|rail| {
                 let attitude = attitude(rail, lateral_shift, yaw, roll);
                 self.touches(rail, &attitude, &mut near[place(rail)])
@@ -327,10 +357,13 @@ impl WheelsetOnTrack {
             let left = left.ok_or_else(|| failed(Rail::Left))?;
             let right = right.ok_or_else(|| failed(Rail::Right))?;
             let difference = right[0].height - left[0].height;
+            // Of the height of touch over the roll, right side down, with the shift that goes with it.
             let rate = |rail: Rail, touch: &Touch| {
                 let attitude = attitude(rail, lateral_shift, yaw, roll);
                 let outline = self.outline(rail, touch.x_wheel, &attitude);
-                outline.map(|outline| -outline.slope * outline.down - outline.across)
+                outline.map(|outline| {
+                    -outline.slope * outline.down - outline.across + outline.slope * shift_slope
+                })
             };
             let slope = match (rate(Rail::Right, &right[0]), rate(Rail::Left, &left[0])) {
                 (Some(right), Some(left)) => right + left,
@@ -355,14 +388,14 @@ impl WheelsetOnTrack {
             // Flanges are steep: a step of the roll leaves the neighbourhood in which slopes hold.
             roll -= step.clamp(-5e-3, 5e-3);
             if roll.abs() > 0.2 {
-                return Err(failed(if lateral_shift > 0.0 {
+                return Err(failed(if shift_without_roll > 0.0 {
                     Rail::Left
                 } else {
                     Rail::Right
                 }));
             }
         }
-        Err(failed(if lateral_shift > 0.0 {
+        Err(failed(if shift_without_roll > 0.0 {
             Rail::Right
         } else {
             Rail::Left
