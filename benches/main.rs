@@ -5,6 +5,7 @@
 
 mod contact;
 mod contestant;
+mod curving;
 mod first_build;
 mod general;
 mod passage;
@@ -68,8 +69,9 @@ fn main() -> Result<(), Failure> {
         match &*section {
             "general" => general::report(&mut text, folder, &mut one, &mut two)?,
             "contact" => contact::report(&mut text, &mut one)?,
+            "curving" => curving::report(&mut text, &mut one, &mut two)?,
             "passage" => passage::report(&mut text, folder, &mut one)?,
-            _ => return Err("sections are general, contact and passage".into()),
+            _ => return Err("sections are general, contact, curving and passage".into()),
         }
         println!("{text}");
         return Ok(());
@@ -114,6 +116,7 @@ fn contest() -> Result<(), Failure> {
         let (seconds, sum) = match task {
             "receptance" => receptance(points.parse()?)?,
             "contact" => contact::task(track, points.parse()?)?,
+            "curving" => curving::task(track, points.parse()?)?,
             "general" => general::task(track, points.parse()?)?,
             "passage" => passage::task(track, points.parse()?)?,
             "study" => study::contest(points.parse()?)?,
@@ -291,6 +294,7 @@ fn report(folder: &Path) -> Result<String, Failure> {
     report_tracks(&mut text, &mut one)?;
     general::report(&mut text, folder, &mut one, &mut two)?;
     contact::report(&mut text, &mut one)?;
+    curving::report(&mut text, &mut one, &mut two)?;
     passage::report(&mut text, folder, &mut one)?;
     roughness::report(&mut text, folder, &mut one, &mut two)?;
     study::report(&mut text, folder, &mut one, &mut two)?;

@@ -1,11 +1,15 @@
 //! What the reader of an equilibrium should know.
 
+use riffel::Rail;
 use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
 
 /// Lateral shift \[m\] beyond the play that wheelsets have to their flanges.
 const PLAY: f64 = 0.01;
+
+/// A flange that yaw lets meet its rail earlier by this is told of \[m\]: gauges are kept to some tenths of a millimetre.
+const EARLIER: f64 = 1e-4;
 
 /// Remarks on an equilibrium.
 pub(super) fn of(
@@ -76,5 +80,36 @@ pub(super) fn of(
             ),
         ));
     }
+    remarks.extend(flange_under_yaw(case, state));
     remarks
+}
+
+/// The geometry of the contacts is that without yaw: what yaw does to the play of the most yawed wheelset.
+fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
+    let wheelset_on_track = case.wheelset_on_track().ok()?;
+    let (index, wheelset) = state
+        .wheelsets
+        .iter()
+        .enumerate()
+        .max_by(|one, other| one.1.yaw.abs().total_cmp(&other.1.yaw.abs()))?;
+    let rail = match wheelset.lateral_shift > 0.0 {
+        true => Rail::Right,
+        false => Rail::Left,
+    };
+    let straight = wheelset_on_track.flange_shift(rail, 0.0)?;
+    let yawed = wheelset_on_track.flange_shift(rail, wheelset.yaw)?;
+    (straight - yawed > EARLIER).then(|| {
+        let (number, yaw) = (index + 1, 1e3 * wheelset.yaw.abs());
+        let (straight, yawed) = (1e3 * straight, 1e3 * yawed);
+        Remark::new(
+            format!(
+                "with its yaw of {yaw:.0} mrad wheelset {number} has {yawed:.1} mm to its flange, not the {straight:.1} mm of the tables: \
+                 contacts are placed as without yaw"
+            ),
+            format!(
+                "mit seinem Gierwinkel von {yaw:.0} mrad hat Radsatz {number} {yawed:.1} mm bis zum Spurkranz, nicht die {straight:.1} mm \
+                 der Tabellen: Kontakte liegen, wo sie ohne Gieren liegen"
+            ),
+        )
+    })
 }

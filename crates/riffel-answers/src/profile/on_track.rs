@@ -101,12 +101,12 @@ impl OnTrackAnswer {
     /// [`AnswerError`] for profiles that cannot be read or do not fit, and where a wheel has left its rail.
     pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self, AnswerError> {
         let wheelset = case.wheelset_on_track()?;
-        let contacts = shifts.iter().map(|shift| {
-            wheelset
-                .contact(*shift, yaw)
-                .map_err(|error| AnswerError::Profile(error.to_string()))
-        });
-        let contacts = contacts.collect::<Result<Vec<_>, _>>()?;
+        let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();
+        let contacts = wheelset
+            .contacts(&places)
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(|error| AnswerError::Profile(error.to_string()))?;
         let table: ContactTable = case.contact_table(&wheelset)?;
         let spacing = wheelset.wheels.spacing();
         let conicities = AMPLITUDES.iter().filter_map(|amplitude| {

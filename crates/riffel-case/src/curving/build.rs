@@ -5,7 +5,7 @@ use std::sync::Arc;
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
 use riffel::curving::{
     Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics,
-    RunningSurfaces, VehicleInCurve,
+    LawOnEllipse, RunningSurfaces, VehicleInCurve,
 };
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
@@ -236,6 +236,11 @@ impl CurvingCase {
             }
             None => None,
         };
+        if law == CurvingLaw::Fastsim && ellipse.is_some() {
+            let rule = "is set, but creep_law = \"fastsim\" needs the ellipse itself, which coefficients do not tell";
+            let help = "leave it out, or choose contact.creep_law = \"shen-hedrick-elkins\"";
+            return Err(keys.invalid("contact.creep_coefficients", rule, help));
+        }
         let [left, right] = contact
             .friction
             .of_rails()
@@ -245,6 +250,10 @@ impl CurvingCase {
                     .map(|law| Creep::Law(Arc::new(law)))
                     .map_err(physics),
                 (_, None) => Ok(Creep::Local {
+                    law: match law {
+                        CurvingLaw::Fastsim => LawOnEllipse::Fastsim,
+                        _ => LawOnEllipse::ShenHedrickElkins,
+                    },
                     material: material()?,
                     rolling_radius: self.file.wheel.rolling_radius.si(),
                     lateral_curvature: match is_cone(profiles) {

@@ -331,6 +331,8 @@ pub enum CurvingLaw {
     Linear,
     /// Shen, Hedrick & Elkins (1983).
     ShenHedrickElkins,
+    /// FASTSIM of Kalker (1982), on 50 strips.
+    Fastsim,
 }
 
 impl CurvingLaw {
@@ -339,6 +341,7 @@ impl CurvingLaw {
         match name {
             "linear" => Some(Self::Linear),
             "shen-hedrick-elkins" => Some(Self::ShenHedrickElkins),
+            "fastsim" => Some(Self::Fastsim),
             _ => None,
         }
     }

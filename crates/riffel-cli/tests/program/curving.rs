@@ -309,6 +309,50 @@ fn tight_curves_stand_on_two_points() {
     assert_eq!(table.lines().count(), 1 + contacts);
 }
 
+/// On a flange of 70° the axle of 600 mm wheels turns back as they climb: they find their equilibrium on it as smaller ones do.
+#[test]
+fn large_wheels_stand_on_their_flanges() {
+    let sandbox = Sandbox::new();
+    let document = sandbox.json(
+        "curve cases/profiles.toml --set wheel.rolling_radius=0.6 --set curve.radius=150 --set curve.speed=11.6 --set curve.cant=0.1 --set \
+         'bogie.primary_longitudinal_stiffness=\"10 MN/m\"' --json",
+    );
+    let wheel = &document["wheels"][0];
+    assert_eq!(wheel["on_two_points"], true);
+    let angle = wheel["second_contact"]["contact_angle_rad"]
+        .as_f64()
+        .unwrap();
+    assert!((angle.to_degrees() - 70.0).abs() < 0.2, "{angle}");
+    assert!(document["residual"].as_f64().unwrap() < 1e-10);
+}
+
+/// FASTSIM is a law of the curve; it needs an ellipse. Yaw that takes play from the flange is told.
+#[test]
+fn fastsim_is_a_law_of_the_curve() {
+    let sandbox = Sandbox::new();
+    let law = "--set contact.creep_law=fastsim";
+    let forces = |law: &str| {
+        let document = sandbox.json(&format!(
+            "curve cases/profiles.toml --set curve.radius=\"60 m\" --set curve.speed=\"10 km/h\" {law} --json"
+        ));
+        assert!(
+            document["remarks"]
+                .to_string()
+                .contains("to its flange, not the")
+        );
+        document["wheels"][0]["lateral_force_n"].as_f64().unwrap()
+    };
+    assert!((forces(law) - forces("")).abs() > 10.0);
+    let coefficients = "--set 'contact.creep_coefficients={longitudinal=\"10 MN\", lateral=\"9 MN\", spin=\"20 kN m\", load=\"54 kN\"}'";
+    let refused = sandbox.riffel(&format!("curve {CASE} {law} {coefficients}"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(
+        refused.sentence().contains("needs the ellipse itself"),
+        "{}",
+        refused.text
+    );
+}
+
 /// Profiles that cannot be end in one sentence.
 #[test]
 fn profiles_that_cannot_be_are_refused() {

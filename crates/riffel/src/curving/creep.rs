@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::RollingPosition;
 use crate::contact::{
-    ContactBody, CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact,
-    KalkerCoefficients, ShenHedrickElkins,
+    ContactBody, CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim,
+    KalkerCoefficients, ShenHedrickElkins, TractionBound,
 };
 use crate::{ElasticMaterial, Error};
 
@@ -22,8 +22,10 @@ pub enum Creep {
     },
     /// A creep law, whatever the place of the contact.
     Law(Arc<dyn CreepLaw>),
-    /// The law of Shen, Hedrick & Elkins on the Hertz ellipse at the place of the contact.
+    /// A law on the Hertz ellipse at the place of the contact.
     Local {
+        /// The law.
+        law: LawOnEllipse,
         /// Material of wheel and rail.
         material: ElasticMaterial,
         /// Rolling radius r₀ \[m\].
@@ -35,7 +37,28 @@ pub enum Creep {
     },
 }
 
+/// A creep law that is made for each ellipse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LawOnEllipse {
+    /// [`ShenHedrickElkins`].
+    ShenHedrickElkins,
+    /// [`Fastsim`] on its usual grid and with Kalker's bound, a hundred times slower: creepage and spin together at any spin.
+    Fastsim,
+}
+
 impl Creep {
+    /// The same with a closed law in the place of one that is computed cell by cell; none where it is closed already.
+    pub(super) fn closed(&self) -> Option<Self> {
+        let mut closed = self.clone();
+        match &mut closed {
+            Self::Local { law, .. } if *law == LawOnEllipse::Fastsim => {
+                *law = LawOnEllipse::ShenHedrickElkins;
+                Some(closed)
+            }
+            _ => None,
+        }
+    }
+
     /// Coefficient of friction μ \[-\].
     pub fn friction(&self) -> f64 {
         match self {
@@ -57,9 +80,19 @@ impl Creep {
         Ok(match self {
             Self::Linear { ellipse, .. } => ellipse.under(normal_force).linear_forces(creepages),
             Self::Law(law) => law.forces(normal_force, creepages),
-            Self::Local { friction, .. } => {
-                ShenHedrickElkins::new(self.ellipse(normal_force, position)?, *friction)?
-                    .forces(normal_force, creepages)
+            Self::Local { law, friction, .. } => {
+                let ellipse = self.ellipse(normal_force, position)?;
+                match law {
+                    LawOnEllipse::ShenHedrickElkins => {
+                        ShenHedrickElkins::new(ellipse, *friction)?.forces(normal_force, creepages)
+                    }
+                    LawOnEllipse::Fastsim => {
+                        let (bound, divisions) =
+                            (TractionBound::default(), Fastsim::DEFAULT_DIVISIONS);
+                        Fastsim::new(ellipse, *friction, bound, divisions)?
+                            .forces(normal_force, creepages)
+                    }
+                }
             }
         })
     }

@@ -1,5 +1,7 @@
 //! Equilibrium of a vehicle in a curve.
 
+use rayon::prelude::*;
+
 use super::balance::Balance;
 use super::newton::{Root, root};
 use super::state::ContinuationStep;
@@ -13,17 +15,21 @@ const TOLERANCE: f64 = 1e-10;
 const SHORTEST: f64 = 1.0 / 4096.0;
 /// Two states are one if no shift \[m\] and no yaw \[rad\] differs by more.
 const SAME: f64 = 1e-8;
-/// Lateral shifts \[m\] of the wheelsets of a frame from which further states are sought.
+/// Shifts \[m\] of the wheelsets of a frame from which further states are sought.
 const STARTS: [f64; 5] = [-6e-3, -2.5e-3, 0.0, 2.5e-3, 6e-3];
+
+/// Unknowns at the curve, with the steps that led there.
+type Reached = (Vec<f64>, Vec<ContinuationStep>);
 
 impl VehicleInCurve {
     /// The equilibrium that straight track leads to as curvature, uncompensated acceleration, torques and moments
     /// grow together; where that way breaks off, one found from other starts.
     ///
-    /// Method: Newton with halved steps, steps of the continuation halved where it fails. Unknown are y, ψ and Ω of the
-    /// wheelsets, y and ψ of frames and the normal forces of the wheels. Where a wheel stands on two points y is held,
+    /// Method: Newton with halved steps, steps of the continuation halved where it fails. Unknown are the shifts, ψ and Ω of the
+    /// wheelsets, y and ψ of frames and the normal forces of the wheels. Where a wheel stands on two points its shift is held,
     /// and the share of each in the normal force takes its place as unknown, 0 to 1: both are what complementarity asks.
-    /// Cost: 0.2 ms with a closed creep law.
+    /// With FASTSIM the equilibrium of Shen, Hedrick & Elkins is the start of its own.
+    /// Cost: 0.2 ms with a closed creep law, some 50 ms with FASTSIM.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a value that no vehicle has; [`Error::OffTheRails`] for an equilibrium beyond
@@ -32,28 +38,27 @@ impl VehicleInCurve {
     /// tighter than the wheelsets can take.
     pub fn equilibrium(&self) -> Result<VehicleState, Error> {
         self.check()?;
-        let mut failure = None;
-        let reached = match self.continued(&mut failure) {
-            Ok((found, steps)) => return self.state(&found, steps).on_the_rails(),
-            Err(reached) => reached,
-        };
-        if let Some(found) = self.by_other_starts(&mut failure).into_iter().next() {
-            return self.state(&found, Vec::new()).on_the_rails();
-        }
-        if let Some(error) = self.torque_beyond_friction(self.loads(1.0)) {
-            return Err(error);
-        }
-        Err(failure.unwrap_or(Error::NoEquilibrium { reached }))
+        let (found, steps) = self.reach()?;
+        self.state(&found, steps).on_the_rails()
     }
 
     /// Every equilibrium found: first that of [`equilibrium`](Self::equilibrium), then those which other starts lead to.
-    /// That no other exists is not proved.
+    /// That no other exists is not proved. Cost: that of 25 equilibria of a wheelset or a bogie, and 45 of a vehicle, shared by
+    /// all threads.
     ///
     /// # Errors
     /// As [`equilibrium`](Self::equilibrium).
     pub fn equilibria(&self) -> Result<Vec<VehicleState>, Error> {
         let mut states = vec![self.equilibrium()?];
-        for found in self.by_other_starts(&mut None) {
+        let others = match self.with_closed_laws() {
+            None => self.by_other_starts().0,
+            Some(closed) => closed
+                .distinct(closed.by_other_starts().0)
+                .into_par_iter()
+                .filter_map(|start| Some(self.solve(1.0, start).ok()?.unknowns))
+                .collect(),
+        };
+        for found in others {
             let Ok(state) = self.state(&found, Vec::new()).on_the_rails() else {
                 continue;
             };
@@ -64,80 +69,153 @@ impl VehicleInCurve {
         Ok(states)
     }
 
+    /// The unknowns of the equilibrium, with the steps that led there.
+    fn reach(&self) -> Result<Reached, Error> {
+        if let Some(closed) = self.with_closed_laws() {
+            let (start, mut steps) = closed.reach()?;
+            if let Ok(found) = self.solve(1.0, start) {
+                steps.push(step(1.0, &found));
+                return Ok((found.unknowns, steps));
+            }
+        }
+        let (reached, failure) = match self.continued() {
+            Ok(found) => return Ok(found),
+            Err(broken_off) => broken_off,
+        };
+        let (others, failure_of_others) = self.by_other_starts();
+        if let Some(found) = others.into_iter().next() {
+            return Ok((found, Vec::new()));
+        }
+        if let Some(error) = self.torque_beyond_friction(self.loads(1.0)) {
+            return Err(error);
+        }
+        let failure = failure.or(failure_of_others);
+        Err(failure.unwrap_or(Error::NoEquilibrium { reached }))
+    }
+
+    /// The vehicle with closed creep laws in the place of those that cost much more; none where it has no other.
+    fn with_closed_laws(&self) -> Option<Self> {
+        let [left, right] = &self.creep;
+        let closed = [left.closed(), right.closed()];
+        closed.iter().any(Option::is_some).then(|| {
+            let [of_left, of_right] = closed;
+            Self {
+                creep: [
+                    of_left.unwrap_or_else(|| left.clone()),
+                    of_right.unwrap_or_else(|| right.clone()),
+                ],
+                ..self.clone()
+            }
+        })
+    }
+
+    /// Roots that lead to states of their own.
+    fn distinct(&self, roots: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+        let mut known: Vec<(VehicleState, Vec<f64>)> = Vec::new();
+        for unknowns in roots {
+            let state = self.state(&unknowns, Vec::new());
+            if known.iter().all(|(other, _)| differ(other, &state)) {
+                known.push((state, unknowns));
+            }
+        }
+        known.into_iter().map(|(_, unknowns)| unknowns).collect()
+    }
+
     fn scales(&self) -> Vec<f64> {
         let places = self.places();
         let of_frame = (0..places.unknowns).map(|place| match place < places.normal {
             true => 1e-3,
             false => self.static_load(),
         });
-        let frames = self.running_gear.wheelsets() / places.wheelsets;
-        of_frame.collect::<Vec<_>>().repeat(frames)
+        of_frame.collect::<Vec<_>>().repeat(self.frames())
     }
 
-    /// A start with the wheelsets of every frame at these shifts, all in line with the track.
-    fn start(&self, fraction: f64, shifts: [f64; 2]) -> Vec<f64> {
+    /// A start with the wheelsets of each frame at their shifts \[m\], all in line with the track.
+    fn start(&self, fraction: f64, of_frames: &[[f64; 2]]) -> Vec<f64> {
         let [left, right] = self.loads(fraction);
         let places = self.places();
-        let mut start = vec![0.0; places.unknowns];
-        for (own, shift) in shifts.iter().enumerate().take(places.wheelsets) {
-            start[3 * own] = way::coordinate(self.kinematics.two_points(), *shift);
-            start[places.normal + 2 * own] = left;
-            start[places.normal + 2 * own + 1] = right;
-        }
-        if places.normal > places.frame {
-            start[places.frame] = 0.5 * (shifts[0] + shifts[1]);
-        }
-        start.repeat(self.running_gear.wheelsets() / places.wheelsets)
-    }
-
-    fn solve(&self, fraction: f64, start: Vec<f64>, failure: &mut Option<Error>) -> Option<Root> {
-        let balance = Balance::at(self, fraction);
-        let found = root(&balance, start, &self.scales(), TOLERANCE);
-        if failure.is_none() {
-            *failure = balance.failure();
-        }
-        found
-    }
-
-    /// The root at the curve by continuation from straight track, or the share of the curve that was reached.
-    fn continued(
-        &self,
-        failure: &mut Option<Error>,
-    ) -> Result<(Vec<f64>, Vec<ContinuationStep>), f64> {
-        let mut steps = Vec::new();
-        let mut record = |fraction: f64, found: &Root| {
-            steps.push(ContinuationStep {
-                fraction,
-                residual: found.residual,
-                iterations: found.iterations,
-            });
+        let of_frame = |shifts: &[f64; 2]| {
+            let mut start = vec![0.0; places.unknowns];
+            for (own, shift) in shifts.iter().enumerate().take(places.wheelsets) {
+                start[3 * own] = way::coordinate(self.kinematics.two_points(), *shift);
+                start[places.normal + 2 * own] = left;
+                start[places.normal + 2 * own + 1] = right;
+            }
+            if places.normal > places.frame {
+                start[places.frame] = 0.5 * (shifts[0] + shifts[1]);
+            }
+            start
         };
-        let straight = self.solve(0.0, self.start(0.0, [0.0; 2]), failure);
-        let found = straight.ok_or(0.0)?;
-        record(0.0, &found);
-        let (mut reached, mut unknowns, mut step) = (0.0, found.unknowns, 0.25);
+        of_frames.iter().flat_map(of_frame).collect()
+    }
+
+    /// Frames, that of a lone wheelset too.
+    fn frames(&self) -> usize {
+        self.running_gear.wheelsets() / self.places().wheelsets
+    }
+
+    /// A root near a start, or the first failure that is not one of the equations.
+    fn solve(&self, fraction: f64, start: Vec<f64>) -> Result<Root, Option<Error>> {
+        let balance = Balance::at(self, fraction);
+        root(&balance, start, &self.scales(), TOLERANCE).ok_or_else(|| balance.failure())
+    }
+
+    /// The root at the curve by continuation from straight track, or the share of the curve that was reached and what failed.
+    fn continued(&self) -> Result<Reached, (f64, Option<Error>)> {
+        let centred = vec![[0.0; 2]; self.frames()];
+        let straight = self.solve(0.0, self.start(0.0, &centred));
+        let found = straight.map_err(|failure| (0.0, failure))?;
+        let mut steps = vec![step(0.0, &found)];
+        let (mut reached, mut unknowns, mut stride) = (0.0, found.unknowns, 0.25);
+        let mut failure = None;
         while reached < 1.0 {
-            let target = f64::min(reached + step, 1.0);
-            match self.solve(target, unknowns.clone(), failure) {
-                Some(found) => {
-                    record(target, &found);
+            let target = f64::min(reached + stride, 1.0);
+            match self.solve(target, unknowns.clone()) {
+                Ok(found) => {
+                    steps.push(step(target, &found));
                     (reached, unknowns) = (target, found.unknowns);
-                    step *= 2.0;
+                    stride *= 2.0;
                 }
-                None if step > SHORTEST => step *= 0.5,
-                None => return Err(reached),
+                Err(failed) => {
+                    failure = failure.or(failed);
+                    if stride <= SHORTEST {
+                        return Err((reached, failure));
+                    }
+                    stride *= 0.5;
+                }
             }
         }
         Ok((unknowns, steps))
     }
 
-    /// Roots at the curve from starts of shifted wheelsets.
-    fn by_other_starts(&self, failure: &mut Option<Error>) -> Vec<Vec<f64>> {
+    /// Roots at the curve from starts of shifted wheelsets, in the order of the starts, and the first failure.
+    fn by_other_starts(&self) -> (Vec<Vec<f64>>, Option<Error>) {
         let pairs = STARTS
             .iter()
             .flat_map(|first| STARTS.map(|second| [*first, second]));
-        let found = pairs.filter_map(|shifts| self.solve(1.0, self.start(1.0, shifts), failure));
-        found.map(|found| found.unknowns).collect()
+        let mut starts: Vec<Vec<[f64; 2]>> =
+            pairs.map(|shifts| vec![shifts; self.frames()]).collect();
+        if self.frames() == 2 {
+            // Bogies that stand at different places.
+            let apart = STARTS.iter().flat_map(|leading| {
+                let trailing = STARTS.iter().filter(move |trailing| *trailing != leading);
+                trailing.map(|trailing| vec![[*leading; 2], [*trailing; 2]])
+            });
+            starts.extend(apart);
+        }
+        let solved: Vec<Result<Root, Option<Error>>> = starts
+            .par_iter()
+            .map(|shifts| self.solve(1.0, self.start(1.0, shifts)))
+            .collect();
+        let mut found = Vec::new();
+        let mut failure = None;
+        for solved in solved {
+            match solved {
+                Ok(root) => found.push(root.unknowns),
+                Err(failed) => failure = failure.or(failed),
+            }
+        }
+        (found, failure)
     }
 
     fn state(&self, unknowns: &[f64], continuation: Vec<ContinuationStep>) -> VehicleState {
@@ -171,6 +249,14 @@ impl VehicleInCurve {
             body: balance.body,
             continuation,
         }
+    }
+}
+
+fn step(fraction: f64, found: &Root) -> ContinuationStep {
+    ContinuationStep {
+        fraction,
+        residual: found.residual,
+        iterations: found.iterations,
     }
 }
 

@@ -71,7 +71,7 @@ mod wheel_on_rail;
 
 pub use axle::Axle;
 pub use closed_form::{LinearWheelset, LinearWheelsetState, free_curving_shift};
-pub use creep::Creep;
+pub use creep::{Creep, LawOnEllipse};
 pub use curve::{Curve, GRAVITY};
 pub use kinematics::{ContactPlane, FlangeSpring, Kinematics};
 pub use limits::{FARTHEST_SHIFT, LARGEST_YAW};

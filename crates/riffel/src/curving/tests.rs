@@ -276,6 +276,55 @@ fn tight_curves_slide() {
     assert!(state.wheelsets[0].flange_force > 0.0 && state.wheelsets[0].angle_of_attack > 0.0);
 }
 
+/// FASTSIM has the slopes of Kalker's linear theory, as the law of Shen, Hedrick & Elkins does: in a wide curve both lead to one
+/// equilibrium, but for what FASTSIM's parabolic bound lets slide at the edge. In a tight one it keeps its own residual,
+/// its mirror image and μP.
+#[test]
+fn fastsim_finds_its_equilibrium_from_a_closed_law() {
+    let local = |law: LawOnEllipse, friction: f64| Creep::Local {
+        law,
+        material: crate::ElasticMaterial::new(210e9, 0.3).unwrap(),
+        rolling_radius: 0.46,
+        lateral_curvature: 1.0 / 0.3,
+        friction,
+    };
+    let vehicle = |law: LawOnEllipse, radius: f64, friction: [f64; 2]| VehicleInCurve {
+        curve: Curve {
+            radius,
+            cant: 0.05,
+            speed: 15.0,
+        },
+        axle: axle(),
+        running_gear: bogie(0.0),
+        drive_torque: vec![0.0; 2],
+        kinematics: tilted(false),
+        creep: friction.map(|friction| local(law, friction)),
+    };
+    let [closed, fastsim] = [LawOnEllipse::ShenHedrickElkins, LawOnEllipse::Fastsim]
+        .map(|law| vehicle(law, 20e3, [0.6; 2]).equilibrium().unwrap());
+    for (closed, fastsim) in closed.wheels.iter().zip(&fastsim.wheels) {
+        let (closed, fastsim) = (closed.creep_forces, fastsim.creep_forces);
+        let off = [
+            closed.longitudinal - fastsim.longitudinal,
+            closed.lateral - fastsim.lateral,
+        ];
+        // 3 % of the largest force, 8 kN.
+        assert!(off.iter().all(|off| off.abs() < 250.0), "{off:?}");
+    }
+    let tight = vehicle(LawOnEllipse::Fastsim, 300.0, [0.4, 0.2]);
+    let states = tight.equilibria().unwrap();
+    assert!(states.iter().all(|state| state.residual < 1e-10));
+    let mirrored = vehicle(LawOnEllipse::Fastsim, -300.0, [0.2, 0.4])
+        .equilibrium()
+        .unwrap();
+    for (one, other) in states[0].wheelsets.iter().zip(&mirrored.wheelsets) {
+        assert!((one.lateral_shift + other.lateral_shift).abs() < 1e-9);
+        assert!((one.yaw + other.yaw).abs() < 1e-9);
+    }
+    let ratios = states[0].wheels.iter().map(|wheel| wheel.tractive_ratio);
+    assert!(ratios.fold(0.0, f64::max) < 1.0 + 1e-9);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 

@@ -1,7 +1,5 @@
 //! Contact of a wheelset over its lateral shift, as a table.
 
-use rayon::prelude::*;
-
 use super::{EquivalentConicity, ProfileError, WheelsetContact, WheelsetOnTrack};
 
 /// Contacts of a wheelset without yaw at equal steps of the lateral shift of its axle, about the middle.
@@ -29,11 +27,10 @@ impl ContactTable {
         step: f64,
     ) -> Result<Self, ProfileError> {
         let count = (farthest / step).round() as i32;
-        let shifts: Vec<i32> = (-count..=count).collect();
-        let rows: Vec<Result<WheelsetContact, ProfileError>> = shifts
-            .par_iter()
-            .map(|place| wheelset.contact(step * f64::from(*place), 0.0))
+        let places: Vec<(f64, f64)> = (-count..=count)
+            .map(|place| (step * f64::from(place), 0.0))
             .collect();
+        let rows = wheelset.contacts(&places);
         let centre = count as usize;
         if let Err(error) = &rows[centre] {
             return Err(error.clone());

@@ -295,6 +295,25 @@ fn a_large_wheelset_rolls_back_on_its_flange() {
     assert!(high.lateral_shift < low.lateral_shift - 1e-5);
 }
 
+/// A yawed flange meets its rail ahead of the axle: of a flat flank with tan γ at the height z the shift falls by about
+/// r ψ² tan γ/2.
+#[test]
+fn yaw_takes_play_from_the_flange() {
+    let wheelset = wheelset("60E1", 0.025);
+    let play = |yaw: f64| wheelset.flange_shift(Rail::Right, yaw).unwrap();
+    assert!((play(0.0) - wheelset.flange_shift(Rail::Left, 0.0).unwrap()).abs() < 2e-6);
+    // 6.26 mm of the axle, which has rolled back by 0.3 mm there.
+    assert!((play(0.0) - 6.57e-3).abs() < 0.05e-3, "{}", play(0.0));
+    assert!((play(0.03) - play(-0.03)).abs() < 2e-6);
+    let fall = |yaw: f64| play(0.0) - play(yaw);
+    let parabola = 0.5 * 0.46 * 2.75 * 0.03_f64.powi(2);
+    assert!(
+        fall(0.03) > 0.5 * parabola && fall(0.03) < parabola,
+        "{}",
+        fall(0.03)
+    );
+}
+
 /// Between its rows and beside its jumps a table is the geometry itself.
 #[test]
 fn a_rolling_table_is_the_geometry_between_its_rows() {

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use rayon::prelude::*;
+
 use super::{Profile, ProfileError, ProfilePoint};
 use crate::Rail;
 
@@ -310,6 +312,12 @@ impl WheelsetOnTrack {
         self.rolled(|_| (lateral_shift, 0.0), yaw)
     }
 
+    /// [`contact`](Self::contact) at many lateral shifts \[m\] and yaws \[rad\], in their order, on all threads.
+    pub fn contacts(&self, places: &[(f64, f64)]) -> Vec<Result<WheelsetContact, ProfileError>> {
+        let contact = |(lateral_shift, yaw): &(f64, f64)| self.contact(*lateral_shift, *yaw);
+        places.par_iter().map(contact).collect()
+    }
+
     /// Where the wheelset touches if it is shifted by η \[m\] at the level of the rails: its axle has the lateral shift
     /// y = η + r₀ sin φ, with the radius r₀ of the right wheel on its datum circle.
     ///
@@ -327,6 +335,34 @@ impl WheelsetOnTrack {
         let radius = self.wheels.wheels[1].rolling_radius;
         let of_roll = |roll: f64| (shift + radius * roll.sin(), radius * roll.cos());
         self.rolled(of_roll, yaw)
+    }
+
+    /// Shift at the level of the rails \[m\], without sign, at which the wheel on one rail comes to stand on its flange, where its contact is
+    /// steeper than 45°; yaw \[rad\] makes it smaller, for the flange then meets the rail ahead of the axle. None where no
+    /// contact within 60 mm is so steep. Found to 1 µm in some 20 contacts.
+    pub fn flange_shift(&self, rail: Rail, yaw: f64) -> Option<f64> {
+        const STEEP: f64 = std::f64::consts::FRAC_PI_4;
+        const STEP: f64 = 1e-3;
+        let angle = |shift: f64| {
+            let contact = self.contact_at_rail_level(rail.sign() * shift, yaw).ok()?;
+            Some(contact.contacts[place(rail)].contact_angle)
+        };
+        let mut high = 0.0;
+        while angle(high)? < STEEP {
+            high += STEP;
+            if high > 0.06 {
+                return None;
+            }
+        }
+        let mut low = f64::max(high - STEP, 0.0);
+        while high - low > 1e-6 {
+            let middle = 0.5 * (low + high);
+            match angle(middle)? < STEEP {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Some(high)
     }
 
     /// Contact at the roll at which both wheels touch, with the lateral shift of the axle \[m\] and its slope over that roll.

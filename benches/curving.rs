@@ -1,0 +1,135 @@
+//! Geometry of a wheelset on its track, its exact contact, and a bogie in a curve.
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use riffel::Rail;
+use riffel_case::CurvingCase;
+
+use crate::contestant::{Contestant, Failure};
+use crate::median;
+
+const ROUNDS: usize = 11;
+/// Shifts of the geometry, 0.1 mm apart, at each of the yaws.
+const SHIFTS: i32 = 201;
+const YAWS: [f64; 3] = [0.0, 5e-3, 10e-3];
+/// Elements across the patch of the exact contact.
+const ELEMENTS: usize = 48;
+
+fn case(name: &str, overrides: &[&str]) -> Result<CurvingCase, Failure> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../cases")
+        .join(format!("{name}.toml"));
+    let overrides: Vec<String> = overrides.iter().map(|one| (*one).to_owned()).collect();
+    Ok(CurvingCase::read(&path, &overrides)?)
+}
+
+/// One task by its name, with the number of repetitions inside it.
+pub(crate) fn task(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
+    match name {
+        "geometry" => geometry(repeats),
+        "contact" => contact(repeats),
+        _ => equilibrium(name, repeats),
+    }
+}
+
+/// Both wheels of a wheelset at every shift and yaw.
+fn geometry(repeats: usize) -> Result<(f64, f64), Failure> {
+    let wheelset = case("profiles", &[])?.wheelset_on_track()?;
+    let places: Vec<(f64, f64)> = YAWS
+        .iter()
+        .flat_map(|yaw| (0..SHIFTS).map(|index| (1e-4 * f64::from(index - SHIFTS / 2), *yaw)))
+        .collect();
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for _ in 0..repeats {
+        let contacts = wheelset.contacts(black_box(&places));
+        let found = contacts.into_iter().flatten();
+        sum = found
+            .map(|contact| contact.rolling_radius_difference().abs())
+            .sum();
+    }
+    Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
+}
+
+/// The right wheel of a centred wheelset under a load, without stiffness.
+fn contact(repeats: usize) -> Result<(f64, f64), Failure> {
+    let case = case("profiles", &[])?;
+    let (wheelset, steel) = (case.wheelset_on_track()?, case.steel()?);
+    let place = wheelset.contact(0.0, 0.0)?;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for _ in 0..repeats {
+        let load = black_box(60e3);
+        sum = wheelset
+            .under_load(&place, Rail::Right, steel, load, ELEMENTS)?
+            .state()
+            .approach();
+    }
+    Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
+}
+
+/// One equilibrium of the bogie of a case, without the search for others; "CASE+LAW" names a creep law.
+fn equilibrium(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
+    let (name, law) = name
+        .split_once('+')
+        .unwrap_or((name, "shen-hedrick-elkins"));
+    let law = format!("contact.creep_law={law}");
+    let vehicle = case(name, &[&law])?.vehicle_in_curve()?;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for _ in 0..repeats {
+        sum = black_box(&vehicle).equilibrium()?.frictional_power;
+    }
+    Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
+}
+
+/// The section of the report.
+pub(crate) fn report(
+    text: &mut String,
+    one: &mut Contestant,
+    two: &mut Contestant,
+) -> Result<(), Failure> {
+    let milliseconds = |contestant: &mut Contestant, name: &str, repeats: usize| {
+        let times = (0..ROUNDS)
+            .map(|_| Ok(contestant.time(&format!("curving {name}"), repeats)?.0))
+            .collect::<Result<Vec<f64>, Failure>>()?;
+        Ok::<f64, Failure>(1e3 * median(times))
+    };
+    let [single, double] = [
+        milliseconds(one, "geometry", 1)?,
+        milliseconds(two, "geometry", 1)?,
+    ];
+    let contact = milliseconds(one, "contact", 3)?;
+    writeln!(text, "\n## Profiles and curves\n")?;
+    writeln!(text, "| what | took | asked |\n|---|---|---|")?;
+    writeln!(
+        text,
+        "| wheelset on its track, both rails, S1002 on 60E1, {SHIFTS} shifts 0.1 mm apart at three yaws | {single:.0} ms on one \
+         thread, {double:.0} ms on two | 50 ms |"
+    )?;
+    writeln!(
+        text,
+        "| exact contact of one wheel on its profiles, {ELEMENTS} elements | {contact:.1} ms | 20 ms |"
+    )?;
+    for (name, what, asked) in [
+        ("bogie", "cones with a flange (`bogie.toml`)", "5 ms"),
+        ("profiles", "profiles (`profiles.toml`)", "5 ms"),
+        ("metro-curve", "two points (`metro-curve.toml`)", "5 ms"),
+        ("metro-curve+fastsim", "the same with FASTSIM", "1 s"),
+    ] {
+        let repeats = if name.contains('+') { 1 } else { 20 };
+        let took = milliseconds(one, name, repeats)?;
+        writeln!(
+            text,
+            "| equilibrium of a bogie by steps from straight track: {what} | {took:.2} ms | {asked} |"
+        )?;
+    }
+    writeln!(
+        text,
+        "\nMedians of {ROUNDS} rounds, one thread unless said."
+    )?;
+    Ok(())
+}
