@@ -3,6 +3,7 @@
 //! The unknowns of a frame and its wheelsets stand together: [`way`] across the track, yaw and rotation of each wheelset,
 //! shift and yaw of the frame, sums of the normal forces of each wheel. A lone wheelset has no unknowns of its frame.
 
+use super::creep::{CreepOnRail, KnownEllipses};
 use super::newton::Equations;
 use super::running_gear::Secondary;
 use super::state::{BodyState, FrameState, WheelState, WheelsetState};
@@ -18,6 +19,8 @@ pub(super) struct Balance<'a> {
     fraction: f64,
     /// The first failure that is not one of the equations.
     failure: RefCell<Option<Error>>,
+    /// Of the left and the right rail.
+    known: [KnownEllipses; 2],
 }
 
 /// The wheels of one wheelset on their rails.
@@ -85,6 +88,7 @@ impl<'a> Balance<'a> {
             vehicle,
             fraction,
             failure: RefCell::new(None),
+            known: Default::default(),
         }
     }
 
@@ -129,7 +133,10 @@ impl<'a> Balance<'a> {
                 &place,
                 normal_force,
                 &vehicle.kinematics,
-                &vehicle.creep[side],
+                CreepOnRail {
+                    creep: &vehicle.creep[side],
+                    known: &self.known[side],
+                },
             )
         };
         let Some(left) = wheel(0)? else {

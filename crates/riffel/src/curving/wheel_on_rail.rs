@@ -1,5 +1,6 @@
 //! One wheel of a yawed wheelset in a curve: its creepages, its forces, and what they do to the wheelset.
 
+use super::creep::CreepOnRail;
 use super::way::Place;
 use super::{ContactPlane, Creep, Kinematics, RollingPosition, WheelState};
 use crate::contact::Creepages;
@@ -43,7 +44,7 @@ pub(super) fn wheel_on_rail(
     place: &Place<'_>,
     normal_force: f64,
     kinematics: &Kinematics,
-    creep: &Creep,
+    creep: CreepOnRail<'_>,
 ) -> Result<Option<WheelOnRail>, Error> {
     match kinematics {
         Kinematics::Linear { conicity } => linear(
@@ -99,7 +100,7 @@ fn linear(
     lateral_shift: f64,
     normal_force: f64,
     conicity: f64,
-    creep: &Creep,
+    creep: CreepOnRail<'_>,
 ) -> Result<WheelOnRail, Error> {
     let side = rail.sign();
     let radius_change = side * conicity * lateral_shift;
@@ -109,9 +110,9 @@ fn linear(
         lateral: -motion.yaw,
         spin: motion.curvature - side * conicity / radius,
     };
-    let forces = match creep {
+    let forces = match creep.creep {
         Creep::Linear { ellipse, .. } => ellipse.linear_forces(creepages),
-        other => other.forces(normal_force, creepages, &RollingPosition::default())?,
+        _ => creep.forces(normal_force, creepages, &RollingPosition::default())?,
     };
     let state = WheelState {
         wheelset: 0,
@@ -145,7 +146,7 @@ fn nonlinear(
     normal_force: f64,
     position: &RollingPosition,
     plane: ContactPlane,
-    creep: &Creep,
+    creep: CreepOnRail<'_>,
 ) -> Result<WheelOnRail, Error> {
     let side = rail.sign();
     let (half_spacing, curvature) = (motion.half_spacing, motion.curvature);
