@@ -2,7 +2,7 @@
 //!
 //! Surveys of a line, RMS of roughness in bands of wavelength along its rails, as `riffel roughness` and `riffel axlebox`
 //! write them, go into a [`Store`] on a grid of places that all dates share. What is asked of it streams: [`Sections`] of
-//! the latest surveys, [`worst`] places, [`growth`] between dates, a [`plan`] of grinding. Memory does not grow with the
+//! the latest surveys, [`worst`] places, [`growth`] between dates, a [`plan`] of grinding, a [`StripChart`] of all dates. Memory does not grow with the
 //! network but by a row for each section.
 //!
 //! ```
@@ -28,6 +28,7 @@ mod record;
 mod sections;
 mod status;
 mod store;
+mod strip_chart;
 mod survey_file;
 mod worst;
 
@@ -40,5 +41,6 @@ pub use record::{RailRecord, SurveyRecord};
 pub use sections::{Section, Sections};
 pub use status::{LineStatus, Status, status};
 pub use store::{Store, StoreSettings};
+pub use strip_chart::{ChartedLine, ChartedSection, ChartedSurvey, StripChart};
 pub use survey_file::SurveyFile;
 pub use worst::{WorstPlace, worst};

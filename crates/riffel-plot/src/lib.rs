@@ -67,6 +67,8 @@ mod raster;
 mod rays;
 mod sheet;
 mod sheet_box;
+mod strip_drawing;
+mod strip_figure;
 mod subscript;
 mod text;
 
@@ -82,3 +84,4 @@ pub use line_page::html_of_stages;
 pub use map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 pub use raster::{DEFAULT_PNG_SCALE, png};
 pub use rays::constant_frequency_rays;
+pub use strip_figure::{Strip, StripClass, StripFigure, StripPanel, StripRow};

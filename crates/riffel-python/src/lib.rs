@@ -17,6 +17,7 @@ mod forecast;
 mod given;
 mod interrupt;
 mod models;
+mod network;
 mod noise;
 mod presets;
 mod program;
@@ -46,6 +47,10 @@ mod _riffel {
     use crate::given::Universal;
     #[pymodule_export]
     use crate::models::compare_models;
+    #[pymodule_export]
+    use crate::network::{
+        network_chart, network_growth, network_ingest, network_plan, network_status, network_worst,
+    };
     #[pymodule_export]
     use crate::noise::noise;
     #[pymodule_export]

@@ -30,6 +30,8 @@ pub(crate) enum NetworkCommand {
     Growth(Growth),
     /// What to grind with a budget.
     Plan(Plan),
+    /// Every survey of a line, kilometre by date, as a picture and a table.
+    Chart(Chart),
 }
 
 #[derive(Args)]
@@ -118,6 +120,25 @@ pub(crate) struct Worst {
     /// Show so many sections.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) most: u32,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel network chart railway --line \"Main line\" -o main-line")]
+pub(crate) struct Chart {
+    #[command(flatten)]
+    pub(crate) judged: Judged,
+
+    /// This line alone.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) line: Option<String>,
+
+    /// This rail alone [default: the worst of all at each place].
+    #[arg(long, value_name = "NAME")]
+    pub(crate) rail: Option<String>,
+
+    /// Folder for the results, made if need be [default: STORE-chart].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Args)]

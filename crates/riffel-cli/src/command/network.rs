@@ -1,8 +1,8 @@
 //! `riffel network`
 
 use riffel_network::{
-    Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, SurveyFile,
-    WorstPlace, growth, plan, status, worst,
+    Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, StripChart,
+    SurveyFile, WorstPlace, growth, plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -11,6 +11,7 @@ use crate::arguments::{Judged, Network, NetworkCommand, network, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
+use crate::staging::Staging;
 
 /// Sites of a plan that the table shows.
 const SITES: usize = 40;
@@ -39,6 +40,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             found.truncate(arguments.most as usize);
             say(arguments.judged.json, &found, || growth_in_words(&found))
         }
+        NetworkCommand::Chart(arguments) => chart(arguments),
         NetworkCommand::Plan(arguments) => {
             let (store, judgement, section) = judged(&arguments.judged)?;
             let budget = match (arguments.length, arguments.money, arguments.cost_per_metre) {
@@ -93,6 +95,79 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
             .collect();
         format!("{}, {}: {}\n", found.line, found.date, rails.join(", "))
     })
+}
+
+fn chart(arguments: &network::Chart) -> miette::Result<()> {
+    let (store, judgement, section) = judged(&arguments.judged)?;
+    let (line, rail) = (arguments.line.as_deref(), arguments.rail.as_deref());
+    let chart = StripChart::new(&store, &judgement, section, line, rail)?;
+    if chart.lines.is_empty() {
+        return Ok(print("no survey is in the store\n")?);
+    }
+    if arguments.judged.json {
+        print(&json(&chart))?;
+        if arguments.output.is_none() {
+            return Ok(());
+        }
+    }
+    let folder = match &arguments.output {
+        Some(folder) => folder.clone(),
+        None => {
+            let mut name = arguments
+                .judged
+                .store
+                .file_name()
+                .unwrap_or_default()
+                .to_owned();
+            name.push("-chart");
+            name.into()
+        }
+    };
+    let mut staging = Staging::new("network", &folder)?;
+    staging.write_picture("chart", &chart.figure().svg().map_err(CliError::from)?)?;
+    staging.write_with("chart.csv", |file| chart.csv(file))?;
+    let files = staging.publish()?.join(" ");
+    if arguments.judged.json {
+        return Ok(());
+    }
+    print(&format!(
+        "{}{}: {files}\n",
+        chart_in_words(&chart),
+        folder.display()
+    ))?;
+    if let left_out @ 1.. = chart.lines_not_drawn() {
+        print_remarks(&[format!(
+            "the picture holds the longest lines; {left_out} more are in chart.csv (--line draws one)"
+        )]);
+    }
+    Ok(())
+}
+
+fn chart_in_words(chart: &StripChart) -> String {
+    let mut rows = table(&["line", "date", "km", "km over limit", "worst", "at km"]);
+    for line in &chart.lines {
+        for survey in &line.surveys {
+            let length = |over: bool| -> f64 {
+                let sections = survey.sections.iter();
+                sections
+                    .filter(|section| !over || section.rms_over_limit > 1.0)
+                    .fold(0.0, |sum, section| sum + section.to_m - section.from_m)
+            };
+            let worst = survey
+                .sections
+                .iter()
+                .max_by(|one, other| one.rms_over_limit.total_cmp(&other.rms_over_limit));
+            rows.add_row([
+                line.line.clone(),
+                survey.date.clone(),
+                kilometres(length(false)),
+                kilometres(length(true)),
+                worst.map_or_else(String::new, |worst| format!("{:.2}", worst.rms_over_limit)),
+                worst.map_or_else(String::new, |worst| kilometres(worst.from_m)),
+            ]);
+        }
+    }
+    format!("{rows}\n")
 }
 
 /// Store, limit and length of a section.

@@ -126,3 +126,52 @@ fn what_cannot_be_is_refused() {
         );
     }
 }
+
+/// Every survey of a line as a picture and a table; a line or a rail that is not there is refused with those that are.
+#[test]
+fn a_chart_has_every_survey() {
+    let sandbox = Sandbox::new();
+    survey(&sandbox, "before.csv", 3.5);
+    survey(&sandbox, "after.csv", 14.0);
+    for (file, date) in [("before.csv", "2025-07-01"), ("after.csv", "2026-01-01")] {
+        sandbox.json(&format!(
+            "network ingest railway {file} --line \"Main line\" --date {date} --json"
+        ));
+    }
+    let chart = sandbox.json("network chart railway --json");
+    let surveys = chart["lines"][0]["surveys"].as_array().unwrap();
+    assert_eq!(surveys.len(), 2);
+    for (survey, ratio) in surveys.iter().zip([0.5, 2.0]) {
+        let sections = survey["sections"].as_array().unwrap();
+        assert_eq!(sections.len(), 20);
+        assert_eq!(sections[5]["rail"], "left");
+        assert!((number(&sections[5]["rms_over_limit"]) - ratio).abs() < 1e-12);
+        assert!((number(&sections[4]["rms_over_limit"]) - 1.0 / 7.0).abs() < 1e-12);
+    }
+    let right = sandbox.json("network chart railway --rail right --json");
+    let section = &right["lines"][0]["surveys"][1]["sections"][5];
+    assert!((number(&section["rms_over_limit"]) - 1.0 / 7.0).abs() < 1e-12);
+
+    let drawn = sandbox.riffel("network chart railway");
+    assert_eq!(drawn.status, Some(0), "{}", drawn.text);
+    assert!(
+        drawn.text.contains("2.000           0.100    2.00   0.500"),
+        "{}",
+        drawn.text
+    );
+    assert_eq!(
+        sandbox.list("railway-chart"),
+        ["chart.csv", "chart.png", "chart.svg", "riffel-manifest.json"]
+    );
+    let table = std::fs::read_to_string(sandbox.path("railway-chart/chart.csv")).unwrap();
+    assert_eq!(table.lines().count(), 41);
+    for (asked, sentence) in [
+        ("--line Mainline", "must be one of the store: Main line"),
+        ("--rail middle", "must be one of the store: left, right"),
+    ] {
+        let refused = sandbox.riffel(&format!("network chart railway {asked} -o none"));
+        assert_eq!(refused.status, Some(2), "{}", refused.text);
+        assert!(refused.sentence().contains(sentence), "{}", refused.text);
+        assert!(!sandbox.path("none").exists());
+    }
+}

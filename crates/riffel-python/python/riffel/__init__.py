@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from riffel._curving import contact_geometry, contact_under_load, curve, profile, profile_wear
     from riffel._matlab import to_matlab
     from riffel._models import compare_models
+    from riffel._network import Network
     from riffel._receptance import receptance_from_uff
     from riffel._riffel import VERSION as __version__
     from riffel._riffel import ConvergenceError, ReceptanceError, presets
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Case",
     "ConvergenceError",
+    "Network",
     "ReceptanceError",
     "Study",
     "__version__",
@@ -55,6 +57,7 @@ __all__ = [
 _HOMES = {
     "Case": "riffel._case",
     "ConvergenceError": "riffel._riffel",
+    "Network": "riffel._network",
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
     "compare_models": "riffel._models",

@@ -1,0 +1,251 @@
+"""Surveys of many lines and dates."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from riffel import _riffel
+from riffel._quantities import Quantity, scalar
+
+_UNITS = {
+    "from_m": ("from", "m", "first place of the section"),
+    "to_m": ("to", "m", "last place of the section"),
+    "rms_m": ("rms", "m", "RMS of roughness in the band that is farthest over its limit"),
+    "rms_over_limit": ("rms_over_limit", "1", "RMS over limit"),
+    "growth_db_per_year": ("growth", "dB/year", "growth of the level"),
+    "months_to_limit": ("months_to_limit", "month", "months until the limit is reached; NaN where it never is"),
+    "cost": ("cost", "1", "cost"),
+}
+
+
+class Network:
+    """A store of surveys of many lines and dates, as `riffel network` keeps them.
+
+    Parameters
+    ----------
+    folder : str or path-like
+        Folder of the store. The first survey makes it.
+    resolution : quantity, optional
+        Length of a cell of a new store; by default that of the first block.
+
+    Examples
+    --------
+    >>> blocks = folder / "blocks.csv"
+    >>> _ = blocks.write_text("rail,from_m,to_m,rms_30_to_100_mm_um\\nleft,0,100,5\\nleft,100,200,9\\n")
+    >>> network = riffel.Network(folder / "railway")
+    >>> network.ingest(blocks, "Main line", "2026-01-31")["there_already"]
+    False
+    >>> network.worst(most=1)["rms_over_limit"].round(3).values.tolist()
+    [1.286]
+    >>> network.chart("Main line")["rms_over_limit"].sizes
+    Frozen({'date': 1, 'place': 2})
+    """
+
+    def __init__(self, folder: str | os.PathLike[str], *, resolution: Quantity | None = None) -> None:
+        self._folder = os.fspath(folder)
+        self._resolution = None if resolution is None else scalar(resolution, "resolution", "length")
+
+    def __repr__(self) -> str:
+        return f"Network({self._folder!r})"
+
+    def ingest(
+        self, file: str | os.PathLike[str], line: str, date: str, *, replace: bool = False
+    ) -> dict[str, Any]:
+        """Add a survey: blocks along the rails of a line, as `riffel axlebox` and `riffel roughness` write them.
+
+        Parameters
+        ----------
+        file : str or path-like
+            The blocks: ``rail``, ``from_m``, ``to_m`` and ``rms_30_to_100_mm_m`` for each band.
+        line : str
+            The line.
+        date : str
+            The day, as in ``"2026-01-31"``.
+        replace : bool, default False
+            Put it in the place of another survey of the line on that day.
+
+        Returns
+        -------
+        dict
+            ``line``, ``date``, ``there_already`` and ``measured``, the cells of each rail. Surveys are there whole or not at all;
+            the same one again changes nothing. Of several processes that add at once, as under Dask, all but one raise `OSError`.
+        """
+        return _riffel.network_ingest(self._folder, self._resolution, os.fspath(file), line, date, replace)
+
+    def status(self) -> dict[str, Any]:
+        """Lines, dates, kilometres and RMS of the latest surveys: what ``riffel network status --json`` prints."""
+        return _riffel.network_status(self._folder)
+
+    def worst(
+        self,
+        *,
+        section: Quantity = "100 m",
+        limit: str | os.PathLike[str] = "grassie-1999",
+        until: str | None = None,
+        most: int = 20,
+    ) -> xr.Dataset:
+        """Sections that are farthest over their limit.
+
+        Parameters
+        ----------
+        section : quantity, default "100 m"
+            Length of a section.
+        limit : str or path-like, default "grassie-1999"
+            Limit of the RMS in bands of wavelength, by name or as a TOML file.
+        until : str, optional
+            The state of this day; by default that of the latest surveys.
+        most : int, default 20
+            So many sections.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``place``, the worst first: ``line``, ``date``, ``rail``, ``from``, ``to``, ``band`` (over ``end``), ``rms`` and
+            ``rms_over_limit``.
+        """
+        found = _riffel.network_worst(self._judged(section, limit), until, _count(most))
+        return _table(found, "place")
+
+    def growth(
+        self,
+        *,
+        section: Quantity = "100 m",
+        limit: str | os.PathLike[str] = "grassie-1999",
+        between: tuple[str, str] | None = None,
+        most: int = 20,
+    ) -> xr.Dataset:
+        """How sections grew between two dates, the soonest at their limit first.
+
+        Parameters
+        ----------
+        section, limit, most
+            As of `worst`.
+        between : tuple of str, optional
+            Two days: the latest surveys up to each; by default the last two surveys of each line.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of `worst`, with ``growth``, ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``.
+        """
+        found = _riffel.network_growth(self._judged(section, limit), between, _count(most))
+        return _table(found, "place")
+
+    def plan(
+        self,
+        *,
+        months: float = 12.0,
+        length: Quantity | None = None,
+        money: float | None = None,
+        cost_per_metre: float | None = None,
+        cost_per_site: float = 0.0,
+        section: Quantity = "100 m",
+        limit: str | os.PathLike[str] = "grassie-1999",
+    ) -> xr.Dataset:
+        """What to grind with a budget.
+
+        Parameters
+        ----------
+        months : float, default 12
+            For the state in so many months.
+        length : quantity, optional
+            Length of track that can be ground; or else
+        money, cost_per_metre, cost_per_site : float, optional
+            money, what a metre of track costs, and each site besides.
+        section, limit
+            As of `worst`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``site``: ``line``, ``from``, ``to``, ``rms_over_limit`` and ``cost``. Attributes: ``length_m``, ``cost``,
+            ``over_limit_m``, ``left_over_limit_m`` and ``remarks``.
+        """
+        if (length is None) == (money is None):
+            raise ValueError("plan takes either a length or money")
+        if length is not None:
+            budget = (scalar(length, "length", "length"), 1.0, 0.0)
+        else:
+            if cost_per_metre is None:
+                raise ValueError("cost_per_metre is missing: money needs it")
+            budget = (float(money or 0.0), float(cost_per_metre), float(cost_per_site))
+        found = _riffel.network_plan(self._judged(section, limit), float(months), budget)
+        sites = _table(found.pop("sites"), "site")
+        return sites.assign_attrs(found)
+
+    def chart(
+        self,
+        line: str,
+        *,
+        rail: str | None = None,
+        section: Quantity = "100 m",
+        limit: str | os.PathLike[str] = "grassie-1999",
+    ) -> xr.Dataset:
+        """Every survey of a line, place by date.
+
+        Parameters
+        ----------
+        line : str
+            The line.
+        rail : str, optional
+            This rail alone; by default the worst of all at each place.
+        section, limit
+            As of `worst`.
+
+        Returns
+        -------
+        xarray.Dataset
+            ``rms_over_limit`` and ``rms`` over ``date`` and ``place`` (the middle of a section), NaN where nothing is measured; ready
+            for ``chart["rms_over_limit"].plot()``.
+        """
+        judged = self._judged(section, limit)
+        surveys = _riffel.network_chart(judged, line, rail)["lines"][0]["surveys"]
+        length = judged[2]
+        sections = [section["from_m"] for survey in surveys for section in survey["sections"]]
+        first, last = (round(end / length) for end in (min(sections), max(sections)))
+        values = np.full((2, len(surveys), last - first + 1), np.nan)
+        for row, survey in enumerate(surveys):
+            for found in survey["sections"]:
+                place = round(found["from_m"] / length) - first
+                values[:, row, place] = found["rms_over_limit"], found["rms_m"]
+        dates = np.array([survey["date"] for survey in surveys], dtype="datetime64[ns]")
+        places = (np.arange(first, last + 1) + 0.5) * length
+        return xr.Dataset(
+            {
+                "rms_over_limit": (("date", "place"), values[0], {"units": "1", "long_name": "RMS over limit"}),
+                "rms": (("date", "place"), values[1], {"units": "m", "long_name": "RMS of roughness"}),
+            },
+            coords={
+                "date": dates,
+                "place": ("place", places, {"units": "m", "long_name": "place along the line"}),
+            },
+            attrs={"title": line, "limit": os.fspath(limit)},
+        )
+
+    def _judged(self, section: Quantity, limit: str | os.PathLike[str]) -> tuple[str, str, float]:
+        return self._folder, os.fspath(limit), scalar(section, "section", "length")
+
+
+def _count(most: int) -> int:
+    if most < 1:
+        raise ValueError(f"most is {most}, but must be 1 or more")
+    return most
+
+
+def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:
+    """Rows of a document over a dimension."""
+    variables: dict[str, Any] = {}
+    for key in rows[0] if rows else ():
+        column = [np.nan if row[key] is None else row[key] for row in rows]
+        name, units, meaning = _UNITS.get(key, (key.removesuffix("_m"), "m" if key.endswith("_m") else "", ""))
+        values = np.array(column)
+        inner = {"band_m": "end"}.get(key, "survey")
+        dimensions = (dimension,) if values.ndim == 1 else (dimension, inner)
+        described = {"units": units, "long_name": meaning}
+        variables[name] = (dimensions, values, {name: text for name, text in described.items() if text})
+    return xr.Dataset(variables)

@@ -1,0 +1,150 @@
+//! Surveys of many lines and dates.
+
+use std::io;
+use std::path::PathBuf;
+
+use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
+use pyo3::prelude::*;
+use riffel_network::{
+    Budget, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth, plan,
+    status, worst,
+};
+use riffel_rail::{LimitTable, read_date};
+use serde::Serialize;
+
+use crate::document::document;
+use crate::errors::{of_case, wrong};
+use crate::interrupt::interruptible;
+
+/// Folder of the store, name of the limit and length of a section \[m\].
+type Judged = (PathBuf, String, f64);
+
+/// Take in a survey; what `riffel network ingest --json` prints.
+#[pyfunction]
+pub(crate) fn network_ingest(
+    py: Python<'_>,
+    store: PathBuf,
+    resolution: Option<f64>,
+    file: PathBuf,
+    line: String,
+    date: String,
+    replace: bool,
+) -> PyResult<Bound<'_, PyAny>> {
+    answer(py, move || {
+        let store = Store::create_or_open(&store, StoreSettings { resolution })?;
+        let file = SurveyFile::check(&file)?;
+        store.ingest(&line, &date, &file, replace, &|_| ())
+    })
+}
+
+/// What `riffel network status --json` prints.
+#[pyfunction]
+pub(crate) fn network_status(py: Python<'_>, store: PathBuf) -> PyResult<Bound<'_, PyAny>> {
+    answer(py, move || status(&Store::open(&store)?))
+}
+
+/// What `riffel network worst --json` prints.
+#[pyfunction]
+pub(crate) fn network_worst(
+    py: Python<'_>,
+    judged: Judged,
+    until: Option<String>,
+    most: usize,
+) -> PyResult<Bound<'_, PyAny>> {
+    let until = until.as_deref().map(day).transpose()?;
+    answer(py, move || {
+        let (store, judgement, section) = opened(&judged)?;
+        worst(&store, &judgement, section, until, most)
+    })
+}
+
+/// What `riffel network growth --json` prints.
+#[pyfunction]
+pub(crate) fn network_growth(
+    py: Python<'_>,
+    judged: Judged,
+    between: Option<(String, String)>,
+    most: usize,
+) -> PyResult<Bound<'_, PyAny>> {
+    let between = between
+        .map(|(from, to)| Ok::<_, PyErr>([day(&from)?, day(&to)?]))
+        .transpose()?;
+    answer(py, move || {
+        let (store, judgement, section) = opened(&judged)?;
+        let mut found = growth(&store, &judgement, section, between)?;
+        found.truncate(most);
+        Ok(found)
+    })
+}
+
+/// What `riffel network plan --json` prints; `budget` is money, cost of a metre and of a site, or a length \[m\] as money with a
+/// metre at 1.
+#[pyfunction]
+pub(crate) fn network_plan(
+    py: Python<'_>,
+    judged: Judged,
+    months: f64,
+    budget: (f64, f64, f64),
+) -> PyResult<Bound<'_, PyAny>> {
+    let (money, per_metre, per_site) = budget;
+    let budget = Budget {
+        money,
+        per_metre,
+        per_site,
+    };
+    answer(py, move || {
+        let (store, judgement, section) = opened(&judged)?;
+        plan(&store, &judgement, section, months, &budget)
+    })
+}
+
+/// What `riffel network chart --json` prints.
+#[pyfunction]
+pub(crate) fn network_chart(
+    py: Python<'_>,
+    judged: Judged,
+    line: Option<String>,
+    rail: Option<String>,
+) -> PyResult<Bound<'_, PyAny>> {
+    answer(py, move || {
+        let (store, judgement, section) = opened(&judged)?;
+        StripChart::new(
+            &store,
+            &judgement,
+            section,
+            line.as_deref(),
+            rail.as_deref(),
+        )
+    })
+}
+
+fn opened((store, limit, section): &Judged) -> Result<(Store, Judgement, f64), NetworkError> {
+    let store = Store::open(store)?;
+    let judgement = Judgement::new(&store, &LimitTable::find(limit)?)?;
+    Ok((store, judgement, *section))
+}
+
+fn day(text: &str) -> PyResult<jiff::civil::Date> {
+    read_date(text).map_err(wrong)
+}
+
+fn answer<'py, T: Serialize + Send + 'static>(
+    py: Python<'py>,
+    work: impl FnOnce() -> Result<T, NetworkError> + Send + 'static,
+) -> PyResult<Bound<'py, PyAny>> {
+    document(py, &interruptible(py, work)?.map_err(of_network)?)
+}
+
+fn of_network(error: NetworkError) -> PyErr {
+    match error {
+        NetworkError::Input(error) => of_case(error),
+        NetworkError::NoNetwork { .. } => PyFileNotFoundError::new_err(error.to_string()),
+        NetworkError::Read { ref reason, .. } if reason.kind() == io::ErrorKind::NotFound => {
+            PyFileNotFoundError::new_err(error.to_string())
+        }
+        NetworkError::Read { .. } | NetworkError::Write { .. } | NetworkError::Locked { .. } => {
+            PyOSError::new_err(error.to_string())
+        }
+        _ => wrong(error.to_string()),
+    }
+}
