@@ -66,6 +66,13 @@ pub enum AnswerError {
         model: &'static str,
     },
 
+    /// The wheels of a curve were asked of a case that has none.
+    #[error("the wheels of a curve need contact.from, which says of which vehicle they are")]
+    #[diagnostic(help(
+        "give [curve], [bogie], [profiles] and contact.from = {{ wheelset = 1, rail = \"low\" }}, as cases/metro-curve.toml does"
+    ))]
+    NoCurve,
+
     /// The figure cannot be drawn.
     #[error("cannot draw the figure: {0}")]
     Plot(#[from] PlotError),

@@ -46,6 +46,7 @@ mod stability;
 mod track;
 pub mod traffic;
 mod variant;
+mod wheels_of_curve;
 mod wheelset;
 mod window;
 
@@ -66,6 +67,7 @@ pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use sensitivity::Sensitivity;
 pub use track::{Origin, Track};
 pub use variant::{SpeedChange, Variant, assignments};
+pub use wheels_of_curve::{WheelOfCurve, WheelsOfCurve};
 pub use wheelset::{CaseWheelset, WheelsetMode};
 
 /// `cases/nominal.toml`, commented: the nominal case of Afferrante & Ciavarella (2009), and the file

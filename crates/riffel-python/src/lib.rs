@@ -27,6 +27,7 @@ mod roughness;
 mod simulate;
 mod study;
 mod tables;
+mod wheels;
 
 /// The extension `riffel._riffel`.
 #[pyo3::pymodule]
@@ -71,6 +72,8 @@ mod _riffel {
     use crate::simulate::{evolve, on_smooth_rail, simulate};
     #[pymodule_export]
     use crate::study::{Study, merge_study, sobol_indices, study_summary};
+    #[pymodule_export]
+    use crate::wheels::wheels_of_curve;
     /// Rows of a map are filled up to a multiple of this.
     #[pymodule_export]
     const TILE: usize = riffel::tile::TILE;

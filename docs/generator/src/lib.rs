@@ -116,7 +116,7 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
 
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 20] = [
+    const PICTURES: [(&[&str], &str, &str); 22] = [
         (
             &[
                 "forecast",
@@ -221,6 +221,16 @@ fn pictures(program: &Path) -> Outcome {
             "bay-map.png",
         ),
         (&["map", "cases/curve.toml"], "map.png", "curve-map.png"),
+        (
+            &["map", "cases/metro-curve.toml", "--wheels"],
+            "map.png",
+            "metro-curve-wheels.png",
+        ),
+        (
+            &["map", "cases/metro-curve.toml", "--wheels"],
+            "growth.png",
+            "metro-curve-growth.png",
+        ),
         (
             &["map", "cases/class-roaring-rails.toml"],
             "map.png",

@@ -18,14 +18,18 @@ pub enum Shown {
     Normalized,
     /// Re W₁ in watts, as in Figs. 4 and 5 of the paper.
     Power,
+    /// The rate of decay per passage, below zero where corrugation grows: Ŵ₁ is over the friction power of each case, and
+    /// this compares cases of different ones.
+    Decay,
 }
 
 impl Shown {
-    /// Factor from Re Ŵ₁ to the value shown, at a speed \[m/s\].
-    fn factor(self, case: &Case, speed: f64) -> f64 {
+    /// Factor from Re Ŵ₁ to the value shown, at a speed \[m/s\]; the growth rate that belongs to Ŵ₁ = 1 is below zero.
+    fn factor(self, case: &Case, speed: f64, rate: f64) -> f64 {
         match self {
             Self::Normalized => 1.0,
             Self::Power => case.steady.full_slip_energy_per_metre() * speed,
+            Self::Decay => -1e6 * rate,
         }
     }
 
@@ -33,6 +37,7 @@ impl Shown {
         match self {
             Self::Normalized => "Re Ŵ₁ [-]",
             Self::Power => "Re W₁ [W]",
+            Self::Decay => "decay rate [10⁻⁶ per passage]",
         }
     }
 }
@@ -57,7 +62,7 @@ pub fn panel(case: &Case, map: &GrowthMap, ridge: &Ridge, shown: Shown) -> MapPa
             .map(|&column| map.wavelength().value(column))
             .collect(),
         speed_m_per_s: rows.iter().map(|&row| map.speed().value(row)).collect(),
-        values: grid(&|row| shown.factor(case, map.speed().value(row))),
+        values: grid(&|row| shown.factor(case, map.speed().value(row), rate)),
         hover_values: Some(grid(&|_| rate)),
         value_label: shown.label().to_owned(),
         ridge: ridge

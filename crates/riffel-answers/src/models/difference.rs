@@ -3,7 +3,8 @@
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joint, Joints};
 
-use super::{Highest, on_case};
+use super::on_case;
+use crate::highest::Highest;
 
 /// A joint of a model, replaced alone by that of the case with the exact contact.
 #[derive(Debug, Clone, PartialEq)]

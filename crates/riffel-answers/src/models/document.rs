@@ -9,8 +9,9 @@ use riffel_case::model::{Joint, Joints};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use super::{ComplexPlane, Difference, Growth, Highest, ModelGrowth, ModelsAnswer};
+use super::{ComplexPlane, Difference, Growth, ModelGrowth, ModelsAnswer};
 use crate::column;
+use crate::highest::HighestDocument;
 
 /// What `riffel compare --models --json` prints.
 #[derive(Serialize)]
@@ -47,16 +48,6 @@ struct ModelDocument<'a> {
 }
 
 #[derive(Serialize)]
-struct HighestDocument {
-    wavelength_m: f64,
-    frequency_hz: f64,
-    growth_rate_per_passage: f64,
-    doubling_passages: f64,
-    /// It sits at an end of the wavelengths: another may grow faster.
-    at_edge: bool,
-}
-
-#[derive(Serialize)]
 struct DifferenceDocument {
     joint: &'static str,
     /// Null where the joint cannot be replaced alone.
@@ -72,18 +63,6 @@ struct ComplexPlaneDocument<'a> {
     /// Energy left on a metre of rail over the amplitude, [re, im].
     over_support_j_per_m2: Vec<[f64; 2]>,
     mid_span_j_per_m2: Vec<[f64; 2]>,
-}
-
-impl From<Highest> for HighestDocument {
-    fn from(highest: Highest) -> Self {
-        Self {
-            wavelength_m: highest.wavelength,
-            frequency_hz: highest.frequency,
-            growth_rate_per_passage: highest.rate,
-            doubling_passages: highest.doubling_passages(),
-            at_edge: highest.at_edge,
-        }
-    }
 }
 
 pub(super) fn document<'a>(answer: &'a ModelsAnswer, case: &'a Case) -> ModelsDocument<'a> {

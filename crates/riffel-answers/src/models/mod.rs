@@ -4,7 +4,6 @@ mod difference;
 mod document;
 mod figure;
 
-use std::f64::consts::LN_2;
 use std::io::{self, Write};
 
 use riffel::{Complex64, Loop};
@@ -16,6 +15,7 @@ pub use difference::Difference;
 pub use document::ModelsDocument;
 
 use crate::AnswerError;
+use crate::highest::Highest;
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -62,19 +62,6 @@ pub struct Growth {
     pub unstable: Option<String>,
 }
 
-/// The wavelength that grows fastest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Highest {
-    /// Wavelength \[m\], one of those of the answer.
-    pub wavelength: f64,
-    /// Frequency \[Hz\].
-    pub frequency: f64,
-    /// Growth rate per passage \[-\].
-    pub rate: f64,
-    /// It is the first or the last of the wavelengths: a shorter or longer one may grow faster.
-    pub at_edge: bool,
-}
-
 /// Energy left on a metre of rail over the amplitude of the profile, e₁/Δ \[J/m²\], over frequency: growth in the left
 /// half-plane.
 pub struct ComplexPlane {
@@ -84,26 +71,6 @@ pub struct ComplexPlane {
     pub over_support: Vec<Complex64>,
     /// With the wheel in mid-span.
     pub mid_span: Vec<Complex64>,
-}
-
-impl Highest {
-    /// Of rates at wavelengths \[m\] and one speed \[m/s\]; none where none is above zero.
-    fn of(wavelengths: &[f64], rates: &[f64], speed: f64) -> Option<Self> {
-        let rates = rates.iter().enumerate();
-        let (place, &rate) = rates.max_by(|a, b| a.1.total_cmp(b.1))?;
-        let wavelength = *wavelengths.get(place)?;
-        (rate > 0.0).then(|| Self {
-            wavelength,
-            frequency: speed / wavelength,
-            rate,
-            at_edge: place == 0 || place + 1 == wavelengths.len(),
-        })
-    }
-
-    /// Passages in which the amplitude doubles.
-    pub fn doubling_passages(&self) -> f64 {
-        LN_2 / self.rate
-    }
 }
 
 impl ModelsAnswer {

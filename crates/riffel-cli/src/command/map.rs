@@ -18,6 +18,9 @@ use crate::staging::Staging;
 const TABLE_ROWS: usize = 9;
 
 pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
+    if arguments.wheels {
+        return super::wheels::run(arguments);
+    }
     let case = arguments.case.read_at(arguments.position)?;
     case.check_window()?;
     let curve = match (&arguments.wavelength, &arguments.speed) {

@@ -25,4 +25,5 @@ pub(crate) mod serve;
 pub(crate) mod simulate;
 pub(crate) mod study;
 pub(crate) mod validate;
+mod wheels;
 pub(crate) mod wheelset;

@@ -24,5 +24,6 @@ mod sandbox;
 mod simulate;
 mod study;
 mod track;
+mod wheels;
 mod wheelset;
 mod writing;

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from riffel._riffel import VERSION as __version__
     from riffel._riffel import ConvergenceError, ReceptanceError, presets
     from riffel._study import Study, merge_studies, open_results, study_summary
+    from riffel._wheels import wheels_of_curve
 
 __all__ = [
     "Case",
@@ -50,6 +51,7 @@ __all__ = [
     "roughness",
     "study_summary",
     "to_matlab",
+    "wheels_of_curve",
 ]
 
 # Where a name is, which loads its module when it is first asked for: the program is imported with this package and
@@ -72,6 +74,7 @@ _HOMES = {
     "receptance_from_uff": "riffel._receptance",
     "study_summary": "riffel._study",
     "to_matlab": "riffel._matlab",
+    "wheels_of_curve": "riffel._wheels",
 }
 
 if not TYPE_CHECKING:  # a type checker shall see wrong names

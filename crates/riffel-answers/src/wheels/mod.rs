@@ -1,0 +1,227 @@
+//! The wheels of a vehicle in its curve side by side: which of them grows corrugation, and where.
+
+mod document;
+mod figure;
+mod table;
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use riffel::curving::{Curve, WheelState};
+use riffel::{Axis, Ridge};
+use riffel_case::file::CurveRail;
+use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
+use riffel_plot::{LineFigure, MapFigure};
+
+pub use document::WheelsDocument;
+
+use crate::map::MapAnswer;
+use crate::{AnswerError, Highest};
+
+/// Points of a curve of growth: some tenths of a hertz apart.
+const POINTS: usize = 2001;
+
+/// Growth under every wheel of a vehicle in its curve.
+pub struct WheelsAnswer {
+    /// The curve.
+    pub curve: Curve,
+    /// Wavelengths \[m\] of the window of the map, rising: at the speed of the curve their frequencies are evenly spaced, so
+    /// that the narrow resonances of a wheelset are seen.
+    pub wavelengths: Vec<f64>,
+    /// Wheelset by wheelset from the front, the low rail first.
+    pub wheels: Vec<WheelAnswer>,
+}
+
+/// One wheel, and what the loop says of it.
+pub struct WheelAnswer {
+    /// As in "wheelset 1, low rail".
+    pub name: String,
+    /// Its mean state in the equilibrium of the vehicle; of a wheel that stands on two points that of the tread.
+    pub state: WheelState,
+    /// Low or high.
+    pub rail: CurveRail,
+    /// Which part of the normal forces of the wheel its other point carries \[-\], which the loop leaves out.
+    pub share_of_second_contact: f64,
+    /// Growth; where the loop has no mean state there, the sentence that says why.
+    pub growth: Result<WheelGrowth, String>,
+}
+
+/// Growth under one wheel.
+pub struct WheelGrowth {
+    /// The case with the wheel under study.
+    pub case: Case,
+    /// Its map over wavelength and speed.
+    pub map: MapAnswer,
+    /// Growth rates per passage \[-\] at the wavelengths of the answer and the speed of the curve.
+    pub rates: Vec<f64>,
+    /// The fastest wavelength, searched on between those of the answer; none where nothing grows.
+    pub highest: Option<Highest>,
+    /// Frequency \[Hz\] at which the loop oscillates without any profile at the speed of the curve, if it does.
+    pub unstable: Option<f64>,
+}
+
+impl WheelsAnswer {
+    /// All wheels of the vehicle that the case takes its mean state from; `progress` is told of rows of the maps that are done,
+    /// [`rows`](Self::rows) of them at most.
+    ///
+    /// # Errors
+    /// [`AnswerError::NoCurve`] for a case without `contact.from`, [`AnswerError::Case`] for a vehicle without equilibrium and
+    /// for frequencies at which the case is not known.
+    pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
+        let found = case.sharing_tables().wheels_of_curve()?;
+        let WheelsOfCurve { curve, wheels } = found.ok_or(AnswerError::NoCurve)?;
+        let ends = [case.wavelength.min(), case.wavelength.max()];
+        case.check_points(ends, [curve.speed; 2])?;
+        case.check_window()?;
+        let wavelengths = wavelengths(ends);
+        let wheels = wheels.into_iter().map(|wheel| {
+            let (name, share_of_second_contact) = (wheel.name(), wheel.share_of_second_contact());
+            let WheelOfCurve { state, rail, case } = wheel;
+            let growth = case.map(|case| WheelGrowth::of(case, &wavelengths, &curve, &progress));
+            WheelAnswer {
+                name,
+                state,
+                rail,
+                share_of_second_contact,
+                growth: growth.map_err(|error| error.to_string()),
+            }
+        });
+        Ok(Self {
+            wheels: wheels.collect(),
+            curve,
+            wavelengths,
+        })
+    }
+
+    /// Rows of all maps of a case whose vehicle has no more than two bogies.
+    pub fn rows(case: &Case) -> usize {
+        /// Of a vehicle with a body.
+        const WHEELS: usize = 8;
+        WHEELS * case.speed.points()
+    }
+
+    /// The wheels that are in the loop, with their growth.
+    pub fn in_loop(&self) -> impl Iterator<Item = (&WheelAnswer, &WheelGrowth)> {
+        let wheels = self.wheels.iter();
+        wheels.filter_map(|wheel| Some((wheel, wheel.growth.as_ref().ok()?)))
+    }
+
+    /// The wheel under which corrugation grows fastest at the speed of the curve; none where nothing grows.
+    pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
+        let wheels = self.in_loop();
+        let growing = wheels.filter_map(|(wheel, growth)| Some((wheel, growth.highest?)));
+        growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))
+    }
+
+    /// What `riffel map --wheels --json` prints.
+    pub fn document<'a>(&'a self, case: &'a Case) -> WheelsDocument<'a> {
+        document::document(self, case)
+    }
+
+    /// Heading and rows for the terminal.
+    pub fn table(&self) -> (Vec<&'static str>, Vec<Vec<String>>) {
+        table::words(self)
+    }
+
+    /// Which wheel grows most, in a sentence.
+    pub fn sentence(&self) -> String {
+        table::sentence(self)
+    }
+
+    /// Maps of decay rates of all wheels in one scale of colours; none where no wheel is in the loop.
+    pub fn map_figure(&self, case: &Case) -> Option<MapFigure> {
+        figure::maps(self, case)
+    }
+
+    /// Growth over wavelength at the speed of the curve, a line for each wheel.
+    pub fn curve_figure(&self, case: &Case) -> LineFigure {
+        figure::curves(self, case)
+    }
+
+    /// One row for each wheel, in SI.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn wheels_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        table::wheels(self, file)
+    }
+
+    /// One row for each wavelength at the speed of the curve, a column for each wheel in the loop.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        table::growth(self, file)
+    }
+
+    /// Growth rates of all wheels on the grid of the map as NetCDF-3: by wheel, speed and wavelength, NaN for a wheel that is
+    /// not in the loop.
+    ///
+    /// # Errors
+    /// [`AnswerError::Grid`].
+    pub fn netcdf(&self, case: &Case, path: &Path) -> Result<(), AnswerError> {
+        table::grid(self, case, path)
+    }
+}
+
+impl WheelGrowth {
+    fn of(case: Case, wavelengths: &[f64], curve: &Curve, progress: impl Fn(usize) + Sync) -> Self {
+        let speed = curve.speed;
+        let rates: Vec<f64> = (wavelengths.iter())
+            .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate())
+            .collect();
+        let stability = case.stability(speed);
+        Self {
+            map: MapAnswer::new(&case, progress),
+            highest: Highest::of(wavelengths, &rates, speed)
+                .map(|highest| refined(&case, wavelengths, highest)),
+            unstable: stability.and_then(|stability| stability.frequency),
+            rates,
+            case,
+        }
+    }
+
+    /// Growth rate per passage on the grid of the map, by speed and wavelength.
+    pub fn rates_on_the_grid(&self) -> impl Iterator<Item = f64> + '_ {
+        let map = &self.map.map;
+        let rate = map.growth_rate_per_dissipation();
+        map.rows()
+            .flat_map(|(_, row)| row)
+            .map(move |value| rate * value.re)
+    }
+}
+
+/// Wavelengths between two ends \[m\], rising, evenly spaced by their wavenumbers.
+fn wavelengths([shortest, longest]: [f64; 2]) -> Vec<f64> {
+    let step = (shortest.recip() - longest.recip()) / (POINTS - 1) as f64;
+    let wavelength = |index: usize| match index {
+        0 => shortest,
+        _ if index == POINTS - 1 => longest,
+        _ => (shortest.recip() - step * index as f64).recip(),
+    };
+    (0..POINTS).map(wavelength).collect()
+}
+
+/// The highest growth between the neighbours of the wavelength at which it is found.
+fn refined(case: &Case, wavelengths: &[f64], highest: Highest) -> Highest {
+    /// Of the axis between the neighbours.
+    const BETWEEN: usize = 5;
+    let neighbours = wavelengths
+        .windows(3)
+        .find(|three| three[1] == highest.wavelength)
+        .and_then(|three| Axis::new(three[0], three[2], BETWEEN).ok());
+    let Some(axis) = neighbours else {
+        return highest;
+    };
+    let speed = highest.frequency * highest.wavelength;
+    let ridge = Ridge::search_at(&case.feedback, axis, &[speed]);
+    match ridge.points.first() {
+        Some(point) if point.growth_rate > highest.rate => Highest {
+            wavelength: point.wavelength,
+            frequency: point.frequency,
+            rate: point.growth_rate,
+            ..highest
+        },
+        _ => highest,
+    }
+}

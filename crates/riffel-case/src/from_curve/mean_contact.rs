@@ -1,0 +1,94 @@
+//! What the equilibrium of a vehicle says of one contact.
+
+use riffel::Rail;
+use riffel::contact::Creepages;
+use riffel::curving::{VehicleState, WheelState};
+use riffel_keys::CaseError;
+
+use crate::case_text::CaseText;
+use crate::curving::CurvingCase;
+use crate::file::{ContactOfWheel, FromCurve};
+use crate::from_profiles::PlaceOnRail;
+
+/// What the equilibrium says of one contact.
+pub(super) struct MeanContact {
+    pub(super) creepages: Creepages,
+    pub(super) contact_angle: f64,
+    /// r/cos γ: the wheel is a surface of revolution.
+    pub(super) longitudinal_radius: f64,
+    pub(super) normal_force: f64,
+    /// None where the case of curving gives no curvature across the track.
+    pub(super) transverse_radius: Option<f64>,
+    /// None on cones.
+    pub(super) place: Option<PlaceOnRail>,
+    pub(super) friction: f64,
+    pub(super) tractive_ratio: f64,
+    /// Share of the normal forces of the wheel that its other point carries.
+    pub(super) elsewhere: f64,
+}
+
+impl CaseText {
+    pub(super) fn contact_of(
+        &self,
+        from: &FromCurve,
+        curving: &CurvingCase,
+        state: &VehicleState,
+        rail: Rail,
+    ) -> Result<MeanContact, CaseError> {
+        let is_it = |wheel: &&WheelState| {
+            wheel.wheelset == usize::from(from.wheelset) && wheel.rail == rail
+        };
+        let Some(wheel) = state.wheels.iter().find(is_it) else {
+            unreachable!("every wheelset has a wheel on either rail")
+        };
+        let file = &curving.file;
+        let friction = file.contact.as_ref().map_or(0.0, |contact| {
+            contact.friction.of_rails()[usize::from(rail == Rail::Right)]
+        });
+        let across = file
+            .contact
+            .as_ref()
+            .and_then(|contact| contact.transverse_radius);
+        let radius_of = |curvature: Option<f64>| match curvature {
+            Some(curvature) => Some(curvature.recip()),
+            None => across.map(|radius| radius.si()),
+        };
+        let wheelset = usize::from(from.wheelset) - 1;
+        let shift = state.wheelsets[wheelset].lateral_shift;
+        let place = |angle: f64| curving.place_on_rail(rail, shift, angle);
+        match (from.contact.unwrap_or_default(), wheel.second_contact) {
+            (ContactOfWheel::Flange, Some(second)) => Ok(MeanContact {
+                creepages: second.creepages,
+                contact_angle: second.contact_angle,
+                longitudinal_radius: second.rolling_radius / second.contact_angle.cos(),
+                place: place(second.contact_angle)?,
+                normal_force: second.normal_force,
+                transverse_radius: radius_of(second.lateral_curvature),
+                friction,
+                tractive_ratio: second.tractive_ratio,
+                elsewhere: wheel.normal_force / (wheel.normal_force + second.normal_force),
+            }),
+            (ContactOfWheel::Flange, None) => Err(self.keys.invalid(
+                "contact.from.contact",
+                &format!(
+                    "is \"flange\", but the wheel stands on one point, at a contact angle of {:.1}°",
+                    wheel.contact_angle.to_degrees()
+                ),
+                "leave it out",
+            )),
+            (ContactOfWheel::Tread, _) => Ok(MeanContact {
+                creepages: wheel.creepages,
+                contact_angle: wheel.contact_angle,
+                longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
+                place: place(wheel.contact_angle)?,
+                normal_force: wheel.normal_force,
+                transverse_radius: radius_of(wheel.lateral_curvature),
+                friction,
+                tractive_ratio: wheel.tractive_ratio,
+                elsewhere: wheel.second_contact.map_or(0.0, |second| {
+                    second.normal_force / (wheel.normal_force + second.normal_force)
+                }),
+            }),
+        }
+    }
+}

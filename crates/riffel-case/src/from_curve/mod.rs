@@ -1,0 +1,185 @@
+//! The mean state of the contact from a bogie in its curve.
+
+mod fill;
+mod mean_contact;
+mod told;
+
+#[cfg(test)]
+mod tests;
+
+use std::path::Path;
+
+use riffel::Rail;
+use riffel_keys::{CaseError, Remark};
+use serde::Deserialize;
+
+use crate::case_text::CaseText;
+use crate::checked_keys::CheckedKeys;
+use crate::curving::CurvingCase;
+use crate::file::FromCurve;
+
+/// A case as far as it says where its mean state comes from.
+#[derive(Deserialize)]
+struct Asking {
+    contact: AskingContact,
+}
+
+#[derive(Deserialize)]
+struct AskingContact {
+    from: FromCurve,
+}
+
+impl CaseText {
+    /// Put what the equilibrium of a bogie says of the contacts in the place of keys that are not written, if `contact.from` asks for it:
+    /// creepages, contact angle, normal load, radii of the ellipse, place on the rail and friction of the rail under study, those of the opposite rail where
+    /// it is not absent, the rail of the wheelset and the rolling radius. `unfilled` are the keys without presets; values of presets give way.
+    ///
+    /// A lone wheel is always on the right rail: one on the left is turned over, with lateral creepage and spin of the other sign.
+    pub(crate) fn fill_in_from_curve(
+        &mut self,
+        unfilled: &Self,
+        folder: Option<&Path>,
+    ) -> Result<(), CaseError> {
+        if !self.keys.has("contact.from") {
+            return Ok(());
+        }
+        let from = self.asks_for()?;
+        if from.curve.is_some() && folder.is_none() {
+            return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
+        }
+        if from.curve.is_some()
+            && let Some(table) = ["curve", "bogie", "body", "profiles"]
+                .into_iter()
+                .find(|table| self.keys.has(table))
+        {
+            let rule = "is another file, but the tables of a curve stand in this one";
+            let help = format!("leave contact.from.curve out, or [{table}]");
+            return Err(self.keys.invalid("contact.from.curve", rule, &help));
+        }
+        let curving = self.curving_case(&from, unfilled, folder)?;
+        let vehicle = curving.vehicle_in_curve()?;
+        let wheelsets = vehicle.running_gear.wheelsets();
+        if !(1..=wheelsets).contains(&usize::from(from.wheelset)) {
+            let last = match wheelsets {
+                1 => "the only one".to_owned(),
+                2 => "which leads, or 2".to_owned(),
+                last => format!("which leads, to {last}"),
+            };
+            let rule = format!("is {}, but must be 1, {last}", from.wheelset);
+            return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
+        }
+        let states = curving.equilibria(&vehicle)?;
+        self.curve_remarks.extend(curving.remarks_of_profiles()?);
+        let radius = vehicle.curve.radius;
+        let rail = from.rail.in_curve(radius);
+        if states.len() > 1 {
+            let (which, german) = match states[0].continuation.is_empty() {
+                false => (
+                    "that which straight track leads to",
+                    "der, zu dem gerades Gleis führt",
+                ),
+                true => (
+                    "of the first found, to which straight track does not lead",
+                    "aus dem zuerst gefundenen, zu dem gerades Gleis nicht führt",
+                ),
+            };
+            self.curve_remarks.push(Remark::new(
+                format!(
+                    "the vehicle has {} equilibria in this curve; the contact is {which}",
+                    states.len()
+                ),
+                format!(
+                    "das Fahrzeug hat {} Gleichgewichte in diesem Bogen; der Kontakt ist {german}",
+                    states.len()
+                ),
+            ));
+        }
+        let file = &curving.file;
+        let study = self.contact_of(&from, &curving, &states[0], rail)?;
+        let has_wheelset = self.keys.has("wheelset");
+        if has_wheelset && self.keys.has("wheelset.rail") {
+            let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
+            if written != rail.name() {
+                let rule = format!(
+                    "is \"{written}\", but contact.from.rail = \"{}\" is the {} rail in a curve of {radius} m",
+                    from.rail.name(),
+                    rail.name()
+                );
+                return Err(self.keys.invalid("wheelset.rail", &rule, "leave it out"));
+            }
+        } else if has_wheelset {
+            self.fill("wheelset.rail", rail.name());
+        }
+        let mut instead = Vec::new();
+        self.put_friction("contact", study.friction, &mut instead);
+        let mirrored = !has_wheelset && rail == Rail::Left;
+        let radius_of_wheel = file.wheel.rolling_radius.si();
+        self.fill_number("wheel.rolling_radius", radius_of_wheel, &mut instead);
+        if !self.keys.has("contact.creep_law") {
+            self.fill("contact.creep_law", "shen-hedrick-elkins");
+        }
+        let at_tractive_ratio = self.is_written("contact.tractive_ratio");
+        if at_tractive_ratio {
+            instead.push("contact.tractive_ratio".to_owned());
+        }
+        self.fill_contact(
+            "contact",
+            rail,
+            &study,
+            mirrored,
+            !at_tractive_ratio,
+            &mut instead,
+        )?;
+        let opposite = self.keys.text_of("wheelset.opposite_rail");
+        if opposite.is_some_and(|kind| kind != "absent") {
+            let on_tread = FromCurve {
+                contact: None,
+                ..from.clone()
+            };
+            let other = self.contact_of(&on_tread, &curving, &states[0], rail.opposite())?;
+            self.put_friction("opposite_contact", other.friction, &mut instead);
+            self.fill_contact(
+                "opposite_contact",
+                rail.opposite(),
+                &other,
+                false,
+                true,
+                &mut instead,
+            )?;
+            self.tell_of_second_point(rail.opposite(), other.elsewhere);
+        }
+        self.tell_where_from(&from, rail, &vehicle.curve, &study);
+        self.tell_of_second_point(rail, study.elsewhere);
+        if instead.is_empty() {
+            self.curve_tractive_ratio = Some(study.tractive_ratio);
+        } else {
+            let instead = instead.join(", ");
+            self.curve_remarks.push(Remark::new(
+                format!("in place of what that curve says the case has its own {instead}"),
+                format!("statt dessen, was der Bogen sagt, hat der Fall eigene Werte: {instead}"),
+            ));
+        }
+        Ok(())
+    }
+
+    /// Which contact of the curve `contact.from` asks for.
+    pub(crate) fn asks_for(&self) -> Result<FromCurve, CaseError> {
+        let Asking {
+            contact: AskingContact { from },
+        } = self.keys.deserialize()?;
+        Ok(from)
+    }
+
+    /// The case of the curve: a file, or the tables of this one.
+    pub(crate) fn curving_case(
+        &self,
+        from: &FromCurve,
+        unfilled: &Self,
+        folder: Option<&Path>,
+    ) -> Result<CurvingCase, CaseError> {
+        if let (Some(file), Some(folder)) = (&from.curve, folder) {
+            return CurvingCase::read(&folder.join(file), &[]);
+        }
+        CurvingCase::of_tables(unfilled.clone(), folder)
+    }
+}

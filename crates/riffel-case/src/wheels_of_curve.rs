@@ -1,0 +1,199 @@
+//! The wheels of a vehicle in its curve, each as the wheel of the loop.
+
+use riffel::Rail;
+use riffel::curving::{Curve, VehicleState, WheelState};
+use riffel_keys::CaseError;
+
+use crate::Case;
+use crate::file::{CurveRail, FromCurve};
+
+/// The equilibrium of a vehicle, and its wheels one after the other in the loop of a case.
+pub struct WheelsOfCurve {
+    /// The curve.
+    pub curve: Curve,
+    /// Wheelset by wheelset from the front, the low rail first.
+    pub wheels: Vec<WheelOfCurve>,
+}
+
+/// One wheel of a vehicle in its curve.
+pub struct WheelOfCurve {
+    /// As the equilibrium has it; of a wheel that stands on two points the one on the tread.
+    pub state: WheelState,
+    /// Low or high.
+    pub rail: CurveRail,
+    /// The case with this wheel under study, or why the loop has no mean state on it.
+    pub case: Result<Case, CaseError>,
+}
+
+impl WheelOfCurve {
+    /// As in "wheelset 1, low rail".
+    pub fn name(&self) -> String {
+        format!(
+            "wheelset {}, {} rail",
+            self.state.wheelset,
+            self.rail.name()
+        )
+    }
+
+    /// Which part of the normal forces of the wheel its other point carries \[-\]; zero where it stands on one.
+    pub fn share_of_second_contact(&self) -> f64 {
+        self.state.second_contact.map_or(0.0, |second| {
+            second.normal_force / (self.state.normal_force + second.normal_force)
+        })
+    }
+}
+
+impl Case {
+    /// Every wheel of the vehicle that `contact.from` names, as if it were asked for; none where the case takes its mean state from
+    /// no curve. All keys but `contact.from.wheelset`, `contact.from.rail` and `wheelset.rail` stay; a wheel is that of its tread.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a vehicle that has no equilibrium.
+    pub fn wheels_of_curve(&self) -> Result<Option<WheelsOfCurve>, CaseError> {
+        let mut filled = self.unfilled.clone();
+        filled.fill_in()?;
+        if !filled.keys.has("contact.from") {
+            return Ok(None);
+        }
+        let from = filled.asks_for()?;
+        let folder = self.keys.folder.as_deref();
+        let curving = filled.curving_case(&from, &self.unfilled, folder)?;
+        let vehicle = curving.vehicle_in_curve()?;
+        let states = curving.equilibria(&vehicle)?;
+        let VehicleState { wheels, .. } = &states[0];
+        let low = CurveRail::Low.in_curve(vehicle.curve.radius);
+        let mut wheels: Vec<WheelOfCurve> = (wheels.iter())
+            .map(|&state| {
+                let rail = match state.rail == low {
+                    true => CurveRail::Low,
+                    false => CurveRail::High,
+                };
+                WheelOfCurve {
+                    state,
+                    rail,
+                    case: self.on_wheel(&from, state.wheelset, rail, state.rail),
+                }
+            })
+            .collect();
+        wheels.sort_by_key(|wheel| (wheel.state.wheelset, wheel.rail == CurveRail::High));
+        Ok(Some(WheelsOfCurve {
+            curve: vehicle.curve,
+            wheels,
+        }))
+    }
+
+    /// The case with another wheel under study.
+    fn on_wheel(
+        &self,
+        from: &FromCurve,
+        wheelset: usize,
+        rail: CurveRail,
+        side: Rail,
+    ) -> Result<Self, CaseError> {
+        let mut keys = vec![
+            format!("contact.from.wheelset={wheelset}"),
+            format!("contact.from.rail={}", rail.name()),
+        ];
+        if from.contact.is_some() {
+            keys.push("contact.from.contact=tread".to_owned());
+        }
+        if self.unfilled.keys.has("wheelset.rail") {
+            keys.push(format!("wheelset.rail={}", side.name()));
+        }
+        self.with(&[&keys])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CURVE: &str = include_str!("../cases/metro-curve.toml");
+
+    fn case(text: &str, overrides: &[&str]) -> Case {
+        let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+        Case::parse("curve.toml", text, &overrides).unwrap()
+    }
+
+    fn growth(case: &Case) -> f64 {
+        case.point(0.06, 12.5).unwrap().growth_rate()
+    }
+
+    /// Each wheel grows as if it had been asked for by its keys, whichever wheel the case has.
+    #[test]
+    fn wheels_are_those_that_keys_ask_for() {
+        let found = case(
+            CURVE,
+            &["contact.from.wheelset=2", "contact.from.rail=right"],
+        );
+        let found = found.wheels_of_curve().unwrap().unwrap();
+        let names: Vec<String> = found.wheels.iter().map(WheelOfCurve::name).collect();
+        assert_eq!(
+            names,
+            [
+                "wheelset 1, low rail",
+                "wheelset 1, high rail",
+                "wheelset 2, low rail",
+                "wheelset 2, high rail"
+            ]
+        );
+        for wheel in &found.wheels {
+            let keys = [
+                format!("contact.from.wheelset={}", wheel.state.wheelset),
+                format!("contact.from.rail={}", wheel.rail.name()),
+            ];
+            let asked = case(CURVE, &keys.each_ref().map(String::as_str));
+            let got = growth(
+                wheel
+                    .case
+                    .as_ref()
+                    .unwrap_or_else(|error| panic!("{error}")),
+            );
+            assert_eq!(got, growth(&asked));
+        }
+    }
+
+    /// To the left the low rail is the left one, and the wheels are those of the mirror image; the rail of the wheelset goes along.
+    #[test]
+    fn a_mirrored_curve_has_the_same_wheels() {
+        let right = case(CURVE, &["wheelset.rail=right"]);
+        let left = case(CURVE, &["curve.radius=-180 m", "contact.from.rail=left"]);
+        let [right, left] = [right, left].map(|case| case.wheels_of_curve().unwrap().unwrap());
+        assert_eq!(left.curve.radius, -180.0);
+        for (one, other) in right.wheels.iter().zip(&left.wheels) {
+            assert_eq!(one.name(), other.name());
+            assert_ne!(one.state.rail, other.state.rail);
+            let [one, other] = [one, other].map(|wheel| growth(wheel.case.as_ref().unwrap()));
+            assert!((one / other - 1.0).abs() < 1e-6, "{one:e} {other:e}");
+        }
+    }
+
+    /// A law without a slope in full sliding has no loop on the leading wheels; those behind still have theirs.
+    #[test]
+    fn a_wheel_without_a_mean_state_says_why() {
+        let found = case(
+            CURVE,
+            &[
+                "contact.creep_law=shen-hedrick-elkins",
+                "contact.from.wheelset=2",
+            ],
+        );
+        let found = found.wheels_of_curve().unwrap().unwrap();
+        let whys: Vec<Option<String>> = (found.wheels.iter())
+            .map(|wheel| wheel.case.as_ref().err().map(ToString::to_string))
+            .collect();
+        assert!(
+            whys[0]
+                .as_ref()
+                .is_some_and(|why| why.contains("contact.creepage")),
+            "{whys:?}"
+        );
+        assert!(whys[2..].iter().all(Option::is_none), "{whys:?}");
+    }
+
+    #[test]
+    fn a_case_without_a_curve_has_no_wheels() {
+        let nominal = case(crate::NOMINAL_CASE, &[]);
+        assert!(nominal.wheels_of_curve().unwrap().is_none());
+    }
+}

@@ -1,0 +1,109 @@
+//! `riffel map --wheels`, from the command line to the files.
+
+use crate::sandbox::{Sandbox, number};
+
+/// A coarse map: growth at the speed of the curve has wavelengths of its own.
+const FEW: &str = "--set map.wavelength.points=7 --set map.speed.points=3";
+
+/// Four wheels of a bogie with their files; the document is that of the folder, and the wheel of the case grows as `riffel point`
+/// says.
+#[test]
+fn wheels_stand_side_by_side() {
+    let sandbox = Sandbox::new();
+    let command = format!("map cases/metro-curve.toml --wheels {FEW}");
+    let written = sandbox.riffel(&format!("{command} -o out"));
+    assert_eq!(written.status, Some(0), "{}", written.text);
+    for shown in [
+        "all wheels in the curve of 180 m at 45 km/h",
+        "it grows fastest under wheelset 1, low rail",
+        "note: wheelset 1, high rail: contact.creep_law",
+    ] {
+        assert!(written.text.contains(shown), "{}", written.text);
+    }
+    assert_eq!(
+        sandbox.list("out"),
+        [
+            "growth.csv",
+            "growth.html",
+            "growth.png",
+            "growth.svg",
+            "map.html",
+            "map.nc",
+            "map.png",
+            "map.svg",
+            "summary.json",
+            "wheels.csv"
+        ]
+    );
+    let document = sandbox.json(&format!("{command} --json"));
+    let summary = std::fs::read_to_string(sandbox.path("out/summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+    assert_eq!(document, summary);
+    let wheels = document["wheels"].as_array().unwrap();
+    let names: Vec<String> = wheels
+        .iter()
+        .map(|wheel| format!("{} {} {}", wheel["wheelset"], wheel["rail"], wheel["side"]))
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "1 \"low\" \"right\"",
+            "1 \"high\" \"left\"",
+            "2 \"low\" \"right\"",
+            "2 \"high\" \"left\""
+        ]
+    );
+    for (wheel, keys) in wheels.iter().zip([
+        "",
+        "--set contact.from.rail=high",
+        "--set contact.from.wheelset=2",
+        "--set contact.from.wheelset=2 --set contact.from.rail=high",
+    ]) {
+        let highest = &wheel["highest"];
+        let wavelength = number(&highest["wavelength_m"]);
+        let point = sandbox.json(&format!(
+            "point cases/metro-curve.toml --wavelength {wavelength} --speed 12.5 --json {keys}"
+        ));
+        let [here, there] = [highest, &point].map(|of| number(&of["growth_rate_per_passage"]));
+        // Four wavelengths at once are summed in another order than one.
+        assert!((here / there - 1.0).abs() < 1e-9, "{here:e} {there:e}");
+        let rates = wheel["growth_rate_per_passage"].as_array().unwrap();
+        assert!(rates.iter().all(|rate| number(rate) <= here));
+    }
+}
+
+/// A wheel without a mean state in the loop is told in its row, and the others come.
+#[test]
+fn a_wheel_that_slides_as_a_whole_is_told() {
+    let sandbox = Sandbox::new();
+    let command = format!(
+        "map cases/metro-curve.toml --wheels {FEW} --set contact.creep_law=shen-hedrick-elkins \
+         --set contact.from.wheelset=2"
+    );
+    let written = sandbox.riffel(&format!("{command} -o out"));
+    assert_eq!(written.status, Some(0), "{}", written.text);
+    let words =
+        "not in the loop: wheelset 1, low rail: `contact.creepage`: magnitude of the creepage";
+    assert!(written.text.contains(words), "{}", written.text);
+    let document = sandbox.json(&format!("{command} --json"));
+    let wheels = document["wheels"].as_array().unwrap();
+    let known: Vec<bool> = wheels
+        .iter()
+        .map(|wheel| wheel["not_in_loop"].is_null())
+        .collect();
+    assert_eq!(known, [false, false, true, true]);
+    for (wheel, known) in wheels.iter().zip(known) {
+        assert_eq!(wheel["growth_rate_per_passage"].is_array(), known);
+    }
+}
+
+#[test]
+fn a_case_without_a_curve_is_refused() {
+    let sandbox = Sandbox::new();
+    let refused = sandbox.riffel("map cases/nominal.toml --wheels -o out");
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(refused.text.contains("contact.from"), "{}", refused.text);
+    assert!(!sandbox.path("out").exists());
+    let both = sandbox.riffel("map cases/nominal.toml --wheels --bay -o out");
+    assert_eq!(both.status, Some(2), "{}", both.text);
+}
