@@ -1,7 +1,7 @@
 //! Where a wheel stands on its rail, from the profiles of a case.
 
 use riffel::Rail;
-use riffel::profile::{Profile, ProfileContact};
+use riffel::profile::{Profile, ProfileContact, WheelsetContact};
 use riffel_keys::CaseError;
 
 use crate::curving::CurvingCase;
@@ -32,14 +32,10 @@ impl CurvingCase {
         lateral_shift: f64,
         contact_angle: f64,
     ) -> Result<Option<PlaceOnRail>, CaseError> {
-        let Some(profiles) = self
-            .file
-            .profiles
-            .as_ref()
-            .filter(|one| one.wheel != "cone")
-        else {
+        let profiles = self.file.profiles.as_ref();
+        if profiles.is_none_or(|profiles| profiles.wheel == "cone") {
             return Ok(None);
-        };
+        }
         let wheelset = self.wheelset_on_track()?;
         let index = usize::from(rail == Rail::Right);
         let shifts = [0.0, -BESIDE, BESIDE].map(|beside| lateral_shift + beside);
@@ -51,23 +47,42 @@ impl CurvingCase {
         let Some(contact) = nearest.filter(|contact| off(contact) < SAME_ANGLE) else {
             return Ok(None);
         };
+        let [_, across, below] = contact.on_track;
+        let outward = self.outward_on_rail(rail, [across, below])?;
+        Ok(outward.map(|outward| PlaceOnRail {
+            outward,
+            rail_curvature: contact.rail_curvature,
+        }))
+    }
+
+    /// From the axis of the upright rail to the field side \[m\], of a point to the right of the middle of the track and below the
+    /// crowns \[m\].
+    pub(crate) fn outward_on_rail(
+        &self,
+        rail: Rail,
+        [across, below]: [f64; 2],
+    ) -> Result<Option<f64>, CaseError> {
+        let Some(profiles) = self.file.profiles.as_ref() else {
+            return Ok(None);
+        };
         let profile = self.profile_of_rail(rail)?;
-        let slope = profiles.inclination.slope;
+        let inclination = profiles.inclination.slope.atan();
         let placed = placed_origin(
             &profile,
-            slope.atan(),
+            inclination,
             profiles.gauge.si(),
             profiles.gauge_height.si(),
         );
+        let (sine, cosine) = inclination.sin_cos();
         Ok(placed.map(|[origin, height]| {
-            let across = contact.on_track[1] * rail.sign() - origin;
-            let up = -contact.on_track[2] - height;
-            let (sine, cosine) = slope.atan().sin_cos();
-            PlaceOnRail {
-                outward: cosine * across + sine * up,
-                rail_curvature: contact.rail_curvature,
-            }
+            cosine * (across * rail.sign() - origin) + sine * (-below - height)
         }))
+    }
+
+    /// Whether a wheelset that stands so touches a rail under a contact angle \[rad\].
+    pub(crate) fn is_under(contact: &WheelsetContact, rail: Rail, contact_angle: f64) -> bool {
+        let on = &contact.contacts[usize::from(rail == Rail::Right)];
+        (on.contact_angle - contact_angle).abs() < SAME_ANGLE
     }
 }
 

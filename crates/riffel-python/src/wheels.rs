@@ -8,12 +8,15 @@ use crate::case::Case;
 use crate::document::document;
 use crate::errors::of_answer;
 
-/// What `riffel map --wheels --json` prints, with the growth rates of each wheel on the grid of the map.
+/// An array of NumPy.
+type Array<'py> = Bound<'py, PyArray1<f64>>;
+
+/// What `riffel map --wheels --json` prints, with speeds and wavelengths of the map, and the growth rates of each wheel on its grid.
 #[pyfunction]
 pub(crate) fn wheels_of_curve<'py>(
     py: Python<'py>,
     case: &Case,
-) -> PyResult<(Bound<'py, PyAny>, Vec<Option<Bound<'py, PyArray1<f64>>>>)> {
+) -> PyResult<(Bound<'py, PyAny>, [Array<'py>; 2], Vec<Option<Array<'py>>>)> {
     let answer = case.compute(py, |case| WheelsAnswer::new(case, |_| ()))?;
     let answer = answer.map_err(of_answer)?;
     let maps = (answer.wheels.iter())
@@ -23,5 +26,7 @@ pub(crate) fn wheels_of_curve<'py>(
             Some(rates.to_pyarray(py))
         })
         .collect();
-    Ok((document(py, &answer.document(&case.case))?, maps))
+    let axes = [case.case.speed, case.case.wavelength].map(|axis| axis.values().to_pyarray(py));
+    let document = document(py, &answer.document(&case.case))?;
+    Ok((document, axes, maps))
 }

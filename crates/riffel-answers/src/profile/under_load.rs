@@ -66,8 +66,8 @@ struct PatchDocument {
 const RAILS: [Rail; 2] = [Rail::Left, Rail::Right];
 
 impl UnderLoadAnswer {
-    /// Elements of the grid across a patch that is as long as wide: approach, pressure and stiffness to 3·10⁻³ of those of 96.
-    pub const ELEMENTS: usize = 48;
+    /// Elements of the grid across a patch that is as long as wide.
+    const ELEMENTS: usize = CurvingCase::ELEMENTS_UNDER_LOAD;
 
     /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\], each wheel under the normal force \[N\].
     ///

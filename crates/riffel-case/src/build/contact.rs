@@ -12,6 +12,7 @@ use riffel_keys::CaseError;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
+use crate::general_keys::{ContactKeys, contact};
 
 /// Elements over a diameter; the half grid has half as many.
 const GRIDS: std::ops::RangeInclusive<u64> = 16..=200;
@@ -40,37 +41,31 @@ pub(crate) struct CreepInTime {
 
 impl CheckedKeys {
     pub(crate) fn hertz(&self, steel: ElasticMaterial) -> Result<HertzContact, CaseError> {
-        let contact = &self.file.contact;
-        self.hertz_of(
-            steel,
-            contact.longitudinal_radius.map(|radius| radius.si()),
-            contact.transverse_radius.si(),
-            contact.normal_load.si(),
-        )
+        self.hertz_of(steel, &contact(&self.file.contact))
     }
 
-    /// The ellipse of a contact of the radii along and across the rail \[m\] under the load \[N\]; along it is the rolling radius by default.
+    /// The ellipse of a contact; its radius along the rail is the rolling radius by default, its stiffness that of Hertz.
     pub(crate) fn hertz_of(
         &self,
         steel: ElasticMaterial,
-        along: Option<f64>,
-        across: f64,
-        load: f64,
+        keys: &ContactKeys,
     ) -> Result<HertzContact, CaseError> {
         let radius = self.file.wheel.rolling_radius.si();
+        let (across, load) = (keys.transverse_radius, keys.normal_load);
         let hertz = match self.hertz_theory() {
             HertzTheory::Paper => HertzContact::new(steel, radius, across, load),
             HertzTheory::Exact => HertzContact::exact(steel, radius, across, load),
         };
         // Both others are positive: what is left is a contact that is no ellipse.
-        let hertz = self.physics("contact.transverse_radius", hertz)?;
-        let Some(along) = along else {
-            return Ok(hertz);
-        };
-        self.physics(
-            "contact.longitudinal_radius",
-            hertz.with_longitudinal_radius(along),
-        )
+        let mut hertz = self.physics("contact.transverse_radius", hertz)?;
+        if let Some(along) = keys.longitudinal_radius {
+            let other = hertz.with_longitudinal_radius(along);
+            hertz = self.physics("contact.longitudinal_radius", other)?;
+        }
+        match keys.stiffness {
+            Some(stiffness) => self.physics("contact.stiffness", hertz.with_stiffness(stiffness)),
+            None => Ok(hertz),
+        }
     }
 
     pub(super) fn contact(&self, hertz: HertzContact) -> Result<BuiltContact, CaseError> {

@@ -136,12 +136,7 @@ impl CheckedKeys {
                 "give longitudinal or lateral creepage with it",
             ));
         }
-        let hertz = self.hertz_of(
-            steel,
-            keys.longitudinal_radius,
-            keys.transverse_radius,
-            keys.normal_load,
-        )?;
+        let hertz = self.hertz_of(steel, keys)?;
         let built = self.contact_of(hertz, keys.friction, mean, OscillatingCreepages::InPlane)?;
         let steady = built.rolling.steady();
         let geometry = keys.conformity.map(|conformity| {

@@ -2,7 +2,7 @@
 
 use riffel::contact::HalfSpace;
 use riffel_keys::quantity::{
-    Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, VelocityDecay,
+    Angle, Force, Length, Quantity, Ratio, RelativeSlope, Speed, Stiffness, VelocityDecay,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -20,6 +20,9 @@ pub struct Contact {
     pub longitudinal_radius: Option<Quantity<Length>>,
     /// Normal force P₀ per wheel.
     pub normal_load: Quantity<Force>,
+    /// Linearised contact stiffness k_H under that force; left out, that of the ellipse.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Quantity<Stiffness>>,
     /// Coefficient of friction μ.
     pub friction: Quantity<Ratio>,
     /// Tractive ratio τ = Q₀/μP₀, between 0 and 1.

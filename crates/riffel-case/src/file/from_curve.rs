@@ -19,6 +19,21 @@ pub struct FromCurve {
     /// Which point of a wheel that stands on two; left out, that on the tread.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contact: Option<ContactOfWheel>,
+    /// Which patch the loop takes; left out, the ellipse of Hertz.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub patch: Option<Patch>,
+}
+
+/// The patch of a contact whose profiles are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Patch {
+    /// The ellipse of the curvatures where the profiles first touch.
+    #[default]
+    Hertz,
+    /// That of the profiles themselves under load, exact on elements: its stiffness, place and angle, and an ellipse like it for
+    /// the laws of creep.
+    NonElliptic,
 }
 
 /// A rail of a curve.

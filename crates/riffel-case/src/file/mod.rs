@@ -28,7 +28,7 @@ pub use curving::{
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
     ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
 };
-pub use from_curve::{ContactOfWheel, CurveRail, FromCurve};
+pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use opposite_contact::OppositeContact;

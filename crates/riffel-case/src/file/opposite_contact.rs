@@ -1,6 +1,6 @@
 //! The keys of the contact on the opposite rail.
 
-use riffel_keys::quantity::{Angle, Force, Length, Quantity, Ratio};
+use riffel_keys::quantity::{Angle, Force, Length, Quantity, Ratio, Stiffness};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +19,9 @@ pub struct OppositeContact {
     /// Normal force P₀; left out, that of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub normal_load: Option<Quantity<Force>>,
+    /// Linearised contact stiffness k_H under that force; left out, that of the contact, or of the ellipse where radius or force are given here.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Quantity<Stiffness>>,
     /// Coefficient of friction μ; left out, that of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<Quantity<Ratio>>,

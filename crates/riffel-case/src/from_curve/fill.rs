@@ -51,6 +51,9 @@ impl CaseText {
             self.fill(&angle, format!("{of_loop} rad"));
         }
         self.fill_number(&key("normal_load"), contact.normal_force, instead);
+        if let Some(stiffness) = contact.stiffness {
+            self.fill_number(&key("stiffness"), stiffness, instead);
+        }
         self.fill_number(
             &key("longitudinal_radius"),
             contact.longitudinal_radius,

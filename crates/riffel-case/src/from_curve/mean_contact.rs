@@ -14,6 +14,12 @@ use crate::from_profiles::PlaceOnRail;
 pub(super) struct MeanContact {
     pub(super) creepages: Creepages,
     pub(super) contact_angle: f64,
+    /// r \[m\].
+    pub(super) rolling_radius: f64,
+    /// Of its wheelset, to the right \[m\].
+    pub(super) lateral_shift: f64,
+    /// k_H \[N/m\]; none for that of the ellipse.
+    pub(super) stiffness: Option<f64>,
     /// r/cos γ: the wheel is a surface of revolution.
     pub(super) longitudinal_radius: f64,
     pub(super) normal_force: f64,
@@ -60,6 +66,9 @@ impl CaseText {
             (ContactOfWheel::Flange, Some(second)) => Ok(MeanContact {
                 creepages: second.creepages,
                 contact_angle: second.contact_angle,
+                rolling_radius: second.rolling_radius,
+                lateral_shift: shift,
+                stiffness: None,
                 longitudinal_radius: second.rolling_radius / second.contact_angle.cos(),
                 place: place(second.contact_angle)?,
                 normal_force: second.normal_force,
@@ -79,6 +88,9 @@ impl CaseText {
             (ContactOfWheel::Tread, _) => Ok(MeanContact {
                 creepages: wheel.creepages,
                 contact_angle: wheel.contact_angle,
+                rolling_radius: wheel.rolling_radius,
+                lateral_shift: shift,
+                stiffness: None,
                 longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
                 place: place(wheel.contact_angle)?,
                 normal_force: wheel.normal_force,

@@ -1,6 +1,7 @@
 //! The mean state of the contact from a bogie in its curve.
 
 mod fill;
+mod loaded_patch;
 mod mean_contact;
 mod told;
 
@@ -95,7 +96,7 @@ impl CaseText {
             ));
         }
         let file = &curving.file;
-        let study = self.contact_of(&from, &curving, &states[0], rail)?;
+        let mut study = self.contact_of(&from, &curving, &states[0], rail)?;
         let has_wheelset = self.keys.has("wheelset");
         if has_wheelset && self.keys.has("wheelset.rail") {
             let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
@@ -118,6 +119,8 @@ impl CaseText {
         if !self.keys.has("contact.creep_law") {
             self.fill("contact.creep_law", "shen-hedrick-elkins");
         }
+        let patch = from.patch.unwrap_or_default();
+        self.take_patch(patch, &curving, rail, &mut study)?;
         let at_tractive_ratio = self.is_written("contact.tractive_ratio");
         if at_tractive_ratio {
             instead.push("contact.tractive_ratio".to_owned());
@@ -136,7 +139,8 @@ impl CaseText {
                 contact: None,
                 ..from.clone()
             };
-            let other = self.contact_of(&on_tread, &curving, &states[0], rail.opposite())?;
+            let mut other = self.contact_of(&on_tread, &curving, &states[0], rail.opposite())?;
+            self.take_patch(patch, &curving, rail.opposite(), &mut other)?;
             self.put_friction("opposite_contact", other.friction, &mut instead);
             self.fill_contact(
                 "opposite_contact",

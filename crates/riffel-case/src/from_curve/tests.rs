@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use riffel::curving::WheelState;
+use riffel::{HertzContact, Rail};
 use riffel_keys::CaseError;
 use rstest::rstest;
 
@@ -210,6 +211,7 @@ fn vehicles_of_a_traffic_have_no_loads_of_their_own() {
 #[case("contact.from.contact=flange", "stands on one point")]
 #[case("wheelset.rail=left", "is the right rail in a curve of 180 m")]
 #[case("contact.from.curve=bogie.toml", "stand in this one")]
+#[case("contact.from.patch=elastic", "elastic")]
 #[case("curve.radius=1 m", "larger than the wheelbase")]
 #[case("profiles.wheel=no-such.csv", "no-such.csv")]
 fn refused(#[case] key: &str, #[case] words: &str) {
@@ -232,4 +234,138 @@ fn sealed_cases_open_nothing() {
         assert!(error.to_string().contains(key), "{error}");
         assert!(error.to_string().contains("may not name any"), "{error}");
     }
+}
+
+/// Two circles by a smooth rail of 80 mm and wheels of several radii: under load they come to Hertz, on the slope of the head too.
+#[test]
+fn circles_under_load_are_those_of_hertz() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = |name: &str, height: &dyn Fn(f64) -> f64, ends: [f64; 2]| {
+        let rows = (0..=600).map(|index| {
+            let x = ends[0] + (ends[1] - ends[0]) * f64::from(index) / 600.0;
+            format!("{x:.9},{:.9}\n", height(x))
+        });
+        let text = "x_mm,y_mm\n".to_owned() + &rows.collect::<String>();
+        std::fs::write(folder.path().join(name), text).unwrap();
+    };
+    const RAIL: f64 = 80.0;
+    points(
+        "rail.csv",
+        &|x| (RAIL * RAIL - x * x).sqrt() - RAIL,
+        [-60.0, 60.0],
+    );
+    // A hollow wheel, a cylinder and a rounded one, by their curvatures.
+    for (curvature, inclined) in [(1.0 / 240.0, 0.0), (1e-12, 0.0), (-1.0 / 160.0, 0.05)] {
+        let wheel = |x: f64| {
+            let under = 1.0 - (curvature * x).powi(2);
+            // A flange of a wave, for a wheelset has one.
+            let inside = (-40.0 - x).max(0.0) / 30.0;
+            let flange = 14.0 * (1.0 - (std::f64::consts::PI * inside).cos());
+            inclined * x - curvature * x * x / (1.0 + under.sqrt()) - flange
+        };
+        points("wheel.csv", &wheel, [-70.0, 40.0]);
+        let text = "[wheel]\nrolling_radius = \"460 mm\"\n[profiles]\nwheel = \"wheel.csv\"\nrail = \"rail.csv\"\n\
+                    gauge = \"1435 mm\"\ninclination = \"none\"\n";
+        let path = folder.path().join("profiles.toml");
+        std::fs::write(&path, text).unwrap();
+        let case = CurvingCase::read(&path, &[]).unwrap();
+        let on = case
+            .wheelset_on_track()
+            .unwrap()
+            .contact(0.0, 0.0)
+            .unwrap()
+            .contacts[1];
+        let patch = case.loaded_patch(Rail::Right, 0.0, on.contact_angle, 60e3);
+        let patch = patch.unwrap().unwrap();
+        let across = (on.rail_curvature - on.wheel_curvature).recip();
+        let along = on.rolling_radius / on.contact_angle.cos();
+        let hertz = HertzContact::exact(case.steel().unwrap(), 0.46, across, 60e3)
+            .and_then(|hertz| hertz.with_longitudinal_radius(along))
+            .unwrap();
+        let axes = [hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral()];
+        let off = |value: f64, exact: f64| value / exact - 1.0;
+        let stiffness = off(patch.stiffness, hertz.stiffness());
+        let [a, b] = [0, 1].map(|axis| off(patch.semi_axes[axis], axes[axis]));
+        println!(
+            "{:.1} mm by {:.1} mm: {stiffness:.4} {a:.4} {b:.4}",
+            1e3 * axes[0],
+            1e3 * axes[1]
+        );
+        // Of the grid: the stiffness to 3e-3 of a finer one; the area is that of whole elements, a root of which is an axis.
+        assert!(stiffness.abs() < 1e-2, "{stiffness}");
+        assert!(a.abs() < 0.03 && b.abs() < 0.03, "{a} {b}");
+        // Symmetric about the touch: the plane stays, but for what a circle is more than a parabola.
+        assert!((patch.contact_angle - on.contact_angle).abs() < 1e-3);
+    }
+}
+
+/// With the patch of the profiles the loop has the stiffness, the axes, the angle and the spin of the contact under load, on both rails.
+#[test]
+fn a_patch_under_load_enters_the_loop() {
+    const ASK: &str = "contact.from.patch=non-elliptic";
+    let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
+    let vehicle = curving.vehicle_in_curve().unwrap();
+    let state = &curving.equilibria(&vehicle).unwrap()[0];
+    let [hertz, case] = [&[][..], &[ASK][..]].map(|keys| {
+        let wheel2 = ["contact.from.wheelset=2", "contact.from.rail=low"];
+        case(&[keys, &wheel2].concat()).unwrap()
+    });
+    let wheel = state
+        .wheels
+        .iter()
+        .find(|wheel| (wheel.wheelset, wheel.rail) == (2, Rail::Right));
+    let wheel = wheel.unwrap();
+    let shift = state.wheelsets[1].lateral_shift;
+    let patch = curving.loaded_patch(Rail::Right, shift, wheel.contact_angle, wheel.normal_force);
+    let patch = patch.unwrap().unwrap();
+    assert!((case.hertz.stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
+    assert!((case.feedback.contact_stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
+    assert!((case.hertz.semi_axis_longitudinal() / patch.semi_axes[0] - 1.0).abs() < 1e-12);
+    assert!((case.hertz.semi_axis_lateral() / patch.semi_axes[1] - 1.0).abs() < 1e-12);
+    let angle = case.file.contact.contact_angle.unwrap().si();
+    assert!((angle - patch.contact_angle).abs() < 1e-12);
+    // The turn of the wheel about another normal: φ + sin γ/r stays on the right rail.
+    let of_turn = |case: &Case| {
+        let contact = &case.file.contact;
+        let angle = contact.contact_angle.unwrap().si();
+        contact.creepage.unwrap().components().spin + angle.sin() / wheel.rolling_radius
+    };
+    assert!((of_turn(&case) - of_turn(&hertz)).abs() < 1e-12);
+    let other = case.file.opposite_contact.as_ref().unwrap();
+    assert!(
+        other.stiffness.is_some()
+            && hertz
+                .file
+                .opposite_contact
+                .as_ref()
+                .unwrap()
+                .stiffness
+                .is_none()
+    );
+    let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+    let count = told
+        .iter()
+        .filter(|remark| remark.contains("profiles under load"));
+    assert_eq!(count.count(), 2, "{told:?}");
+    // On the flange root the wheel stands on two points.
+    let high = self::case(&[ASK, "contact.from.rail=high"]).unwrap();
+    let told: Vec<String> = high.remarks.iter().map(ToString::to_string).collect();
+    assert!(
+        told.iter()
+            .any(|remark| remark.contains("which a patch under load would join"))
+    );
+}
+
+/// What is written wins over the patch as over all else.
+#[test]
+fn a_written_stiffness_wins_over_the_patch() {
+    let keys = [
+        "contact.from.patch=non-elliptic",
+        "contact.stiffness=900 MN/m",
+    ];
+    let case = case(&keys).unwrap();
+    assert!((case.hertz.stiffness() / 900e6 - 1.0).abs() < 1e-12);
+    let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+    let own = "the case has its own contact.stiffness";
+    assert!(told.iter().any(|remark| remark.contains(own)), "{told:?}");
 }

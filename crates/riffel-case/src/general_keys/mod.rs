@@ -57,6 +57,8 @@ pub(crate) struct ContactKeys {
     pub(crate) transverse_radius: f64,
     /// P₀ \[N\].
     pub(crate) normal_load: f64,
+    /// k_H \[N/m\]; none for that of the ellipse.
+    pub(crate) stiffness: Option<f64>,
     /// μ \[-\].
     pub(crate) friction: f64,
     /// γ \[rad\].
@@ -211,12 +213,15 @@ impl CheckedKeys {
             transverse_radius,
             longitudinal_radius,
             normal_load,
+            stiffness,
             friction,
             creepage,
             contact_angle,
             lateral_offset,
             rail_radius,
         } = written;
+        let of_its_own =
+            transverse_radius.is_some() || longitudinal_radius.is_some() || normal_load.is_some();
         let creepages = match (creepage, self.mean_state()?) {
             (Some(creepage), _) => Some(self.creeping("opposite_contact.creepage", creepage)?),
             (None, MeanState::Creepages(creepages)) => Some(Creepages {
@@ -233,6 +238,12 @@ impl CheckedKeys {
                     .or(here.longitudinal_radius),
                 transverse_radius: or(transverse_radius, here.transverse_radius),
                 normal_load: or(normal_load, here.normal_load),
+                stiffness: match stiffness {
+                    // Another ellipse has another stiffness.
+                    None if of_its_own => None,
+                    None => here.stiffness,
+                    Some(stiffness) => Some(stiffness.si()),
+                },
                 friction: or(friction, here.friction),
                 contact_angle: or(contact_angle, here.contact_angle),
                 lateral_offset: or(lateral_offset, -here.lateral_offset),
@@ -364,11 +375,12 @@ fn or<D: Dimension>(written: Option<Quantity<D>>, otherwise: f64) -> f64 {
 }
 
 /// The contact on the rail under study, without its creepage.
-fn contact(contact: &Contact) -> ContactKeys {
+pub(crate) fn contact(contact: &Contact) -> ContactKeys {
     ContactKeys {
         longitudinal_radius: contact.longitudinal_radius.map(|radius| radius.si()),
         transverse_radius: contact.transverse_radius.si(),
         normal_load: contact.normal_load.si(),
+        stiffness: contact.stiffness.map(|stiffness| stiffness.si()),
         friction: contact.friction.si(),
         contact_angle: or(contact.contact_angle, 0.0),
         lateral_offset: or(contact.lateral_offset, 0.0),

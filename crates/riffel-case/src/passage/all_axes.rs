@@ -135,12 +135,7 @@ impl Case {
     ) -> Result<ContactInTime, CaseError> {
         let side = keys_of_side(keys, contact.rail);
         let steel = self.keys.steel()?;
-        let hertz = self.keys.hertz_of(
-            steel,
-            side.longitudinal_radius,
-            side.transverse_radius,
-            side.normal_load,
-        )?;
+        let hertz = self.keys.hertz_of(steel, side)?;
         let law = self.keys.creep_law(hertz, side.friction)?;
         let Some(law) = law else {
             let message = "on all axes a passage in time takes a creep law that is a formula or \"fastsim\": the exact theory is \

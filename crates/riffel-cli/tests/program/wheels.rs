@@ -107,3 +107,41 @@ fn a_case_without_a_curve_is_refused() {
     let both = sandbox.riffel("map cases/nominal.toml --wheels --bay -o out");
     assert_eq!(both.status, Some(2), "{}", both.text);
 }
+
+/// With the patch of the profiles the stiffness is that of `riffel profile --load` under the same load at the same shift.
+#[test]
+fn the_patch_is_that_of_the_profiles_under_load() {
+    let sandbox = Sandbox::new();
+    let curve = sandbox.json("curve cases/metro-curve.toml --json");
+    let wheel = &curve["wheels"][3];
+    assert_eq!(
+        (&wheel["wheelset"], &wheel["rail"]),
+        (&2.into(), &"right".into())
+    );
+    let load = number(&wheel["normal_force_n"]);
+    let shift = number(&curve["wheelsets"][1]["lateral_shift_m"]);
+    let under = sandbox.json(&format!(
+        "profile cases/metro-curve.toml --wheelset --load {load} --lateral-shift={shift} --json"
+    ));
+    let right = &under["contacts"][1];
+    let keys = "--set contact.from.wheelset=2 --set contact.from.patch=non-elliptic";
+    let map = sandbox.json(&format!(
+        "map cases/metro-curve.toml --json {FEW} {keys} -o out"
+    ));
+    let derived = &map["derived"];
+    let [stiffness, of_profiles] = [
+        &derived["contact_stiffness_n_per_m"],
+        &right["stiffness_n_per_m"],
+    ]
+    .map(number);
+    // The shift passes through text.
+    assert!(
+        (stiffness / of_profiles - 1.0).abs() < 1e-6,
+        "{stiffness:e} {of_profiles:e}"
+    );
+    let axes = ["semi_axis_longitudinal_m", "semi_axis_lateral_m"].map(|key| number(&derived[key]));
+    let moments = [0, 1].map(|axis| number(&right["equivalent_semi_axes_m"][axis]));
+    let area = number(&right["area_m2"]);
+    assert!((std::f64::consts::PI * axes[0] * axes[1] / area - 1.0).abs() < 1e-6);
+    assert!((axes[0] / axes[1] / (moments[0] / moments[1]) - 1.0).abs() < 1e-6);
+}

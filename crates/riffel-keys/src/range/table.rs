@@ -255,6 +255,12 @@ pub static RANGES: &[PhysicalRange] = &[
         [10e3, 250e3],
         "Twin discs press with 10 N to some kN; wheels with 15 kN (light rail) to 200 kN (40 t axles).",
     ),
+    row::<Stiffness>(
+        &["contact.stiffness", "opposite_contact.stiffness"],
+        [1e3, 1e12],
+        [2e8, 5e9],
+        "Wheels on rails have 800 to 1500 MN/m, twin discs less.",
+    ),
     row::<Ratio>(
         &[
             "contact.friction",

@@ -50,13 +50,9 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     >>> str(wheels["fastest_growth_rate"].idxmax("wheel").values)
     '1 low'
     """
-    found, maps = _riffel.wheels_of_curve(case._case)
+    found, (speeds, map_wavelengths), maps = _riffel.wheels_of_curve(case._case)
     wheels = found["wheels"]
     wavelengths = found["wavelength_m"]
-    grid = found["inputs"]["map"]
-    speeds, map_wavelengths = (
-        np.linspace(grid[axis]["min"], grid[axis]["max"], grid[axis]["points"]) for axis in ("speed", "wavelength")
-    )
     shape = (len(speeds), len(map_wavelengths))
 
     def fastest(key: str, units: str, name: str) -> tuple[str, list[float], dict[str, str]]:

@@ -24,6 +24,8 @@ pub struct HertzContact {
     normal_force: f64,
     /// The solved ellipse; none in the closed form.
     ellipse: Option<UnitEllipse>,
+    /// Stiffness over that of Hertz.
+    stiffening: f64,
 }
 
 impl HertzContact {
@@ -51,6 +53,7 @@ impl HertzContact {
             transverse_radius,
             normal_force,
             ellipse: None,
+            stiffening: 1.0,
         })
     }
 
@@ -102,6 +105,39 @@ impl HertzContact {
                 1.0 / transverse_radius,
             )?),
             ..contact
+        })
+    }
+
+    /// Relative radii of wheel and rail along and across \[m\] whose exact ellipse under the normal force P₀ \[N\] has the
+    /// semi-axes a along and b across \[m\]. A patch that is no ellipse enters laws of ellipses by those of one that is like it.
+    ///
+    /// With the long semi-axis c, the short one qc and the elliptic integrals B and D of k' = q, 1/R_c = 3P₀D/(πE\*c³) and
+    /// R_c/R_q = B/(q²D) (Johnson 1985, equations 4.26). Error: rounding, 1e-13.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless all are positive.
+    pub fn radii_of_ellipse(
+        material: ElasticMaterial,
+        [a, b]: [f64; 2],
+        normal_force: f64,
+    ) -> Result<[f64; 2], Error> {
+        Error::unless_positive("semi-axis along the rail", a, "m")?;
+        Error::unless_positive("semi-axis across the rail", b, "m")?;
+        Error::unless_positive("normal force", normal_force, "N")?;
+        let modulus = material.shear_modulus() / (1.0 - material.poisson_ratio());
+        Ok(UnitEllipse::curvatures(modulus, [a, b], normal_force).map(f64::recip))
+    }
+
+    /// The same contact with another stiffness k_H under its load \[N/m\] in the place of Hertz's, of a patch that is no ellipse;
+    /// over the load it goes as Hertz's, by P^(1/3).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless it is positive.
+    pub fn with_stiffness(self, stiffness: f64) -> Result<Self, Error> {
+        Error::unless_positive("stiffness of the contact", stiffness, "N/m")?;
+        Ok(Self {
+            stiffening: self.stiffening * stiffness / self.stiffness(),
+            ..self
         })
     }
 
@@ -180,11 +216,14 @@ impl HertzContact {
     /// The paper prints (1 − ν²) in the denominator; Hertz with E\* = G/(1 − ν) gives (1 − ν)², and
     /// only that form makes the maximum of |P₁/P₀| in Fig. 3 equal to one.
     pub fn stiffness(&self) -> f64 {
-        if let Some(ellipse) = self.ellipse {
-            return ellipse.stiffness(self.normal_force);
-        }
-        let reduced = self.material.shear_modulus() / (1.0 - self.material.poisson_ratio());
-        (6.0 * reduced * reduced * self.normal_force * self.equivalent_radius()).cbrt()
+        let hertz = match self.ellipse {
+            Some(ellipse) => ellipse.stiffness(self.normal_force),
+            None => {
+                let reduced = self.material.shear_modulus() / (1.0 - self.material.poisson_ratio());
+                (6.0 * reduced * reduced * self.normal_force * self.equivalent_radius()).cbrt()
+            }
+        };
+        self.stiffening * hertz
     }
 
     /// Derivative dk_H/dP = k_H/(3P₀) of the stiffness by the normal force \[1/m\].
@@ -196,7 +235,7 @@ impl HertzContact {
     /// δ = 3P₀/(2k_H), 0.7 % large for the paper's contact.
     pub fn approach(&self) -> f64 {
         match self.ellipse {
-            Some(ellipse) => ellipse.approach(self.normal_force),
+            Some(ellipse) => ellipse.approach(self.normal_force) / self.stiffening,
             None => 1.5 * self.normal_force / self.stiffness(),
         }
     }
@@ -222,6 +261,46 @@ mod tests {
     fn sphere(normal_force: f64) -> HertzContact {
         let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
         HertzContact::new(steel, 0.3, 0.3, normal_force).unwrap()
+    }
+
+    /// Radii of an ellipse are those that it was made of, and another stiffness goes over the load as Hertz's.
+    #[test]
+    fn an_ellipse_tells_its_radii() {
+        let steel = ElasticMaterial::new(207e9, 0.3).unwrap();
+        for (along, across) in [(0.46, 0.23), (0.46, 0.46), (0.3, 4.0), (0.9, 0.01)] {
+            let hertz = HertzContact::exact(steel, 0.46, across, 60e3)
+                .and_then(|hertz| hertz.with_longitudinal_radius(along))
+                .unwrap();
+            let axes = [hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral()];
+            let radii = HertzContact::radii_of_ellipse(steel, axes, 60e3).unwrap();
+            assert_relative_eq!(radii[0], along, max_relative = 1e-12);
+            assert_relative_eq!(radii[1], across, max_relative = 1e-12);
+            let stiffer = hertz.with_stiffness(1.3 * hertz.stiffness()).unwrap();
+            assert_relative_eq!(
+                stiffer.stiffness(),
+                1.3 * hertz.stiffness(),
+                max_relative = 1e-14
+            );
+            assert_relative_eq!(
+                stiffer.approach(),
+                hertz.approach() / 1.3,
+                max_relative = 1e-14
+            );
+            assert_relative_eq!(
+                stiffer.under(120e3).stiffness() / stiffer.stiffness(),
+                2f64.cbrt(),
+                max_relative = 1e-12
+            );
+            let step = 1.0 + 1e-6;
+            let slope = stiffer.under(60e3 * step).stiffness() - stiffer.stiffness();
+            assert_relative_eq!(
+                slope / 0.06,
+                stiffer.stiffness_derivative(),
+                max_relative = 1e-5
+            );
+        }
+        assert!(HertzContact::radii_of_ellipse(steel, [0.0, 5e-3], 60e3).is_err());
+        assert!(sphere(60e3).with_stiffness(f64::NAN).is_err());
     }
 
     /// Hertz for a sphere: approach δ = a²/R, a³ = 3 P R / 4E*, with E* = E / 2(1 − ν²).

@@ -1,0 +1,210 @@
+//! The patch of a contact by its own profiles under load.
+
+use std::f64::consts::PI;
+
+use riffel::profile::LoadedContact;
+use riffel::{HertzContact, Rail};
+use riffel_keys::{CaseError, Remark};
+
+use super::mean_contact::MeanContact;
+use crate::case_text::CaseText;
+use crate::curving::CurvingCase;
+use crate::file::Patch;
+
+/// A patch that is no ellipse, and what is like it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoadedPatch {
+    /// k_H \[N/m\].
+    pub(crate) stiffness: f64,
+    /// Semi-axes along and across \[m\] of the ellipse with the area of the patch and with the ratio of axes that the second
+    /// moments of its pressure have.
+    pub(crate) semi_axes: [f64; 2],
+    /// Angle of its plane γ \[rad\].
+    pub(crate) contact_angle: f64,
+    /// Across the track from its middle, and below the crowns \[m\].
+    pub(crate) on_track: [f64; 2],
+}
+
+impl CurvingCase {
+    /// Elements of the grid of a contact under load, across a patch that is as long as wide: approach, pressure and stiffness to
+    /// 3·10⁻³ of those of 96, the area to 3 %.
+    pub const ELEMENTS_UNDER_LOAD: usize = 48;
+
+    /// The contact of a wheel by its profiles under a normal force \[N\], where a rigid one stands at a lateral shift \[m\] under a
+    /// contact angle \[rad\]; none where no rigid contact has that angle.
+    ///
+    /// # Errors
+    /// [`CaseError`] for cones and for profiles that cannot be read, and where the patch reaches the end of one.
+    pub(crate) fn loaded_patch(
+        &self,
+        rail: Rail,
+        lateral_shift: f64,
+        contact_angle: f64,
+        normal_force: f64,
+    ) -> Result<Option<LoadedPatch>, CaseError> {
+        let wheelset = self.wheelset_on_track()?;
+        let Some(contact) = wheelset
+            .contact(lateral_shift, 0.0)
+            .ok()
+            .filter(|contact| Self::is_under(contact, rail, contact_angle))
+        else {
+            return Ok(None);
+        };
+        let elements = Self::ELEMENTS_UNDER_LOAD;
+        let loaded = wheelset.under_load(&contact, rail, self.steel()?, normal_force, elements);
+        let refused =
+            |error: &dyn std::fmt::Display| self.text.keys.refuse("profiles", &error.to_string());
+        let loaded = loaded.map_err(|error| refused(&error))?;
+        let patch = LoadedPatch::of(&loaded).map_err(|error| refused(&error))?;
+        Ok(Some(patch))
+    }
+}
+
+impl LoadedPatch {
+    fn of(loaded: &LoadedContact) -> Result<Self, riffel::Error> {
+        let gap = loaded.gap();
+        let [_, across, below] = gap.on_track();
+        Ok(Self {
+            stiffness: loaded.stiffness()?,
+            semi_axes: like(loaded),
+            contact_angle: gap.contact_angle(),
+            on_track: [across, below],
+        })
+    }
+}
+
+/// Semi-axes of the ellipse like a patch.
+fn like(loaded: &LoadedContact) -> [f64; 2] {
+    let [a, b] = loaded.equivalent_semi_axes();
+    let scale = (loaded.state().contact_area() / (PI * a * b)).sqrt();
+    [scale * a, scale * b]
+}
+
+impl CaseText {
+    /// Put the patch of the profiles under load in the place of Hertz's, if the case asks for it.
+    pub(super) fn take_patch(
+        &mut self,
+        patch: Patch,
+        curving: &CurvingCase,
+        rail: Rail,
+        contact: &mut MeanContact,
+    ) -> Result<(), CaseError> {
+        if patch == Patch::Hertz {
+            return Ok(());
+        }
+        let paper = match self.keys.text_of("contact.hertz") {
+            Some(theory) => theory == "paper",
+            None => self.keys.text_of("contact.creep_law") == Some("carter-3d"),
+        };
+        if paper {
+            let rule =
+                "is \"non-elliptic\", but the ellipse like it is one of contact.hertz = \"exact\"";
+            let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
+            return Err(self.keys.invalid("contact.from.patch", rule, help));
+        }
+        let german = match rail {
+            Rail::Left => "linken",
+            Rail::Right => "rechten",
+        };
+        if contact.elsewhere > 0.0 {
+            self.curve_remarks.push(Remark::new(
+                format!(
+                    "on the {} rail the wheel stands on two points, which a patch under load would join: the loop takes the ellipse of Hertz there",
+                    rail.name()
+                ),
+                format!(
+                    "auf der {german} Schiene steht das Rad auf zwei Punkten, die eine Berührfläche unter Last verbände: der Kreis nimmt dort die \
+                     Ellipse von Hertz"
+                ),
+            ));
+            return Ok(());
+        }
+        let loaded = curving.loaded_patch(
+            rail,
+            contact.lateral_shift,
+            contact.contact_angle,
+            contact.normal_force,
+        )?;
+        let Some(loaded) = loaded else {
+            let message = format!(
+                "no rigid contact on the {} rail has the angle {:.2}° of the equilibrium, so that none is pressed together; leave \
+                 contact.from.patch out",
+                rail.name(),
+                contact.contact_angle.to_degrees()
+            );
+            return Err(self.keys.refuse("contact.from.patch", &message));
+        };
+        let steel = curving.steel()?;
+        let refused =
+            |error: riffel::Error| self.keys.refuse("contact.from.patch", &error.to_string());
+        let radii = HertzContact::radii_of_ellipse(steel, loaded.semi_axes, contact.normal_force);
+        let radii = radii.map_err(refused)?;
+        let hertz = contact
+            .transverse_radius
+            .filter(|radius| *radius > 0.0 && radius.is_finite())
+            .and_then(|across| {
+                let along = contact.longitudinal_radius;
+                HertzContact::exact(steel, along, across, contact.normal_force).ok()
+            });
+        self.tell_of_patch(rail, german, contact, &loaded, hertz.as_ref());
+        let sine = loaded.contact_angle.sin() - contact.contact_angle.sin();
+        // φ = ∓ sin γ/r, upper sign on the right rail.
+        contact.creepages.spin -= rail.sign() * sine / contact.rolling_radius;
+        contact.contact_angle = loaded.contact_angle;
+        [contact.longitudinal_radius, _] = radii;
+        contact.transverse_radius = Some(radii[1]);
+        contact.stiffness = Some(loaded.stiffness);
+        if let Some(place) = &mut contact.place
+            && let Some(outward) = curving.outward_on_rail(rail, loaded.on_track)?
+        {
+            place.outward = outward;
+        }
+        Ok(())
+    }
+
+    fn tell_of_patch(
+        &mut self,
+        rail: Rail,
+        german: &str,
+        contact: &MeanContact,
+        loaded: &LoadedPatch,
+        hertz: Option<&HertzContact>,
+    ) {
+        let name = rail.name();
+        let [a, b] = loaded.semi_axes.map(|axis| 1e3 * axis);
+        let stiffness = 1e-6 * loaded.stiffness;
+        let angle = loaded.contact_angle.to_degrees();
+        let turned = (loaded.contact_angle - contact.contact_angle).to_degrees();
+        let remark = match hertz {
+            Some(hertz) => {
+                let over = |value: f64, other: f64| 100.0 * (value / other - 1.0);
+                let stiffer = over(loaded.stiffness, hertz.stiffness());
+                let longer = over(loaded.semi_axes[0], hertz.semi_axis_longitudinal());
+                let wider = over(loaded.semi_axes[1], hertz.semi_axis_lateral());
+                Remark::new(
+                    format!(
+                        "on the {name} rail the patch is that of the profiles under load: {stiffness:.0} MN/m ({stiffer:+.0} % against Hertz), \
+                         like an ellipse of semi-axes {a:.1} mm along ({longer:+.0} %) and {b:.1} mm across ({wider:+.0} %), at {angle:.2}° \
+                         ({turned:+.2}°)"
+                    ),
+                    format!(
+                        "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
+                         wie eine Ellipse mit den Halbachsen {a:.1} mm längs ({longer:+.0} %) und {b:.1} mm quer ({wider:+.0} %), bei {angle:.2}° \
+                         ({turned:+.2}°)"
+                    ),
+                )
+            }
+            None => Remark::new(
+                format!(
+                    "on the {name} rail the patch is that of the profiles under load: {stiffness:.0} MN/m, like an ellipse of semi-axes {a:.1} mm \
+                     along and {b:.1} mm across, at {angle:.2}° ({turned:+.2}°); Hertz has none there"
+                ),
+                format!(
+                    "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
+                     {a:.1} mm längs und {b:.1} mm quer, bei {angle:.2}° ({turned:+.2}°); Hertz hat dort keine"
+                ),
+            ),
+        };
+        self.curve_remarks.push(remark);
+    }
+}
