@@ -79,6 +79,28 @@ impl Course {
     }
 }
 
+impl Course {
+    /// The course as one sentence without its full stop.
+    pub fn in_words(&self) -> String {
+        // A course begins with the level of now.
+        let (from, to) = (self.levels[0], self.levels[self.levels.len() - 1]);
+        let months = self.months[self.months.len() - 1];
+        let mut sentence =
+            format!("under the traffic {from:.1} dB(A) become {to:.1} dB(A) in {months:.1} months");
+        if self.cut {
+            sentence += ", where roughness leaves the linear range";
+        }
+        match (self.limit, self.months_to_limit) {
+            (None, _) => sentence,
+            (Some(limit), Some(0.0)) => format!("{sentence}; {limit} dB(A) are reached now"),
+            (Some(limit), Some(months)) => {
+                format!("{sentence}; {limit} dB(A) are reached in {months:.1} months")
+            }
+            (Some(limit), None) => format!("{sentence}; {limit} dB(A) are not reached"),
+        }
+    }
+}
+
 /// The spectrum of which some bands have changed.
 fn then(now: &Spectrum, changed: &Spectrum) -> Result<Spectrum, riffel::Error> {
     now.map(|level| changed.level(level.band).unwrap_or(level.level))

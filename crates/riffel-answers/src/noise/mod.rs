@@ -92,6 +92,32 @@ pub struct NoiseRequest {
     pub future: Option<Future>,
 }
 
+impl NoiseRequest {
+    /// A coach on four wheelsets with smooth wheels, 7.5 m from the track and 1.2 m above the rail, as ISO 3095 measures, on a rail
+    /// with a foot of 150 mm and sleepers of which 0.33 m² belong to each rail.
+    pub fn of_a_coach(speed: f64, roughness: Spectrum, limit: (LimitTable, LevelLimit)) -> Self {
+        const WHEELS: u32 = 4;
+        Self {
+            speed,
+            roughness,
+            wheels: None,
+            decay: None,
+            transfer: None,
+            limit,
+            train: Train {
+                wheels: WHEELS,
+                length: Train::LENGTH_PER_WHEEL * f64::from(WHEELS),
+                distance: 7.5,
+                height: 1.2,
+                surroundings: Surroundings::HardGround,
+            },
+            rail_foot: 0.15,
+            sleeper_area: 0.33,
+            future: None,
+        }
+    }
+}
+
 /// Levels beside the track, and what would lower them.
 pub struct NoiseAnswer {
     /// What was asked.

@@ -2,6 +2,7 @@
 
 mod inputs;
 mod mechanism;
+mod noise;
 mod outlook;
 mod page;
 mod roughness;
@@ -24,6 +25,7 @@ use crate::compare::CompareAnswer;
 use crate::diagnose::Diagnosis;
 use crate::forecast::ForecastAnswer;
 use crate::map::MapAnswer;
+use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer};
 use outlook::Outlook;
 use page::{Head, Section, escape};
@@ -90,6 +92,8 @@ pub struct ReportRequest<'a> {
     pub forecast: Result<&'a ForecastAnswer, &'static str>,
     /// What would help, or why that is left out.
     pub compare: Result<&'a CompareAnswer, &'static str>,
+    /// What a train sounds like, or why that is left out.
+    pub noise: Result<&'a NoiseAnswer, String>,
     /// The files that went into it.
     pub inputs: &'a Inputs,
 }
@@ -107,6 +111,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         case,
         forecast,
         compare,
+        noise,
         inputs,
     } = request;
     let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
@@ -128,7 +133,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 "Wavelength bands",
                 "What to grind",
             ];
-            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_ROUGHNESS)));
+            sections.extend(all.map(|heading| Section::left_out(heading, NO_ROUGHNESS)));
         }
     }
     match case {
@@ -146,7 +151,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 }
                 Err(why) => {
                     map.put(&mut sections, &mut brief, &mut warnings);
-                    sections.push(Section::LeftOut("Diagnosis", why));
+                    sections.push(Section::left_out("Diagnosis", why));
                 }
             }
             warnings.extend(case.remarks.iter().map(ToString::to_string));
@@ -158,13 +163,23 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 Ok(answer) => outlook::what_if(case, answer)?,
                 Err(why) => Outlook::left_out("What-if", why),
             };
-            for outlook in [forecast, what_if] {
+            let noise = match noise {
+                Ok(answer) => noise::heard(case, answer)?,
+                Err(why) => Outlook::left_out("Rolling noise", why),
+            };
+            for outlook in [forecast, what_if, noise] {
                 outlook.put(&mut sections, &mut brief, &mut warnings);
             }
         }
         None => {
-            let all = ["Growth map", "Diagnosis", "Forecast", "What-if"];
-            sections.extend(all.map(|heading| Section::LeftOut(heading, NO_CASE)));
+            let all = [
+                "Growth map",
+                "Diagnosis",
+                "Forecast",
+                "What-if",
+                "Rolling noise",
+            ];
+            sections.extend(all.map(|heading| Section::left_out(heading, NO_CASE)));
         }
     }
     sections.push(inputs_section(inputs, limits, case.map(|(case, _)| case)));
@@ -209,11 +224,11 @@ fn measured(
         }
         MeasuredRoughness::Spectra(answer) => {
             let sections = [
-                Section::LeftOut("Profile", TABLE),
-                Section::LeftOut("Moving RMS along the line", TABLE),
+                Section::left_out("Profile", TABLE),
+                Section::left_out("Moving RMS along the line", TABLE),
                 roughness::spectrum_of_means(path, &answer, limits)?,
-                Section::LeftOut("Wavelength bands", TABLE),
-                Section::LeftOut("What to grind", TABLE),
+                Section::left_out("Wavelength bands", TABLE),
+                Section::left_out("What to grind", TABLE),
             ];
             let brief = answer.verdicts.iter().map(roughness::sentence);
             (sections, brief.collect())

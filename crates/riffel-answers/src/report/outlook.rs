@@ -1,5 +1,7 @@
 //! Forecast and what-if in a report.
 
+use std::borrow::Cow;
+
 use riffel::forecast::Reach;
 use riffel_case::Case;
 use riffel_plot::{LineFigure, PlotError};
@@ -17,9 +19,9 @@ pub(super) struct Outlook {
 
 impl Outlook {
     /// A section that is not there, with the sentence why.
-    pub(super) fn left_out(heading: &'static str, why: &'static str) -> Self {
+    pub(super) fn left_out(heading: &'static str, why: impl Into<Cow<'static, str>>) -> Self {
         Self {
-            section: Section::LeftOut(heading, why),
+            section: Section::left_out(heading, why),
             brief: Vec::new(),
             warnings: Vec::new(),
         }
@@ -212,7 +214,7 @@ fn months(report: &CompareAnswer) -> Option<String> {
 }
 
 /// A figure of the program with its caption below.
-fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
+pub(super) fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
     let caption = drawing.caption.clone();
     let drawing = LineFigure {
         title: String::new(),

@@ -1,5 +1,6 @@
 //! The page of a report: HTML that loads nothing and prints on A4.
 
+use std::borrow::Cow;
 use std::fmt::Write as _;
 
 const STYLE: &str = include_str!("page.css");
@@ -15,7 +16,14 @@ pub(super) enum Section {
     /// Heading and HTML.
     There(&'static str, String),
     /// Heading and a sentence.
-    LeftOut(&'static str, &'static str),
+    LeftOut(&'static str, Cow<'static, str>),
+}
+
+impl Section {
+    /// A heading that has no section, and why.
+    pub(super) fn left_out(heading: &'static str, why: impl Into<Cow<'static, str>>) -> Self {
+        Self::LeftOut(heading, why.into())
+    }
 }
 
 /// What stands above the sections.
@@ -59,7 +67,7 @@ pub(super) fn page(head: &Head, sections: &[Section]) -> String {
                 );
             }
             Section::LeftOut(heading, why) => {
-                let _ = writeln!(left_out, "<li>{heading}: {why}</li>");
+                let _ = writeln!(left_out, "<li>{heading}: {}</li>", escape(why));
             }
         }
     }
@@ -137,7 +145,7 @@ mod tests {
             remarks: Some("</main>"),
             brief: Vec::new(),
         };
-        let page = page(&head, &[Section::LeftOut("Map", "there is no case.")]);
+        let page = page(&head, &[Section::left_out("Map", "there is no case.")]);
         assert!(!page.contains("<script>") && page.contains("a&lt;script&gt;"));
         assert!(page.contains("&quot;U2&quot; &amp; co") && page.contains("&lt;/main&gt;"));
         assert!(page.contains("Map: there is no case."));

@@ -139,7 +139,7 @@ pub(super) fn spectrum_of_means(
         editions(limits)
     );
     let Section::There(heading, html) = spectrum(drawing, &caption, means.verdicts.iter())? else {
-        return Ok(Section::LeftOut("Spectrum", "there is none."));
+        return Ok(Section::left_out("Spectrum", "there is none."));
     };
     Ok(Section::There(
         heading,
@@ -227,7 +227,7 @@ pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable]) -> Section {
 pub(super) fn grind(report: &ProfileAnswer) -> Section {
     const HEADING: &str = "What to grind";
     if !report.knows_what_to_grind() {
-        return Section::LeftOut(HEADING, "it needs a table of RMS limits (--limit).");
+        return Section::left_out(HEADING, "it needs a table of RMS limits (--limit).");
     }
     let sections = report.sections();
     if sections.is_empty() {

@@ -86,6 +86,7 @@ fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
         case: Some((&case, &map)),
         forecast: Ok(&forecast),
         compare: Err("no variant was given."),
+        noise: Err("no train was given.".to_owned()),
         inputs: &Inputs::default(),
     })?;
     assert!(page.contains("One-third-octave levels under"), "{page}");

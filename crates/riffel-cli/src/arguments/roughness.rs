@@ -339,6 +339,16 @@ pub(crate) struct Report {
     )]
     pub(crate) months: Option<f64>,
 
+    /// Highest level of a passing coach that is allowed, to say in how many months it is reached.
+    #[arg(
+        long,
+        value_name = "DECIBELS",
+        requires = "traffic",
+        allow_negative_numbers = true,
+        value_parser = plain_number
+    )]
+    pub(crate) limit_dba: Option<f64>,
+
     /// Title [default: that of the site, or "Rail roughness and corrugation"].
     #[arg(long, value_name = "WORDS")]
     pub(crate) title: Option<String>,

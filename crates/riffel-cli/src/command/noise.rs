@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::noise::Surroundings;
 use riffel::roughness::Spectrum;
-use riffel_answers::noise::{Course, Future, NoiseAnswer, NoiseRequest, Part, Train};
+use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest, Part, Train};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_rail::{TransferPart, TransferTable, WheelRoughness, read_decay_rates};
@@ -147,7 +147,7 @@ fn readable(case: &Case, answer: &NoiseAnswer) -> String {
     );
     text += &measures(answer);
     if let Some(course) = &answer.course {
-        text += &format!("{}\n", course_in_words(course));
+        text += &format!("{}\n", course.in_words());
     }
     text
 }
@@ -166,24 +166,4 @@ fn measures(answer: &NoiseAnswer) -> String {
         ]);
     }
     format!("{rows}\n")
-}
-
-/// What becomes of the level.
-fn course_in_words(course: &Course) -> String {
-    // A course begins with the level of now.
-    let (from, to) = (course.levels[0], course.levels[course.levels.len() - 1]);
-    let months = course.months[course.months.len() - 1];
-    let mut sentence =
-        format!("under the traffic {from:.1} dB(A) become {to:.1} dB(A) in {months:.1} months");
-    if course.cut {
-        sentence += ", where roughness leaves the linear range";
-    }
-    match (course.limit, course.months_to_limit) {
-        (None, _) => sentence,
-        (Some(limit), Some(0.0)) => format!("{sentence}; {limit} dB(A) are reached now"),
-        (Some(limit), Some(months)) => {
-            format!("{sentence}; {limit} dB(A) are reached in {months:.1} months")
-        }
-        (Some(limit), None) => format!("{sentence}; {limit} dB(A) are not reached"),
-    }
 }

@@ -9,12 +9,14 @@ use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::ForecastAnswer;
 use riffel_answers::map::MapAnswer;
+use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest};
 use riffel_answers::report::{
     GENERATOR, Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site,
     block_of_strip, report,
 };
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::Case;
+use riffel_case::traffic::Traffic;
 use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
@@ -26,7 +28,7 @@ use crate::arguments::{
 };
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
-use crate::command::forecast::forecast;
+use crate::command::forecast::{forecast, level_limit as level_limit_of};
 use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
@@ -36,6 +38,8 @@ use crate::staging::{Existing, write_file};
 
 /// Bytes at the beginning of a page within which its generator stands.
 const REPORT_HEAD: u64 = 512;
+/// Months for which the level of a train is told ahead where no other time is asked for.
+const MONTHS_OF_NOISE: f64 = 12.0;
 /// Why a part is left out.
 const NO_ROUGHNESS: &str = "no roughness was given.";
 const NO_LEVEL_LIMIT: &str = "it needs a limit of levels (--limit).";
@@ -90,12 +94,14 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     };
     let map = case.as_ref().map(growth_map).transpose()?;
     let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
+    let mut noise = Err(NO_ROUGHNESS.to_owned());
     if let Some(case) = &case {
         let now = rail
             .as_ref()
             .and_then(|(path, rail)| now(path, rail, record));
         if let Some(now) = &now {
             forecast = outlook(arguments, case, &limits, now)?;
+            noise = heard(arguments, case, &limits, now)?;
         }
         compare = what_if(arguments, case, &limits, now.as_ref())?;
     }
@@ -155,6 +161,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         case: case.as_ref().zip(map.as_ref()),
         forecast: forecast.as_ref().map_err(|why| *why),
         compare: compare.as_ref().map_err(|why| *why),
+        noise: noise.as_ref().map_err(String::clone),
         inputs: &inputs,
     })?;
     let existing = match arguments.force || is_report(&arguments.output) {
@@ -319,6 +326,33 @@ fn outlook(
         json: false,
     };
     Ok(Ok(forecast(case, &asked, Some(now.survey.clone()))?))
+}
+
+/// What a coach sounds like on the rail at the mean speed of the traffic, or why that is left out.
+fn heard(
+    arguments: &Report,
+    case: &Case,
+    limits: &[LimitTable],
+    now: &Now<'_>,
+) -> miette::Result<Result<NoiseAnswer, String>> {
+    let Some(limit) = level_limit(arguments, limits) else {
+        return Ok(Err(NO_LEVEL_LIMIT.to_owned()));
+    };
+    let roughness = now.survey.mean();
+    let future = match &arguments.record.traffic {
+        Some(traffic) => Some(Future {
+            traffic: Traffic::read(traffic)?,
+            months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
+            limit: arguments.limit_dba,
+        }),
+        None => None,
+    };
+    let request = NoiseRequest {
+        future,
+        ..NoiseRequest::of_a_coach(now.speed, roughness, level_limit_of(&limit)?)
+    };
+    // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
+    Ok(NoiseAnswer::new(case, request, &|_| ()).map_err(|error| format!("{error}.")))
 }
 
 /// What would help, with what is measured now if anything is, or why that is left out.

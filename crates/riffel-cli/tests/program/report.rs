@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::sandbox::Sandbox;
 
-const SECTIONS: [&str; 11] = [
+const SECTIONS: [&str; 12] = [
     "Profile",
     "Moving RMS along the line",
     "Spectrum and limits",
@@ -14,6 +14,7 @@ const SECTIONS: [&str; 11] = [
     "Diagnosis",
     "Forecast",
     "What-if",
+    "Rolling noise",
     "Inputs and versions",
     "Warnings and limits of the models",
 ];
@@ -66,7 +67,7 @@ fn every_section_is_there() {
     .unwrap();
     let outcome = sandbox.riffel(
         "report cases/bhaskar-track.toml --roughness profile.csv --traffic cases/traffic.toml \
-         --speed \"70 km/h\" --with soft.toml --site site.toml -o page.html",
+         --speed \"70 km/h\" --with soft.toml --site site.toml --limit-dba 90 -o page.html",
     );
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
     let page = fs::read_to_string(sandbox.path("page.html")).unwrap();
@@ -88,6 +89,9 @@ fn every_section_is_there() {
         "softer pads",
         "grinding mark",
         "riffel 0.",
+        "is heard at <b>",
+        "Each alone would save: rail ground to EN ISO 3095:2013",
+        "90 dB(A) are not reached",
     ] {
         assert!(page.contains(part), "{part}");
     }
@@ -152,8 +156,9 @@ fn what_is_missing_is_said_once() {
             "1 Spectrum and limits",
             "2 Growth map",
             "3 Diagnosis",
-            "4 Inputs and versions",
-            "5 Warnings and limits of the models",
+            "4 Rolling noise",
+            "5 Inputs and versions",
+            "6 Warnings and limits of the models",
             "Not in this report"
         ]
     );
@@ -276,4 +281,21 @@ fn bad_input_is_refused_and_leaves_nothing() {
         assert!(sentence.contains(part), "{arguments}: {sentence}");
     }
     assert_eq!(sandbox.list("."), ["cases", "profile.csv", "site.toml"]);
+}
+
+/// The level of a report is that of `riffel noise` for the same rail and speed.
+#[test]
+fn noise_is_that_of_its_own_command() {
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    let rail = "cases/bhaskar-track.toml --roughness profile.csv --speed \"70 km/h\"";
+    let outcome = sandbox.riffel(&format!("report {rail}"));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
+    let noise = sandbox.json(&format!("noise {rail} --json"));
+    let level = noise["level"]["total_dba"].as_f64().unwrap();
+    assert!(
+        page.contains(&format!("<b>{level:.1} dB(A)</b>")),
+        "{level}"
+    );
 }
