@@ -1,5 +1,6 @@
-// Curve: profiles of a wheel and a rail, nominal or from files, and how a typical metro bogie stands on them.
+// Curve: profiles of a wheel and a rail, nominal or from files, and how a bogie stands on them.
 
+import { drawBogie } from './bogie-drawing.js';
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
@@ -9,6 +10,20 @@ import { currentLanguage, t, translate } from './words.js';
 const NOMINAL = { wheel: ['S1002', 'cone-1:40'], rail: ['60E1', '60E2', '54E1', 'BS113A'] };
 /** Largest file [bytes]: some thousand points. */
 const LARGEST = 80_000;
+
+/** Place in the page, word, key of the question, value at first, least and most, and what a unit of the field is in SI. */
+const FIELDS = [
+  ['curve-radius', 'curve_radius', 'radius_m', '180', 5, 100000, 1],
+  ['curve-speed', 'curve_speed', 'speed_m_per_s', '45', 1, 400, 1 / 3.6],
+  ['curve-cant', 'curve_cant', 'cant_m', '100', 0, 300, 1e-3],
+  ['curve-gauge', 'curve_gauge', 'gauge_m', '1435', 900, 1800, 1e-3],
+  ['bogie-wheelbase', 'bogie_wheelbase', 'wheelbase_m', '2.1', 0.5, 6, 1],
+  ['bogie-axle-load', 'bogie_axle_load', 'mass_per_axle_kg', '10', 2, 50, 1e3],
+  ['bogie-longitudinal', 'bogie_longitudinal', 'longitudinal_stiffness_n_per_m', '8', 0.01, 1000, 1e6],
+  ['bogie-lateral', 'bogie_lateral', 'lateral_stiffness_n_per_m', '4', 0.01, 1000, 1e6],
+  ['friction-high', 'friction_high', 'friction_high', '0.4', 0.01, 1, 1],
+  ['friction-low', 'friction_low', 'friction_low', '0.4', 0.01, 1, 1],
+];
 
 export function startBogie({ state, listen, complain, banner }) {
   const place = document.getElementById('view-curve');
@@ -38,21 +53,22 @@ export function startBogie({ state, listen, complain, banner }) {
       part: element('span', { className: 'choice' }, worded('label', `${kind}_profile`, { htmlFor: select.id }), select, worded('label', 'choose', { htmlFor: file.id, className: 'button plain' }), file),
     };
   });
-  const radius = element('input', { id: 'curve-radius', type: 'number', value: '180', min: '5', max: '100000', step: 'any' });
-  const speed = element('input', { id: 'curve-speed', type: 'number', value: '45', min: '1', max: '400', step: 'any' });
-  const numbers = [[radius, 'curve_radius'], [speed, 'curve_speed']].map(([field, word]) => {
-    field.addEventListener('change', ask);
-    return element('span', { className: 'choice' }, worded('label', word, { htmlFor: field.id }), field);
+  const fields = FIELDS.map(([id, word, key, value, low, high, factor]) => {
+    const input = element('input', { id, type: 'number', value, min: key === 'radius_m' ? -high : low, max: high, step: 'any' });
+    input.addEventListener('change', ask);
+    return { input, word, key, low, high, factor, part: element('span', { className: 'choice' }, worded('label', word, { htmlFor: id }), input) };
   });
+  const refused = element('p', { className: 'why', id: 'curve-refused', role: 'alert', hidden: true });
   const outlines = element('div', { className: 'curve tall', id: 'outlines' });
   const curvatures = element('div', { className: 'curve', id: 'curvatures' });
   const table = element('table', { className: 'comparison', id: 'wheels' });
+  const above = element('div', { id: 'bogie-above' });
   const trouble = element('p', { className: 'why', id: 'no-equilibrium', hidden: true });
   const remarks = element('ul', { id: 'profile-remarks' });
   place.append(
-    element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...numbers, worded('p', 'bogie_intro', { className: 'why' })),
+    element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...fields.map(({ part }) => part), refused, worded('p', 'bogie_intro', { className: 'why' })),
     element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'profiles_panel')), outlines, curvatures),
-    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'wheels_panel')), trouble, element('div', { className: 'sideways' }, table), remarks),
+    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'wheels_panel')), trouble, above, element('div', { className: 'sideways' }, table), remarks),
   );
 
   function choose(kind, profile) {
@@ -70,10 +86,14 @@ export function startBogie({ state, listen, complain, banner }) {
 
   function ask() {
     if (state.view !== 'curve') return;
-    const [radius_m, kilometres] = [radius, speed].map((field) => field.valueAsNumber);
-    if (!Number.isFinite(radius_m) || !Number.isFinite(kilometres)) return;
-    line.ask({ ...chosen, radius_m, speed_m_per_s: kilometres / 3.6 }, (answer) => {
-      shown = answer;
+    const wrong = fields.filter(({ input, low, high }) => !(Math.abs(input.valueAsNumber) >= low && input.valueAsNumber <= high));
+    for (const field of fields) field.input.setAttribute('aria-invalid', String(wrong.includes(field)));
+    refused.hidden = !wrong.length;
+    refused.textContent = wrong.map(({ word, low, high }) => t('bogie_value', { label: t(word), low, high })).join(' ');
+    if (wrong.length) return;
+    const asked = Object.fromEntries(fields.map(({ input, key, factor }) => [key, factor * input.valueAsNumber]));
+    line.ask({ ...chosen, ...asked }, (answer) => {
+      shown = { ...answer, asked };
       banner.clear();
       show();
     }, (fault) => complain(fault, { until: 'success' }));
@@ -97,7 +117,8 @@ export function startBogie({ state, listen, complain, banner }) {
     const { fault, wheels = [], wheelsets = [] } = shown.curve;
     trouble.hidden = !fault;
     trouble.textContent = fault ? `${t('no_equilibrium')} ${fault.message}` : '';
-    table.hidden = Boolean(fault);
+    table.hidden = above.hidden = Boolean(fault);
+    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
     const heads = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
     table.replaceChildren(

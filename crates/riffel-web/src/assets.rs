@@ -21,6 +21,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "icon.svg": "image/svg+xml",
     "banner.js": "text/javascript; charset=utf-8",
     "bogie.js": "text/javascript; charset=utf-8",
+    "bogie-drawing.js": "text/javascript; charset=utf-8",
     "colors.js": "text/javascript; charset=utf-8",
     "compare.js": "text/javascript; charset=utf-8",
     "curves.js": "text/javascript; charset=utf-8",

@@ -391,6 +391,23 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.page.fill("#curve-radius", "1500")
     page.page.keyboard.press("Tab")
     page.until(lambda: rows.first.inner_text().split()[2:] != nominal.split()[2:])
+    # The bogie is that of the user: a softer one steers better. It is drawn from above, wheels and creep forces.
+    drawn = page.page.locator("#bogie-above svg")
+    assert drawn.locator(".wheel").count() == 4 and drawn.locator(".creep").count() == 4
+    assert "times as large" in page.text("#bogie-above")
+    attack = lambda: abs(float(rows.first.inner_text().split()[3].replace("\u2212", "-")))
+    stiff = attack()
+    page.page.fill("#bogie-longitudinal", "0.5")
+    page.page.keyboard.press("Tab")
+    page.until(lambda: attack() < 0.8 * stiff)
+    page.page.fill("#curve-gauge", "14350")
+    page.page.keyboard.press("Tab")
+    page.until(page.page.locator("#curve-refused").is_visible)
+    assert "gauge [mm]: 900 to 1800" in page.text("#curve-refused")
+    assert page.page.locator("#curve-gauge").get_attribute("aria-invalid") == "true"
+    page.page.fill("#curve-gauge", "1435")
+    page.page.keyboard.press("Tab")
+    page.until(lambda: not page.page.locator("#curve-refused").is_visible())
     page.settle()
     page.page.wait_for_timeout(300)
     page.keep("curve", whole=True)

@@ -1,4 +1,4 @@
-//! `POST /api/curve`: profiles of a wheel and a rail, and how a typical metro bogie stands on them in a curve.
+//! `POST /api/curve`: profiles of a wheel and a rail, and how a bogie stands on them in a curve.
 
 use axum::Json;
 use axum::extract::State;
@@ -24,6 +24,15 @@ pub(crate) struct Question {
     /// Above zero to the right.
     radius_m: f64,
     speed_m_per_s: f64,
+    cant_m: f64,
+    gauge_m: f64,
+    wheelbase_m: f64,
+    mass_per_axle_kg: f64,
+    /// Of an axle box, along and across.
+    longitudinal_stiffness_n_per_m: f64,
+    lateral_stiffness_n_per_m: f64,
+    friction_high: f64,
+    friction_low: f64,
 }
 
 /// A nominal profile, or a file.
@@ -87,6 +96,29 @@ impl Question {
             format!("profiles.rail={}", paths[1]),
             format!("curve.radius={}", self.radius_m),
             format!("curve.speed={}", self.speed_m_per_s),
+            format!("curve.cant={}", self.cant_m),
+            format!("profiles.gauge={}", self.gauge_m),
+            format!("bogie.wheelbase={}", self.wheelbase_m),
+            format!("bogie.mass_per_axle={}", self.mass_per_axle_kg),
+            format!(
+                "bogie.primary_longitudinal_stiffness={}",
+                self.longitudinal_stiffness_n_per_m
+            ),
+            format!(
+                "bogie.primary_lateral_stiffness={}",
+                self.lateral_stiffness_n_per_m
+            ),
+            // The outer rail of a curve to the right is the left one.
+            match self.radius_m > 0.0 {
+                true => format!(
+                    "contact.friction={{left={}, right={}}}",
+                    self.friction_high, self.friction_low
+                ),
+                false => format!(
+                    "contact.friction={{left={}, right={}}}",
+                    self.friction_low, self.friction_high
+                ),
+            },
         ];
         // Short of an equilibrium the profiles are still worth seeing.
         let curve = CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
