@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use riffel::contact::{Conformity, MeanState, OscillatingCreepages};
+use riffel::contact::{Conformity, MeanState, MovingContact, OscillatingCreepages};
 use riffel::feedback::{Contact, GeneralLoop};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
@@ -137,15 +137,19 @@ impl CheckedKeys {
             ));
         }
         let hertz = self.hertz_of(steel, keys)?;
-        let built = self.contact_of(hertz, keys.friction, mean, OscillatingCreepages::InPlane)?;
+        let oscillating = match keys.conformity {
+            Some(conformity) if conformity.effects.spin => OscillatingCreepages::All,
+            _ => OscillatingCreepages::InPlane,
+        };
+        let built = self.contact_of(hertz, keys.friction, mean, oscillating)?;
         let steady = built.rolling.steady();
-        let geometry = keys.conformity.map(|conformity| {
-            let of = self.conformity(conformity, keys.transverse_radius)?;
-            Ok(of.geometric_creepage(
-                keys.contact_angle,
-                hertz.rolling_radius(),
-                conformity.cross_slope,
-            ))
+        let moving = keys.conformity.map(|conformity| {
+            Ok(MovingContact {
+                profiles: self.conformity(conformity, keys.transverse_radius)?,
+                rolling_radius: hertz.rolling_radius(),
+                cross_slope: conformity.cross_slope,
+                effects: conformity.effects,
+            })
         });
         Ok(Side {
             contact: Contact {
@@ -157,7 +161,7 @@ impl CheckedKeys {
                 place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
                 rolling: built.rolling,
                 motion: self.motion(),
-                geometry: geometry.transpose()?,
+                moving: moving.transpose()?,
                 wear: self.wear(hertz)?,
             },
             hertz,

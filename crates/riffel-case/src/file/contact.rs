@@ -85,6 +85,22 @@ pub struct Conformity {
     /// left out, 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cross_slope: Option<Quantity<RelativeSlope>>,
+    /// Longitudinal creepage by the rolling radius of the place.
+    #[serde(default = "yes")]
+    pub rolling_radius: bool,
+    /// The forces that turn with the plane of contact.
+    #[serde(default = "yes")]
+    pub contact_angle: bool,
+    /// Spin by the turn of that plane.
+    #[serde(default = "yes")]
+    pub spin: bool,
+    /// The roll of the rail that moves the contact, and the moment of the shifted load on the rail.
+    #[serde(default = "yes")]
+    pub rail_roll: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// Parameters of Polach's creep law: μ(w) = μ ((1 − A) exp(−B w) + A) at the slip velocity w = V ξ, and the

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel::profile::LoadedContact;
+use riffel::profile::{LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, Remark};
 
@@ -31,32 +31,39 @@ impl CurvingCase {
     pub const ELEMENTS_UNDER_LOAD: usize = 48;
 
     /// The contact of a wheel by its profiles under a normal force \[N\], where a rigid one stands at a lateral shift \[m\] under a
-    /// contact angle \[rad\]; none where no rigid contact has that angle.
+    /// contact angle \[rad\]; within, why there is no such patch, as the end of a sentence.
     ///
     /// # Errors
-    /// [`CaseError`] for cones and for profiles that cannot be read, and where the patch reaches the end of one.
+    /// [`CaseError`] for cones and for profiles that cannot be read.
     pub(crate) fn loaded_patch(
         &self,
         rail: Rail,
         lateral_shift: f64,
         contact_angle: f64,
         normal_force: f64,
-    ) -> Result<Option<LoadedPatch>, CaseError> {
+    ) -> Result<Result<LoadedPatch, String>, CaseError> {
         let wheelset = self.wheelset_on_track()?;
+        let steel = self.steel()?;
         let Some(contact) = wheelset
             .contact(lateral_shift, 0.0)
             .ok()
             .filter(|contact| Self::is_under(contact, rail, contact_angle))
         else {
-            return Ok(None);
+            let degrees = contact_angle.to_degrees();
+            return Ok(Err(format!(
+                "no rigid contact has the angle of the equilibrium, {degrees:.2}°"
+            )));
         };
         let elements = Self::ELEMENTS_UNDER_LOAD;
-        let loaded = wheelset.under_load(&contact, rail, self.steel()?, normal_force, elements);
-        let refused =
-            |error: &dyn std::fmt::Display| self.text.keys.refuse("profiles", &error.to_string());
-        let loaded = loaded.map_err(|error| refused(&error))?;
-        let patch = LoadedPatch::of(&loaded).map_err(|error| refused(&error))?;
-        Ok(Some(patch))
+        let loaded = wheelset.under_load(&contact, rail, steel, normal_force, elements);
+        Ok(loaded
+            .map_err(|error| match error {
+                ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => {
+                    "the patch joins that of the place where the wheel touches next".to_owned()
+                }
+                error => error.to_string(),
+            })
+            .and_then(|loaded| LoadedPatch::of(&loaded).map_err(|error| error.to_string())))
     }
 }
 
@@ -90,7 +97,7 @@ impl CaseText {
         contact: &mut MeanContact,
     ) -> Result<(), CaseError> {
         if patch == Patch::Hertz {
-            return Ok(());
+            return self.tell_of_conformal(curving, rail, contact);
         }
         let paper = match self.keys.text_of("contact.hertz") {
             Some(theory) => theory == "paper",
@@ -106,46 +113,38 @@ impl CaseText {
             Rail::Left => "linken",
             Rail::Right => "rechten",
         };
-        if contact.elsewhere > 0.0 {
-            self.curve_remarks.push(Remark::new(
-                format!(
-                    "on the {} rail the wheel stands on two points, which a patch under load would join: the loop takes the ellipse of Hertz there",
-                    rail.name()
-                ),
-                format!(
-                    "auf der {german} Schiene steht das Rad auf zwei Punkten, die eine Berührfläche unter Last verbände: der Kreis nimmt dort die \
-                     Ellipse von Hertz"
-                ),
-            ));
-            return Ok(());
-        }
-        let loaded = curving.loaded_patch(
-            rail,
-            contact.lateral_shift,
-            contact.contact_angle,
-            contact.normal_force,
-        )?;
-        let Some(loaded) = loaded else {
-            let message = format!(
-                "no rigid contact on the {} rail has the angle {:.2}° of the equilibrium, so that none is pressed together; leave \
-                 contact.from.patch out",
-                rail.name(),
-                contact.contact_angle.to_degrees()
-            );
-            return Err(self.keys.refuse("contact.from.patch", &message));
+        let loaded = match contact.elsewhere > 0.0 {
+            true => Err(
+                "the wheel stands on two points, which a patch under load would join".to_owned(),
+            ),
+            false => curving.loaded_patch(
+                rail,
+                contact.lateral_shift,
+                contact.contact_angle,
+                contact.normal_force,
+            )?,
+        };
+        let loaded = match loaded {
+            Ok(loaded) => loaded,
+            Err(reason) => {
+                self.curve_remarks.push(Remark::new(
+                    format!(
+                        "on the {} rail the loop takes the ellipse of Hertz and no patch of the profiles under load: {reason}",
+                        rail.name()
+                    ),
+                    format!(
+                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Berührfläche der Profile unter Last: {reason}"
+                    ),
+                ));
+                return Ok(());
+            }
         };
         let steel = curving.steel()?;
         let refused =
             |error: riffel::Error| self.keys.refuse("contact.from.patch", &error.to_string());
         let radii = HertzContact::radii_of_ellipse(steel, loaded.semi_axes, contact.normal_force);
         let radii = radii.map_err(refused)?;
-        let hertz = contact
-            .transverse_radius
-            .filter(|radius| *radius > 0.0 && radius.is_finite())
-            .and_then(|across| {
-                let along = contact.longitudinal_radius;
-                HertzContact::exact(steel, along, across, contact.normal_force).ok()
-            });
+        let hertz = contact.hertz(curving)?;
         self.tell_of_patch(rail, german, contact, &loaded, hertz.as_ref());
         let sine = loaded.contact_angle.sin() - contact.contact_angle.sin();
         // φ = ∓ sin γ/r, upper sign on the right rail.
@@ -159,6 +158,76 @@ impl CaseText {
         {
             place.outward = outward;
         }
+        Ok(())
+    }
+
+    /// That the ellipse is wide beside the radius of the rail, with what the profiles under load have in its place.
+    fn tell_of_conformal(
+        &mut self,
+        curving: &CurvingCase,
+        rail: Rail,
+        contact: &MeanContact,
+    ) -> Result<(), CaseError> {
+        /// Semi-axis over the radius of the rail, up to which patches count as flat.
+        const FLAT: f64 = 0.2;
+        let Some(place) = &contact.place else {
+            return Ok(());
+        };
+        let Some(hertz) = contact.hertz(curving)? else {
+            return Ok(());
+        };
+        let share = hertz.semi_axis_lateral() * place.rail_curvature;
+        if share <= FLAT {
+            return Ok(());
+        }
+        let loaded = match contact.elsewhere > 0.0 {
+            true => None,
+            false => curving
+                .loaded_patch(
+                    rail,
+                    contact.lateral_shift,
+                    contact.contact_angle,
+                    contact.normal_force,
+                )?
+                .ok(),
+        };
+        let percent = loaded.map(|loaded| {
+            [
+                loaded.stiffness / hertz.stiffness(),
+                loaded.semi_axes[0] / hertz.semi_axis_longitudinal(),
+                loaded.semi_axes[1] / hertz.semi_axis_lateral(),
+            ]
+            .map(|ratio| 100.0 * (ratio - 1.0))
+        });
+        let (english, german) = match percent {
+            Some([stiffer, longer, wider]) => (
+                format!(
+                    "; the profiles under load are stiffer by {stiffer:+.0} %, {longer:+.0} % as long and {wider:+.0} % as wide \
+                     (contact.from.patch = \"non-elliptic\" takes them, still on a half-space)"
+                ),
+                format!(
+                    "; die Profile unter Last sind um {stiffer:+.0} % steifer, {longer:+.0} % so lang und {wider:+.0} % so breit \
+                     (contact.from.patch = \"non-elliptic\" nimmt sie, weiterhin auf einem Halbraum)"
+                ),
+            ),
+            None => (String::new(), String::new()),
+        };
+        let side = match rail {
+            Rail::Left => "linken",
+            Rail::Right => "rechten",
+        };
+        let b = 1e3 * hertz.semi_axis_lateral();
+        self.curve_remarks.push(Remark::new(
+            format!(
+                "the semi-axis across is {b:.1} mm, {share:.2} of the radius of the {} rail there, and Hertz's theory is for patches up to \
+                 0.2 to 0.3: beyond, the contact is conformal{english}",
+                rail.name()
+            ),
+            format!(
+                "die Halbachse quer ist {b:.1} mm, {share:.2} des Radius der {side} Schiene dort, und die Theorie von Hertz gilt bis 0,2 bis \
+                 0,3: darüber ist der Kontakt konform{german}"
+            ),
+        ));
         Ok(())
     }
 

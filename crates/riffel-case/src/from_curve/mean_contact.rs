@@ -1,8 +1,8 @@
 //! What the equilibrium of a vehicle says of one contact.
 
-use riffel::Rail;
 use riffel::contact::Creepages;
 use riffel::curving::{VehicleState, WheelState};
+use riffel::{HertzContact, Rail};
 use riffel_keys::CaseError;
 
 use crate::case_text::CaseText;
@@ -31,6 +31,18 @@ pub(super) struct MeanContact {
     pub(super) tractive_ratio: f64,
     /// Share of the normal forces of the wheel that its other point carries.
     pub(super) elsewhere: f64,
+}
+
+impl MeanContact {
+    /// The ellipse of Hertz; none where the profiles do not part.
+    pub(super) fn hertz(&self, curving: &CurvingCase) -> Result<Option<HertzContact>, CaseError> {
+        let steel = curving.steel()?;
+        let across = (self.transverse_radius).filter(|radius| *radius > 0.0 && radius.is_finite());
+        let hertz = across.and_then(|across| {
+            HertzContact::exact(steel, self.longitudinal_radius, across, self.normal_force).ok()
+        });
+        Ok(hertz)
+    }
 }
 
 impl CaseText {

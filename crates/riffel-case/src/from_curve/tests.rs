@@ -350,10 +350,9 @@ fn a_patch_under_load_enters_the_loop() {
     // On the flange root the wheel stands on two points.
     let high = self::case(&[ASK, "contact.from.rail=high"]).unwrap();
     let told: Vec<String> = high.remarks.iter().map(ToString::to_string).collect();
-    assert!(
-        told.iter()
-            .any(|remark| remark.contains("which a patch under load would join"))
-    );
+    assert!(told.iter().any(|remark| {
+        remark.contains("no patch of the profiles under load: the wheel stands on two points")
+    }));
 }
 
 /// What is written wins over the patch as over all else.
@@ -368,4 +367,70 @@ fn a_written_stiffness_wins_over_the_patch() {
     let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
     let own = "the case has its own contact.stiffness";
     assert!(told.iter().any(|remark| remark.contains(own)), "{told:?}");
+}
+
+/// Each effect of a moving contact is a part of the loop of its own; with none of them it grows as a contact that stays.
+#[test]
+fn effects_of_a_moving_contact_are_chosen_one_by_one() {
+    const MOVING: &str = "contact.conformity={cross_slope=\"10 1/m\"}";
+    const KEYS: [&str; 4] = ["rolling_radius", "contact_angle", "spin", "rail_roll"];
+    // A rail that twists, of dimensions as 60E1 has them.
+    const TWIST: [&str; 5] = [
+        "rail.torsion_constant=2.21e-6 m4",
+        "rail.polar_second_moment=3.55e-5 m4",
+        "rail.head_height=95 mm",
+        "rail.foot_depth=45 mm",
+        "rail.foot_width=150 mm",
+    ];
+    const TRAILING: &str = "contact.from.wheelset=2";
+    // The trailing wheel, which stands where the profiles are close and the plane is inclined.
+    let on = |off: &[&str]| {
+        let off = off
+            .iter()
+            .map(|key| format!("contact.conformity.{key}=false"));
+        let mut keys: Vec<String> = [MOVING, TRAILING]
+            .iter()
+            .chain(&TWIST)
+            .map(ToString::to_string)
+            .collect();
+        keys.extend(off);
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+        growth(&case(&keys).unwrap())
+    };
+    let all = on(&[]);
+    for key in KEYS {
+        let without = on(&[key]);
+        println!("without {key}: {without:e}, with all {all:e}");
+        assert!((without / all - 1.0).abs() > 1e-6, "{key}");
+    }
+    let stays: Vec<&str> = [TRAILING].into_iter().chain(TWIST).collect();
+    let stays = growth(&case(&stays).unwrap());
+    println!("stays {stays:e}");
+    assert!((on(&KEYS) / stays - 1.0).abs() < 1e-9);
+}
+
+/// Where the patch is wide beside the radius of the rail, a note says how far Hertz is off the profiles under load.
+#[test]
+fn a_conformal_contact_is_told() {
+    let told = |keys: &[&str]| {
+        let remarks = case(keys).unwrap().remarks;
+        let remarks: Vec<String> = remarks.iter().map(ToString::to_string).collect();
+        remarks
+            .into_iter()
+            .find(|remark| remark.contains("Hertz's theory is for patches"))
+    };
+    let high = told(&["contact.from.rail=high"]).unwrap();
+    assert!(high.contains("of the radius of the left rail"), "{high}");
+    // Beside the jump to the flange root the wheel stands on one point, and its patch goes on to the other.
+    let wide = [
+        "contact.from.rail=high",
+        "curve.radius=300 m",
+        "contact.from.patch=non-elliptic",
+    ];
+    let remarks = case(&wide).unwrap().remarks;
+    let joins = remarks
+        .iter()
+        .any(|remark| remark.to_string().contains("joins that of the place"));
+    assert!(joins, "{remarks:?}");
+    assert!(told(&[]).is_none_or(|remark| !remark.contains("of the right rail")));
 }

@@ -4,7 +4,7 @@
 mod tests;
 mod wheelset;
 
-use riffel::contact::{CREEP_LAWS, CreepLawEntry, Creepages, MeanState};
+use riffel::contact::{CREEP_LAWS, CreepLawEntry, Creepages, MeanState, ShiftEffects};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
@@ -76,6 +76,8 @@ pub(crate) struct ConformityKeys {
     pub(crate) rail_radius: f64,
     /// κ \[1/m\], outward.
     pub(crate) cross_slope: f64,
+    /// What of it enters the loop.
+    pub(crate) effects: ShiftEffects,
 }
 
 /// The contact on the opposite rail.
@@ -387,6 +389,12 @@ pub(crate) fn contact(contact: &Contact) -> ContactKeys {
         conformity: contact.conformity.map(|conformity| ConformityKeys {
             rail_radius: conformity.rail_radius.si(),
             cross_slope: or(conformity.cross_slope, 0.0),
+            effects: ShiftEffects {
+                rolling_radius: conformity.rolling_radius,
+                contact_angle: conformity.contact_angle,
+                spin: conformity.spin,
+                rail_roll: conformity.rail_roll,
+            },
         }),
     }
 }

@@ -30,9 +30,9 @@ pub(super) static MODEL: FieldModel = FieldModel {
     leaves_out: &[
         "rotational inertia of the wheelset",
         "discrete supports",
-        "spin",
+        "the work of a moment of spin",
         "the exact delay of the contact",
-        "the rolls of wheel and rail, and the moment that a moving contact brings to the rail",
+        "the roll of the wheel",
     ],
     not_given: &[
         "profiles of wheel and rail, steady creepages and values of the track: those of the case stand in",

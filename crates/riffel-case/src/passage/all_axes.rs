@@ -185,7 +185,7 @@ impl Case {
         if feedback
             .contacts()
             .iter()
-            .any(|contact| contact.geometry.is_some())
+            .any(|contact| contact.moving.is_some())
         {
             let message = "a passage in time takes contacts that stay where they are on the profiles; leave it out";
             return refuse("contact.conformity", message);

@@ -2,17 +2,6 @@
 
 use crate::Error;
 
-/// Longitudinal creepage by geometry alone, as a contact that moves across the profiles finds another rolling radius:
-/// ξ_x = `by_profile` Δ + `by_outward_shift` s, with the profile Δ \[m\] and the displacement s \[m\] of the wheel against the
-/// rail, outward: to the right on the right rail, to the left on the left one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GeometricCreepage {
-    /// Per height of the profile \[1/m\].
-    pub by_profile: f64,
-    /// Per displacement \[1/m\].
-    pub by_outward_shift: f64,
-}
-
 /// Two circular profiles that touch: the rail head, convex, of the transverse radius R_c, and the wheel, concave, of R_t,
 /// or a cone. The closer the radii, the further the contact moves across them when they shift or roll.
 ///
@@ -23,10 +12,10 @@ pub struct GeometricCreepage {
 /// 1/R_r = 1/R_c − 1/R_t                  relative radius
 /// y_r = R_r (ψ − s/R_t)                  shift of the contact on the rail
 /// y_w = R_r (ψ − s/R_c) = y_r − s        on the wheel
-/// ξ_x = ± (tan γ/R) y_w                  by the rolling radius there, + on the right rail
+/// ξ_x = ± (sin γ/R) y_w                  by the rolling radius there, + on the right rail
 /// ```
 ///
-/// γ is the contact angle: towards the flange, inward, the wheel is larger. Source: A. Bhaskar, K. L. Johnson, G. D. Wood,
+/// s, y_r and y_w lie in the plane of contact; γ is the contact angle: towards the flange, inward, the wheel is larger. Source: A. Bhaskar, K. L. Johnson, G. D. Wood,
 /// J. Woodhouse, *Proc. IMechE F* 211 (1997), who find this the main cause of an oscillating longitudinal creepage;
 /// derived here. Range of validity: shifts far below the semi-axis b, circles over the width of the patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,6 +71,11 @@ impl Conformity {
         (self.rail - self.wheel).recip()
     }
 
+    /// 1/R_t \[1/m\], positive for a hollow wheel.
+    pub fn wheel_curvature(&self) -> f64 {
+        self.wheel
+    }
+
     /// Shift of the contact on the rail \[m\], to the right, by a roll \[rad\] and a lateral displacement \[m\].
     pub fn shift_on_rail(&self, roll: f64, lateral: f64) -> f64 {
         self.relative_radius() * (roll - self.wheel * lateral)
@@ -101,27 +95,7 @@ impl Conformity {
         roll: f64,
         lateral: f64,
     ) -> f64 {
-        contact_angle.tan() / rolling_radius * self.shift_on_wheel(roll, lateral)
-    }
-
-    /// Longitudinal creepage of a wheel of the rolling radius \[m\] under a contact angle \[rad\], by a ripple whose height
-    /// grows outward across the head by the share κ of itself per metre \[1/m\], its cross slope: ψ = κΔ, for a rail that
-    /// is higher outward is rolled inward. The same on both rails, for one mirrors the other. The rolls of wheel and rail
-    /// themselves are left out, being small beside the slope of a ripple as short as corrugation: a wheel that is lifted
-    /// by Δ on one rail rolls its wheelset by Δ over the distance of the rails, as a cross slope of 0.7 1/m would.
-    pub fn geometric_creepage(
-        &self,
-        contact_angle: f64,
-        rolling_radius: f64,
-        cross_slope: f64,
-    ) -> GeometricCreepage {
-        let by = |roll, outward| {
-            self.longitudinal_creepage(contact_angle, rolling_radius, roll, outward)
-        };
-        GeometricCreepage {
-            by_profile: by(cross_slope, 0.0),
-            by_outward_shift: by(0.0, 1.0),
-        }
+        contact_angle.sin() / rolling_radius * self.shift_on_wheel(roll, lateral)
     }
 }
 
@@ -169,7 +143,7 @@ mod tests {
         // A wheel that moves to the right touches further in, where its radius is larger: it drives.
         let cone = Conformity::new(0.3, None).unwrap();
         let creepage = cone.longitudinal_creepage(0.025, 0.46, 0.0, 1e-3);
-        assert!((creepage + 0.025f64.tan() / 0.46 * 1e-3).abs() < 1e-15);
+        assert!((creepage + 0.025f64.sin() / 0.46 * 1e-3).abs() < 1e-15);
     }
 
     #[test]

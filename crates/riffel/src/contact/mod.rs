@@ -8,6 +8,7 @@ mod half_space_curve;
 mod law;
 mod load_wear;
 mod mean_state;
+mod moving_contact;
 mod non_steady;
 mod quasi_static;
 mod quasi_static_half_space;
@@ -16,7 +17,7 @@ mod rolling;
 mod spring_dashpot;
 mod virtual_penetration;
 
-pub use conformity::{Conformity, GeometricCreepage};
+pub use conformity::Conformity;
 pub use ellipse::{
     ContactBody, ContactFilter, EllipticContact, EllipticIntegrals, HertzContact,
     KalkerCoefficients, creep_coefficient,
@@ -34,6 +35,7 @@ pub use law::{
 };
 pub use load_wear::LoadWear;
 pub use mean_state::{MeanRolling, MeanState};
+pub use moving_contact::{MovingContact, ShiftEffects};
 pub use non_steady::NonSteady;
 pub use quasi_static::QuasiStatic;
 pub use quasi_static_half_space::QuasiStaticHalfSpace;

@@ -11,7 +11,7 @@ use crate::Error;
 /// Any creep law, answering to oscillations as if each instant were steady.
 ///
 /// With e = ξ·Q: ∂e/∂P = ξ·∂Q/∂P and ∂e/∂ξ = Q + ξ·∂Q/∂ξ, for both components of the creepage; a moment of spin is
-/// left out, and so is the response to spin. Range of validity: wavelengths much longer than the patch; below
+/// left out. Spin, which no law tells the slope of, has a central difference over 2·10⁻³ 1/m. Range of validity: wavelengths much longer than the patch; below
 /// λ ≈ 40 a a real contact answers visibly weaker and later.
 ///
 /// The response is the same at every wavelength, so the law is linearised once, at construction: a loop asks
@@ -22,6 +22,10 @@ pub struct QuasiStatic<L> {
     steady: MeanRolling,
     response: ContactResponse,
 }
+
+/// Step of the difference by spin \[1/m\]: on the rim of a patch of 5 mm a creepage of 5·10⁻⁶, small beside those of any mean
+/// state, and the force changes by parts in 10⁴ of friction, ten digits above rounding.
+const SPIN_STEP: f64 = 1e-3;
 
 impl<L: CreepLaw> QuasiStatic<L> {
     /// A law about a mean state under the normal force P₀ \[N\]. A tractive ratio refers to the μ of
@@ -50,6 +54,12 @@ impl<L: CreepLaw> QuasiStatic<L> {
     fn about(law: L, normal_force: f64, creepages: Creepages) -> Self {
         let forces = law.forces(normal_force, creepages);
         let slopes = law.derivatives(normal_force, creepages);
+        let with_spin = |change: f64| {
+            let spin = creepages.spin + change;
+            law.forces(normal_force, Creepages { spin, ..creepages })
+        };
+        let by_spin =
+            with_spin(SPIN_STEP).combine(0.5 / SPIN_STEP, with_spin(-SPIN_STEP), -0.5 / SPIN_STEP);
         let derivative = |force: CreepForces, energy: f64| ContactDerivative {
             force: [force.longitudinal.into(), force.lateral.into()],
             energy: Complex64::from(
@@ -71,7 +81,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
                 by_load: derivative(slopes.by_normal_force, 0.0),
                 by_longitudinal: derivative(slopes.by_longitudinal, forces.longitudinal),
                 by_lateral: Some(derivative(slopes.by_lateral, forces.lateral)),
-                by_spin: None,
+                by_spin: Some(derivative(by_spin, 0.0)),
             },
             law,
         }

@@ -80,7 +80,7 @@ impl<C: RollingContact> RollingContact for SpringDashpot<C> {
             by_load: delayed(slow.by_load, [0.0, 0.0]),
             by_longitudinal: delayed(slow.by_longitudinal, [1.0, 0.0]),
             by_lateral: slow.by_lateral.map(|by| delayed(by, [0.0, 1.0])),
-            by_spin: None,
+            by_spin: slow.by_spin.map(|by| delayed(by, [0.0, 0.0])),
         }
     }
 }

@@ -363,6 +363,30 @@ impl Structure for SpatialTrack {
         self.entry(&waves.motions(0, 1), at, from)
     }
 
+    fn roll_matrix(
+        &self,
+        angular_frequency: f64,
+        _speed: f64,
+        places: &[(f64, Rail)],
+        matrix: &mut [Complex64],
+    ) {
+        let alongs = places.iter().map(|(along, _)| *along).collect();
+        let waves = self.waves(angular_frequency, alongs);
+        let rows = matrix.chunks_exact_mut(4 * places.len()).enumerate();
+        for ((to, row), (_, rail)) in rows.zip(places) {
+            for (from, (entries, (_, other))) in row.chunks_exact_mut(4).zip(places).enumerate() {
+                entries.fill(Complex64::ZERO);
+                if rail == other {
+                    let [_, [by_force, by_moment]] = waves.motions(from, to).lateral;
+                    let contact = self.contacts[side(*other)];
+                    entries[1] = by_force + by_moment * contact.height;
+                    entries[2] = by_moment * contact.lateral_offset;
+                    entries[3] = by_moment;
+                }
+            }
+        }
+    }
+
     fn receptance_matrix(
         &self,
         angular_frequency: f64,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::Receptance;
-use crate::{Direction, Place};
+use crate::{Direction, Place, Rail};
 
 /// Joint of the general loop: a structure that answers at one place to a force at another, along any axis.
 ///
@@ -20,6 +20,21 @@ pub trait Structure: Send + Sync {
         at: Place,
         from: Place,
     ) -> Complex64;
+
+    /// Roll of a rail under the places given, each a distance along it \[m\] and the rail: its turn \[rad\] about the direction of travel,
+    /// right side down, per force on it along x, y, z \[rad/N\] and per moment about the direction of travel \[rad/(N m)\] at each
+    /// of the n places, in rows of 4n. By reciprocity the same numbers are the displacements by a moment.
+    ///
+    /// Provided: that of a structure which does not roll, zeros.
+    fn roll_matrix(
+        &self,
+        _angular_frequency: f64,
+        _speed: f64,
+        _places: &[(f64, Rail)],
+        matrix: &mut [Complex64],
+    ) {
+        matrix.fill(Complex64::ZERO);
+    }
 
     /// Receptances between all places \[m/N\] into a matrix by rows, the displacement at the i-th place per force at the
     /// j-th at [i·n + j] of the n places; symmetric.

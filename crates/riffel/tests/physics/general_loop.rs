@@ -66,7 +66,7 @@ pub(crate) fn contact(
         stiffness: hertz().stiffness(),
         rolling,
         motion,
-        geometry: None,
+        moving: None,
         place_of_wear: place_of_wear(),
         wear: wear(),
     }

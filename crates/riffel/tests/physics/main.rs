@@ -8,6 +8,7 @@ mod general_loop;
 mod geometric_creepage;
 mod growth;
 mod load_wear;
+mod moving_contact;
 mod passage;
 mod passing_supports;
 mod spatial_track;

@@ -9,7 +9,7 @@ use super::GeneralLoop;
 use crate::vector::Vector;
 
 /// Numbers of each contact.
-const NUMBERS: usize = 13;
+const NUMBERS: usize = 15;
 
 /// Wavelengths solved together, with all that depends on them alone.
 #[derive(Clone)]
@@ -31,14 +31,19 @@ pub(super) struct Answer<N> {
     pub(super) force_by_creepage: [[N; 2]; 2],
     /// The profile under the contact \[m\].
     pub(super) profile: N,
-    /// F_ξ times the creepage by geometry of that profile \[N\].
-    pub(super) force_by_profile: [N; 2],
+    /// What the creep forces in the axes of the mean state take of a shift on the wheel \[N/m\], with the sign of the left side of
+    /// the equations.
+    pub(super) force_by_shift: [N; 2],
+    /// What the displacement along the normal takes of it \[-\].
+    pub(super) approach_by_shift: N,
+    /// Roll by the cross slope of the profile \[rad\], right side down for the wheel against the rail.
+    pub(super) roll: N,
     /// What its energies at the rail point add to Ŵ₁ of the mean growth, per normal force \[1/N\].
     pub(super) growth_by_load: N,
     /// The same per creepage \[-\].
     pub(super) growth_by_creepage: [N; 2],
-    /// The same by geometry and the profile \[-\].
-    pub(super) growth_by_profile: N,
+    /// The same per shift on the wheel \[1/m\].
+    pub(super) growth_by_shift: N,
 }
 
 impl Answers {
@@ -75,15 +80,17 @@ impl Answers {
     pub(super) fn of_contacts<S: Simd>(&self) -> impl Iterator<Item = Answer<Vector<S>>> {
         let (contacts, _) = Vector::<S>::row(&self.numbers).as_chunks::<NUMBERS>();
         contacts.iter().map(|&numbers| {
-            let [a, b, c, d, e, f, g, h, i, j, k, l, m] = numbers.map(Vector::from);
+            let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = numbers.map(Vector::from);
             Answer {
                 force_by_load: [a, b],
                 force_by_creepage: [[c, d], [e, f]],
                 profile: g,
-                force_by_profile: [h, i],
-                growth_by_load: j,
-                growth_by_creepage: [k, l],
-                growth_by_profile: m,
+                force_by_shift: [h, i],
+                approach_by_shift: j,
+                roll: k,
+                growth_by_load: l,
+                growth_by_creepage: [m, n],
+                growth_by_shift: o,
             }
         })
     }
@@ -94,33 +101,43 @@ impl Answer<Complex64> {
         let contact = &of.contacts[index];
         let derivatives = contact.derivatives(wavelength);
         let wavenumber = 2.0 * PI / wavelength;
-        let [along, mut across] = derivatives.by_creepage.map(|by| by.force);
+        let [along, across] = derivatives.by_creepage.map(|by| by.force);
         let phase = contact.phase(wavenumber);
         let lag = contact.place_of_wear.lag(wavelength);
         let growth = of.share_of_growth(index) / (phase * contact.profile_or_one());
-        let [by_along, mut by_across] = derivatives.by_creepage.map(|by| by.at_rail(lag) * growth);
-        // What moves the contact across the profiles creeps along the rail with it.
-        let [by_lateral, by_profile] = contact.geometric_creepage(wavenumber, of.amplitude);
-        for (across, along) in across.iter_mut().zip(along) {
-            *across += along * by_lateral;
-        }
-        by_across += by_along * by_lateral;
+        let by_creepage = derivatives.by_creepage.map(|by| by.at_rail(lag) * growth);
+        let by_load = derivatives.by_load.at_rail(lag) * growth;
+        let by_spin = derivatives.by_spin.at_rail(lag) * growth;
+        // With f the forces in the axes of the mean state, Q = f − (its part by the shift): Q − F_P P − F_ξ ξ = 0.
+        let shift = contact.by_shift();
+        let own = [0.0, shift.lateral_force];
+        let force_by_shift = std::array::from_fn(|axis| {
+            derivatives.by_load.force[axis] * shift.normal_force
+                - own[axis]
+                - along[axis] * shift.creepage
+                - derivatives.by_spin.force[axis] * shift.spin
+        });
+        let profile = of.amplitude * contact.profile * phase;
+        let cross_slope = contact.moving.map_or(0.0, |moving| moving.cross_slope);
         Self {
             force_by_load: derivatives.by_load.force,
             force_by_creepage: [[along[0], across[0]], [along[1], across[1]]],
-            profile: of.amplitude * contact.profile * phase,
-            force_by_profile: along.map(|along| along * by_profile),
-            growth_by_load: derivatives.by_load.at_rail(lag) * growth,
-            growth_by_creepage: [by_along, by_across],
-            growth_by_profile: by_along * by_profile,
+            profile,
+            force_by_shift,
+            approach_by_shift: (-shift.normal_force / contact.stiffness).into(),
+            roll: contact.rail.sign() * cross_slope * profile,
+            growth_by_load: by_load,
+            growth_by_creepage: by_creepage,
+            growth_by_shift: by_creepage[0] * shift.creepage + by_spin * shift.spin
+                - by_load * shift.normal_force,
         }
     }
 
     fn numbers(self) -> [Complex64; NUMBERS] {
         let [a, b] = self.force_by_load;
         let [[c, d], [e, f]] = self.force_by_creepage;
-        let [h, i] = self.force_by_profile;
-        let [k, l] = self.growth_by_creepage;
+        let [h, i] = self.force_by_shift;
+        let [m, n] = self.growth_by_creepage;
         [
             a,
             b,
@@ -131,10 +148,12 @@ impl Answer<Complex64> {
             self.profile,
             h,
             i,
+            self.approach_by_shift,
+            self.roll,
             self.growth_by_load,
-            k,
-            l,
-            self.growth_by_profile,
+            m,
+            n,
+            self.growth_by_shift,
         ]
     }
 }

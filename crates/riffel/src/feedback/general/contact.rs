@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::contact::{ContactDerivative, GeometricCreepage};
+use crate::contact::{ContactDerivative, MovingContact};
 use crate::wheelset::Motion;
 use crate::{Direction, EnergyWear, Error, Place, PlaceOfWear, Rail, RollingContact};
 
@@ -28,9 +28,8 @@ pub struct Contact {
     pub rolling: Arc<dyn RollingContact>,
     /// What holds or frees the surfaces along the rail and across it: compliant where track and wheel say how they yield.
     pub motion: [Motion<()>; 2],
-    /// Longitudinal creepage by geometry, of a contact that moves across the profiles; none where it stays. On a free axis
-    /// it changes nothing: the wheel turns with it.
-    pub geometry: Option<GeometricCreepage>,
+    /// How it moves across the profiles; none where it stays.
+    pub moving: Option<MovingContact>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
     /// Law of wear.
@@ -69,22 +68,35 @@ impl Contact {
         }
     }
 
-    /// Longitudinal creepage by geometry at a wavenumber \[rad/m\]: per lateral creepage, for the displacement of the wheel
-    /// against the rail is s = −iξ_t/k, and that of the profile Δ \[m\] of the rail under study \[-\].
-    pub(super) fn geometric_creepage(&self, wavenumber: f64, amplitude: f64) -> [Complex64; 2] {
-        let Some(geometry) = self
-            .geometry
-            .filter(|_| !matches!(self.motion[0], Motion::Free))
-        else {
-            return [Complex64::ZERO; 2];
+    /// What a shift of the contact on the wheel does, per metre to the right; nothing where the contact stays.
+    pub(super) fn by_shift(&self) -> ByShift {
+        let Some(moving) = self.moving else {
+            return ByShift::default();
         };
-        let outward = match self.rail {
-            Rail::Right => 1.0,
-            Rail::Left => -1.0,
-        };
-        let by_lateral = Complex64::new(0.0, -outward * geometry.by_outward_shift / wavenumber);
-        let profile = amplitude * self.profile * self.phase(wavenumber);
-        [by_lateral, geometry.by_profile * profile]
+        let effects = moving.effects;
+        let on = |effect: bool, value: f64| if effect { value } else { 0.0 };
+        let radius = moving.rolling_radius;
+        let turn = moving.profiles.wheel_curvature();
+        // A wheel that turns freely takes any radius.
+        let turns = !matches!(self.motion[0], Motion::Free);
+        let by_radius = self.rail.sign() * self.angle.sin() / radius;
+        let steady = self.rolling.steady();
+        ByShift {
+            creepage: on(effects.rolling_radius && turns, by_radius),
+            spin: on(effects.spin, self.angle.cos() * turn / radius),
+            lateral_force: on(effects.contact_angle, -steady.normal_force * turn),
+            normal_force: on(effects.contact_angle, steady.forces.lateral * turn),
+        }
+    }
+
+    /// Whether its lateral displacement moves it: that of a contact which is held or free across the rail is not known.
+    pub(super) fn shifts_with_displacement(&self) -> bool {
+        matches!(self.motion[1], Motion::Compliant(()))
+    }
+
+    /// Whether the rail rolls under it, and with it.
+    pub(super) fn rolls(&self) -> bool {
+        self.moving.is_some_and(|moving| moving.effects.rail_roll)
     }
 
     /// Turn the rows of three axes from those of the track to those of the contact,
@@ -133,6 +145,7 @@ impl Contact {
         };
         let response = self.rolling.response(wavelength);
         Derivatives {
+            by_spin: response.by_spin.unwrap_or(NOTHING),
             by_load: response.by_load,
             by_creepage: [
                 response.by_longitudinal,
@@ -147,4 +160,19 @@ impl Contact {
 pub(super) struct Derivatives {
     pub(super) by_load: ContactDerivative,
     pub(super) by_creepage: [ContactDerivative; 2],
+    /// Nothing where the contact does not tell it.
+    pub(super) by_spin: ContactDerivative,
+}
+
+/// What a shift of the contact on the wheel does, per metre to the right.
+#[derive(Clone, Copy, Default)]
+pub(super) struct ByShift {
+    /// Longitudinal creepage \[1/m\].
+    pub(super) creepage: f64,
+    /// Spin \[1/m²\].
+    pub(super) spin: f64,
+    /// Force on the rail along the plane of the mean state \[N/m\], beside the creep force.
+    pub(super) lateral_force: f64,
+    /// Force on the rail along its normal \[N/m\], beside the normal force.
+    pub(super) normal_force: f64,
 }

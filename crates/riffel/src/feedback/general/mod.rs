@@ -110,6 +110,10 @@ pub struct ContactState {
     pub force: [Complex64; 3],
     /// Longitudinal and lateral creepage \[-\].
     pub creepage: [Complex64; 2],
+    /// Spin of a contact that moves across the profiles \[1/m\].
+    pub spin: Complex64,
+    /// Its shift on the rail \[m\], to the right.
+    pub shift: Complex64,
     /// Energy left on a metre of rail at the wheel \[J/m\].
     pub energy: Complex64,
     /// Energy left at a point of the rail \[J/m\], relative to the profile under this wheel, or to that of the rail

@@ -7,10 +7,10 @@ use pulp::Arch;
 
 use super::answers::Answers;
 use super::linear::{Equations, Solve};
-use super::turn::{NORMAL, Turn};
-use super::{Comb, ContactState, GeneralLoop};
-use crate::Place;
+use super::turn::{NORMAL, SHIFT, Turn};
+use super::{Comb, Contact, ContactState, GeneralLoop};
 use crate::vector::lanes_of;
+use crate::{Place, Rail};
 
 /// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
 /// lanes.
@@ -21,6 +21,12 @@ pub(crate) struct System {
     /// Places of the contacts on the track and on the wheels.
     on_track: Vec<Place>,
     on_wheels: Vec<Place>,
+    /// Unknowns of a contact.
+    unknowns: usize,
+    /// Where the rail may roll under the contacts, where one of them feels it.
+    rolling: Vec<(f64, Rail)>,
+    /// Roll at each contact by forces along its axes and by a moment at every contact.
+    rolls: Vec<Complex64>,
     /// One where an unknown is a force, zero where it is a creepage.
     force_shares: Vec<f64>,
     /// Receptances of the track and of the wheels at the point asked last.
@@ -40,7 +46,21 @@ impl System {
     pub(crate) fn new(of: &GeneralLoop) -> Self {
         let arch = Arch::new();
         let lanes = lanes_of(arch);
-        let size = 3 * of.contacts.len();
+        let count = of.contacts.len();
+        let places_count = 3 * count;
+        let moves = of.contacts.iter().any(|contact| contact.moving.is_some());
+        let unknowns = match moves {
+            true => SHIFT + 1,
+            false => SHIFT,
+        };
+        let size = unknowns * count;
+        let rolls = of.contacts.iter().any(Contact::rolls);
+        let rolling: Vec<(f64, Rail)> = match rolls {
+            true => (of.contacts.iter())
+                .map(|contact| (of.position + contact.along, contact.rail))
+                .collect(),
+            false => Vec::new(),
+        };
         let places = |from: f64| -> Vec<Place> {
             let places = of.contacts.iter();
             places
@@ -68,9 +88,12 @@ impl System {
             lanes,
             on_track: places(of.position),
             on_wheels: places(0.0),
+            unknowns,
+            rolls: vec![Complex64::ZERO; if moves { 4 * count * count } else { 0 }],
+            rolling,
             force_shares: force_shares.collect(),
-            track: vec![Complex64::ZERO; size * size],
-            wheels: vec![Complex64::ZERO; size * size],
+            track: vec![Complex64::ZERO; places_count * places_count],
+            wheels: vec![Complex64::ZERO; places_count * places_count],
             receptances: vec![0.0; 2 * size * size * lanes],
             equations: Equations::new(size, columns, lanes),
             excitation,
@@ -97,6 +120,7 @@ impl System {
         }
         self.arch.dispatch(Turn {
             contacts: &of.contacts,
+            unknowns: self.unknowns,
             excitation: &self.excitation,
             answers,
             receptances: &self.receptances,
@@ -122,11 +146,12 @@ impl System {
         let answers = self.answers(of, &[2.0 * PI * speed / angular_frequency]);
         self.turn(of, &answers, speed);
         let whole = self.equations.determinant(0);
-        let (size, count) = (self.size(), of.contacts.len());
+        let (unknowns, count) = (self.unknowns, of.contacts.len());
+        let size = unknowns * count;
         let mut normal = Equations::new(count, 0, self.lanes);
         for (row, contact) in of.contacts.iter().enumerate() {
             for column in 0..count {
-                let entry = (3 * row + NORMAL) * size + 3 * column + NORMAL;
+                let entry = (unknowns * row + NORMAL) * size + unknowns * column + NORMAL;
                 let mut entry = self.number(&self.receptances, entry, 0);
                 if row == column {
                     entry += contact.stiffness.recip();
@@ -144,11 +169,37 @@ impl System {
             .receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
         of.wheels
             .receptance_matrix(angular_frequency, speed, &self.on_wheels, &mut self.wheels);
+        if !self.rolling.is_empty() {
+            let track = &of.track;
+            track.roll_matrix(angular_frequency, speed, &self.rolling, &mut self.rolls);
+        }
     }
 
     /// Gather the receptances of track and wheels in a lane, in the axes of the contacts.
     fn gather(&mut self, of: &GeneralLoop, lane: usize) {
         self.turn_axes(of);
+        if self.unknowns == SHIFT {
+            return self.gather_forces(lane);
+        }
+        self.turn_rolls(of);
+        let (unknowns, count) = (self.unknowns, of.contacts.len());
+        for to in 0..count {
+            for from in 0..count {
+                let block = self.block(of, to, from);
+                for (row, entries) in block.iter().enumerate().take(unknowns) {
+                    let line = (unknowns * to + row) * unknowns * count;
+                    for (column, entry) in entries.iter().enumerate().take(unknowns) {
+                        let place = line + unknowns * from + column;
+                        let parts = &mut self.receptances[2 * place * self.lanes..];
+                        (parts[lane], parts[self.lanes + lane]) = (entry.re, entry.im);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same where all contacts stay.
+    fn gather_forces(&mut self, lane: usize) {
         let (lanes, size) = (self.lanes, self.size());
         let rows = self.receptances.chunks_exact_mut(2 * lanes * size);
         let ours = self
@@ -164,24 +215,94 @@ impl System {
         }
     }
 
+    /// What the unknowns of one contact move at another: displacements along its axes, and θ − u_t/R_t.
+    fn block(&self, of: &GeneralLoop, to: usize, from: usize) -> [[Complex64; 4]; 4] {
+        let (contact, source) = (&of.contacts[to], &of.contacts[from]);
+        let size = self.size();
+        let mut block = [[Complex64::ZERO; 4]; 4];
+        for (row, entries) in block.iter_mut().enumerate().take(SHIFT) {
+            for (column, entry) in entries.iter_mut().enumerate().take(SHIFT) {
+                let place = (3 * to + row) * size + 3 * from + column;
+                let share = self.force_shares[3 * from + column];
+                *entry = (self.track[place] + self.wheels[place]) * share;
+            }
+        }
+        let count = of.contacts.len();
+        // The moment of a load that has moved.
+        if source.rolls() {
+            let load = source.rolling.steady().normal_force;
+            for (row, entries) in block.iter_mut().enumerate().take(SHIFT) {
+                entries[SHIFT] = self.rolls[4 * (from * count + to) + row] * load;
+            }
+            if contact.rolls() {
+                block[SHIFT][SHIFT] = self.rolls[4 * (to * count + from) + SHIFT] * load;
+            }
+        }
+        let Some(moving) = contact.moving else {
+            return block;
+        };
+        if contact.rolls() {
+            let rolls = &self.rolls[4 * (to * count + from)..];
+            let shares = &self.force_shares[3 * from..];
+            let entries = block[SHIFT].iter_mut().take(SHIFT);
+            for (entry, (roll, share)) in entries.zip(rolls.iter().zip(shares)) {
+                *entry = roll * share;
+            }
+        }
+        if contact.shifts_with_displacement() {
+            let curvature = moving.profiles.wheel_curvature();
+            let displacements = block[1];
+            for (entry, displacement) in block[SHIFT].iter_mut().zip(displacements) {
+                *entry -= displacement * curvature;
+            }
+        }
+        block
+    }
+
+    /// Turn the rolls asked last from the axes of the track to those of the contacts.
+    fn turn_rolls(&mut self, of: &GeneralLoop) {
+        for row in self.rolls.chunks_exact_mut(4 * of.contacts.len()) {
+            for (entries, contact) in row.chunks_exact_mut(4).zip(&of.contacts) {
+                let (left, right) = entries.split_at_mut(NORMAL);
+                contact.turn(&mut left[1], &mut right[0]);
+            }
+        }
+    }
+
     /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
     pub(super) fn state(&self, of: &GeneralLoop, index: usize, wavelength: f64) -> ContactState {
         let contact = &of.contacts[index];
         let derivatives = contact.derivatives(wavelength);
-        let force: [Complex64; 3] = std::array::from_fn(|axis| {
-            let unknown =
-                self.equations
-                    .unknown_of_lane(3 * index + axis, self.excitation[index], 0);
-            contact.force_share(axis) * unknown
-        });
+        let of_unknown = |axis: usize| {
+            let column = self.excitation[index];
+            let unknown = self.unknowns * index + axis;
+            self.equations.unknown_of_lane(unknown, column, 0)
+        };
+        let mut force: [Complex64; 3] =
+            std::array::from_fn(|axis| contact.force_share(axis) * of_unknown(axis));
         let [along, across] = [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, 0));
         let wavenumber = 2.0 * PI / wavelength;
-        let [by_lateral, by_profile] = contact.geometric_creepage(wavenumber, of.amplitude);
-        let creepage = [along + by_lateral * across + by_profile, across];
+        let (mut creepage, mut spin) = ([along, across], Complex64::ZERO);
+        let mut shift = Complex64::ZERO;
+        if contact.moving.is_some() {
+            shift = of_unknown(SHIFT);
+            let mut on_wheel = shift;
+            if contact.shifts_with_displacement() {
+                // ξ_t = −ik u_t.
+                on_wheel += across * Complex64::I / wavenumber;
+            }
+            let by_shift = contact.by_shift();
+            creepage[0] += by_shift.creepage * on_wheel;
+            spin = by_shift.spin * on_wheel;
+            force[1] -= by_shift.lateral_force * on_wheel;
+            force[NORMAL] -= by_shift.normal_force * on_wheel;
+        }
         let lag = contact.place_of_wear.lag(wavelength);
         let mut energy = derivatives.by_load.energy * force[NORMAL];
         let mut at_rail = derivatives.by_load.at_rail(lag) * force[NORMAL];
-        for (by, creepage) in derivatives.by_creepage.iter().zip(creepage) {
+        let creepages = creepage.into_iter().chain([spin]);
+        let by = derivatives.by_creepage.iter().chain([&derivatives.by_spin]);
+        for (by, creepage) in by.zip(creepages) {
             energy += by.energy * creepage;
             at_rail += by.at_rail(lag) * creepage;
         }
@@ -191,6 +312,8 @@ impl System {
         ContactState {
             force,
             creepage,
+            spin,
+            shift,
             energy,
             energy_at_rail,
             growth_rate: (contact.profile != 0.0).then(|| -depth / of.amplitude),

@@ -11,13 +11,19 @@ use crate::wheelset::Motion;
 /// The index of the normal force among the unknowns of a contact, after those along and across the rail.
 pub(super) const NORMAL: usize = 2;
 
+/// The index of the shift of the contact on the rail, in a loop in which one moves.
+pub(super) const SHIFT: usize = 3;
+
 /// All that enters one turn, and what leaves it.
 pub(super) struct Turn<'a> {
     pub(super) contacts: &'a [Contact],
+    /// Unknowns of a contact: three, or four where a contact of the loop moves across the profiles.
+    pub(super) unknowns: usize,
     /// The column of excitation of each contact.
     pub(super) excitation: &'a [usize],
     pub(super) answers: &'a Answers,
-    /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces.
+    /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces. In a loop in which a contact moves the
+    /// fourth row of a contact is θ − u_t/R_t, and its fourth column is by the moment of a shift.
     pub(super) receptances: &'a [f64],
     /// Made here and solved.
     pub(super) equations: &'a mut Equations,
@@ -42,14 +48,25 @@ impl Turn<'_> {
     /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
     ///
     /// ```text
-    /// Q − F_P P − F_ξ ξ = F_ξ ξ_g  two rows a contact, ξ_g by geometry and the profile
+    /// Q − F_P P − F_ξ ξ = 0        two rows a contact
     /// P/k_H + (H f)_n = Δ p        one row
+    /// ```
+    ///
+    /// In a loop in which contacts move f are the forces in the axes of the mean state, and with the shifts y on the rail and
+    /// y + (H f)_t on the wheel, see [`MovingContact`](crate::contact::MovingContact),
+    ///
+    /// ```text
+    /// f − F_P f_n − F_ξ ξ + c (y + (H f)_t) = 0
+    /// f_n/k_H + (H f)_n + d (y + (H f)_t) = Δ p
+    /// y/R_r + θ − (H f)_t/R_t = ψ_p                one row more
     /// ```
     #[inline(always)]
     fn assemble<S: Simd>(&mut self, simd: S) {
         let (size, width) = (self.equations.size(), self.equations.width());
-        let receptances = Vector::<S>::row(self.receptances).chunks_exact(3 * size);
-        let rows = self.equations.rows_mut::<S>().chunks_exact_mut(3 * width);
+        let unknowns = self.unknowns;
+        let receptances = Vector::<S>::row(self.receptances).chunks_exact(unknowns * size);
+        let rows = self.equations.rows_mut::<S>();
+        let rows = rows.chunks_exact_mut(unknowns * width);
         let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
         let zero = Vector::<S>::zero(simd);
         let contacts = self.contacts.iter().zip(self.excitation);
@@ -57,17 +74,23 @@ impl Turn<'_> {
         for (index, (((contact, &excitation), answer), (rows, receptances))) in
             contacts.zip(answers).zip(rows.zip(receptances)).enumerate()
         {
-            let own = 3 * index;
+            let own = unknowns * index;
             let (along, rest) = receptances.split_at(size);
-            let (across, normal) = rest.split_at(size);
+            let (across, rest) = rest.split_at(size);
+            let (normal, shift) = rest.split_at(size);
+            let moves = contact.moving.is_some();
+            let shifts = moves && contact.shifts_with_displacement();
             for axis in 0..NORMAL {
                 let (row, right) = rows[axis * width..][..width].split_at_mut(size);
                 let by_creepage = answer.force_by_creepage[axis];
                 // −F_ξ ξ by displacements.
-                let [by_along, by_across] = [0, 1].map(|other| match contact.motion[other] {
+                let [by_along, mut by_across] = [0, 1].map(|other| match contact.motion[other] {
                     Motion::Compliant(()) => times_i(simd, by_creepage[other], wavenumbers[0]),
                     Motion::Held | Motion::Free => zero,
                 });
+                if shifts {
+                    by_across = by_across.plus(simd, answer.force_by_shift[axis]);
+                }
                 for ((entry, &along), &across) in row.iter_mut().zip(along).zip(across) {
                     let share = by_along.times(simd, along.into());
                     *entry = by_across.times_plus(simd, across.into(), share).parts();
@@ -88,18 +111,39 @@ impl Turn<'_> {
                     &mut row[own + NORMAL],
                     answer.force_by_load[axis].negative(simd),
                 );
+                if moves {
+                    add(simd, &mut row[own + SHIFT], answer.force_by_shift[axis]);
+                }
                 right.fill(zero.parts());
-                right[excitation] = answer.force_by_profile[axis].parts();
             }
-            let (row, right) = rows[NORMAL * width..].split_at_mut(size);
+            let (row, right) = rows[NORMAL * width..][..width].split_at_mut(size);
             row.copy_from_slice(normal);
             add(
                 simd,
                 &mut row[own + NORMAL],
                 real(simd, contact.stiffness.recip()),
             );
+            if shifts {
+                for (entry, &across) in row.iter_mut().zip(across) {
+                    let by_shift = answer.approach_by_shift.times(simd, across.into());
+                    add(simd, entry, by_shift);
+                }
+            }
+            if moves {
+                add(simd, &mut row[own + SHIFT], answer.approach_by_shift);
+            }
             right.fill(zero.parts());
             right[excitation] = answer.profile.parts();
+            if unknowns > SHIFT {
+                let (row, right) = rows[SHIFT * width..][..width].split_at_mut(size);
+                row.copy_from_slice(shift);
+                let curvature = contact
+                    .moving
+                    .map_or(1.0, |moving| moving.profiles.relative_radius().recip());
+                add(simd, &mut row[own + SHIFT], real(simd, curvature));
+                right.fill(zero.parts());
+                right[excitation] = answer.roll.parts();
+            }
         }
     }
 
@@ -108,7 +152,8 @@ impl Turn<'_> {
     fn close<S: Simd>(&mut self, simd: S) {
         let size = self.equations.size();
         let equations = &*self.equations;
-        let receptances = Vector::<S>::row(self.receptances).chunks_exact(3 * size);
+        let unknowns = self.unknowns;
+        let receptances = Vector::<S>::row(self.receptances).chunks_exact(unknowns * size);
         let (creepages, _) = Vector::<S>::row_mut(self.creepages).as_chunks_mut::<2>();
         let (wavenumbers, _) = S::as_simd_f64s(self.answers.wavenumbers());
         let mut dissipation = Vector::<S>::zero(simd);
@@ -122,7 +167,7 @@ impl Turn<'_> {
             let Answer {
                 growth_by_load,
                 growth_by_creepage,
-                growth_by_profile,
+                growth_by_shift,
                 ..
             } = answer;
             let mut displacements = [Vector::<S>::zero(simd); 2];
@@ -135,13 +180,19 @@ impl Turn<'_> {
                     unknown.times_plus(simd, across.into(), by_across),
                 ];
             }
-            let load = equations.unknown::<S>(3 * index + NORMAL, column);
+            let load = equations.unknown::<S>(unknowns * index + NORMAL, column);
             dissipation = growth_by_load.times_plus(simd, load, dissipation);
-            dissipation = dissipation.plus(simd, growth_by_profile);
+            if contact.moving.is_some() {
+                let mut shift = equations.unknown::<S>(unknowns * index + SHIFT, column);
+                if contact.shifts_with_displacement() {
+                    shift = shift.plus(simd, displacements[1]);
+                }
+                dissipation = growth_by_shift.times_plus(simd, shift, dissipation);
+            }
             for axis in 0..NORMAL {
                 let creepage = match contact.motion[axis] {
                     Motion::Held => Vector::zero(simd),
-                    Motion::Free => equations.unknown(3 * index + axis, column),
+                    Motion::Free => equations.unknown(unknowns * index + axis, column),
                     Motion::Compliant(()) => {
                         times_i(simd, displacements[axis], wavenumbers[0]).negative(simd)
                     }
