@@ -42,6 +42,7 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
                 .err()
                 .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
             let sentence = case_sentence(&at_end.unwrap_or(error));
+            let sentence = format!("{sentence}{}", beside(&middle, index));
             match place {
                 Some(place) => {
                     return Err(source.refuse(&format!("parameter[{index}].{place}"), &sentence));
@@ -56,6 +57,30 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
     }
     plan.remarks.extend(remarks);
     Ok(())
+}
+
+/// Most other parameters that are named.
+const MOST_NAMED: usize = 4;
+
+/// What the other parameters are where one is tried: they may be what makes its value impossible.
+fn beside(middle: &[String], tried: usize) -> String {
+    let others = (0..middle.len()).filter(|index| *index != tried);
+    let named: Vec<&str> = others
+        .clone()
+        .take(MOST_NAMED)
+        .map(|index| middle[index].as_str())
+        .collect();
+    match named.len() {
+        0 => String::new(),
+        _ => format!(
+            " (here with {}{})",
+            named.join(", "),
+            match others.count() > MOST_NAMED {
+                true => ", …",
+                false => "",
+            }
+        ),
+    }
 }
 
 /// Shares to try, each with the key of the plan that is at fault if it is refused; none for a tail.
