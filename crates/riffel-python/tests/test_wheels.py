@@ -40,3 +40,29 @@ def test_what_is_not_in_the_loop_has_no_growth(nominal: riffel.Case) -> None:
         assert (known.all(axis=1) == ~missing).all()
     with pytest.raises(ValueError, match="contact.from"):
         riffel.wheels_of_curve(nominal)
+
+
+def test_the_patch_of_the_profiles_enters_the_loop() -> None:
+    case = riffel.Case.from_toml("cases/metro-curve.toml").with_({"contact.from.wheelset": 2})
+    pressed = case.with_({"contact.from.patch": "non-elliptic"})
+    state = riffel.curve(case).sel(wheelset=2, rail="right")
+    under = riffel.contact_under_load(
+        "cases/metro-curve.toml", state["normal_force"].item(), lateral_shift=state["lateral_shift"].item()
+    )
+    stiffness = under["stiffness"].sel(rail="right").item()
+    told = [remark for remark in pressed.remarks if "right rail the patch is that of the profiles under load" in remark]
+    assert f"{1e-6 * stiffness:.0f} MN/m" in told[0]
+    rates = [one.point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"] for one in (case, pressed)]
+    # The same stiffness on the ellipse of Hertz is another contact.
+    by_hand = case.with_({"contact.stiffness": stiffness}).point(wavelength="60 mm", speed="45 km/h")
+    assert len({*rates, by_hand["growth_rate_per_passage"]}) == 3
+
+
+def test_effects_of_a_moving_contact_are_keys() -> None:
+    case = riffel.Case.from_toml("cases/metro-curve.toml").with_({"contact.from.wheelset": 2})
+    moving = case.with_({"contact.conformity": {"cross_slope": "10 1/m"}})
+    growth = moving.point(wavelength="60 mm", speed="45 km/h")["growth_rate_per_passage"]
+    without = moving.with_({"contact.conformity.spin": False}).point(wavelength="60 mm", speed="45 km/h")
+    assert growth != without["growth_rate_per_passage"]
+    with pytest.raises(ValueError, match="must be true or false"):
+        moving.with_({"contact.conformity.spin": 3})

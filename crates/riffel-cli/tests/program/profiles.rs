@@ -166,7 +166,8 @@ fn a_study_goes_over_radii_and_worn_wheels() {
 }
 
 /// Bhaskar's mechanism: a contact that moves across close profiles, with the inertia of the wheel and without. Without conformity nothing
-/// depends on the ripple's slope; with it and no inertia a free wheel takes any radius.
+/// depends on the ripple's slope; with it and no inertia a free wheel takes any radius, and what is left are the turn of the plane of
+/// contact and its spin.
 #[test]
 fn conformity_and_inertia_are_switches() {
     let sandbox = Sandbox::new();
@@ -184,11 +185,17 @@ fn conformity_and_inertia_are_switches() {
         (moved - plain).abs() > 1e-3 * plain.abs(),
         "{plain} {moved}"
     );
-    let (without, moved_without) = (growth(free), growth(&format!("{free} {moving}")));
+    let still = "--set contact.conformity.contact_angle=false --set contact.conformity.spin=false";
+    let (without, moved_without) = (growth(free), growth(&format!("{free} {moving} {still}")));
     assert!((without - plain).abs() > 1e-3 * plain.abs());
     assert!(
         (moved_without - without).abs() < 1e-9 * without.abs(),
         "{without} {moved_without}"
+    );
+    let turned = growth(&format!("{free} {moving}"));
+    assert!(
+        (turned - without).abs() > 1e-5 * without.abs(),
+        "{without} {turned}"
     );
     let refused = sandbox.riffel(&format!(
         "{case} --set contact.conformity.rail_radius=800mm"
