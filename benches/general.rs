@@ -147,7 +147,7 @@ fn at_hand(wheels: usize) -> Result<GeneralLoop, Failure> {
         stiffness: 1e9,
         rolling: rolling.clone(),
         motion: [const { Motion::Compliant(()) }; 2],
-        geometry: None,
+        moving: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 6e-3, 0.3),
         wear,
     });
