@@ -40,6 +40,11 @@ export function differenceSteps(dark) {
   return { more: side(48), less: side(250) };
 }
 
+/** Colours of an ordered family of curves, from 0 to 1: from dark blue to bright vermilion; lightness tells them apart, too. */
+export function orderedColor(share, dark) {
+  return css(oklch(dark ? 0.92 - 0.3 * share : 0.34 + 0.32 * share, 0.13, 265 - 225 * share));
+}
+
 export const css = ([r, g, b]) => `rgb(${r},${g},${b})`;
 
 /** Size of the letters of the page [px]. */
@@ -54,4 +59,16 @@ export function theme() {
     ink: color('ink'), soft: color('soft'), line: color('line'), sheet: color('sheet'), accent: color('accent'),
     warm: color('warm'), grid: color('grid'), green: color('green'), font: style.fontFamily,
   };
+}
+
+/** What is drawn as on a white page; nothing of it is seen. */
+export function onWhite(draw) {
+  const { dataset } = document.documentElement;
+  const { theme: before } = dataset;
+  dataset.theme = 'light';
+  try {
+    return draw();
+  } finally {
+    dataset.theme = before;
+  }
 }

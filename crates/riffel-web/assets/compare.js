@@ -1,9 +1,14 @@
-// Compare: a variant that was kept beside the case at hand.
+// Compare: variants that were kept beside the case at hand.
 
-import { element } from './elements.js';
-import { get, si } from './keys.js';
+import { palette } from './curves.js';
+import { element, worded } from './elements.js';
+import { offer } from './figures.js';
+import { shownUnit, si } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
-import { Line, framed } from './server.js';
+import { Line, framed, json } from './server.js';
+import { Sweep, drawCurves } from './sweep.js';
+import { reportOf } from './variant-report.js';
+import { MOST_VARIANTS, ownName } from './variants.js';
 import { labelOf, number, passages, power, speed, t, translate, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
@@ -13,52 +18,128 @@ const PATIENCE = 150;
 const flat = (table, path = '') =>
   Object.entries(table ?? {}).flatMap(([key, value]) => (value !== null && typeof value === 'object' ? flat(value, `${path}${key}.`) : [[path + key, value]]));
 
-export function startCompare({ state, traffic, listen, complain, record }) {
+export function startCompare({ state, traffic, listen, complain, record, replace, save, saveAddress, unitOf }) {
   const place = document.getElementById('view-compare');
-  const line = new Line('/api/compare', framed);
-  let shown = null;
+  const maps = new Line('/api/compare', framed);
+  const growth = new Line('/api/growth', json);
+  /** Head and map of each case that is shown, by case and window: while the case changes, the variants stay. */
+  let known = new Map();
+  let curves = null;
+  /** Places of the two whose maps are shown; null is the case at hand. */
+  let pair = [0, null];
 
-  const keep = element('button', { type: 'button', className: 'plain', id: 'keep' });
-  keep.dataset.t = 'keep';
-  const drop = element('button', { type: 'button', className: 'plain', hidden: true });
-  drop.dataset.t = 'drop';
-  const hint = element('p', { className: 'why' });
-  hint.dataset.t = 'nothing_kept';
-  const bar = element('div', { className: 'panel wide strip' }, element('div', { className: 'buttons' }, keep, drop), hint);
-  const panels = ['kept', 'now', 'difference'].map((name) => {
-    const heading = element('h2');
-    heading.dataset.t = name;
+  // What is kept ---------------------------------------------------------------------------------------
+
+  const keep = worded('button', 'keep', { type: 'button', className: 'plain', id: 'keep' });
+  const report = worded('button', 'report_variants', { type: 'button', className: 'plain', id: 'report-variants', hidden: true });
+  const list = element('ul', { className: 'variants' });
+  const hint = worded('p', 'nothing_kept', { className: 'why' });
+  const bar = element('div', { className: 'panel wide strip' }, element('div', { className: 'buttons' }, keep, report), hint, list);
+
+  // The maps -------------------------------------------------------------------------------------------
+
+  const choices = ['first', 'second'].map((which, k) => {
+    const choice = element('select', { id: `compare-${which}` });
+    choice.dataset.tLabel = which;
+    choice.addEventListener('change', () => {
+      pair[k] = choice.value === 'now' ? null : Number(choice.value);
+      show();
+    });
+    return choice;
+  });
+  const panels = ['left', 'right', 'difference'].map((name, k) => {
+    const heading = k < 2 ? element('h2', {}, choices[k]) : worded('h2', name);
+    const aside = element('span', { className: 'aside' });
     const map = element('div', { className: 'map' });
     const legend = element('div', { className: 'bar' });
-    const panel = element('article', { className: 'panel', hidden: true, id: `compare-${name}` }, element('header', {}, heading), map, element('footer', {}, legend));
-    return { name, panel, legend, view: new MapView(map, { kind: name === 'difference' ? 'difference' : 'growth', label: name }) };
+    const header = element('header', {}, heading, aside);
+    const panel = element('article', { className: 'panel', hidden: true, id: `compare-${name}` }, header, map, element('footer', {}, legend));
+    const view = new MapView(map, { kind: name === 'difference' ? 'difference' : 'growth', label: name });
+    offer(header, () => ({ name: `compare-${name}`, map: view }), save);
+    return { name, panel, legend, aside, view };
   });
+  const [, , difference] = panels;
+  const curvesPlace = element('div', { className: 'curve tall', id: 'compare-curves' });
+  const atSpeed = element('span', { className: 'aside' });
+  const curvesHead = element('header', {}, worded('h2', 'growth_curve'), atSpeed);
+  const curvesPanel = element('article', { className: 'panel wide', hidden: true }, curvesHead, curvesPlace);
+  offer(curvesHead, () => ({ name: 'compare-growth', plot: curvesPlace }), save);
   const table = element('table', { className: 'comparison' });
-  const tablePanel = element('article', { className: 'panel wide', hidden: true }, table);
-  place.append(bar, ...panels.map(({ panel }) => panel), tablePanel);
+  const tablePanel = element('article', { className: 'panel wide', hidden: true }, element('div', { className: 'sideways' }, table));
+  const sweep = new Sweep({ state, traffic, complain, save, onKeep: (variants) => setVariants(variants) });
+  place.append(bar, ...panels.map(({ panel }) => panel), curvesPanel, tablePanel, sweep.panel);
+
+  function setVariants(variants) {
+    state.variants = variants;
+    record();
+    saveAddress();
+    ask();
+  }
 
   keep.addEventListener('click', () => {
-    state.kept = structuredClone(state.keys);
-    record();
-    ask();
+    if (state.variants.length < MOST_VARIANTS) setVariants([...state.variants, { name: ownName('', state.variants), case: structuredClone(state.keys) }]);
   });
-  drop.addEventListener('click', () => {
-    state.kept = null;
-    record();
-    ask();
-  });
+  report.addEventListener('click', () => reportOf({ names: entries().map(({ name }) => name), table, panels, curvesPlace, speed: speed(state.point.speed) })
+    .then((html) => save(new Blob([html], { type: 'text/html' }), 'variants.html'), (fault) => complain(fault, { what: `${t('report_variants')}: ` })));
+
+  function rename(at, text) {
+    const { variants } = state;
+    const name = ownName(text, variants.filter((_, k) => k !== at));
+    if (text.trim() && name !== variants[at].name) setVariants(variants.map((one, k) => (k === at ? { ...one, name } : one)));
+    else showList();
+  }
+
+  function showList() {
+    const { variants } = state;
+    keep.disabled = variants.length >= MOST_VARIANTS;
+    keep.title = keep.disabled ? t('most_kept', MOST_VARIANTS) : '';
+    hint.hidden = variants.length > 0;
+    list.replaceChildren(...variants.map((variant, k) => {
+      const name = element('input', { type: 'text', value: variant.name, ariaLabel: t('name_of_variant'), maxLength: 40, spellcheck: false });
+      name.addEventListener('change', () => rename(k, name.value));
+      const show = element('button', { type: 'button', className: 'plain small', textContent: t('open_variant') });
+      show.setAttribute('aria-label', `${t('open_variant')}: ${variant.name}`);
+      show.addEventListener('click', () => replace({ case: structuredClone(variant.case), point: state.point, tab: 'compare' }, t('variant_open', variant.name)));
+      const drop = element('button', { type: 'button', className: 'plain small', textContent: '✕', title: t('drop') });
+      drop.setAttribute('aria-label', `${t('drop')}: ${variant.name}`);
+      drop.addEventListener('click', () => setVariants(variants.filter((_, at) => at !== k)));
+      const mark = element('i', {});
+      mark.style.background = colorOf(k);
+      return element('li', {}, mark, name, show, drop);
+    }));
+  }
+
+  const colorOf = (k) => (k === null ? palette()[0] : palette()[1 + k]);
+
+  /** What stands beside each other: the variants, then the case at hand. */
+  const entries = () => [...state.variants, { name: t('now'), case: state.keys }].map((one) => ({ ...one, key: JSON.stringify([one.case, state.keys.map ?? null]) }));
+
+  // Asking ---------------------------------------------------------------------------------------------
 
   function ask() {
-    if (!state.kept) {
-      shown = null;
+    showList();
+    sweep.caseChanged();
+    if (!state.variants.length) show();
+    if (!state.variants.length || state.view !== 'compare' || !state.keys) return;
+    const missing = [...new Map(entries().filter(({ key }) => !known.has(key)).map((one) => [one.key, one])).values()];
+    askCurves();
+    if (!missing.length) {
+      stale(false);
       show();
+      return;
     }
-    if (!state.kept || state.view !== 'compare') return;
-    drop.hidden = false;
     stale(true);
-    line.ask({ kept: { keys: state.kept }, case: { keys: structuredClone(state.keys) } }, (answer) => {
-      shown = answer;
-      stale(line.pending);
+    const given = structuredClone(state.keys);
+    maps.ask({ variants: missing.map(({ name, case: keys }) => ({ name, case: { keys } })), case: { keys: given } }, ({ head, values }) => {
+      let offset = 0;
+      head.variants.forEach((one, k) => {
+        const map = toMap(one, values, offset);
+        offset += map.values.length;
+        known.set(missing[k].key, { head: one, map });
+      });
+      const needed = new Set(entries().map(({ key }) => key));
+      if ([...needed].every((key) => known.has(key))) known = new Map([...known].filter(([key]) => needed.has(key)));
+      stale(maps.pending);
       show();
     }, (fault) => {
       // What the case at hand is refused for stands at its field.
@@ -66,42 +147,87 @@ export function startCompare({ state, traffic, listen, complain, record }) {
     });
   }
 
+  function askCurves() {
+    if (!state.variants.length || state.view !== 'compare' || !state.point) return;
+    const given = entries();
+    const at = state.point.speed;
+    growth.ask({ for: 'variants', curves: given.map(({ name, case: keys }) => ({ name, case: { keys }, speed_m_per_s: at })), case: { keys: structuredClone(state.keys) } }, (answer) => {
+      curves = { lines: answer.map((one, k) => ({ ...one, variant: k < given.length - 1 ? k : null, name: given[k].name })), speed: at };
+      showCurves();
+    }, () => {
+      // The question for the maps tells of the same fault.
+    });
+  }
+
   /** What is shown is no longer, or again, that of the case. */
   let paling;
   function stale(is) {
     clearTimeout(paling);
-    const pale = () => place.querySelectorAll('article').forEach((panel) => panel.classList.toggle('stale', is));
+    const pale = () => [...panels.map(({ panel }) => panel), curvesPanel, tablePanel].forEach((panel) => panel.classList.toggle('stale', is));
     if (is) paling = setTimeout(pale, PATIENCE);
     else pale();
   }
 
+  // Showing --------------------------------------------------------------------------------------------
+
   function show() {
-    const there = Boolean(state.kept && shown);
-    for (const { panel } of panels) panel.hidden = !there;
-    tablePanel.hidden = !there;
-    drop.hidden = !state.kept;
-    hint.hidden = there;
+    const all = entries();
+    const there = state.variants.length > 0 && all.every(({ key }) => known.has(key));
+    const hidden = !state.variants.length || (!there && tablePanel.hidden);
+    for (const panel of [...panels.map(({ panel: one }) => one), curvesPanel, tablePanel, report]) panel.hidden = hidden;
     if (!there) return;
-    const { head, values } = shown;
-    const before = toMap(head.kept, values);
-    const after = toMap(head.case, values, before.values.length);
+    pair = pair.map((at) => (at === null || at < state.variants.length ? at : 0));
+    const place = (at) => (at === null ? all.length - 1 : at);
+    choices.forEach((choice, k) => {
+      choice.replaceChildren(...all.map(({ name }, at) => element('option', { value: at === all.length - 1 ? 'now' : at, textContent: name })));
+      choice.value = pair[k] ?? 'now';
+    });
+    const [one, other] = pair.map((at) => known.get(all[place(at)].key).map);
     // How fast something decays that grows in neither case is of no interest.
-    const between = (value, k) => (value > 0 || before.values[k] > 0 ? Math.max(value, 0) - Math.max(before.values[k], 0) : 0);
-    const difference = { ...after, ridge: null, branches: null, bestFit: null, values: after.values.map(between) };
-    difference.strongest = difference.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    const between = (value, k) => (value > 0 || one.values[k] > 0 ? Math.max(value, 0) - Math.max(one.values[k], 0) : 0);
+    const change = { ...other, ridge: null, branches: null, bestFit: null, values: other.values.map(between) };
+    change.strongest = change.values.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
     // Both maps in one scale, or they could not be compared.
-    const scale = Math.max(before.strongest, after.strongest) || null;
-    [before, after, difference].forEach((map, k) => {
-      const { view, legend, name } = panels[k];
+    const scale = Math.max(one.strongest, other.strongest) || null;
+    const names = pair.map((at) => all[place(at)].name);
+    difference.aside.textContent = `${names[1]} − ${names[0]}`;
+    [one, other, change].forEach((map, k) => {
+      const { view, legend } = panels[k];
       view.held = k < 2 ? scale : null;
-      view.label = t(name);
+      view.label = k < 2 ? names[k] : t('difference');
       view.show(map);
       drawBar(legend, view, k < 2 ? t('growth_rate') : `${t('less')} / ${t('more')}`);
     });
-    rows(head.kept, head.case);
+    rows(all);
   }
 
-  function rows(before, after) {
+  function showCurves() {
+    if (!curves || curvesPanel.hidden || state.view !== 'compare') return;
+    atSpeed.textContent = speed(curves.speed);
+    // The case at hand is drawn last, over the others.
+    drawCurves(curvesPlace, curves.lines.map((one) => ({ ...one, name: one.variant === null ? t('now') : one.name, color: colorOf(one.variant), width: one.variant === null ? 2.4 : 1.6 })));
+  }
+
+  /** The value of a key of a complete case as the form shows it: "39.7 kg m²". */
+  function shown(key, value, digits) {
+    if (value === undefined || value === null) return '–';
+    const unit = unitOf(key);
+    const [name, size] = shownUnit(key, unit);
+    const plain = Number.parseFloat(value);
+    if (unit !== undefined && Number.isFinite(plain)) return `${number(plain / size, digits)} ${name}`.trim();
+    return typeof value === 'number' ? number(value, digits) : written(value);
+  }
+
+  /** The values of a key, with as many digits as tell them apart. */
+  function values(key, cases) {
+    const all = cases.map((one) => one.get(key));
+    const count = new Set(all).size;
+    const texts = [3, 6, 12].map((digits) => all.map((value) => shown(key, value, digits)));
+    return texts.find((given) => new Set(given).size === count) ?? texts.at(-1);
+  }
+
+  function rows(all) {
+    const heads = all.map(({ key }) => known.get(key).head);
     const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
     const doubling = ({ highest, complete }) => {
       if (!highest) return ['–', '–', '–'];
@@ -109,31 +235,38 @@ export function startCompare({ state, traffic, listen, complain, record }) {
       const { time, mass } = traffic.words(count, si(complete, 'contact.normal_load'));
       return [passages(count), time, mass];
     };
-    const columns = (head) => {
+    const columns = heads.map((head) => {
       const high = head.highest;
       return [
         of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => `${number(1e3 * v)} mm`), of(high?.speed_m_per_s, speed),
         of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`), ...doubling(head),
         `${number(100 * head.derived.creepage)} %`, `${number(1e-6 * head.derived.contact_stiffness_n_per_m)} MN/m`,
       ];
-    };
-    const [left, right] = [columns(before), columns(after)];
-    const [a, b] = [new Map(flat(before.complete)), new Map(flat(after.complete))];
-    const changed = [...new Set([...a.keys(), ...b.keys()])].filter((key) => key !== 'title' && a.get(key) !== b.get(key));
-    const given = (keys, whole, key) => written(get(keys, key) ?? whole.get(key) ?? '–');
-    const row = (name, one, other) => element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', { textContent: one }), element('td', { textContent: other }));
-    const head = element('thead', {}, element('tr', {}, element('td'), ...['kept', 'now'].map((name) => element('th', { scope: 'col', textContent: t(name) }))));
-    const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, left[k], right[k])));
-    const changes = element('tbody', { className: 'changes' }, ...changed.map((key) => row(`${labelOf(key)} (${key})`, given(state.kept, a, key), given(state.keys, b, key))));
+    });
+    const cases = heads.map(({ complete }) => new Map(flat(complete)));
+    const differ = (key) => cases.some((one) => one.get(key) !== cases[0].get(key));
+    const keys = [...new Set(cases.flatMap((one) => [...one.keys()]))].filter((key) => key !== 'title' && differ(key));
+    const row = (name, cells) => element('tr', {}, element('th', { scope: 'row', textContent: name }), ...cells.map((textContent) => element('td', { textContent })));
+    const head = element('thead', {}, element('tr', {}, element('td'), ...all.map(({ name }) => element('th', { scope: 'col', textContent: name }))));
+    const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, columns.map((column) => column[k]))));
+    const changes = element('tbody', { className: 'changes' }, ...keys.map((key) => row(`${labelOf(key)} (${key})`, values(key, cases))));
     table.replaceChildren(head, body, changes);
   }
 
   listen((what) => {
     if (what === 'words') {
       translate(place);
-      if (shown) show();
+      showList();
+      show();
+      showCurves();
+      sweep.reword();
     } else if (what === 'traffic') {
-      if (shown) show();
+      show();
+      sweep.show();
     } else if (what === 'case' || what === 'view') ask();
+    else if (what === 'point') {
+      askCurves();
+      sweep.caseChanged();
+    }
   });
 }

@@ -14,17 +14,19 @@ import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
 import { Steps } from './steps.js';
+import { offer } from './figures.js';
 import { save, startTakeAway } from './take-away.js';
 import { Traffic, readTraffic } from './traffic.js';
+import { readVariants } from './variants.js';
 import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
 /**
- * What the page shows. `point` is the cursor in m and m/s, `kept` the variant to compare with, `accepted` the keys of the
+ * What the page shows. `point` is the cursor in m and m/s, `variants` what was kept to compare with, `accepted` the keys of the
  * last case without an error; `current` is true while what is shown is that of `keys`.
  */
-const state = { keys: null, kept: null, point: null, view: 'explore', map: null, head: null, at: null, accepted: null, current: false, vocabulary: null };
+const state = { keys: null, variants: [], point: null, view: 'explore', map: null, head: null, at: null, accepted: null, current: false, vocabulary: null };
 
 const banner = new Banner($('trouble'), $('notice'));
 const trouble = (words, more) => banner.say(words, more);
@@ -137,6 +139,7 @@ function movePoint(point, pinned) {
   view.moveTo(point);
   speedHandle();
   askPoint();
+  for (const listener of listeners) listener('point');
   saveAddress();
 }
 
@@ -320,7 +323,7 @@ const steps = new Steps(({ undo, redo }) => {
   $('undo').disabled = !undo;
   $('redo').disabled = !redo;
 });
-const snapshot = () => ({ case: state.keys, kept: state.kept, traffic: traffic.given });
+const snapshot = () => ({ case: state.keys, variants: state.variants, traffic: traffic.given });
 
 /** The case has changed by hand: a step to undo, and one for the browser to go back. */
 function record(gesture) {
@@ -357,8 +360,8 @@ let saved = '';
 function saveAddress(asStep = false) {
   clearTimeout(saving);
   const write = () => {
-    const { point, view: tab, kept } = state;
-    const address = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(kept && { kept }), ...(traffic.given && { traffic: traffic.given }) })}`;
+    const { point, view: tab, variants } = state;
+    const address = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(variants.length && { variants }), ...(traffic.given && { traffic: traffic.given }) })}`;
     if (address === saved) return;
     saved = address;
     if (asStep) history.pushState(null, '', saved);
@@ -374,15 +377,15 @@ function saveAddress(asStep = false) {
 }
 
 const isCase = (keys) => typeof keys === 'object' && keys !== null && !Array.isArray(keys);
-const nominal = () => ({ case: structuredClone(vocabulary.nominal), kept: null, point: null, tab: 'explore', traffic: null });
+const nominal = () => ({ case: structuredClone(vocabulary.nominal), variants: [], point: null, tab: 'explore', traffic: null });
 
 /** The state of a link; null where it cannot be read. */
 function readLink(link) {
   try {
-    const { case: keys, kept, point, tab, traffic } = unpack(link.slice(1));
+    const { case: keys, point, tab, traffic, ...kept } = unpack(link.slice(1));
     if (!isCase(keys)) return null;
     const place = Array.isArray(point) && point.every(Number.isFinite) ? { wavelength: point[0], speed: point[1] } : null;
-    return { case: keys, kept: isCase(kept) ? kept : null, point: place, tab: $(`tab-${tab}`) ? tab : 'explore', traffic: readTraffic(traffic) };
+    return { case: keys, variants: readVariants(kept), point: place, tab: $(`tab-${tab}`) ? tab : 'explore', traffic: readTraffic(traffic) };
   } catch {
     return null;
   }
@@ -397,9 +400,9 @@ function lastState() {
   }
 }
 
-/** Show a case; the variant that is kept and the traffic stay unless others come with it. */
-function open({ case: keys, kept = state.kept, point, tab, traffic: given = traffic.given }, { asStep = true } = {}) {
-  Object.assign(state, { keys, kept, point });
+/** Show a case; the variants that are kept and the traffic stay unless others come with it. */
+function open({ case: keys, variants = state.variants, point, tab, traffic: given = traffic.given }, { asStep = true } = {}) {
+  Object.assign(state, { keys, variants, point });
   form.forget();
   form.show(keys);
   traffic.show(given);
@@ -483,10 +486,10 @@ $('speed-unit').addEventListener('change', (event) => {
   redraw();
 });
 
-/** What the other views need. They are told 'case', 'map', 'view', 'traffic' or 'words' when that has changed. */
+/** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, traffic, labels: (text) => inLabels(text, form), complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
+  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
 startCompare(shared);
@@ -494,12 +497,16 @@ const measure = startMeasure(shared);
 startBogie(shared);
 startPaper(shared);
 startTakeAway({ ...shared, measure });
+for (const [id, figure] of [
+  ['map', () => ({ name: 'map', map: view })], ['phasors', () => ({ name: 'loop', drawing: $('phasors'), table: $('amplitudes').parentElement })],
+  ...['growth', 'receptance', 'force'].map((name) => [name, () => ({ name, plot: $(name) })]),
+]) offer($(id).closest('article').querySelector('header'), figure, save);
 translate();
 
 const link = location.hash.length > 1 ? readLink(location.hash) : null;
 const last = lastState();
 const first = link ?? last ?? nominal();
-Object.assign(state, { keys: first.case, kept: first.kept });
+Object.assign(state, { keys: first.case, variants: first.variants });
 traffic.show(first.traffic);
 steps.begin(snapshot());
 open(first, { asStep: false });

@@ -3,6 +3,7 @@
 
 import { css, differenceSteps, growthSteps, letterSize, theme } from './colors.js';
 import { MapNames, overlap } from './map-names.js';
+import { SvgContext } from './svg-context.js';
 import { number, power, speed as inUnit, t, unitOfSpeed } from './words.js';
 
 /** Margins around the map in letters, which grow with the screen; and the size of letters in the same measure. */
@@ -120,23 +121,36 @@ export class MapView {
         canvas.height = Math.round(height * ratio);
       }
     }
+    this.ratio = ratio;
+    this.#measure(width, height);
+    this.#drawField();
+    this.#drawOver();
+  }
+
+  #measure(width, height) {
     const em = letterSize();
     this.font = LETTERS * em;
     this.box = {
       left: MARGIN.left * em, top: MARGIN.top * em,
       width: width - (MARGIN.left + MARGIN.right) * em, height: height - (MARGIN.top + MARGIN.bottom) * em,
     };
-    this.ratio = ratio;
     this.colors = theme();
-    this.#drawField();
-    this.#drawOver();
   }
 
   // Colours ------------------------------------------------------------------------------------------
 
-  #drawField() {
+  /** The map with its marks as SVG in the colours of the page, without the cursor. */
+  svg() {
+    const { width, height } = this.place.getBoundingClientRect();
+    const context = new SvgContext(width, height, theme().sheet);
+    this.#measure(width, height);
+    this.#drawField(context);
+    this.#drawMarks(context, [...this.names]);
+    return context.text();
+  }
+
+  #drawField(context = this.field.getContext('2d')) {
     const { box, ratio, colors } = this;
-    const context = this.field.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.field.width, this.field.height);
     this.#colorPixels();
@@ -363,11 +377,20 @@ export class MapView {
 
   #drawOver() {
     if (!this.box || !this.map) return;
-    const { box, ratio, colors } = this;
+    const { ratio, colors } = this;
     const context = this.marksOver.getContext('2d');
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, this.marksOver.width, this.marksOver.height);
-    const taken = [...this.names];
+    this.taken = [...this.names];
+    this.#drawMarks(context, this.taken);
+    this.#drawCursor(context, colors);
+    this.#drawDragged(context, colors);
+    this.#drawReadout(context, colors);
+  }
+
+  /** What lies on the map beside the cursor; words keep out of the places that are taken. */
+  #drawMarks(context, taken) {
+    const { box, colors } = this;
     this.#within(context, () => {
       this.#drawBand(context, colors, taken);
       for (const { wavelength, label } of this.marks) {
@@ -392,10 +415,6 @@ export class MapView {
         context.fillText(label, left + 3, spot.top + 0.75 * this.font + 0.5);
       }
     });
-    this.taken = taken;
-    this.#drawCursor(context, colors);
-    this.#drawDragged(context, colors);
-    this.#drawReadout(context, colors);
   }
 
   /** The speeds of the traffic: a line at each end, and its name. */
@@ -575,6 +594,8 @@ export class MapView {
 
 /** The colour bar of a map: steps, values, name. */
 export function drawBar(place, view, title) {
+  // The bar knows how it is drawn in another theme.
+  place.redraw = () => drawBar(place, view, title);
   const colors = theme();
   const strongest = view.scale;
   const ends = (value) => (Math.abs(value) < 0.01 || Math.abs(value) >= 1e5 ? power(value) : number(value, 2));

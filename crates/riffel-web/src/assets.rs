@@ -26,6 +26,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "compare.js": "text/javascript; charset=utf-8",
     "curves.js": "text/javascript; charset=utf-8",
     "elements.js": "text/javascript; charset=utf-8",
+    "figures.js": "text/javascript; charset=utf-8",
     "faults.js": "text/javascript; charset=utf-8",
     "form.js": "text/javascript; charset=utf-8",
     "keys.js": "text/javascript; charset=utf-8",
@@ -38,9 +39,13 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",
     "server.js": "text/javascript; charset=utf-8",
+    "svg-context.js": "text/javascript; charset=utf-8",
     "steps.js": "text/javascript; charset=utf-8",
     "take-away.js": "text/javascript; charset=utf-8",
     "traffic.js": "text/javascript; charset=utf-8",
+    "sweep.js": "text/javascript; charset=utf-8",
+    "variant-report.js": "text/javascript; charset=utf-8",
+    "variants.js": "text/javascript; charset=utf-8",
     "words.js": "text/javascript; charset=utf-8",
 };
 

@@ -52,6 +52,7 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/map", post(api::map::post))
         .route("/api/point", post(api::point::post))
         .route("/api/compare", post(api::compare::post))
+        .route("/api/growth", post(api::compare::growth))
         .route("/api/curve", post(api::curve::post))
         .route("/api/figure", post(api::figure::post))
         .route("/api/export/{kind}", post(api::export::post))

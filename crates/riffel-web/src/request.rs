@@ -16,8 +16,8 @@ use crate::fault::Fault;
 /// Largest case, as text.
 pub(crate) const LARGEST_CASE: usize = 64 * 1024;
 
-/// Largest request: two cases to compare, and what stands around them.
-const LARGEST_REQUEST: usize = 3 * LARGEST_CASE;
+/// Largest request: a case with seven to compare, and what stands around them.
+const LARGEST_REQUEST: usize = 9 * LARGEST_CASE;
 
 /// Time in which a whole request must have come.
 const READING_TIME: Duration = Duration::from_secs(10);

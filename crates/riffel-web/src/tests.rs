@@ -436,25 +436,59 @@ async fn a_full_queue_says_when_to_come_again() {
 }
 
 #[tokio::test]
-async fn two_cases_are_compared_in_the_window_of_the_second() {
-    let kept = nominal(&[
+async fn variants_are_compared_in_the_window_of_the_case() {
+    let narrow = nominal(&[
         ("\"80 mm\"", "\"60 mm\""),
         ("friction = 0.4", "friction = 0.2"),
     ]);
-    let body = json!({ "kept": kept["case"], "case": nominal(&[])["case"] });
-    let (head, values) = ask("/api/compare", &body).await.framed();
+    let case = nominal(&[])["case"].clone();
+    let variants = json!([
+        { "name": "A", "case": narrow["case"] }, { "name": "now", "case": case },
+    ]);
+    let (head, values) = ask(
+        "/api/compare",
+        &json!({ "variants": variants, "case": case }),
+    )
+    .await
+    .framed();
     assert_eq!(values.len(), 2 * 241 * 221);
-    assert_eq!(head["kept"]["window"], head["case"]["window"]);
-    assert_eq!(head["kept"]["complete"]["contact"]["friction"], json!(0.2));
-    let wrong = json!({ "kept": nominal(&[("friction = 0.4", "friction = -1")])["case"], "case": nominal(&[])["case"] });
+    let [one, other] = [&head["variants"][0], &head["variants"][1]];
+    assert_eq!(one["window"], other["window"]);
+    assert_eq!(one["complete"]["contact"]["friction"], json!(0.2));
+    let refused = nominal(&[("friction = 0.4", "friction = -1")])["case"].clone();
+    let wrong = json!({ "variants": [{ "name": "dry", "case": refused }], "case": case });
     let fault = ask("/api/compare", &wrong).await.json();
-    assert!(
-        fault["message"]
-            .as_str()
-            .unwrap()
-            .starts_with("the kept variant: ")
-    );
+    let message = fault["message"].as_str().unwrap();
+    assert!(message.starts_with("dry: "), "{message}");
     assert_eq!(fault.get("key"), None, "the form does not show it");
+    let many = json!({ "variants": vec![json!({ "name": "A", "case": case }); 8], "case": case });
+    let fault = ask("/api/compare", &many).await;
+    assert_eq!(fault.status, StatusCode::UNPROCESSABLE_ENTITY);
+    assert!(fault.message().contains("at most 7"));
+}
+
+#[tokio::test]
+async fn curves_of_variants_are_those_of_a_point() {
+    let case = nominal(&[])["case"].clone();
+    let curve = json!({ "name": "A", "case": case, "speed_m_per_s": 20.0 });
+    let curves = ask(
+        "/api/growth",
+        &json!({ "for": "variants", "curves": [curve], "case": case }),
+    )
+    .await
+    .json();
+    let mut point = nominal(&[]);
+    point["wavelength_m"] = json!(0.04);
+    point["speed_m_per_s"] = json!(20.0);
+    let point = ask("/api/point", &point).await.json();
+    assert_eq!(curves[0], point["growth"]);
+    let still = json!({ "name": "A", "case": case, "speed_m_per_s": 0.0 });
+    let fault = ask(
+        "/api/growth",
+        &json!({ "for": "sweep", "curves": [still], "case": case }),
+    )
+    .await;
+    assert!(fault.message().starts_with("A: the speed is 0 m/s"));
 }
 
 #[tokio::test]

@@ -77,7 +77,7 @@ def test_comparison_and_measurement_pale_with_the_case(page):
     page.page.locator("#compare-difference").wait_for()
     release = hold(page, "**/api/compare")
     page.set("contact.friction", "0.3")
-    page.until(lambda: pale(page, "compare") == 4)
+    page.until(lambda: pale(page, "compare") == 5)
     release()
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])

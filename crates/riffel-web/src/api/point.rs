@@ -2,12 +2,12 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel::{Axis, Complex64, Ridge};
+use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
-use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
+use super::compare::Growth;
 use crate::Page;
 use crate::fault::Fault;
 use crate::queue::Wanted;
@@ -17,8 +17,6 @@ use crate::request::{Asked, Asker, CaseText};
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
 /// How many, equally spaced in their logarithm.
 const FREQUENCY_POINTS: u32 = 240;
-/// Wavelengths of the growth curve.
-const WAVELENGTH_POINTS: usize = 241;
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -55,14 +53,6 @@ struct Spectrum {
     normal_force_ratio: Vec<[f64; 2]>,
 }
 
-#[derive(Serialize)]
-struct Growth {
-    wavelength_m: Vec<f64>,
-    growth_rate_per_passage: Vec<f64>,
-    /// The wavelengths that grow fastest around them.
-    lines: Vec<RidgePointDocument>,
-}
-
 fn pair(value: Complex64) -> [f64; 2] {
     [value.re, value.im]
 }
@@ -89,26 +79,6 @@ impl Spectrum {
             spectrum.normal_force_ratio.push(pair(ratio));
         }
         spectrum
-    }
-}
-
-impl Growth {
-    fn new(case: &Case, speed: f64) -> Result<Self, Fault> {
-        let window = case.wavelength;
-        let drawn = Axis::new(window.min(), window.max(), WAVELENGTH_POINTS);
-        let drawn = drawn.map_err(|error| Fault::bad(error.to_string()))?;
-        let wavelength_m = drawn.values();
-        Ok(Self {
-            growth_rate_per_passage: wavelength_m
-                .iter()
-                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate())
-                .collect(),
-            wavelength_m,
-            lines: Ridge::lines_at(&case.feedback, window, speed)
-                .iter()
-                .map(RidgePointDocument::from)
-                .collect(),
-        })
     }
 }
 
@@ -163,7 +133,7 @@ pub(crate) async fn post(
                     static_normal_force_n: case.steady.normal_force,
                 },
                 spectrum,
-                growth: Growth::new(&case, speed)?,
+                growth: Growth::new(&case, case.wavelength, speed)?,
             }))
         })
         .await

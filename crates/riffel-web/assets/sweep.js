@@ -1,0 +1,138 @@
+// A sweep: growth over wavelength for six values of one quantity, everything else as in the case at hand.
+
+import { letterSize, orderedColor, theme } from './colors.js';
+import { axis, draw, layout } from './curves.js';
+import { element, worded } from './elements.js';
+import { offer } from './figures.js';
+import { set, si } from './keys.js';
+import { Line, json } from './server.js';
+import { number, passages, power, speed as inUnit, t, translate } from './words.js';
+
+/** Curves of a sweep. */
+const COUNT = 6;
+/** Keys of which a case gives one. */
+const IN_PLACE_OF = { 'contact.tractive_ratio': 'contact.creepage' };
+
+/** What is swept: the key with its values and how they are written; that of the speed has no key. */
+const SWEEPS = {
+  pads: { key: 'track.pad.stiffness', values: [50, 80, 125, 200, 320, 500], written: (value) => `${value} MN/m`, shown: (value) => `${number(value)} MN/m` },
+  friction: { key: 'contact.friction', values: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], written: (value) => value, shown: (value) => `μ = ${number(value, 2)}` },
+  tractive: { key: 'contact.tractive_ratio', values: [0.15, 0.3, 0.45, 0.6, 0.75, 0.9], written: (value) => value, shown: (value) => `τ = ${number(value, 2)}` },
+  speeds: { shown: inUnit },
+};
+
+/** Growth over wavelength of several, each with its name, colour and width, in one power of ten. */
+export async function drawCurves(place, lines) {
+  const most = lines.flatMap((one) => one.growth_rate_per_passage).reduce((high, rate) => Math.max(high, Math.abs(rate)), 0);
+  const unit = 10 ** Math.floor(Math.log10(most || 1));
+  const traces = lines.map(({ wavelength_m: wavelength, growth_rate_per_passage: rate, name, color, width }) => ({
+    // plotly.js would read marks in a name.
+    type: 'scatter', mode: 'lines', name: name.replaceAll('<', '&lt;'), x: wavelength.map((value) => 1e3 * value), y: rate.map((value) => value / unit), line: { color, width },
+    hovertemplate: `%{x:.3~g} mm · %{y:.3~g}<extra>${name.replaceAll('<', '&lt;')}</extra>`,
+  }));
+  const zero = { type: 'line', xref: 'paper', yref: 'y', x0: 0, x1: 1, y0: 0, y1: 0, line: { color: theme().soft, width: 1 } };
+  await draw(place, traces, layout({
+    xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`), shapes: [zero], showlegend: true,
+    margin: { l: 4 * letterSize(), r: 10, t: 2.4 * letterSize(), b: 3 * letterSize() },
+  }));
+}
+
+export class Sweep {
+  /** `onKeep` takes the variants of a sweep. */
+  constructor({ state, traffic, complain, save, onKeep }) {
+    Object.assign(this, { state, traffic, complain, onKeep, kind: null, answer: null, line: new Line('/api/growth', json) });
+    this.buttons = Object.keys(SWEEPS).map((kind) => {
+      const button = worded('button', `sweep_${kind}`, { type: 'button', className: 'plain', id: `sweep-${kind}`, ariaPressed: 'false' });
+      button.addEventListener('click', () => this.choose(kind === this.kind ? null : kind));
+      return button;
+    });
+    this.keep = worded('button', 'sweep_keep', { type: 'button', className: 'plain', id: 'sweep-keep', hidden: true });
+    this.keep.addEventListener('click', () => onKeep(this.answer.steps.map(({ name, keys }) => ({ name, case: structuredClone(keys) }))));
+    this.note = element('p', { className: 'fine', hidden: true });
+    this.plot = element('div', { className: 'curve tall', id: 'sweep-curves', hidden: true });
+    this.table = element('table', { className: 'comparison', id: 'sweep-table', hidden: true });
+    this.aside = element('span', { className: 'aside' });
+    const header = element('header', {}, worded('h2', 'sweep'), this.aside);
+    offer(header, () => (this.answer ? { name: `sweep-${this.kind}`, plot: this.plot } : null), save);
+    this.panel = element('article', { className: 'panel wide', id: 'sweep' }, header,
+      element('div', { className: 'buttons wrap' }, ...this.buttons, this.keep), this.note, this.plot, element('div', { className: 'sideways' }, this.table));
+  }
+
+  choose(kind) {
+    this.kind = kind;
+    this.answer = null;
+    for (const button of this.buttons) button.setAttribute('aria-pressed', String(button.id === `sweep-${kind}`));
+    this.show();
+    this.caseChanged();
+  }
+
+  /** The cases of the sweep, with names and speeds. */
+  #steps() {
+    const { key, values, written, shown } = SWEEPS[this.kind];
+    const { keys, point, map } = this.state;
+    const range = map.speed;
+    const places = values ?? Array.from({ length: COUNT }, (_, k) => range.min + ((range.max - range.min) * (k + 1)) / COUNT);
+    return places.map((value) => {
+      const own = structuredClone(keys);
+      if (key) {
+        set(own, key, written(value));
+        if (IN_PLACE_OF[key]) set(own, IN_PLACE_OF[key], undefined);
+      }
+      return { name: shown(value), keys: own, speed: key ? point.speed : value };
+    });
+  }
+
+  /** Ask anew, if a sweep is chosen. */
+  caseChanged() {
+    const { state, kind } = this;
+    if (!kind || state.view !== 'compare' || !state.map || !state.point) return;
+    const complete = state.head?.complete;
+    const noPads = kind === 'pads' && complete && (complete.track?.model === 'free-beam' || !si(complete, 'track.pad.stiffness'));
+    this.note.hidden = !noPads;
+    this.note.textContent = noPads ? t('no_pads') : '';
+    if (noPads) {
+      this.answer = null;
+      return this.show();
+    }
+    const steps = this.#steps();
+    this.line.ask({ for: 'sweep', curves: steps.map(({ name, keys, speed }) => ({ name, case: { keys }, speed_m_per_s: speed })), case: { keys: structuredClone(state.keys) } }, (curves) => {
+      if (kind !== this.kind) return;
+      this.answer = { curves, steps, load: si(state.head.complete, 'contact.normal_load') };
+      this.show();
+    }, (fault) => {
+      if (!fault.key) this.complain(fault, { until: 'case' });
+    });
+  }
+
+  show() {
+    const { answer, kind } = this;
+    this.plot.hidden = this.table.hidden = !answer;
+    this.keep.hidden = !answer || kind === 'speeds';
+    this.aside.textContent = answer && kind !== 'speeds' ? t('at_speed', inUnit(answer.steps[0].speed)) : '';
+    if (!answer) return;
+    const { dark } = theme();
+    const name = (k) => SWEEPS[kind].values ? answer.steps[k].name : inUnit(answer.steps[k].speed);
+    drawCurves(this.plot, answer.curves.map((one, k) => ({ ...one, name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
+    const cell = (textContent) => element('td', { textContent });
+    const head = element('thead', {}, element('tr', {}, element('td'), ...t('sweep_columns').map((textContent) => element('th', { scope: 'col', textContent }))));
+    const rows = answer.curves.map(({ lines }, k) => {
+      const high = lines.filter(({ growth_rate_per_passage: rate }) => rate > 0).reduce((best, one) => (best && best.growth_rate_per_passage >= one.growth_rate_per_passage ? best : one), null);
+      const cells = high
+        ? [power(high.growth_rate_per_passage, 3), `${number(1e3 * high.wavelength_m)} mm`, `${number(high.frequency_hz)} Hz`, this.#doubling(high, answer.load)]
+        : [t('nothing_grows_here'), '–', '–', '–'];
+      return element('tr', {}, element('th', { scope: 'row', textContent: name(k) }), ...cells.map(cell));
+    });
+    this.table.replaceChildren(head, element('tbody', {}, ...rows));
+  }
+
+  #doubling({ growth_rate_per_passage: rate }, load) {
+    const count = Math.LN2 / rate;
+    return `${passages(count)}, ${this.traffic.words(count, load).time}`;
+  }
+
+  reword() {
+    translate(this.panel);
+    if (this.answer) this.answer.steps = this.#steps();
+    this.show();
+  }
+}
