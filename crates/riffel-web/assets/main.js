@@ -12,6 +12,7 @@ import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
+import { startPrinting } from './printing.js';
 import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
@@ -497,6 +498,7 @@ const measure = startMeasure(shared);
 startBogie(shared);
 startPaper(shared);
 startTakeAway({ ...shared, measure });
+startPrinting({ applyTheme, redraw });
 for (const [id, figure] of [
   ['map', () => ({ name: 'map', map: view })], ['phasors', () => ({ name: 'loop', drawing: $('phasors'), table: $('amplitudes').parentElement })],
   ...['growth', 'receptance', 'force'].map((name) => [name, () => ({ name, plot: $(name) })]),

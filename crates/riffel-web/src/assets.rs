@@ -38,6 +38,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "numbers.js": "text/javascript; charset=utf-8",
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",
+    "printing.js": "text/javascript; charset=utf-8",
     "server.js": "text/javascript; charset=utf-8",
     "svg-context.js": "text/javascript; charset=utf-8",
     "steps.js": "text/javascript; charset=utf-8",

@@ -64,3 +64,30 @@ def test_a_figure_comes_as_svg_png_and_csv_on_white(open_page, place):
     # The page is dark as before.
     assert page.page.evaluate("() => document.documentElement.dataset.theme") == "dark"
     page.close()
+
+
+def test_on_paper_there_is_the_view_alone_on_white(open_page, tmp_path):
+    page = open_page(color_scheme="dark")
+    page.page.wait_for_timeout(300)
+    before = page.page.locator("#growth .main-svg").first.bounding_box()
+    page.page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
+    for selector in [".tabs", ".tools", ".case", ".take", "#hold", "#to-highest"]:
+        assert page.page.locator(selector).first.is_hidden(), selector
+    assert page.page.evaluate("() => getComputedStyle(document.body).backgroundColor") == "rgb(255, 255, 255)"
+    assert page.page.locator("#map .paper-map svg image").count() == 1
+    # No figure is wider than the sheet of 210 mm without its margins.
+    widths = page.page.locator(".panel:visible svg").evaluate_all("(all) => all.map((one) => one.getBoundingClientRect().width)")
+    assert widths and max(widths) <= 186 / 25.4 * 96 + 1
+    ink = page.page.locator("#growth .xtick text").first.evaluate("(word) => getComputedStyle(word).fill")
+    assert ink == "rgb(83, 92, 102)"
+    page.page.evaluate("() => dispatchEvent(new Event('afterprint'))")
+    page.settle()
+    page.page.wait_for_timeout(300)
+    assert page.page.locator(".paper-map").count() == 0
+    assert page.page.evaluate("() => document.documentElement.dataset.theme") == "dark"
+    assert page.page.locator("#growth .main-svg").first.bounding_box()["width"] == before["width"]
+    page.page.pdf(path=tmp_path / "page.pdf", prefer_css_page_size=True, print_background=True)
+    pdf = (tmp_path / "page.pdf").read_bytes()
+    # A4, and three of them at most: a page cut into slivers would take more.
+    assert 1 <= pdf.count(b"/Type /Page\n") <= 3
+    page.close()
