@@ -1,8 +1,11 @@
 // Measure: a file of a measured rail, held against limits and against the case.
 
+import { Along, metres } from './along.js';
 import { letterSize } from './colors.js';
+import { Columns } from './columns.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
+import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { currentLanguage, number, t, translate } from './words.js';
@@ -16,12 +19,22 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   let file = keptRecord();
   let coming = null;
   let answer = null;
+  /** How the record is laid out, where its columns were chosen. */
+  let format = file?.format ?? null;
 
   // What is asked --------------------------------------------------------------------------------------
 
   const input = element('input', { type: 'file', id: 'record', className: 'away', accept: '.csv,.txt,.tsv,.dat,.asc,text/plain,text/csv' });
   const choose = worded('label', 'choose', { htmlFor: 'record', className: 'plain' });
-  const hint = worded('span', 'forgetFilefile', { className: 'drop-hint' });
+  const hint = worded('span', 'drop_file', { className: 'drop-hint' });
+  const sample = worded('button', 'sample', { type: 'button', className: 'plain', id: 'sample' });
+  sample.addEventListener('click', trySample);
+  const source = worded('p', 'sample_source', { className: 'fine', id: 'sample-source', hidden: true });
+  const columns = new Columns({ onChoose: (chosen) => {
+    format = chosen;
+    keepRecord(file);
+    ask();
+  } });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
   const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
   const status = element('span', { className: 'aside', id: 'record-state' });
@@ -29,7 +42,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   traffics.addEventListener('click', () => leadTo(document.getElementById('traffic-daily')));
   const report = worded('button', 'save_report', { type: 'button', className: 'plain', hidden: true, id: 'report' });
   const drop = element('div', { className: 'panel wide drop', id: 'drop' },
-    element('div', { className: 'buttons' }, input, choose, hint, bar, stop, status),
+    element('div', { className: 'buttons' }, input, choose, sample, hint, bar, stop, status),
+    source, columns.place,
     element('div', { className: 'settings' }, traffics, report));
 
   // What is answered -----------------------------------------------------------------------------------
@@ -46,7 +60,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
   ];
-  place.append(drop, ...panels);
+  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), complain, save });
+  place.append(drop, ...panels.slice(0, 2), ...along.panels, ...panels.slice(2));
+  for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
 
   // The file -------------------------------------------------------------------------------------------
@@ -55,6 +71,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     coming?.abort();
     const before = file;
     file = chosen;
+    format = null;
+    source.hidden = !chosen.isSample;
+    columns.offer(chosen);
     answer = null;
     show();
     bar.hidden = stop.hidden = false;
@@ -78,6 +97,20 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     }).finally(() => (bar.hidden = stop.hidden = true));
   }
 
+  /** The profile that the program makes to its own recipe. */
+  async function trySample() {
+    sample.disabled = true;
+    try {
+      const answered = await fetch('/api/sample');
+      if (!answered.ok) throw new Fault(await answered.json(), answered.status);
+      take(Object.assign(new File([await answered.blob()], 'sample.csv', { type: 'text/csv' }), { isSample: true }));
+    } catch (fault) {
+      complain(fault, { what: `${t('sample')}: ` });
+    } finally {
+      sample.disabled = false;
+    }
+  }
+
   function forgetFile() {
     file = null;
     keepRecord(null);
@@ -99,7 +132,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   function keepRecord(record) {
     try {
-      if (record) sessionStorage.setItem(RECORD, JSON.stringify({ name: record.name, size: record.size }));
+      if (record) sessionStorage.setItem(RECORD, JSON.stringify({ name: record.name, size: record.size, isSample: record.isSample, format }));
       else sessionStorage.removeItem(RECORD);
     } catch {
       // Then a reload asks for the file again.
@@ -116,7 +149,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   const question = () => {
     const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months } = traffic.values;
-    return { case: { keys: state.accepted }, name: file.name, slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6, passages_per_day: daily, months };
+    return { case: { keys: state.accepted }, name: file.name, slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6, passages_per_day: daily, months, ...(format && { format }) };
   };
 
   function ask() {
@@ -134,6 +167,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       const { name } = file;
       tellFile();
       // After a restart the program has no record of this page.
+      // The columns may be others than those that were guessed.
+      if (fault.status === 422) columns.open();
       if (fault.status !== 410) return complain(fault, { what: `${name}: ` });
       answer = null;
       forgetFile();
@@ -147,7 +182,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   };
 
   /** What is shown is no longer, or again, that of the case and the traffic. */
-  const stale = (is) => panels.forEach((panel) => panel.classList.toggle('stale', is));
+  const stale = (is) => [...panels, ...along.panels].forEach((panel) => panel.classList.toggle('stale', is));
 
   /** Hand out the page to print; false where no rail is measured. */
   async function saveReport() {
@@ -169,6 +204,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   function show() {
     for (const one of panels) one.hidden = !answer;
     report.hidden = !answer;
+    along.show(answer?.roughness ?? null, answer?.limits);
     if (!answer) return;
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
@@ -195,7 +231,6 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
   function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
-    const metres = (position) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
     const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
     return `${t('rail')} ${rail}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
@@ -237,7 +272,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     if (what === 'words') {
       translate(place);
       tellTraffic();
+      columns.reword();
+      along.reword();
       show();
+      along.drawPlace();
     } else if (what === 'view') {
       if (answer) show();
       else ask();
@@ -252,6 +290,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       ask();
     }
   });
+  source.hidden = !file?.isSample;
   tellTraffic();
   tellFile();
   return {

@@ -19,10 +19,12 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 static FILES: &[(&str, &str, &str)] = &files! {
     "page.css": "text/css; charset=utf-8",
     "icon.svg": "image/svg+xml",
+    "along.js": "text/javascript; charset=utf-8",
     "banner.js": "text/javascript; charset=utf-8",
     "bogie.js": "text/javascript; charset=utf-8",
     "bogie-drawing.js": "text/javascript; charset=utf-8",
     "colors.js": "text/javascript; charset=utf-8",
+    "columns.js": "text/javascript; charset=utf-8",
     "compare.js": "text/javascript; charset=utf-8",
     "curves.js": "text/javascript; charset=utf-8",
     "elements.js": "text/javascript; charset=utf-8",

@@ -1,5 +1,6 @@
 //! What the page can ask for, one file for each.
 
+pub(crate) mod along;
 pub(crate) mod case;
 pub(crate) mod compare;
 pub(crate) mod curve;

@@ -7,7 +7,7 @@ use axum::http::header;
 use axum::response::IntoResponse;
 use serde::Deserialize;
 
-use super::roughness::{self, LONGEST_NAME};
+use super::roughness::{self, LONGEST_NAME, Reading};
 use crate::Page;
 use crate::fault::Fault;
 use crate::request::{Asked, Asker, CaseText};
@@ -29,7 +29,8 @@ pub(crate) async fn of_rail(
             question.write(&upload)?;
             let (file, months) = (upload.name.as_str(), question.months.to_string());
             let speeds = question.speeds();
-            let arguments = [
+            let reading = Reading::new(&upload, question.format.as_ref())?;
+            let mut arguments = vec![
                 "report",
                 "case.toml",
                 "--roughness",
@@ -43,6 +44,7 @@ pub(crate) async fn of_rail(
                 "-o",
                 REPORT,
             ];
+            arguments.extend(reading.format());
             let run = program.run(upload.folder(), &arguments, wanted);
             run.map_err(|fault| fault.in_words(|words| question.named(words, &upload)))?;
             let name: String = question.name.chars().take(LONGEST_NAME).collect();

@@ -4,7 +4,7 @@ use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, header};
-use riffel_rail::{Limit, LimitTable};
+use riffel_rail::{Limit, LimitTable, ReaderFormat};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -45,6 +45,58 @@ pub(crate) struct Question {
     fastest_m_per_s: f64,
     passages_per_day: f64,
     pub(super) months: f64,
+    /// How the file is laid out, where the reader has chosen its columns.
+    #[serde(default)]
+    pub(super) format: Option<ReaderFormat>,
+}
+
+/// How the program is told to read the file of a page.
+pub(super) struct Reading {
+    file: String,
+    chosen: bool,
+}
+
+/// A reader profile beside the file.
+const FORMAT: &str = "format.toml";
+
+impl Reading {
+    /// Put the reader profile, if there is one, beside the file.
+    pub(super) fn new(upload: &Upload, format: Option<&ReaderFormat>) -> Result<Self, Fault> {
+        if let Some(format) = format {
+            let text = toml::to_string(format)
+                .map_err(|error| Fault::bad(format!("the columns cannot be written: {error}")))?;
+            std::fs::write(upload.folder().join(FORMAT), text).map_err(|error| {
+                Fault::defect(&format!("the columns cannot be stored: {error}"))
+            })?;
+        }
+        Ok(Self {
+            file: upload.name.clone(),
+            chosen: format.is_some(),
+        })
+    }
+
+    /// Those of `riffel roughness` on the file, and more.
+    pub(super) fn arguments<'a>(&'a self, command: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+        let mut arguments = vec![command, &self.file];
+        arguments.extend(self.format());
+        arguments.extend(more);
+        arguments
+    }
+
+    /// Arguments that name the reader profile.
+    pub(super) fn format(&self) -> Vec<&'static str> {
+        if self.chosen {
+            vec!["--format", FORMAT]
+        } else {
+            Vec::new()
+        }
+    }
+}
+
+/// Words of the program with the name that the user knows.
+pub(super) fn named(name: &str, words: &str, upload: &Upload) -> String {
+    let name: String = name.chars().take(LONGEST_NAME).collect();
+    words.replace(&upload.name, &name)
 }
 
 impl Question {
@@ -94,8 +146,7 @@ impl Question {
 
     /// Words of the program with the name that the user knows.
     pub(super) fn named(&self, words: &str, upload: &Upload) -> String {
-        let name: String = self.name.chars().take(LONGEST_NAME).collect();
-        words.replace(&upload.name, &name)
+        named(&self.name, words, upload)
     }
 
     /// Put case and traffic beside the file.
@@ -127,17 +178,20 @@ pub(crate) async fn measure(
                 wanted,
             };
             let file = upload.name.as_str();
-            let roughness = run.document(&["roughness", file, "--json"])?;
+            let reading = Reading::new(&upload, question.format.as_ref())?;
+            let roughness = run.document(&reading.arguments("roughness", &["--json"]))?;
             let speeds = question.speeds();
             // Short of a diagnosis or a forecast the levels are still worth seeing.
-            let diagnosis = run.document_or_fault(&[
-                "diagnose", "case.toml", "--roughness", file, "--speed", &speeds, "--json",
-            ])?;
+            let mut diagnose = vec!["diagnose", "case.toml", "--roughness", file, "--speed", &speeds, "--json"];
+            diagnose.extend(reading.format());
+            let diagnosis = run.document_or_fault(&diagnose)?;
             let months = question.months.to_string();
-            let forecast = run.document_or_fault(&[
+            let mut forecast = vec![
                 "forecast", "case.toml", "--spectrum", file, "--traffic", "traffic.toml", "--months", &months,
                 "--json",
-            ])?;
+            ];
+            forecast.extend(reading.format());
+            let forecast = run.document_or_fault(&forecast)?;
             Ok(Json(json!({
                 "roughness": roughness, "diagnosis": diagnosis, "forecast": forecast, "limits": limits(),
             })))

@@ -1,0 +1,211 @@
+//! `POST /api/along`: a measured rail along the line; `POST /api/along/spectrum`: its spectrum at one place;
+//! `GET /api/sample`: a profile to try.
+
+use axum::Json;
+use axum::extract::State;
+use axum::http::header;
+use axum::response::IntoResponse;
+use riffel_rail::ReaderFormat;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::roughness::{Reading, named};
+use crate::Page;
+use crate::fault::Fault;
+use crate::request::{Asked, Asker};
+
+/// Where the program puts its tables.
+const RESULTS: &str = "along";
+/// Columns of the highest moving RMS in a block are named so, then the band and its unit.
+const MOVING_RMS: &str = "moving_rms_max_";
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    /// Name of the file to the user.
+    name: String,
+    #[serde(default)]
+    format: Option<ReaderFormat>,
+    /// Length of line of which the highest value is shown.
+    block_m: f64,
+}
+
+/// A rail in blocks.
+#[derive(Debug, Serialize)]
+struct Rail {
+    name: String,
+    from_m: Vec<f64>,
+    to_m: Vec<f64>,
+    /// Highest moving RMS in each block by band, in the order of `bands_m`; none where the band cannot be judged.
+    moving_rms_max_m: Vec<Vec<Option<f64>>>,
+}
+
+#[derive(Debug, Serialize)]
+pub(crate) struct Answer {
+    /// Shortest and longest wavelength of each band.
+    bands_m: Vec<[f64; 2]>,
+    rails: Vec<Rail>,
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Json<Answer>, Fault> {
+    let block = question.block_m;
+    if !(1.0..=1e6).contains(&block) {
+        return Err(Fault::bad(format!(
+            "blocks are {block} m long, but must be 1 m to 1000 km"
+        )));
+    }
+    let upload = page.uploads.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    page.long
+        .run(asker.subject("course"), move |wanted| {
+            let reading = Reading::new(&upload, question.format.as_ref())?;
+            let block = format!("{block} m");
+            let results = [
+                "--block", &block, "--output", RESULTS, "--force", "--quiet", "--json",
+            ];
+            let run = program.run(
+                upload.folder(),
+                &reading.arguments("roughness", &results),
+                wanted,
+            );
+            run.map_err(|fault| fault.in_words(|words| named(&question.name, words, &upload)))?;
+            let table = std::fs::read_to_string(upload.folder().join(RESULTS).join("blocks.csv"))
+                .map_err(|error| {
+                Fault::defect(&format!("there is no table of blocks: {error}"))
+            })?;
+            courses(&table)
+                .map(Json)
+                .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))
+        })
+        .await
+}
+
+/// The table of blocks by rail and band; none if it is laid out in another way.
+fn courses(table: &str) -> Option<Answer> {
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let head = reader.headers().ok()?.clone();
+    let column = |name: &str| head.iter().position(|field| field == name);
+    let [rail, from, to] = [column("rail")?, column("from_m")?, column("to_m")?];
+    let mut bands_m = Vec::new();
+    let mut bands = Vec::new();
+    for (index, field) in head.iter().enumerate() {
+        let Some(band) = field.strip_prefix(MOVING_RMS) else {
+            continue;
+        };
+        let (shortest, longest) = band.strip_suffix("_mm_m")?.split_once("_to_")?;
+        bands_m.push([
+            1e-3 * shortest.parse::<f64>().ok()?,
+            1e-3 * longest.parse::<f64>().ok()?,
+        ]);
+        bands.push(index);
+    }
+    let mut rails: Vec<Rail> = Vec::new();
+    for row in reader.records() {
+        let row = row.ok()?;
+        let number = |index: usize| row.get(index)?.parse::<f64>().ok();
+        let name = row.get(rail)?;
+        if rails.last().is_none_or(|last| last.name != name) {
+            rails.push(Rail {
+                name: name.to_owned(),
+                from_m: Vec::new(),
+                to_m: Vec::new(),
+                moving_rms_max_m: vec![Vec::new(); bands.len()],
+            });
+        }
+        let last = rails.last_mut()?;
+        last.from_m.push(number(from)?);
+        last.to_m.push(number(to)?);
+        for (course, &index) in last.moving_rms_max_m.iter_mut().zip(&bands) {
+            course.push(number(index).filter(|value| value.is_finite()));
+        }
+    }
+    Some(Answer { bands_m, rails })
+}
+
+#[derive(Deserialize)]
+pub(crate) struct PlaceQuestion {
+    name: String,
+    #[serde(default)]
+    format: Option<ReaderFormat>,
+    from_m: f64,
+    to_m: f64,
+}
+
+/// What `riffel roughness` says of a stretch.
+pub(crate) async fn spectrum(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<PlaceQuestion>,
+) -> Result<Json<Value>, Fault> {
+    let upload = page.uploads.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    page.long
+        .run(asker.subject("place"), move |wanted| {
+            let reading = Reading::new(&upload, question.format.as_ref())?;
+            // Positions may be below zero, hence one argument with its value.
+            let stretch = [
+                format!("--from={} m", question.from_m),
+                format!("--to={} m", question.to_m),
+            ];
+            let arguments = [&stretch[0], &stretch[1], "--json"];
+            let in_words = |words: &str| named(&question.name, words, &upload);
+            let printed = program
+                .run(
+                    upload.folder(),
+                    &reading.arguments("roughness", &arguments),
+                    wanted,
+                )
+                .map_err(|fault| fault.in_words(in_words))?;
+            serde_json::from_str(&printed)
+                .map(Json)
+                .map_err(|_| Fault::defect("the program printed something else than a document"))
+        })
+        .await
+}
+
+/// The profile that `riffel roughness --synthesise` makes to the recipe that is built in.
+pub(crate) async fn sample(
+    State(page): State<Page>,
+    asker: Asker,
+) -> Result<impl IntoResponse, Fault> {
+    let (program, uploads) = (page.program.clone(), page.uploads.clone());
+    let text = page
+        .long
+        .run(asker.subject("sample"), move |wanted| {
+            let folder = uploads
+                .folder()
+                .map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+            program.run(folder.path(), &["roughness", "--synthesise"], wanted)
+        })
+        .await?;
+    Ok(([(header::CONTENT_TYPE, "text/csv; charset=utf-8")], text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_are_parted_by_rail_and_band() {
+        let table = "rail,from_m,to_m,rms_10_to_30_mm_m,moving_rms_max_10_to_30_mm_m,moving_rms_max_30_to_100_mm_m\n\
+                     \"low, inner\",0.0,10.0,1e-6,2e-6,\n\"low, inner\",10.0,20.0,1e-6,3e-6,4e-6\nhigh,0.0,10.0,1e-6,5e-6,6e-6\n";
+        let answer = courses(table).unwrap();
+        assert_eq!(answer.bands_m, [[0.01, 0.03], [0.03, 0.1]]);
+        let [low, high] = &answer.rails[..] else {
+            panic!("two rails")
+        };
+        assert_eq!(
+            (low.name.as_str(), high.name.as_str()),
+            ("low, inner", "high")
+        );
+        assert_eq!(low.to_m, [10.0, 20.0]);
+        assert_eq!(
+            low.moving_rms_max_m,
+            [vec![Some(2e-6), Some(3e-6)], vec![None, Some(4e-6)]]
+        );
+        assert!(courses("rail,from_m\nlow,0\n").is_none());
+    }
+}

@@ -1,0 +1,126 @@
+"""A measured rail along the line: courses with limits, sections, the spectrum at a place, columns, the sample."""
+
+import csv
+import io
+import json
+import math
+import subprocess
+
+import pytest
+from conftest import PROGRAM
+
+DATA = "() => (document.getElementById('along').data ?? []).map(({ name, x, y, yaxis }) => ({ name, x, y, yaxis: yaxis ?? 'y' }))"
+
+
+def measured(page, text, name="trolley.csv"):
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode()}])
+
+
+def along(page):
+    page.until(page.page.locator("#along-panel").is_visible, seconds=60)
+    page.until(lambda: page.page.evaluate(DATA), seconds=30)
+    return {curve["name"]: curve for curve in page.page.evaluate(DATA)}
+
+
+def two_rails(metres=120, start=0.0):
+    """A sine of 60 mm, 20 µm high, from 40 to 70 m of the left rail alone."""
+    rows = ["position_m,left_um,right_um"]
+    for k in range(1000 * metres):
+        x = k / 1000
+        wave = 20 * math.sin(2 * math.pi * x / 0.06) if 40 <= x < 70 else 0.0
+        floor = 0.7 * math.sin(2 * math.pi * x / 0.0513) + 0.5 * math.sin(2 * math.pi * x / 0.0217)
+        rows.append(f"{start + x:.3f},{wave + floor:.4f},{floor:.4f}")
+    return "\n".join(rows) + "\n"
+
+
+def test_moving_rms_limits_and_sections_along_the_line(page):
+    measured(page, two_rails())
+    page.until(page.page.locator("#along-panel").is_visible, seconds=60)
+    page.page.select_option("#along-rail", "left")
+    curves = along(page)
+    course, limit = curves["30–100 mm"], curves["limit 30–100 mm"]
+    # Grassie, Saxon & Smith (1999): 7 µm. The RMS of a sine is its amplitude over √2, to 3 % by the edges of the band.
+    assert set(limit["y"]) == {7.0} and limit["yaxis"] == course["yaxis"]
+    within = [y for x, y in zip(course["x"], course["y"]) if 45 < x < 65]
+    assert within and all(value == pytest.approx(20 / math.sqrt(2), rel=0.03) for value in within)
+    assert max(y for x, y in zip(course["x"], course["y"]) if x < 35 or x > 75) < 2
+    # The section is that of the wave, within the window of 1 m; the other rail has none.
+    rows = page.page.locator("#sections tbody tr").all_inner_texts()
+    assert len(rows) == 1 and rows[0].startswith("left")
+    start, end = (float(value) for value in page.text("#sections button").split("–"))
+    assert start == pytest.approx(40, abs=1) and end == pytest.approx(70, abs=1)
+    page.page.select_option("#along-rail", "right")
+    page.until(lambda: max(page.page.evaluate(DATA)[0]["y"]) < 2)
+    page.page.wait_for_timeout(300)
+    assert max(page.page.evaluate(DATA)[2]["y"]) < 2
+
+
+def test_a_click_shows_the_spectrum_there(page):
+    measured(page, two_rails(start=5000.0))
+    curves = along(page)
+    # Kilometres where the line is long.
+    assert 5.0 <= min(curves["30–100 mm"]["x"]) and max(curves["30–100 mm"]["x"]) < 5.2
+    page.page.locator("#along").scroll_into_view_if_needed()
+    page.page.wait_for_timeout(300)
+
+    def level_at(share):
+        box = page.page.locator("#along .nsewdrag").first.bounding_box()
+        page.page.mouse.move(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
+        page.page.wait_for_timeout(200)
+        page.page.mouse.click(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
+        wanted = f"{5000 + 120 * share:.0f}"[:3]
+        page.until(lambda: page.page.locator("#place-panel").is_visible() and wanted in page.text("#place-panel h2"), seconds=30)
+        page.page.wait_for_timeout(500)
+        data = page.page.evaluate("() => document.getElementById('place-spectrum').data.map(({ name, x, y }) => ({ name, x, y }))")
+        [here] = [curve for curve in data if curve["name"] == "rail left, here"]
+        return dict(zip((round(x) for x in here["x"]), here["y"]))[63]
+
+    # In the wave its level is that of 20/√2 µm, 23 dB re 1 µm; the third octave about 63 mm loses none of it.
+    assert level_at(0.46) == pytest.approx(20 * math.log10(20 / math.sqrt(2)), abs=0.5)
+    assert level_at(0.1) < 3
+
+
+def test_columns_of_a_table_of_many_are_chosen(open_page):
+    page = open_page()
+    rows = list(csv.reader(io.StringIO(two_rails(80))))[1:]
+    text = "km;speed;inner;outer;gauge\n" + "".join(
+        f"{float(x) / 1000:.6f};80;{float(left) / 1000:.7f};{float(right) / 1000:.7f};1435\n".replace(".", ",") for x, left, right in rows
+    )
+    measured(page, text)
+    page.until(page.page.locator("#trouble .said").is_visible, seconds=60)
+    # The program takes the gauge for a rail, and says so; the columns open by themselves.
+    assert "gauge" in page.text("#trouble")
+    page.until(page.page.locator("#columns-use").is_visible)
+    chosen = page.page.locator("#columns-table select").evaluate_all("(all) => all.filter(({ hidden }) => !hidden).map(({ value }) => value)")
+    assert chosen == ["position", "km", "none", "height", "um", "height", "um", "none"]
+    for k in (2, 3):
+        page.page.locator("#columns-table tr").nth(k).locator("select").last.select_option("mm")
+    page.page.click("#columns-use")
+    curves = along(page)
+    assert max(curves["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    assert sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"]
+    # Nothing chosen is told, and asks nothing.
+    page.page.evaluate("() => (document.getElementById('columns').open = true)")
+    for k in (2, 3):
+        page.page.locator("#columns-table tr").nth(k).locator("select").first.select_option("none")
+    page.page.click("#columns-use")
+    assert "at least one column" in page.text("#columns .fault").lower()
+    page.close(complaints=len(page.complaints))
+
+
+@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+def test_the_sample_says_what_it_is(open_page, locale):
+    page = open_page(locale=locale, viewport={"width": 360, "height": 780})
+    page.page.click("#tab-measure")
+    page.page.click("#sample")
+    along(page)
+    told = page.text("#sample-source")
+    assert ("not measured" if locale == "en-GB" else "nicht gemessen") in told and "--synthesise" in told
+    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    # The same file, the same words as from the program.
+    made = subprocess.run([PROGRAM, "roughness", "--synthesise"], capture_output=True, check=True, text=True).stdout
+    assert f"{len(made) / 1e6:.2f}".replace(".", "," if locale == "de-DE" else ".") in page.text("#record-state")
+    page.page.wait_for_timeout(500)
+    page.keep(f"along-{locale}", whole=True)
+    page.close()
