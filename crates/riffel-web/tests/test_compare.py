@@ -58,6 +58,7 @@ def test_six_variants_in_maps_curves_and_table(page):
     page.keep("compare-six", whole=True)
 
 
+@pytest.mark.without_curves
 def test_the_difference_of_any_two_maps(page):
     page.page.click("#tab-compare")
     keep_with(page, contact__friction="0.3")
@@ -76,6 +77,7 @@ def test_the_difference_of_any_two_maps(page):
     assert max(abs(value) for value in page.page.evaluate(VALUES, "difference")) == 0
 
 
+@pytest.mark.without_curves
 def test_a_link_holds_all_variants_and_an_old_one_opens(page, open_page):
     page.page.click("#tab-compare")
     keep_with(page, contact__friction="0.3")
@@ -98,6 +100,7 @@ def test_a_link_holds_all_variants_and_an_old_one_opens(page, open_page):
     old.close()
 
 
+@pytest.mark.without_curves
 def test_keeping_naming_and_removing_can_be_undone(page):
     page.page.click("#tab-compare")
     keep_with(page, contact__friction="0.3")
@@ -189,6 +192,7 @@ def test_a_report_of_the_variants(page, tmp_path, browser):
     context.close()
 
 
+@pytest.mark.without_curves
 @pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
 def test_variants_fit_a_phone(open_page, locale):
     page = open_page(viewport={"width": 360, "height": 780}, locale=locale)
