@@ -9,8 +9,9 @@ use crate::curving::CurvingCase;
 /// A contact is that of the equilibrium if its angle is within this of it \[rad\]: positions between the rows of the table are
 /// interpolated, and those under load lie beside the rigid ones.
 const SAME_ANGLE: f64 = 0.02;
-/// To either side of an equilibrium both points of a wheel are looked for \[m\]: past a jump found to 1e-9 m.
-const BESIDE: f64 = 2e-8;
+/// Around an equilibrium both points of a wheel are looked for \[m\]: past a jump found to 1e-9 m, at which the roll of the wheelset has
+/// 1e-7 rad of its own on either point, and no farther than need be, for there contacts run along a wheel by a milliradian in 1e-8 m.
+const BESIDE: [f64; 9] = [0.0, -2e-9, 2e-9, -2e-8, 2e-8, -3e-8, 3e-8, -1e-7, 1e-7];
 
 /// A place on the rail.
 pub(crate) struct PlaceOnRail {
@@ -38,7 +39,7 @@ impl CurvingCase {
         }
         let wheelset = self.wheelset_on_track()?;
         let index = usize::from(rail == Rail::Right);
-        let shifts = [0.0, -BESIDE, BESIDE].map(|beside| lateral_shift + beside);
+        let shifts = BESIDE.map(|beside| lateral_shift + beside);
         let found = shifts
             .iter()
             .filter_map(|&shift| Some(wheelset.contact(shift, 0.0).ok()?.contacts[index]));

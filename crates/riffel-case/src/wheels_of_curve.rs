@@ -164,7 +164,8 @@ mod tests {
             assert_eq!(one.name(), other.name());
             assert_ne!(one.state.rail, other.state.rail);
             let [one, other] = [one, other].map(|wheel| growth(wheel.case.as_ref().unwrap()));
-            assert!((one / other - 1.0).abs() < 1e-6, "{one:e} {other:e}");
+            // The jump onto the flange is found to 1e-9 m, and wheels that hardly stick make more of that.
+            assert!((one / other - 1.0).abs() < 1e-5, "{one:e} {other:e}");
         }
     }
 

@@ -107,7 +107,8 @@ fn a_mirrored_curve_grows_alike() {
     const LONE: &str = "wheel.mass=600 kg";
     let (right, left) = ("curve.radius=180 m", "curve.radius=-180 m");
     let pair = [right, left].map(|radius| growth(&case(&[radius]).unwrap()));
-    assert!((pair[0] / pair[1] - 1.0).abs() < 1e-6, "{pair:?}");
+    // The jump onto the flange is found to 1e-9 m, and wheels that hardly stick make more of that.
+    assert!((pair[0] / pair[1] - 1.0).abs() < 1e-5, "{pair:?}");
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
     let lone = |radius: &str| {
         let text = CURVE.replace("radius = \"180 m\"", radius);
@@ -126,7 +127,7 @@ fn a_mirrored_curve_grows_alike() {
         growth(&case)
     };
     let pair = ["radius = \"180 m\"", "radius = \"-180 m\""].map(lone);
-    assert!((pair[0] / pair[1] - 1.0).abs() < 1e-6, "{pair:?}");
+    assert!((pair[0] / pair[1] - 1.0).abs() < 1e-5, "{pair:?}");
 }
 
 /// A law without spin takes creepages alone, and says so.
@@ -164,18 +165,26 @@ fn what_is_written_wins() {
     assert!(told.iter().any(|remark| remark.contains(own)), "{told:?}");
 }
 
-/// On the high rail: the flange that is left out, and the forces that the law of growth does not have.
+/// On the high rail: the flange that is left out, and forces that are not those of the curve.
 #[test]
 fn what_the_loop_leaves_out_is_told() {
-    let case = case(&["contact.from.rail=high"]).unwrap();
-    let told: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+    let told = |keys: &[&str]| -> Vec<String> {
+        let case = case(keys).unwrap();
+        case.remarks.iter().map(ToString::to_string).collect()
+    };
+    let has = |told: &[String], words: &str| told.iter().any(|remark| remark.contains(words));
+    let own = told(&["contact.from.rail=high"]);
     for words in [
-        "with 27 % of its normal forces",
-        "at which the equilibrium of the curve has 1.00",
+        "with 8 % of its normal forces",
         "no profile has one curvature",
     ] {
-        assert!(told.iter().any(|remark| remark.contains(words)), "{told:?}");
+        assert!(has(&own, words), "{own:?}");
     }
+    let forces = "at which the equilibrium of the curve has";
+    assert!(!has(&own, forces), "{own:?}");
+    // The same creepages without the spin of the flange, by a law that knows what spin does.
+    let without_spin = told(&["contact.from.rail=high", "contact.creepage.spin=0.2"]);
+    assert!(has(&without_spin, forces), "{without_spin:?}");
 }
 
 /// Loads of a traffic are not those of the bogie.
