@@ -182,9 +182,13 @@ fn what_the_loop_leaves_out_is_told() {
     }
     let forces = "at which the equilibrium of the curve has";
     assert!(!has(&own, forces), "{own:?}");
-    // The same creepages without the spin of the flange, by a law that knows what spin does.
-    let without_spin = told(&["contact.from.rail=high", "contact.creepage.spin=0.2"]);
-    assert!(has(&without_spin, forces), "{without_spin:?}");
+    // On a wheel that does not slide as a whole, a law without the spin that the curve has.
+    let two_laws = told(&[
+        "contact.from.rail=high",
+        "curve.radius=900 m",
+        "contact.creep_law=polach",
+    ]);
+    assert!(has(&two_laws, forces), "{two_laws:?}");
 }
 
 /// Loads of a traffic are not those of the bogie.
