@@ -16,7 +16,7 @@ fn wheels_stand_side_by_side() {
     for shown in [
         "all wheels in the curve of 180 m at 45 km/h",
         "it grows fastest under wheelset 1, low rail",
-        "note: wheelset 1, high rail: contact.creep_law",
+        "wheelset 1, high rail: on the left rail the wheel stands on two points",
     ] {
         assert!(written.text.contains(shown), "{}", written.text);
     }
