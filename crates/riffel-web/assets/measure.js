@@ -7,6 +7,7 @@ import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
+import { Noise } from './noise.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { currentLanguage, number, t, translate } from './words.js';
 
@@ -61,7 +62,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
   ];
   const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), complain, save });
-  place.append(drop, ...panels.slice(0, 2), ...along.panels, ...panels.slice(2));
+  const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, labels, save });
+  place.append(drop, ...panels.slice(0, 2), ...along.panels, ...panels.slice(2, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
 
@@ -182,7 +184,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   };
 
   /** What is shown is no longer, or again, that of the case and the traffic. */
-  const stale = (is) => [...panels, ...along.panels].forEach((panel) => panel.classList.toggle('stale', is));
+  const stale = (is) => [...panels, ...along.panels, ...noise.panels].forEach((panel) => panel.classList.toggle('stale', is));
 
   /** Hand out the page to print; false where no rail is measured. */
   async function saveReport() {
@@ -205,6 +207,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     for (const one of panels) one.hidden = !answer;
     report.hidden = !answer;
     along.show(answer?.roughness ?? null, answer?.limits);
+    noise.show(answer);
     if (!answer) return;
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
@@ -274,6 +277,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       tellTraffic();
       columns.reword();
       along.reword();
+      noise.reword();
       show();
       along.drawPlace();
     } else if (what === 'view') {

@@ -37,6 +37,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "map-names.js": "text/javascript; charset=utf-8",
     "map-view.js": "text/javascript; charset=utf-8",
     "measure.js": "text/javascript; charset=utf-8",
+    "noise.js": "text/javascript; charset=utf-8",
     "numbers.js": "text/javascript; charset=utf-8",
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",

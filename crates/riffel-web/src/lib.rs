@@ -60,6 +60,7 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/measure", post(api::roughness::measure))
         .route("/api/along", post(api::along::post))
         .route("/api/along/spectrum", post(api::along::spectrum))
+        .route("/api/noise", post(api::noise::post))
         .route("/api/sample", get(api::along::sample))
         .route("/api/report", post(api::report::of_rail))
         .route("/api/report/case", post(api::report::of_case))

@@ -547,6 +547,12 @@ async fn a_measured_rail_needs_its_file() {
     // Without the program the page says so; it does not break off.
     let answer = send(&page, question("/api/measure", body.to_string())).await;
     assert_eq!(answer.status, StatusCode::INTERNAL_SERVER_ERROR);
+    // A free rail has no level, whatever is in the file.
+    let silent = send(&page, question("/api/noise", body.to_string())).await;
+    assert_eq!(silent.json()["fault"]["key"], "track.model");
+    body["limit_dba"] = json!(500.0);
+    let loud = send(&page, question("/api/noise", body.to_string())).await;
+    assert_eq!(loud.status, StatusCode::UNPROCESSABLE_ENTITY);
     body["fastest_m_per_s"] = json!(5.0);
     let answer = send(&page, question("/api/measure", body.to_string())).await;
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);

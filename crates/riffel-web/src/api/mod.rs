@@ -7,6 +7,7 @@ pub(crate) mod curve;
 pub(crate) mod export;
 pub(crate) mod figure;
 pub(crate) mod map;
+pub(crate) mod noise;
 mod note;
 pub(crate) mod point;
 pub(crate) mod report;

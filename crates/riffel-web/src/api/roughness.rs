@@ -38,7 +38,7 @@ pub(crate) async fn post(
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
-    case: CaseText,
+    pub(super) case: CaseText,
     /// Name of the file to the user.
     pub(super) name: String,
     slowest_m_per_s: f64,
@@ -122,10 +122,15 @@ impl Question {
         Ok(())
     }
 
+    /// Mean speed of the traffic \[m/s\].
+    pub(super) fn mean_speed(&self) -> f64 {
+        (self.slowest_m_per_s + self.fastest_m_per_s) / 2.0
+    }
+
     /// One kind of vehicle, that of the case, at speeds spread evenly over their range.
     fn traffic(&self) -> String {
         let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
-        let mean = (slowest + fastest) / 2.0;
+        let mean = self.mean_speed();
         // Of an even distribution.
         let deviation = (fastest - slowest) / 12f64.sqrt();
         let deviation = if deviation > 0.0 {
@@ -200,11 +205,11 @@ pub(crate) async fn measure(
 }
 
 /// The program on the file of a question.
-struct Run<'a> {
-    question: &'a Question,
-    program: &'a Program,
-    upload: &'a Upload,
-    wanted: &'a Wanted,
+pub(super) struct Run<'a> {
+    pub(super) question: &'a Question,
+    pub(super) program: &'a Program,
+    pub(super) upload: &'a Upload,
+    pub(super) wanted: &'a Wanted,
 }
 
 impl Run<'_> {
@@ -219,7 +224,7 @@ impl Run<'_> {
     }
 
     /// The document, or the fault in its place; none where nobody waits any more.
-    fn document_or_fault(&self, arguments: &[&str]) -> Result<Value, Fault> {
+    pub(super) fn document_or_fault(&self, arguments: &[&str]) -> Result<Value, Fault> {
         match self.document(arguments) {
             Err(fault) if self.wanted.still() => Ok(json!({ "fault": fault })),
             outcome => outcome,

@@ -1,0 +1,96 @@
+//! `POST /api/noise`: what a train sounds like on a measured rail.
+
+use axum::Json;
+use axum::extract::State;
+use riffel::noise::{FrequencyBand, RailDecay};
+use riffel_case::Case;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::roughness::{self, Reading, Run};
+use crate::Page;
+use crate::fault::Fault;
+use crate::request::{Asked, Asker};
+
+/// Highest level that may be a limit \[dB(A)\].
+const LOUDEST: f64 = 200.0;
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    #[serde(flatten)]
+    rail: roughness::Question,
+    /// Highest level that is allowed \[dB(A)\].
+    #[serde(default)]
+    limit_dba: Option<f64>,
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Json<Value>, Fault> {
+    question.rail.check()?;
+    let limit = question.limit_dba;
+    if limit.is_some_and(|limit| !(0.0..=LOUDEST).contains(&limit)) {
+        return Err(Fault::bad(format!(
+            "the limit of the level must be 0 to {LOUDEST} dB(A)"
+        )));
+    }
+    let upload = page.uploads.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    page.long
+        .run(asker.subject("noise"), move |wanted| {
+            let rail = &question.rail;
+            if let Some(fault) = silent(&rail.case.read()?) {
+                return Ok(Json(json!({ "fault": fault })));
+            }
+            rail.write(&upload)?;
+            let run = Run {
+                question: rail,
+                program: &program,
+                upload: &upload,
+                wanted,
+            };
+            let reading = Reading::new(&upload, rail.format.as_ref())?;
+            let speed = format!("{} m/s", rail.mean_speed());
+            let months = rail.months.to_string();
+            let limit = limit.map(|limit| limit.to_string());
+            let mut arguments = vec![
+                "noise",
+                "case.toml",
+                "--roughness",
+                &upload.name,
+                "--speed",
+                &speed,
+                "--traffic",
+                "traffic.toml",
+                "--months",
+                &months,
+                "--json",
+            ];
+            if let Some(limit) = &limit {
+                arguments.extend(["--limit-dba", limit]);
+            }
+            arguments.extend(reading.format());
+            run.document_or_fault(&arguments).map(Json)
+        })
+        .await
+}
+
+/// Why a track has no level, if it has none: nothing is known of how far its rail carries vibration, or it carries it further
+/// than a length can be told, at every frequency, so that the level would be that of where the length is cut.
+fn silent(case: &Case) -> Option<Fault> {
+    let model = case.file.track.model.name();
+    let fault = |message: String| Some(Fault::of_key("track.model", message, ""));
+    let Some(track) = case.track.structure.as_deref() else {
+        return fault(format!(
+            "track.model = \"{model}\" says what the rail does under the wheel alone, not how far its vibration runs"
+        ));
+    };
+    if FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre())) {
+        return fault(format!(
+            "the rail of track.model = \"{model}\" carries its vibration on without end at every frequency"
+        ));
+    }
+    None
+}

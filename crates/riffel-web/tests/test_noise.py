@@ -1,0 +1,110 @@
+"""What a train sounds like on a measured rail: the levels of the program, measures, the months ahead, a limit of one's own."""
+
+import json
+import math
+import subprocess
+
+import pytest
+from conftest import PROGRAM, ROOT
+from test_page import profile
+
+CASE = ROOT / "cases/main-line.toml"
+# On this one the corrugation of the record grows.
+GROWING = ROOT / "cases/tram.toml"
+# Of the default traffic, 60 to 100 km/h.
+SPEED = "80 km/h"
+
+
+def heard(page, case=CASE):
+    page.page.locator("#open-toml").set_input_files(str(case))
+    page.until(lambda: page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.keys.rail)"))
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
+    page.until(page.page.locator("#noise-panel").is_visible, seconds=60)
+
+
+def by_the_program(folder, *more, case=CASE):
+    (folder / "trolley.csv").write_bytes(profile(30))
+    (folder / "traffic.toml").write_text(
+        '[line]\npassages_per_day = 6000\n[[vehicle]]\nname = "wheel"\nshare = 1\n'
+        # Even from 60 to 100 km/h: 40/√12.
+        f'speed = {{ mean = "80 km/h", standard_deviation = "{40 / math.sqrt(12)} km/h" }}\n'
+    )
+    command = [PROGRAM, "noise", case, "--roughness", "trolley.csv", "--speed", SPEED, "--traffic", "traffic.toml", "--json", *more]
+    return json.loads(subprocess.run(command, cwd=folder, capture_output=True, check=True, text=True).stdout)
+
+
+def cells(page, table):
+    return [row.split("\t") for row in page.page.locator(f"#{table} tbody tr").all_inner_texts()]
+
+
+def data(page, place):
+    return page.page.evaluate("(place) => (document.getElementById(place).data ?? []).map(({ name, x, y }) => ({ name, x, y }))", place)
+
+
+def test_the_level_is_that_of_the_program(page, tmp_path):
+    heard(page)
+    own = by_the_program(tmp_path)
+    level = own["level"]
+    # A digit after the point on the page.
+    [shown] = cells(page, "noise-parts")
+    assert shown[0] == "dB(A)" and shown[1:] == [f"{level[f'{part}_dba']:.1f}" for part in ("rail", "sleepers", "wheel", "total")]
+    assert f"{level['total_dba']:.1f} dB(A)" in page.text("#noise-verdict") and "at 80 km/h" in page.text("#noise-verdict")
+    rows = cells(page, "noise-measures")
+    assert [row[0] for row in rows] == [measure["title"] for measure in own["measures"]] and len(rows) >= 5
+    assert [row[2] for row in rows] == [f"{measure['saved_db']:.1f}".replace("-", "−") for measure in own["measures"]]
+    page.until(lambda: len(data(page, "noise-course")) == 1)
+    bands = {curve["name"]: curve for curve in data(page, "noise-bands")}
+    assert set(bands) == {"rail", "sleepers", "wheel", "total"}
+    assert bands["total"]["x"] == own["frequency_hz"]
+    # Speeds come over the page as m/s in decimal digits.
+    assert bands["total"]["y"] == pytest.approx(level["total_db"], abs=1e-6)
+    [course] = data(page, "noise-course")
+    assert course["x"] == pytest.approx(own["course"]["month"], rel=1e-6) and course["y"] == pytest.approx(own["course"]["total_dba"], abs=1e-6)
+    page.page.wait_for_timeout(300)
+    page.keep("noise", whole=True)
+
+
+def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
+    page = open_page(locale="de-DE", color_scheme="dark", viewport={"width": 360, "height": 780})
+    heard(page, GROWING)
+    levels = by_the_program(tmp_path, case=GROWING)["course"]["total_dba"]
+    limit = round((levels[0] + levels[-1]) / 2, 2)
+    field = page.page.locator("#noise-limit")
+    field.fill(str(limit).replace(".", ","))
+    field.press("Tab")
+    months = by_the_program(tmp_path, "--limit-dba", str(limit), case=GROWING)["course"]["months_to_limit"]
+    assert 0 < months < 12
+    page.until(lambda: f"sind in {months:.3g} Monaten erreicht".replace(".", ",") in page.text("#noise-outlook"))
+    page.until(lambda: [curve["y"] for curve in data(page, "noise-course") if curve["name"] == "Grenze"] == [[limit, limit]])
+    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    page.page.wait_for_timeout(300)
+    page.keep("noise-dark-360", whole=True)
+    # Every measure in the language of the page.
+    titles = [row[0] for row in cells(page, "noise-measures")]
+    assert titles[0].startswith("Schiene geschliffen auf") and "Zwischenlagen halber Steifigkeit" in titles
+    assert not [title for title in titles if title.startswith(("rail", "pads"))]
+    for wrong, told in [("laut", "keine Zahl"), ("500", "0 bis 200 dB(A)")]:
+        field.fill(wrong)
+        field.press("Tab")
+        page.until(page.page.locator("#noise-limit-fault").is_visible)
+        assert told in page.text("#noise-limit-fault") and field.get_attribute("aria-invalid") == "true"
+    field.fill("")
+    field.press("Tab")
+    page.until(lambda: "erreicht" not in page.text("#noise-outlook"))
+    assert not page.page.locator("#noise-limit-fault").is_visible()
+    page.close()
+
+
+@pytest.mark.without_curves
+def test_a_track_without_a_level_says_so(page):
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(10)}])
+    # A free rail carries vibration on without end; what a moving one carries is not known.
+    for model in ["free-beam", "moving-beam"]:
+        page.set("track.model", model)
+        page.until(lambda: page.page.locator("#noise-panel").is_visible() and not page.page.locator("#noise-panel.stale").count(), seconds=60)
+        assert "has no level" in page.text("#noise-verdict")
+        assert not page.page.locator("#noise-parts").is_visible() and not page.page.locator("#noise-help-panel").is_visible()
+    page.page.select_option("#language", "de")
+    assert "hat keinen Pegel" in page.text("#noise-verdict")
