@@ -3,6 +3,7 @@
 mod asked;
 mod axlebox;
 mod forecast;
+mod listed_length;
 pub(crate) mod network;
 mod noise;
 mod number;
@@ -27,6 +28,7 @@ use crate::staging::add_input;
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
+pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
@@ -613,7 +615,7 @@ pub(crate) struct Curve {
         value_delimiter = ',',
         allow_hyphen_values = true
     )]
-    pub(crate) radius: Vec<Quantity<Length>>,
+    pub(crate) radius: Vec<ListedLength>,
 
     /// Folder for the results, made if need be [default: CASE-curve].
     #[arg(short, long, value_name = "DIR")]

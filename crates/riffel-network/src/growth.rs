@@ -135,6 +135,37 @@ pub fn growth(
     Ok(sections)
 }
 
+/// Rails of which nothing can be said because the two surveys of their line do not name them alike, a sentence for each line.
+///
+/// # Errors
+/// Those of the files.
+pub fn rails_without_growth(
+    store: &Store,
+    between: Option<[Date; 2]>,
+) -> Result<Vec<String>, NetworkError> {
+    let names = |survey: &SurveyRecord| -> Vec<String> {
+        survey.rails.iter().map(|rail| rail.name.clone()).collect()
+    };
+    let sentence = |[before, after]: &[SurveyRecord; 2]| {
+        let (known, found) = (names(before), names(after));
+        let alone: Vec<&str> = found
+            .iter()
+            .filter(|name| !known.contains(name))
+            .map(String::as_str)
+            .collect();
+        (!alone.is_empty()).then(|| {
+            format!(
+                "{}: nothing is known of the growth of {}: the survey of {} has {}",
+                after.line,
+                alone.join(", "),
+                before.date,
+                known.join(", ")
+            )
+        })
+    };
+    Ok(pairs(store, between)?.iter().filter_map(sentence).collect())
+}
+
 /// Those over their limit first, the farthest before; then those that reach it first; then those that grow fastest.
 fn order(a: &SectionGrowth, b: &SectionGrowth) -> std::cmp::Ordering {
     let months = |one: &SectionGrowth| one.months_to_limit.unwrap_or(f64::INFINITY);

@@ -33,7 +33,7 @@ mod survey_file;
 mod worst;
 
 pub use error::NetworkError;
-pub use growth::{SectionGrowth, growth};
+pub use growth::{SectionGrowth, growth, rails_without_growth};
 pub use ingest::Ingested;
 pub use judgement::Judgement;
 pub use plan::{Budget, GrindingPlan, PlannedSection, plan};

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, worst};
+use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, rails_without_growth, worst};
 
 /// What may be spent, in any currency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,9 +115,12 @@ pub fn plan(
     }
     if months > 0.0 {
         match growth(store, judgement, length, None) {
-            Ok(grown) => grown.iter().for_each(|section: &SectionGrowth| {
-                worse(&section.line, section.from_m, section.ratio_after(months));
-            }),
+            Ok(grown) => {
+                grown.iter().for_each(|section: &SectionGrowth| {
+                    worse(&section.line, section.from_m, section.ratio_after(months));
+                });
+                remarks.extend(rails_without_growth(store, None)?);
+            }
             Err(NetworkError::Nothing(_)) => remarks.push(
                 "no line has surveys of two dates: nothing is known of growth, and the plan is for the state of now"
                     .to_owned(),

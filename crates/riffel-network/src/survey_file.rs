@@ -94,8 +94,10 @@ impl SurveyFile {
             rows: 0,
         };
         let (mut ends, mut rows, mut rails) = (survey.ends, 0, Vec::new());
+        let mut knows = false;
         survey.each(
             &mut |block, name| {
+                knows |= block.rms.iter().any(|rms| rms.is_finite());
                 if block.rail == rails.len() {
                     rails.push(name.to_owned());
                 }
@@ -107,6 +109,11 @@ impl SurveyFile {
         )?;
         if rows == 0 {
             return Err(at(path, 1, "there is no block below the head".to_owned()));
+        }
+        if !knows {
+            let message =
+                "no block has an RMS in any band: such a survey would hide the one before it";
+            return Err(at(path, 1, message.to_owned()));
         }
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
         Ok(survey)
@@ -166,7 +173,14 @@ impl SurveyFile {
             let name = self.columns.rail.map_or(&b"rail"[..], |column| {
                 record.get(column).unwrap_or_default().trim_ascii()
             });
-            let text = String::from_utf8_lossy(name).into_owned();
+            let Ok(text) = str::from_utf8(name) else {
+                let shown = String::from_utf8_lossy(name);
+                let message = format!(
+                    "the name of the rail, \"{shown}\", is not in UTF-8; save the table in that encoding"
+                );
+                return Err(wrong(message).into());
+            };
+            let text = text.to_owned();
             if text.is_empty() {
                 return Err(wrong("the rail has no name".to_owned()).into());
             }
@@ -211,9 +225,21 @@ impl Columns {
                          rms_30_to_100_mm_um"
                     )
                 })?;
+                let same = |(other, ..): &(WavelengthBand, usize, f64)| *other == band;
+                if bands.iter().any(same) {
+                    return Err(format!(
+                        "column `{name}` is of a band that another column has already"
+                    ));
+                }
                 bands.push((band, column, unit));
             }
         }
+        // Columns are found by name: their order means nothing.
+        bands.sort_by(|(one, ..), (other, ..)| {
+            (one.from(), one.to())
+                .partial_cmp(&(other.from(), other.to()))
+                .expect("bands have finite ends")
+        });
         if bands.is_empty() {
             return Err("there is no column of RMS in a band, as rms_30_to_100_mm_m".to_owned());
         }

@@ -1,6 +1,7 @@
 //! What the reader of an equilibrium should know.
 
 use riffel::Rail;
+use riffel::contact::{ContactBody, EllipticContact};
 use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
@@ -10,6 +11,9 @@ const PLAY: f64 = 0.01;
 
 /// A flange that yaw lets meet its rail earlier by this is told of \[m\]: gauges are kept to some tenths of a millimetre.
 const EARLIER: f64 = 1e-4;
+
+/// Width of an ellipse \[m\] over which no profile has one curvature.
+const WIDEST: f64 = 0.03;
 
 /// Remarks on an equilibrium.
 pub(super) fn of(
@@ -80,8 +84,44 @@ pub(super) fn of(
             ),
         ));
     }
+    remarks.extend(wide_ellipse(case, state));
     remarks.extend(flange_under_yaw(case, state));
     remarks
+}
+
+/// The widest ellipse, where it is wider than a profile keeps its curvature.
+fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
+    let material = case.steel().ok()?;
+    let width = |wheel: &WheelState| -> Option<f64> {
+        let body = |longitudinal_curvature, lateral_curvature| ContactBody {
+            material,
+            longitudinal_curvature,
+            lateral_curvature,
+        };
+        let along = wheel.contact_angle.cos() / wheel.rolling_radius;
+        let bodies = [body(along, 0.0), body(0.0, wheel.lateral_curvature?)];
+        let hertz = EllipticContact::new(bodies, wheel.normal_force).ok()?;
+        Some(2.0 * hertz.semi_axis_lateral())
+    };
+    let widths = state
+        .wheels
+        .iter()
+        .filter_map(|wheel| Some((wheel, width(wheel)?)));
+    let (wheel, width) = widths.max_by(|one, other| one.1.total_cmp(&other.1))?;
+    (width > WIDEST).then(|| {
+        let (number, rail, width) = (wheel.wheelset, wheel.rail.name(), 1e3 * width);
+        Remark::new(
+            format!(
+                "the ellipse of wheel {number} {rail} is {width:.0} mm wide: over that no profile has one curvature, Hertz's theory ends, and \
+                 creep laws differ most"
+            ),
+            format!(
+                "die Ellipse von Rad {number} {} ist {width:.0} mm breit: darüber hat kein Profil eine einzige Krümmung, die Theorie von Hertz \
+                 endet, und Schlupfgesetze weichen am meisten voneinander ab",
+                if rail == "left" { "links" } else { "rechts" }
+            ),
+        )
+    })
 }
 
 /// The geometry of the contacts is that without yaw: what yaw does to the play of the most yawed wheelset.

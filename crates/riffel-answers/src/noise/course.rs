@@ -92,6 +92,9 @@ impl Course {
         }
         match (self.limit, self.months_to_limit) {
             (None, _) => sentence,
+            (Some(limit), Some(0.0)) if to < limit => {
+                format!("{sentence}; it is above {limit} dB(A) now and falls below")
+            }
             (Some(limit), Some(0.0)) => format!("{sentence}; {limit} dB(A) are reached now"),
             (Some(limit), Some(months)) => {
                 format!("{sentence}; {limit} dB(A) are reached in {months:.1} months")

@@ -20,6 +20,8 @@ use crate::{AnswerError, Highest};
 
 /// Points of a curve of growth: some tenths of a hertz apart.
 const POINTS: usize = 2001;
+/// Contact angles that differ by no more are one \[rad\]: case files hold them rounded.
+const SAME_ANGLE: f64 = 1e-6;
 
 /// Growth under every wheel of a vehicle in its curve.
 pub struct WheelsAnswer {
@@ -60,6 +62,23 @@ pub struct WheelGrowth {
     pub unstable: Option<f64>,
 }
 
+/// A wheel as its loop has it: where that takes the patch under load, place, angle and spin are not those of the equilibrium.
+fn in_loop(mut state: WheelState, case: &Case) -> WheelState {
+    let contact = &case.file.contact;
+    let Some(angle) = contact.contact_angle.map(|angle| angle.si()) else {
+        return state;
+    };
+    // A lone wheel is always seen as a right one.
+    if case.wheelset.is_some() && (angle - state.contact_angle).abs() > SAME_ANGLE {
+        state.contact_angle = angle;
+        state.tractive_ratio = case.steady.tractive_ratio();
+        if let Some(creepage) = contact.creepage {
+            state.creepages.spin = creepage.components().spin;
+        }
+    }
+    state
+}
+
 impl WheelsAnswer {
     /// All wheels of the vehicle that the case takes its mean state from; `progress` is told of rows of the maps that are done,
     /// [`rows`](Self::rows) of them at most.
@@ -77,6 +96,7 @@ impl WheelsAnswer {
         let wheels = wheels.into_iter().map(|wheel| {
             let (name, share_of_second_contact) = (wheel.name(), wheel.share_of_second_contact());
             let WheelOfCurve { state, rail, case } = wheel;
+            let state = case.as_ref().map_or(state, |case| in_loop(state, case));
             let growth = case.map(|case| WheelGrowth::of(case, &wavelengths, &curve, &progress));
             WheelAnswer {
                 name,

@@ -2,7 +2,7 @@
 
 use riffel_network::{
     Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, StripChart,
-    SurveyFile, WorstPlace, growth, plan, status, worst,
+    SurveyFile, WorstPlace, growth, plan, rails_without_growth, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -38,7 +38,9 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             };
             let mut found = growth(&store, &judgement, section, between)?;
             found.truncate(arguments.most as usize);
-            say(arguments.judged.json, &found, || growth_in_words(&found))
+            say(arguments.judged.json, &found, || growth_in_words(&found))?;
+            print_remarks(&rails_without_growth(&store, between)?);
+            Ok(())
         }
         NetworkCommand::Chart(arguments) => chart(arguments),
         NetworkCommand::Plan(arguments) => {

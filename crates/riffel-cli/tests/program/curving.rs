@@ -177,6 +177,7 @@ fn what_cannot_run_is_refused() {
             "--set 'bogie.drive_torque=[\"60 kN m\",\"0 N m\"]'",
             "60000 N m on wheelset 1 is more than the 19936 N m that friction carries",
         ),
+        ("--radius \"3,800 m\"", "3,800 m are two"),
         (
             "--set profiles.flange.slope=0.05",
             "must be shifted by less than 60 mm",

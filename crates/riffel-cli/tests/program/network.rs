@@ -180,3 +180,56 @@ fn a_chart_has_every_survey() {
         assert!(!sandbox.path("none").exists());
     }
 }
+
+/// Surveys that would be taken for others: a band twice, another encoding, nothing known, a year of another age; the order of columns
+/// means nothing, and rails that are named otherwise later are told.
+#[test]
+fn surveys_that_mislead_are_refused_or_told() {
+    let sandbox = Sandbox::new();
+    let take = |file: &str, line: &str, date: &str| {
+        sandbox.riffel(&format!(
+            "network ingest railway {file} --line {line} --date {date}"
+        ))
+    };
+    let write = |name: &str, text: &[u8]| std::fs::write(sandbox.path(name), text).unwrap();
+    write(
+        "two.csv",
+        b"rail,from_m,to_m,rms_10_to_30_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\nleft,100,200,1,4\n",
+    );
+    write(
+        "turned.csv",
+        b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_10_to_30_mm_um\nlinks,0,100,8,1\nlinks,100,200,4,1\n",
+    );
+    write(
+        "twice.csv",
+        b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_30_to_100_mm_um\nleft,0,100,1,4\n",
+    );
+    write(
+        "latin.csv",
+        b"rail,from_m,to_m,rms_10_to_30_mm_um\n\xfcber,0,100,1\n",
+    );
+    write(
+        "empty.csv",
+        b"rail,from_m,to_m,rms_10_to_30_mm_um\nleft,0,100,\n",
+    );
+    for (file, date, sentence) in [
+        ("twice.csv", "2026-01-01", "another column has already"),
+        ("latin.csv", "2026-01-01", "is not in UTF-8"),
+        ("empty.csv", "2026-01-01", "no block has an RMS"),
+        ("two.csv", "1025-01-31", "a day between 1950 and 2100"),
+    ] {
+        let refused = take(file, "A", date);
+        assert_eq!(refused.status, Some(2), "{file}: {}", refused.text);
+        assert!(refused.sentence().contains(sentence), "{}", refused.text);
+    }
+    assert_eq!(take("two.csv", "A", "2025-01-01").status, Some(0));
+    let second = take("turned.csv", "A", "2026-01-01");
+    assert_eq!(second.status, Some(0), "{}", second.text);
+    let worst = sandbox.json("network worst railway --most 1 --json");
+    assert!((number(&worst[0]["rms_m"]) - 8e-6).abs() < 1e-15);
+    let words = "nothing is known of the growth of links: the survey of 2025-01-01 has left";
+    for command in ["growth railway", "plan railway --length \"1 km\""] {
+        let told = sandbox.riffel(&format!("network {command}"));
+        assert!(told.text.contains(words), "{command}: {}", told.text);
+    }
+}
