@@ -4,6 +4,7 @@ import { drawBogie } from './bogie-drawing.js';
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
+import { offer } from './figures.js';
 import { Fault, Line } from './server.js';
 import { currentLanguage, t, translate } from './words.js';
 
@@ -25,7 +26,7 @@ const FIELDS = [
   ['friction-low', 'friction_low', 'friction_low', '0.4', 0.01, 1, 1],
 ];
 
-export function startBogie({ state, listen, complain, banner }) {
+export function startBogie({ state, listen, complain, banner, save }) {
   const place = document.getElementById('view-curve');
   const line = new Line('/api/curve', (answer) => answer.json());
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
@@ -65,10 +66,15 @@ export function startBogie({ state, listen, complain, banner }) {
   const above = element('div', { id: 'bogie-above' });
   const trouble = element('p', { className: 'why', id: 'no-equilibrium', hidden: true });
   const remarks = element('ul', { id: 'profile-remarks' });
+  const titled = (word) => element('header', {}, worded('h2', word));
+  const heads = { outlines: titled('profiles_panel'), curvatures: titled('curvatures_panel'), wheels: titled('wheels_panel') };
+  offer(heads.outlines, () => shown && { name: 'profiles', plot: outlines }, save);
+  offer(heads.curvatures, () => shown && { name: 'curvatures', plot: curvatures }, save);
+  offer(heads.wheels, () => shown && { name: 'bogie', drawing: above, table }, save);
   place.append(
     element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...fields.map(({ part }) => part), refused, worded('p', 'bogie_intro', { className: 'why' })),
-    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'profiles_panel')), outlines, curvatures),
-    element('article', { className: 'panel half' }, element('header', {}, worded('h2', 'wheels_panel')), trouble, above, element('div', { className: 'sideways' }, table), remarks),
+    element('article', { className: 'panel half' }, heads.outlines, outlines, heads.curvatures, curvatures),
+    element('article', { className: 'panel half' }, heads.wheels, trouble, above, element('div', { className: 'sideways' }, table), remarks),
   );
 
   function choose(kind, profile) {
@@ -117,12 +123,12 @@ export function startBogie({ state, listen, complain, banner }) {
     const { fault, wheels = [], wheelsets = [] } = shown.curve;
     trouble.hidden = !fault;
     trouble.textContent = fault ? `${t('no_equilibrium')} ${fault.message}` : '';
-    table.hidden = above.hidden = Boolean(fault);
+    table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
     if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
-    const heads = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
+    const columns = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
     table.replaceChildren(
-      element('thead', {}, element('tr', {}, element('td'), ...heads.map((head) => element('th', { scope: 'col', textContent: t(head) })))),
+      element('thead', {}, element('tr', {}, element('td'), ...columns.map((head) => element('th', { scope: 'col', textContent: t(head) })))),
       element('tbody', {}, ...wheels.map((wheel) => {
         const { lateral_shift_m, angle_of_attack_rad } = wheelsets[wheel.wheelset - 1];
         return element('tr', {}, element('th', { scope: 'row', textContent: `${wheel.wheelset} ${t(wheel.rail)}` }),

@@ -41,18 +41,20 @@ const tableRows = (table) => [...table.rows].map((row) => [...row.cells].map(({ 
 /** An SVG of the page with the colours that its style sheet gives it. */
 function withStyles(svg) {
   const copy = svg.cloneNode(true);
-  const { width, height } = svg.getBoundingClientRect();
+  const place = svg.getBoundingClientRect();
+  const box = (svg.getAttribute('viewBox') ?? `0 0 ${place.width} ${place.height}`).split(/[\s,]+/).map(Number);
+  // As large as on the page, without the empty sides of its place.
+  const scale = Math.min(place.width / box[2], place.height / box[3]);
   const [from, to] = [[svg, ...svg.querySelectorAll('*')], [copy, ...copy.querySelectorAll('*')]];
   from.forEach((one, k) => {
     const style = getComputedStyle(one);
-    for (const name of ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'font-size', 'font-weight', 'font-family', 'color']) to[k].setAttribute(name, style.getPropertyValue(name));
+    for (const name of ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'font-size', 'font-weight', 'font-family', 'color']) to[k].setAttribute(name, style.getPropertyValue(name));
     for (const name of ['class', 'style']) to[k].removeAttribute(name);
   });
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  copy.setAttribute('width', width);
-  copy.setAttribute('height', height);
+  copy.setAttribute('width', scale * box[2]);
+  copy.setAttribute('height', scale * box[3]);
   const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
-  const box = (svg.getAttribute('viewBox') ?? `0 0 ${width} ${height}`).split(/[\s,]+/);
   ['x', 'y', 'width', 'height'].forEach((name, k) => ground.setAttribute(name, box[k]));
   ground.setAttribute('fill', '#fff');
   copy.prepend(ground);
@@ -123,7 +125,8 @@ export async function pngOf(svg) {
   }
 }
 
-const rowsOf = ({ map, plot, table }) => (map ? mapRows(map) : plot ? plotRows(plot) : tableRows(table));
+/** A figure may have rows of its own. */
+const rowsOf = ({ rows, map, plot, table }) => rows ?? (map ? mapRows(map) : plot ? plotRows(plot) : tableRows(table));
 
 /** Put a button into the head of a panel that hands out its figure: `figure` says which at the time of the click; null is none yet. */
 export function offer(header, figure, save, kinds = KINDS) {

@@ -3,13 +3,14 @@
 import { letterSize } from './colors.js';
 import { axis, decades, draw, layout, palette } from './curves.js';
 import { element } from './elements.js';
+import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { askOnce } from './server.js';
 import { currentLanguage, translate } from './words.js';
 
 const NUMBERS = [2, 3, 4, 5, 6, 7, 8];
 
-export function startPaper({ state, listen, complain }) {
+export function startPaper({ state, listen, complain, save }) {
   const place = document.getElementById('view-paper');
   const choice = element('select', { id: 'paper-contact' });
   for (const [value, word] of [['quasi-static', 'quasi'], ['spring-dashpot', 'dashpot'], ['non-steady', 'non_steady']]) {
@@ -69,25 +70,34 @@ export function startPaper({ state, listen, complain }) {
     }
   }
 
-  async function drawFigure({ data, heading, panels, caption, waiting }) {
+  async function drawFigure({ number, data, heading, panels, caption, waiting }) {
     heading.textContent = data.title;
     caption.textContent = data.caption;
     waiting.hidden = true;
     panels.replaceChildren();
-    for (const map of data.maps ?? []) drawMap(map, panels);
+    const all = data.maps ?? data.lines;
+    const nameOf = (k) => (all.length > 1 ? `figure-${number}-${k + 1}` : `figure-${number}`);
+    (data.maps ?? []).forEach((map, k) => drawMap(map, panels, nameOf(k)));
     // Every panel has its place before the first is drawn, which takes its size from it.
-    const places = (data.lines ?? []).map(({ subtitle }) => {
+    const places = (data.lines ?? []).map(({ subtitle }, k) => {
       const curve = element('div', { className: 'curve' });
-      panels.append(element('figure', {}, element('figcaption', { textContent: subtitle }), curve));
+      panels.append(element('figure', {}, captioned(subtitle, () => ({ name: nameOf(k), plot: curve })), curve));
       return curve;
     });
     for (const [k, lines] of (data.lines ?? []).entries()) await drawLines(lines, places[k]);
   }
 
-  function drawMap(panel, panels) {
+  /** The caption of a panel, with what hands it out. */
+  function captioned(subtitle, figure) {
+    const caption = element('figcaption', {}, element('span', { textContent: subtitle }));
+    offer(caption, figure, save);
+    return caption;
+  }
+
+  function drawMap(panel, panels, name) {
     const map = element('div', { className: 'map' });
     const bar = element('div', { className: 'bar' });
-    panels.append(element('figure', {}, element('figcaption', { textContent: panel.subtitle }), map, bar));
+    panels.append(element('figure', {}, captioned(panel.subtitle, () => ({ name, map: view, rows: rowsOf(panel) })), map, bar));
     const range = (values) => ({ min: values[0], max: values.at(-1), points: values.length });
     const view = new MapView(map, { label: `${panel.subtitle}, ${panel.value_label}` });
     const values = Float32Array.from(panel.values, (value) => -value);
@@ -97,6 +107,11 @@ export function startPaper({ state, listen, complain }) {
     });
     drawBar(bar, view, `−${panel.value_label}`);
   }
+
+  /** Every point of a map in SI; values with the sign of the paper. */
+  const rowsOf = ({ wavelength_m: wavelengths, speed_m_per_s: speeds, values, value_label: label }) => [
+    ['wavelength_m', 'speed_m_per_s', label], ...speeds.flatMap((speed, y) => wavelengths.map((wavelength, x) => [wavelength, speed, values[y * wavelengths.length + x]])),
+  ];
 
   async function drawLines(panel, curve) {
     const colors = palette();
