@@ -170,7 +170,8 @@ export class Noise {
     const curve = (x, y, name, color, more) => ({
       type: 'scatter', mode: 'lines', x, y, name, line: { color, width: 1.6, ...more.line }, hovertemplate: `%{x:.4~g} ${more.unit} · %{y:.1f} dB<extra>${name}</extra>`,
     });
-    const traces = PARTS.map(([part, color]) => curve(frequency, level[`${part}_db`], t(`noise_${part}`), colors[color], { unit: 'Hz', line: part === 'total' ? { width: 2.4 } : {} })).filter(({ y }) => y.some((value) => value !== null));
+    // The total below its parts, which it hides where one makes it alone.
+    const traces = [...PARTS].reverse().map(([part, color]) => curve(frequency, level[`${part}_db`], t(`noise_${part}`), colors[color], { unit: 'Hz', line: part === 'total' ? { width: 3.2 } : {} })).filter(({ y }) => y.some((value) => value !== null));
     const most = Math.max(...level.total_db);
     const margin = { l: 4 * letterSize(), r: 10, t: 2.2 * letterSize(), b: 3 * letterSize() };
     await draw(this.bands, traces, layout({
