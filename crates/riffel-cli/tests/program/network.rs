@@ -161,12 +161,7 @@ fn a_chart_has_every_survey() {
     );
     assert_eq!(
         sandbox.list("railway-chart"),
-        [
-            "chart.csv",
-            "chart.png",
-            "chart.svg",
-            "riffel-manifest.json"
-        ]
+        ["chart.csv", "chart.png", "chart.svg"]
     );
     let table = std::fs::read_to_string(sandbox.path("railway-chart/chart.csv")).unwrap();
     assert_eq!(table.lines().count(), 41);
