@@ -27,6 +27,7 @@ pub mod curve;
 pub mod diagnose;
 mod error;
 pub mod forecast;
+mod growth_lines;
 mod highest;
 pub mod map;
 pub mod models;

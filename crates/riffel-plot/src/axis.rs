@@ -73,6 +73,18 @@ pub(crate) struct Ticks {
 }
 
 impl Ticks {
+    /// The names of rows at their middles, in rows from the top.
+    pub(crate) fn of_rows<'a>(names: impl Iterator<Item = &'a str>) -> Self {
+        let tick = |(index, name): (usize, &str)| Tick {
+            value: index as f64 + 0.5,
+            label: Some(name.to_owned()),
+        };
+        Self {
+            ticks: names.enumerate().map(tick).collect(),
+            exponent: 0,
+        }
+    }
+
     /// An axis title with the power of ten, if there is one.
     pub(crate) fn title(&self, title: &str) -> String {
         if self.exponent == 0 {

@@ -2,7 +2,7 @@
 
 use plotters::style::text_anchor::{HPos, VPos};
 
-use crate::axis::{Axis, Direction, Scale, Tick, Ticks};
+use crate::axis::{Axis, Direction, Scale, Ticks};
 use crate::bar_figure::{BarArrangement, BarFigure, BarPanel};
 use crate::canvas::{self, Canvas, Lettering, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
@@ -90,16 +90,8 @@ fn row_height(panel: &BarPanel) -> f64 {
     bars as f64 * BAR + ROW_GAP
 }
 
-/// The names of the rows at their middles, in rows from the top.
 fn row_ticks(panel: &BarPanel) -> Ticks {
-    let tick = |(index, name): (usize, &String)| Tick {
-        value: index as f64 + 0.5,
-        label: Some(name.clone()),
-    };
-    Ticks {
-        ticks: panel.rows.iter().enumerate().map(tick).collect(),
-        exponent: 0,
-    }
+    Ticks::of_rows(panel.rows.iter().map(String::as_str))
 }
 
 /// The series of all panels by name, each once.

@@ -1,6 +1,6 @@
 //! Strips as pictures.
 
-use crate::axis::{Axis, Direction, Scale, Tick, Ticks};
+use crate::axis::{Axis, Direction, Scale, Ticks};
 use crate::canvas::{self, Canvas};
 use crate::error::PlotError;
 use crate::frame::{self, Side};
@@ -127,16 +127,8 @@ fn height(panel: &StripPanel) -> f64 {
     panel.rows.len().max(1) as f64 * (ROW + ROW_GAP) + ROW_GAP
 }
 
-/// The names of the rows at their middles.
 fn row_ticks(panel: &StripPanel) -> Ticks {
-    let tick = |(index, row): (usize, &StripRow)| Tick {
-        value: index as f64 + 0.5,
-        label: Some(row.label.clone()),
-    };
-    Ticks {
-        ticks: panel.rows.iter().enumerate().map(tick).collect(),
-        exponent: 0,
-    }
+    Ticks::of_rows(panel.rows.iter().map(|row| row.label.as_str()))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What the reader of an equilibrium should know.
 
 use riffel::Rail;
-use riffel::contact::{ContactBody, EllipticContact};
+use riffel::contact::EllipticContact;
 use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
@@ -11,9 +11,6 @@ const PLAY: f64 = 0.01;
 
 /// A flange that yaw lets meet its rail earlier by this is told of \[m\]: gauges are kept to some tenths of a millimetre.
 const EARLIER: f64 = 1e-4;
-
-/// Width of an ellipse \[m\] over which no profile has one curvature.
-const WIDEST: f64 = 0.03;
 
 /// Remarks on an equilibrium.
 pub(super) fn of(
@@ -93,14 +90,10 @@ pub(super) fn of(
 fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
     let material = case.steel().ok()?;
     let width = |wheel: &WheelState| -> Option<f64> {
-        let body = |longitudinal_curvature, lateral_curvature| ContactBody {
-            material,
-            longitudinal_curvature,
-            lateral_curvature,
-        };
         let along = wheel.contact_angle.cos() / wheel.rolling_radius;
-        let bodies = [body(along, 0.0), body(0.0, wheel.lateral_curvature?)];
-        let hertz = EllipticContact::new(bodies, wheel.normal_force).ok()?;
+        let curvatures = [along, wheel.lateral_curvature?];
+        let hertz = EllipticContact::of_wheel_on_rail(material, curvatures, wheel.normal_force);
+        let hertz = hertz.ok()?;
         Some(2.0 * hertz.semi_axis_lateral())
     };
     let widths = state
@@ -108,7 +101,7 @@ fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
         .iter()
         .filter_map(|wheel| Some((wheel, width(wheel)?)));
     let (wheel, width) = widths.max_by(|one, other| one.1.total_cmp(&other.1))?;
-    (width > WIDEST).then(|| {
+    (width > EllipticContact::WIDEST).then(|| {
         let (number, rail, width) = (wheel.wheelset, wheel.rail.name(), 1e3 * width);
         Remark::new(
             format!(

@@ -4,7 +4,7 @@ use riffel_case::Case;
 use riffel_plot::{Area, Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::ModelsAnswer;
-use crate::forecast::zero;
+use crate::growth_lines::{self, GrowthLine};
 use crate::parameters::parameters;
 
 /// The half-plane where waves grow.
@@ -26,45 +26,19 @@ fn title(case: &Case) -> String {
 }
 
 pub(super) fn growth(answer: &ModelsAnswer, case: &Case) -> LineFigure {
-    let millimetres: Vec<f64> = answer.wavelengths.iter().map(|w| 1e3 * w).collect();
-    let mut absolute = Vec::new();
-    let mut relative = Vec::new();
     let others = answer.on_case().filter(|(model, _)| model.name != "riffel");
     let ours = answer.on_case().filter(|(model, _)| model.name == "riffel");
     let looks = (0..).map(look);
     let lines = others
         .zip(looks)
-        .chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid))));
-    for ((model, growth), (color, style)) in lines {
-        let largest = growth
-            .rates
-            .iter()
-            .fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
-        for (series, label, scale) in [
-            (&mut absolute, model.title, 1e6),
-            (&mut relative, "", largest.recip()),
-        ] {
-            series.push(Series {
-                label: label.to_owned(),
-                x: millimetres.clone(),
-                y: growth.rates.iter().map(|rate| scale * rate).collect(),
-                style,
-                color: Some(color),
-            });
-            if let Some(highest) = growth.highest {
-                series.push(Series {
-                    x: vec![1e3 * highest.wavelength],
-                    y: vec![scale * highest.rate],
-                    style: LineStyle::Markers,
-                    color: Some(color),
-                    ..Series::default()
-                });
-            }
-        }
-    }
-    absolute.push(zero(&millimetres));
-    relative.push(zero(&millimetres));
-    let x_label = "wavelength λ [mm]".to_owned();
+        .chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid))))
+        .map(|((model, growth), (color, style))| GrowthLine {
+            label: model.title,
+            rates: &growth.rates,
+            highest: growth.highest,
+            color,
+            style,
+        });
     LineFigure {
         title: title(case),
         caption: format!(
@@ -73,23 +47,7 @@ pub(super) fn growth(answer: &ModelsAnswer, case: &Case) -> LineFigure {
             3.6 * answer.speed,
             parameters(case)
         ),
-        panels: vec![
-            LinePanel {
-                subtitle: "growth rate".to_owned(),
-                x_label: x_label.clone(),
-                y_label: "growth rate [10⁻⁶ per passage]".to_owned(),
-                series: absolute,
-                ..LinePanel::default()
-            },
-            LinePanel {
-                subtitle: "over the largest of each model".to_owned(),
-                x_label,
-                y_label: "growth rate / largest [-]".to_owned(),
-                y_range: Some((-1.05, 1.05)),
-                series: relative,
-                ..LinePanel::default()
-            },
-        ],
+        panels: growth_lines::panels(&answer.wavelengths, lines, "model"),
         arrangement: Arrangement::Stacked,
     }
 }

@@ -2,10 +2,10 @@
 
 use riffel_case::Case;
 use riffel_case::file::CurveRail;
-use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, OKABE_ITO, Series};
+use riffel_plot::{Arrangement, LineFigure, LineStyle, MapFigure, OKABE_ITO};
 
 use super::WheelsAnswer;
-use crate::forecast::zero;
+use crate::growth_lines::{self, GrowthLine};
 use crate::map::{Shown, panel};
 use crate::track_in_words::place;
 
@@ -50,10 +50,7 @@ pub(super) fn maps(answer: &WheelsAnswer, case: &Case) -> Option<MapFigure> {
 }
 
 pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
-    let millimetres: Vec<f64> = answer.wavelengths.iter().map(|w| 1e3 * w).collect();
-    let mut absolute = Vec::new();
-    let mut relative = Vec::new();
-    for (wheel, growth) in answer.in_loop() {
+    let lines = answer.in_loop().map(|(wheel, growth)| {
         // A colour for each rail, a line for each wheelset.
         let color = match wheel.rail {
             CurveRail::Low => OKABE_ITO[1],
@@ -64,37 +61,17 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
             _ if wheel.rail == CurveRail::Low => OKABE_ITO[3],
             _ => OKABE_ITO[5],
         };
-        let style = match wheel.state.wheelset % 2 {
-            1 => LineStyle::Solid,
-            _ => LineStyle::Dashed,
-        };
-        let rates = growth.rates.iter();
-        let largest = rates.fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
-        for (series, label, scale) in [
-            (&mut absolute, wheel.name.as_str(), 1e6),
-            (&mut relative, "", largest.recip()),
-        ] {
-            series.push(Series {
-                label: label.to_owned(),
-                x: millimetres.clone(),
-                y: growth.rates.iter().map(|rate| scale * rate).collect(),
-                style,
-                color: Some(color),
-            });
-            if let Some(highest) = growth.highest {
-                series.push(Series {
-                    x: vec![1e3 * highest.wavelength],
-                    y: vec![scale * highest.rate],
-                    style: LineStyle::Markers,
-                    color: Some(color),
-                    ..Series::default()
-                });
-            }
+        GrowthLine {
+            label: &wheel.name,
+            rates: &growth.rates,
+            highest: growth.highest,
+            color,
+            style: match wheel.state.wheelset % 2 {
+                1 => LineStyle::Solid,
+                _ => LineStyle::Dashed,
+            },
         }
-    }
-    absolute.push(zero(&millimetres));
-    relative.push(zero(&millimetres));
-    let x_label = "wavelength λ [mm]".to_owned();
+    });
     LineFigure {
         title: title(answer),
         caption: format!(
@@ -103,23 +80,7 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
             missing(answer),
             place(case)
         ),
-        panels: vec![
-            LinePanel {
-                subtitle: "growth rate".to_owned(),
-                x_label: x_label.clone(),
-                y_label: "growth rate [10⁻⁶ per passage]".to_owned(),
-                series: absolute,
-                ..LinePanel::default()
-            },
-            LinePanel {
-                subtitle: "over the largest of each wheel".to_owned(),
-                x_label,
-                y_label: "growth rate / largest [-]".to_owned(),
-                y_range: Some((-1.05, 1.05)),
-                series: relative,
-                ..LinePanel::default()
-            },
-        ],
+        panels: growth_lines::panels(&answer.wavelengths, lines, "wheel"),
         arrangement: Arrangement::Stacked,
     }
 }

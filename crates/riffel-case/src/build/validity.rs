@@ -1,5 +1,6 @@
 //! Where the models of a case leave their range of validity.
 
+use riffel::contact::EllipticContact;
 use riffel::{Axis, Direction, HertzContact, Loop};
 use riffel_keys::{Remark, Sentence};
 
@@ -133,10 +134,8 @@ pub(crate) fn of_contact(
             vec![("shortest", format!("{shortest:.0}"))]
         }));
     }
-    /// Width of an ellipse \[m\] over which no profile has one curvature.
-    const WIDEST: f64 = 0.03;
     let width = 2.0 * hertz.semi_axis_lateral();
-    if width > WIDEST {
+    if width > EllipticContact::WIDEST {
         let width = 1e3 * width;
         remarks.push(Remark::new(
             format!("the ellipse of the contact is {width:.0} mm wide: over that no profile has one curvature, and Hertz's theory ends"),

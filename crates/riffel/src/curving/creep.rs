@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use super::RollingPosition;
 use crate::contact::{
-    ContactBody, CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim,
-    KalkerCoefficients, ShenHedrickElkins, TractionBound,
+    CreepEllipse, CreepForces, CreepLaw, Creepages, EllipticContact, Fastsim, KalkerCoefficients,
+    ShenHedrickElkins, TractionBound,
 };
 use crate::{ElasticMaterial, Error};
 
@@ -86,17 +86,12 @@ impl Creep {
     }
 
     /// The Hertz ellipse of curvatures along and across the rail \[1/m\] under 1 N, with Kalker's coefficients.
-    fn unit_ellipse(&self, [along, across]: [f64; 2]) -> Result<CreepEllipse, Error> {
+    fn unit_ellipse(&self, curvatures: [f64; 2]) -> Result<CreepEllipse, Error> {
         let Self::Local { material, .. } = self else {
             unreachable!("only a local creep has an ellipse of its own")
         };
         let normal_force = 1.0;
-        let body = |longitudinal_curvature, lateral_curvature| ContactBody {
-            material: *material,
-            longitudinal_curvature,
-            lateral_curvature,
-        };
-        let hertz = EllipticContact::new([body(along, 0.0), body(0.0, across)], normal_force)?;
+        let hertz = EllipticContact::of_wheel_on_rail(*material, curvatures, normal_force)?;
         let kalker = KalkerCoefficients::new(material.poisson_ratio(), hertz.axis_ratio())?;
         Ok(CreepEllipse {
             normal_force,

@@ -30,19 +30,11 @@ impl ContactTable {
         let places: Vec<(f64, f64)> = (-count..=count)
             .map(|place| (step * f64::from(place), 0.0))
             .collect();
-        let rows = wheelset.contacts(&places);
-        let centre = count as usize;
-        if let Err(error) = &rows[centre] {
-            return Err(error.clone());
-        }
-        let from = (0..centre)
-            .rev()
-            .find(|&row| rows[row].is_err())
-            .map_or(0, |row| row + 1);
+        let (rows, middle) = around_middle(wheelset.contacts(&places))?;
         Ok(Self {
             step,
-            middle: centre - from,
-            rows: rows.into_iter().skip(from).map_while(Result::ok).collect(),
+            middle,
+            rows,
             rolling_radius,
         })
     }
@@ -90,4 +82,23 @@ impl ContactTable {
             self.rolling_radius,
         )
     }
+}
+
+/// Rows about the one in the middle, as far as a wheel is on its rail, and the place of that one among them.
+///
+/// # Errors
+/// That of the row in the middle.
+pub(super) fn around_middle<T>(
+    rows: Vec<Result<T, ProfileError>>,
+) -> Result<(Vec<T>, usize), ProfileError> {
+    let centre = rows.len() / 2;
+    if let Err(error) = &rows[centre] {
+        return Err(error.clone());
+    }
+    let from = (0..centre)
+        .rev()
+        .find(|&row| rows[row].is_err())
+        .map_or(0, |row| row + 1);
+    let rows = rows.into_iter().skip(from).map_while(Result::ok).collect();
+    Ok((rows, centre - from))
 }

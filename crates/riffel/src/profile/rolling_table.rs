@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::contact_table::around_middle;
 use super::{ProfileError, WheelsetContact, WheelsetOnTrack};
 use crate::Rail;
 use crate::curving::{RollingPosition, RunningSurfaces, TwoPoints};
@@ -55,19 +56,10 @@ impl RollingTable {
         };
         let count = (farthest / step).round() as i32;
         let places: Vec<i32> = (-count..=count).collect();
-        let rows: Vec<Result<Row, ProfileError>> = places
+        let rows = places
             .par_iter()
-            .map(|place| surfaces.row(step * f64::from(*place)))
-            .collect();
-        let centre = count as usize;
-        if let Err(error) = &rows[centre] {
-            return Err(error.clone());
-        }
-        let from = (0..centre)
-            .rev()
-            .find(|&row| rows[row].is_err())
-            .map_or(0, |row| row + 1);
-        let rows: Vec<Row> = rows.into_iter().skip(from).map_while(Result::ok).collect();
+            .map(|place| surfaces.row(step * f64::from(*place)));
+        let (rows, _) = around_middle(rows.collect())?;
         let ways: Vec<Way> = rows
             .par_windows(2)
             .map(|pair| surfaces.way(&pair[0], &pair[1]))

@@ -57,6 +57,26 @@ impl EllipticContact {
         })
     }
 
+    /// Width 2b \[m\] over which no profile of a wheel or a rail keeps one curvature, so that the theory ends.
+    pub const WIDEST: f64 = 0.03;
+
+    /// A wheel on a rail of its own material, with the curvatures of both together along and across the rail \[1/m\].
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn of_wheel_on_rail(
+        material: ElasticMaterial,
+        [along, across]: [f64; 2],
+        normal_force: f64,
+    ) -> Result<Self, Error> {
+        let body = |longitudinal_curvature, lateral_curvature| ContactBody {
+            material,
+            longitudinal_curvature,
+            lateral_curvature,
+        };
+        Self::new([body(along, 0.0), body(0.0, across)], normal_force)
+    }
+
     /// The same contact under another normal force \[N\], without solving for the ellipse again.
     ///
     /// # Errors

@@ -1,0 +1,74 @@
+//! Growth over wavelength of several things side by side: as it is, and each over its own largest.
+
+use riffel_plot::{LinePanel, LineStyle, Rgb, Series};
+
+use crate::Highest;
+use crate::forecast::zero;
+
+/// Growth of one thing at the wavelengths of the figure.
+pub(crate) struct GrowthLine<'a> {
+    /// Name in the legend.
+    pub(crate) label: &'a str,
+    /// Growth rates per passage \[-\].
+    pub(crate) rates: &'a [f64],
+    /// Marked, if anything grows.
+    pub(crate) highest: Option<Highest>,
+    pub(crate) color: Rgb,
+    pub(crate) style: LineStyle,
+}
+
+/// Two panels over the wavelengths \[m\]: rates, and rates over the largest of each, which is of "each `what`".
+pub(crate) fn panels<'a>(
+    wavelengths: &[f64],
+    lines: impl Iterator<Item = GrowthLine<'a>>,
+    what: &str,
+) -> Vec<LinePanel> {
+    let millimetres: Vec<f64> = wavelengths.iter().map(|w| 1e3 * w).collect();
+    let mut absolute = Vec::new();
+    let mut relative = Vec::new();
+    for line in lines {
+        let rates = line.rates.iter();
+        let largest = rates.fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
+        for (series, label, scale) in [
+            (&mut absolute, line.label, 1e6),
+            (&mut relative, "", largest.recip()),
+        ] {
+            series.push(Series {
+                label: label.to_owned(),
+                x: millimetres.clone(),
+                y: line.rates.iter().map(|rate| scale * rate).collect(),
+                style: line.style,
+                color: Some(line.color),
+            });
+            if let Some(highest) = line.highest {
+                series.push(Series {
+                    x: vec![1e3 * highest.wavelength],
+                    y: vec![scale * highest.rate],
+                    style: LineStyle::Markers,
+                    color: Some(line.color),
+                    ..Series::default()
+                });
+            }
+        }
+    }
+    absolute.push(zero(&millimetres));
+    relative.push(zero(&millimetres));
+    let x_label = "wavelength λ [mm]".to_owned();
+    vec![
+        LinePanel {
+            subtitle: "growth rate".to_owned(),
+            x_label: x_label.clone(),
+            y_label: "growth rate [10⁻⁶ per passage]".to_owned(),
+            series: absolute,
+            ..LinePanel::default()
+        },
+        LinePanel {
+            subtitle: format!("over the largest of each {what}"),
+            x_label,
+            y_label: "growth rate / largest [-]".to_owned(),
+            y_range: Some((-1.05, 1.05)),
+            series: relative,
+            ..LinePanel::default()
+        },
+    ]
+}
