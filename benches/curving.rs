@@ -6,6 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use riffel::Rail;
+use riffel::profile::ContactSurface;
 use riffel_case::CurvingCase;
 
 use crate::contestant::{Contestant, Failure};
@@ -64,7 +65,14 @@ fn contact(repeats: usize) -> Result<(f64, f64), Failure> {
     for _ in 0..repeats {
         let load = black_box(60e3);
         sum = wheelset
-            .under_load(&place, Rail::Right, steel, load, ELEMENTS)?
+            .under_load(
+                &place,
+                Rail::Right,
+                steel,
+                load,
+                ContactSurface::Flat,
+                ELEMENTS,
+            )?
             .state()
             .approach();
     }

@@ -89,7 +89,8 @@ impl UnderLoadAnswer {
         for shift in shifts {
             let at = wheelset.contact(*shift, yaw).map_err(refused)?;
             let under = |rail| {
-                let loaded = wheelset.under_load(&at, rail, steel, normal_force, Self::ELEMENTS);
+                let loaded =
+                    wheelset.under_load(&at, rail, steel, normal_force, surface, Self::ELEMENTS);
                 loaded.map_err(refused)
             };
             let loaded = [under(Rail::Left)?, under(Rail::Right)?];

@@ -55,7 +55,7 @@ impl CurvingCase {
             )));
         };
         let elements = Self::ELEMENTS_UNDER_LOAD;
-        let loaded = wheelset.under_load(&contact, rail, steel, normal_force, elements);
+        let loaded = wheelset.under_load(&contact, rail, steel, normal_force, surface, elements);
         Ok(loaded
             .map_err(|error| match error {
                 ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => {

@@ -24,7 +24,7 @@ pub use ellipse::{
 };
 pub use half_space::{
     ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
-    PatchRolling, TransientRolling, TransientStep,
+    PatchRolling, PatchTractions, TransientRolling, TransientStep,
 };
 pub use half_space_curve::HalfSpaceCurve;
 pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};

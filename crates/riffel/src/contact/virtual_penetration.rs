@@ -6,9 +6,6 @@ use super::EllipticIntegrals;
 use super::ellipse::contact_modulus;
 use crate::{ElasticMaterial, Error};
 
-/// Share of the approach by which the undeformed surfaces are taken to penetrate each other \[-\]: Kik & Piotrowski (1996),
-/// who chose it so that the patch comes near that of Hertz.
-const PENETRATION: f64 = 0.55;
 /// Nodes to either side of the place of first touch.
 const NODES: usize = 120;
 /// The approach under a load is found to this share.
@@ -68,6 +65,10 @@ pub struct PenetrationState {
 }
 
 impl VirtualPenetration {
+    /// Share of the approach by which the undeformed surfaces are taken to penetrate each other \[-\]: Kik & Piotrowski (1996),
+    /// who chose it so that the patch comes near that of Hertz.
+    pub const PENETRATION: f64 = 0.55;
+
     /// Bodies of two materials with the strips of their gap, by increasing y.
     ///
     /// # Errors
@@ -102,7 +103,7 @@ impl VirtualPenetration {
     /// [`Error::OutOfRange`] unless it is positive and the patch lies within the strips.
     pub fn at_approach(&self, approach: f64) -> Result<PenetrationState, Error> {
         Error::unless_positive("approach", approach, "m")?;
-        let depth = PENETRATION * approach;
+        let depth = Self::PENETRATION * approach;
         let inside = |strip: &&GapStrip| strip.gap < depth;
         let ends = [
             self.strips.iter().find(inside),
@@ -295,14 +296,17 @@ mod tests {
         let contact = VirtualPenetration::new([steel; 2], strips(0.46, 0.46)).unwrap();
         let (approach, modulus) = (60e-6, 207e9 / (2.0 * 0.91));
         let state = contact.at_approach(approach).unwrap();
-        let closed =
-            4.0 / 3.0 * (2.0 * PENETRATION).sqrt() * modulus * 0.46_f64.sqrt() * approach.powf(1.5);
+        let closed = 4.0 / 3.0
+            * (2.0 * VirtualPenetration::PENETRATION).sqrt()
+            * modulus
+            * 0.46_f64.sqrt()
+            * approach.powf(1.5);
         assert!(
             (state.load / closed - 1.0).abs() < 5e-4,
             "{}",
             state.load / closed
         );
-        let radius = (2.0 * PENETRATION * approach * 0.46).sqrt();
+        let radius = (2.0 * VirtualPenetration::PENETRATION * approach * 0.46).sqrt();
         assert!((state.half_length() / radius - 1.0).abs() < 1e-3);
         assert!((state.contact_area() / (PI * radius * radius) - 1.0).abs() < 1e-3);
         let again = contact.under_load(state.load).unwrap();

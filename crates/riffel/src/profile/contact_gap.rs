@@ -107,6 +107,36 @@ impl ContactGap {
         }
     }
 
+    /// Depth of the rail below the contact plane \[m\] and its inclination to it \[rad\], positive as
+    /// [`contact_angle`](Self::contact_angle), at a place y \[m\]; none beside the rail.
+    pub(super) fn below(&self, y: f64) -> Option<(f64, f64)> {
+        let point = self.rail.at(self.side * y)?;
+        Some((-point.height, point.slope.atan()))
+    }
+
+    /// Gap \[m\] along the normal of the rail at a place; 50 mm where one of the bodies ends.
+    ///
+    /// Method: Newton's with the slope of the rail for that of the wheel, which under pressure are nearly one; to 1e-12 m.
+    pub(super) fn along_normal(&self, x: f64, y: f64) -> f64 {
+        let y = self.side * y;
+        let Some(rail) = self.rail.at(y) else {
+            return BEYOND;
+        };
+        let (sine, cosine) = rail.slope.atan().sin_cos();
+        let mut gap = 0.0;
+        for _ in 0..MOST_STEPS {
+            let Some((_, wheel)) = self.wheel_above(self.ahead + x, y - gap * sine) else {
+                return BEYOND;
+            };
+            let step = cosine * (wheel.height - rail.height - gap * cosine);
+            gap += step;
+            if step.abs() < 1e-12 {
+                return gap;
+            }
+        }
+        BEYOND
+    }
+
     /// Strips along the track where the gap is below a limit \[m\], some beyond at both ends, by increasing y; evenly over the
     /// coordinate of the wheel's profile.
     pub fn strips(&self, limit: f64) -> Vec<GapStrip> {
@@ -173,6 +203,11 @@ impl ContactGap {
     /// the rail.
     pub fn inclination_over(&self, ends: [f64; 2]) -> Option<f64> {
         Some((self.inclination_at(ends[1])? - self.inclination_at(ends[0])?).abs())
+    }
+
+    /// +1 on the right rail, −1 on the left one.
+    pub(super) fn side(&self) -> f64 {
+        self.side
     }
 
     /// Whether the rail goes on at both places y \[m\], and the wheel above them.

@@ -1,6 +1,7 @@
 //! The contact of a wheel and its rail under load.
 
-use super::{ContactGap, ProfileError, WheelsetContact, WheelsetOnTrack};
+use super::contact_surface::PatchSurface;
+use super::{ContactGap, ContactSurface, ProfileError, WheelsetContact, WheelsetOnTrack};
 use crate::contact::{
     ContactBody, ContactGrid, CreepForces, Creepages, EllipticContact, GapStrip, NormalContact,
     NormalState, PatchRolling, PenetrationState, VirtualPenetration,
@@ -22,17 +23,22 @@ const CHANGE_OF_LOAD: f64 = 0.05;
 ///
 /// The contact plane touches the rail in the centre of the overlap of the undeformed profiles, weighted by its depth, at
 /// the approach of the fast patch: where curvatures are alike it lies millimetres from the place of first touch, and
-/// inclined otherwise. y points across the track in that plane, to the right, x along it.
+/// inclined otherwise. x points along the track, y across it in the contact plane, to the right; on a curved surface y is the
+/// length across the rail, which begins where the plane touches it.
 ///
 /// Method: [`ContactGap`], on it [`NormalContact`], elements nearly square. Accuracy with 48 elements: approach 0.05 %, peak
 /// pressure 0.3 %, stiffness 0.3 %, area 3 % (test `a_wheel_of_circles_is_that_of_hertz`); the places of Manchester's profiles
-/// against CONTACT: the book, chapter *Normal contact*. Cost: that of [`NormalContact`] on 24 and on n elements. Range of validity: that of [`NormalContact`]; patches
-/// over which the rail turns little, see [`inclination`](Self::inclination).
+/// against CONTACT: the book, chapter *Normal contact*. Cost: that of [`NormalContact`] on 24 and on n elements. Range of validity: that of [`NormalContact`]; on
+/// the flat surface patches over which the rail turns little, see [`inclination`](Self::inclination), on the curved one what
+/// [`NormalContact::curved`] tells.
 pub struct LoadedContact {
     material: ElasticMaterial,
     gap: ContactGap,
-    /// Middle of the grid in the contact plane \[m\].
+    surface: PatchSurface,
+    /// Middle of the grid on the surface \[m\].
     middle: [f64; 2],
+    /// \[m\].
+    rolling_radius: f64,
     contact: NormalContact,
     state: NormalState,
     fast: PenetrationState,
@@ -40,8 +46,8 @@ pub struct LoadedContact {
 }
 
 impl WheelsetOnTrack {
-    /// The contact on one rail of a wheelset that touches there, under the normal force P \[N\]; both bodies are of one
-    /// material. The grid has n² elements of about one size, n across a patch that is as long as wide, from 16 to 200.
+    /// The contact on one rail of a wheelset that touches there, under the normal force P \[N\], on a surface; both bodies are of
+    /// one material. The grid has n² elements of about one size, n across a patch that is as long as wide, from 16 to 200.
     ///
     /// # Errors
     /// [`ProfileError::Shape`] where the contact lies at the end of a profile, [`ProfileError::Contact`] for a force that is not
@@ -52,6 +58,7 @@ impl WheelsetOnTrack {
         rail: Rail,
         material: ElasticMaterial,
         normal_force: f64,
+        surface: ContactSurface,
         elements: usize,
     ) -> Result<LoadedContact, ProfileError> {
         check_elements(elements)?;
@@ -77,17 +84,27 @@ impl WheelsetOnTrack {
         // The plane where they first touch tells the approach, and that the place of the plane under load.
         let first = self.gap_at(contact, rail, touch, None)?;
         let about = Guess::new(&first, material, normal_force, on.rolling_radius)?;
-        let (_, _, state) = about.solve(&first, FIRST_ELEMENTS)?;
-        let overlap = Overlap::new(&first, &about.strips, state.approach());
+        let approach = about
+            .solve(&first, ContactSurface::Flat, FIRST_ELEMENTS)?
+            .state
+            .approach();
+        let overlap = Overlap::new(&first, &about.strips, approach);
         let place = first.on_rail(overlap.y).ok_or_else(|| beside(rail))?;
         let place = [touch[0] + overlap.x, place];
         let gap = self.gap_at(contact, rail, place, Some(overlap.inclination))?;
         let guess = Guess::new(&gap, material, normal_force, on.rolling_radius)?;
-        let (middle, contact, state) = guess.solve(&gap, elements)?;
+        let Solved {
+            surface,
+            middle,
+            contact,
+            state,
+        } = guess.solve(&gap, surface, elements)?;
         Ok(LoadedContact {
             material,
             gap,
+            surface,
             middle,
+            rolling_radius: on.rolling_radius,
             contact,
             state,
             fast: guess.fast,
@@ -135,19 +152,29 @@ impl Guess {
         }
     }
 
-    /// The middle of the grid, the contact on it and its solution.
     fn solve(
         &self,
         gap: &ContactGap,
+        surface: ContactSurface,
         elements: usize,
-    ) -> Result<([f64; 2], NormalContact, NormalState), Error> {
+    ) -> Result<Solved, Error> {
         let mut failed = None;
         for reach in REACHES {
-            let ends = ends_of(&self.strips, reach * self.fast.approach);
-            let (grid, middle) = grid_over(ends, elements)?;
-            let contact = normal_contact(gap, self.material, grid, middle)?;
-            match contact.under_load(self.normal_force) {
-                Ok(state) if is_free(&state) => return Ok((middle, contact, state)),
+            let [along, across] = ends_of(&self.strips, reach * self.fast.approach);
+            let surface = PatchSurface::new(surface, gap, across);
+            let across = across.map(|y| surface.length_of(y));
+            let (grid, middle) = grid_over([along, across], elements)?;
+            let contact = normal_contact(gap, &surface, self.material, grid, middle)?;
+            let near = VirtualPenetration::PENETRATION * self.fast.approach;
+            match contact.under_load_near(self.normal_force, Some(near)) {
+                Ok(state) if is_free(&state) => {
+                    return Ok(Solved {
+                        surface,
+                        middle,
+                        contact,
+                        state,
+                    });
+                }
                 Ok(state) => {
                     let grid = state.grid();
                     failed = Some(Error::GridTooSmall {
@@ -164,6 +191,15 @@ impl Guess {
             width: 0.0,
         }))
     }
+}
+
+/// The contact on a grid and its solution.
+struct Solved {
+    surface: PatchSurface,
+    /// Of the grid \[m\].
+    middle: [f64; 2],
+    contact: NormalContact,
+    state: NormalState,
 }
 
 /// Whether the elements at the rim are free of pressure.
@@ -198,16 +234,30 @@ fn check_elements(elements: usize) -> Result<(), Error> {
     })
 }
 
-/// The exact contact on a grid with its middle at a place of the plane.
+/// The exact contact on a grid with its middle at a place of the surface.
 fn normal_contact(
     gap: &ContactGap,
+    surface: &PatchSurface,
     material: ElasticMaterial,
     grid: ContactGrid,
-    middle: [f64; 2],
+    [along, across]: [f64; 2],
 ) -> Result<NormalContact, Error> {
-    NormalContact::new([material; 2], grid, |x, y| {
-        gap.at(x + middle[0], y + middle[1])
-    })
+    let materials = [material; 2];
+    if let PatchSurface::Flat = surface {
+        return NormalContact::new(materials, grid, |x, y| gap.at(x + along, y + across));
+    }
+    let rows = grid.rows();
+    let first = -0.5 * (rows as f64 - 1.0) * grid.dy();
+    NormalContact::curved(
+        materials,
+        grid,
+        |x, y| gap.along_normal(x + along, surface.at(y + across).y),
+        |row| {
+            surface
+                .at(first + row as f64 * grid.dy() + across)
+                .inclination
+        },
+    )
 }
 
 /// Means over the overlap of the undeformed surfaces at an approach, weighted by the square of its depth.
@@ -284,7 +334,7 @@ impl LoadedContact {
         &self.state
     }
 
-    /// Middle of the grid in the contact plane, along and across \[m\].
+    /// Middle of the grid on the surface, along and across \[m\].
     pub fn middle(&self) -> [f64; 2] {
         self.middle
     }
@@ -304,7 +354,7 @@ impl LoadedContact {
         self.ends().map(|[low, high]| high - low)
     }
 
-    /// First and last x and y of the elements under pressure, in the contact plane \[m\].
+    /// First and last x and y of the elements under pressure \[m\].
     pub fn ends(&self) -> [[f64; 2]; 2] {
         let grid = self.state.grid();
         let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
@@ -319,7 +369,7 @@ impl LoadedContact {
         ends
     }
 
-    /// Centres in the contact plane \[m\] and pressures \[Pa\] of the elements under pressure.
+    /// Centres \[m\] and pressures \[Pa\] of the elements under pressure.
     pub fn under_pressure(&self) -> impl Iterator<Item = ((f64, f64), f64)> + '_ {
         let [along, across] = self.middle;
         let elements = self.state.grid().centres().zip(self.state.pressures());
@@ -328,7 +378,7 @@ impl LoadedContact {
             .map(move |((x, y), &pressure)| ((x + along, y + across), pressure))
     }
 
-    /// Centre of pressure in the contact plane, along and across \[m\].
+    /// Centre of pressure, along and across \[m\].
     pub fn centre_of_pressure(&self) -> [f64; 2] {
         let mut sums = [0.0; 3];
         for ((x, y), pressure) in self.under_pressure() {
@@ -357,8 +407,9 @@ impl LoadedContact {
         let grid = self.state.grid();
         let [_, [low, high]] = self.ends();
         // Within the outermost elements, where the pressure has vanished.
+        let ends = [low + 0.5 * grid.dy(), high - 0.5 * grid.dy()];
         self.gap
-            .inclination_over([low + 0.5 * grid.dy(), high - 0.5 * grid.dy()])
+            .inclination_over(ends.map(|length| self.surface.at(length).y))
     }
 
     /// Contact stiffness dP/dδ \[N/m\], the wheelset where it is, by central differences over ±5 % of the load. Cost: twice
@@ -368,13 +419,22 @@ impl LoadedContact {
     /// [`Error::NotConverged`], [`Error::GridTooSmall`].
     pub fn stiffness(&self) -> Result<f64, Error> {
         let load = self.state.load();
-        let at = |share: f64| Ok::<f64, Error>(self.contact.under_load(share * load)?.approach());
+        let near = Some(VirtualPenetration::PENETRATION * self.state.approach());
+        let at = |share: f64| {
+            let state = self.contact.under_load_near(share * load, near)?;
+            Ok::<f64, Error>(state.approach())
+        };
         let change = at(1.0 + CHANGE_OF_LOAD)? - at(1.0 - CHANGE_OF_LOAD)?;
         Ok(2.0 * CHANGE_OF_LOAD * load / change)
     }
 
-    /// Steady rolling on the patch, exact: creep forces \[N\] and their moment about the normal of the plane in its origin
-    /// \[Nm\]. Creepages are those of the rigid bodies in that origin; `friction` is μ \[-\] at a place in the plane \[m\].
+    /// Steady rolling on the patch, exact: creep forces in the contact plane \[N\] and their moment about its normal in its origin
+    /// \[Nm\]. Creepages are those of the rigid bodies in that origin; `friction` is μ \[-\] at a place of the surface \[m\].
+    ///
+    /// On a curved surface wheel and rail slip at a place that lies d below the plane and is inclined by α to it with
+    /// ξ − φy − d cos γ/r along, since the wheel is larger there, and η cos α + (φ cos α ∓ sin α cos γ/r) x across, upper sign on
+    /// the right rail, since it spins by its own inclination. Displacements under tractions are those of the flat patch: α²/2 of
+    /// the elastic ones is left out, and the normal displacement by tractions across.
     ///
     /// Method: [`PatchRolling`] on the grid and on one of half as many elements, 2·fine − coarse.
     ///
@@ -386,14 +446,22 @@ impl LoadedContact {
         friction: impl Fn(f64, f64) -> f64,
     ) -> Result<(CreepForces, f64), Error> {
         let [along, across] = self.middle;
-        let moved = Creepages {
-            longitudinal: creepages.longitudinal - creepages.spin * across,
-            lateral: creepages.lateral + creepages.spin * along,
-            ..creepages
-        };
         let on = |state: &NormalState| {
             let friction = |x: f64, y: f64| friction(x + along, y + across);
-            PatchRolling::new(self.material, state, friction)?.roll(moved)
+            let rolling = PatchRolling::new(self.material, state, friction)?;
+            let mut sums = [0.0; 3];
+            for ((x, y), [longitudinal, lateral]) in rolling
+                .roll(|x, y| self.rigid_slip(creepages, x + along, y + across))?
+                .forces()
+            {
+                let (x, place) = (x + along, self.surface.at(y + across));
+                let lateral = lateral * place.inclination.cos();
+                let moment = x * lateral - place.y * longitudinal;
+                for (sum, part) in sums.iter_mut().zip([longitudinal, lateral, moment]) {
+                    *sum += part;
+                }
+            }
+            Ok::<[f64; 3], Error>(sums)
         };
         let grid = self.state.grid();
         let half = ContactGrid::new(
@@ -402,15 +470,31 @@ impl LoadedContact {
             2.0 * grid.dx(),
             2.0 * grid.dy(),
         )?;
-        let coarse = normal_contact(&self.gap, self.material, half, self.middle)?
-            .under_load(self.state.load())?;
+        let near = VirtualPenetration::PENETRATION * self.state.approach();
+        let coarse = normal_contact(&self.gap, &self.surface, self.material, half, self.middle)?
+            .under_load_near(self.state.load(), Some(near))?;
         let (fine, coarse) = (on(&self.state)?, on(&coarse)?);
-        let forces = fine.0.combine(2.0, coarse.0, -1.0);
-        let moment = 2.0 * fine.1 - coarse.1;
+        let [longitudinal, lateral, moment] = [0, 1, 2].map(|part| 2.0 * fine[part] - coarse[part]);
         Ok((
-            forces,
-            moment + along * forces.lateral - across * forces.longitudinal,
+            CreepForces {
+                longitudinal,
+                lateral,
+            },
+            moment,
         ))
+    }
+
+    /// Slip of the rigid bodies along and across the surface per metre rolled at a place of it, see [`roll`](Self::roll).
+    fn rigid_slip(&self, creepages: Creepages, x: f64, y: f64) -> [f64; 2] {
+        // Rotation of the wheel about the line across the plane.
+        let rolling = self.gap.contact_angle().cos() / self.rolling_radius;
+        let place = self.surface.at(y);
+        let (sine, cosine) = place.inclination.sin_cos();
+        let [longitudinal, lateral] = creepages.rigid_slip(x, place.y);
+        [
+            longitudinal - rolling * place.depth,
+            lateral * cosine - self.gap.side() * rolling * sine * x,
+        ]
     }
 }
 

@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use super::*;
 use crate::HertzContact;
 use crate::contact::HalfSpace;
-use crate::profile::{NominalProfile, Profile, Track, Wheels};
+use crate::profile::{ContactSurface, NominalProfile, Profile, Track, Wheels};
 
 const RAIL_RADIUS: f64 = 0.3;
 
@@ -48,7 +48,7 @@ fn a_wheel_of_circles_is_that_of_hertz() {
     let exact = HertzContact::exact(steel(), 0.46, RAIL_RADIUS, 50e3).unwrap();
     for rail in Rail::BOTH {
         let loaded = wheelset
-            .under_load(&contact, rail, steel(), 50e3, 48)
+            .under_load(&contact, rail, steel(), 50e3, ContactSurface::Flat, 48)
             .unwrap();
         for (x, y) in [(3e-3, 0.0), (0.0, 4e-3), (-2e-3, 3e-3)] {
             let parabola = x * x / 0.92 + 0.5 * y * y / RAIL_RADIUS;
@@ -97,7 +97,14 @@ fn an_ellipse_rolls_as_a_half_space() {
     let wheelset = circles();
     let contact = wheelset.contact(0.0, 0.0).unwrap();
     let loaded = wheelset
-        .under_load(&contact, Rail::Right, steel(), 50e3, 40)
+        .under_load(
+            &contact,
+            Rail::Right,
+            steel(),
+            50e3,
+            ContactSurface::Flat,
+            40,
+        )
         .unwrap();
     let hertz = HertzContact::exact(steel(), 0.46, RAIL_RADIUS, 50e3).unwrap();
     let half_space = HalfSpace::new(hertz, 0.3, 40).unwrap();
@@ -137,10 +144,10 @@ fn contact_under_load_is_symmetric() {
     let one = wheelset.contact(shift, yaw).unwrap();
     let other = wheelset.contact(-shift, -yaw).unwrap();
     let one = wheelset
-        .under_load(&one, Rail::Right, steel(), 60e3, 32)
+        .under_load(&one, Rail::Right, steel(), 60e3, ContactSurface::Flat, 32)
         .unwrap();
     let other = wheelset
-        .under_load(&other, Rail::Left, steel(), 60e3, 32)
+        .under_load(&other, Rail::Left, steel(), 60e3, ContactSurface::Flat, 32)
         .unwrap();
     assert_relative_eq!(
         one.state().approach(),
@@ -189,7 +196,14 @@ fn fast_patch_beside_the_exact_one() {
     for millimetre in [-6, -4, -1, 1, 3, 5] {
         let contact = wheelset.contact(1e-3 * f64::from(millimetre), 0.0).unwrap();
         let loaded = wheelset
-            .under_load(&contact, Rail::Right, steel(), 60e3, 32)
+            .under_load(
+                &contact,
+                Rail::Right,
+                steel(),
+                60e3,
+                ContactSurface::Flat,
+                32,
+            )
             .unwrap();
         let (exact, fast) = (loaded.state(), loaded.fast());
         let errors = [
@@ -219,10 +233,126 @@ fn loads_and_grids_that_cannot_be_are_refused() {
         (50e3, 8),
         (50e3, 500),
     ] {
-        let loaded = wheelset.under_load(&contact, Rail::Left, steel(), load, elements);
+        let loaded = wheelset.under_load(
+            &contact,
+            Rail::Left,
+            steel(),
+            load,
+            ContactSurface::Flat,
+            elements,
+        );
         assert!(
             matches!(loaded.err(), Some(ProfileError::Contact(_))),
             "{load} {elements}"
         );
     }
+}
+
+/// On a rail of 300 mm both surfaces agree to the square of the inclination at the edge, 0.017 rad.
+#[test]
+fn a_curved_surface_that_turns_little_is_flat() {
+    let wheelset = circles();
+    let contact = wheelset.contact(0.0, 0.0).unwrap();
+    let [flat, curved] = [ContactSurface::Flat, ContactSurface::Curved].map(|surface| {
+        wheelset
+            .under_load(&contact, Rail::Right, steel(), 50e3, surface, 32)
+            .unwrap()
+    });
+    assert_relative_eq!(curved.state().load(), 50e3, max_relative = 1e-9);
+    for (one, other) in [
+        (flat.state().approach(), curved.state().approach()),
+        (flat.state().peak_pressure(), curved.state().peak_pressure()),
+        (flat.stiffness().unwrap(), curved.stiffness().unwrap()),
+        (
+            flat.equivalent_semi_axes()[1],
+            curved.equivalent_semi_axes()[1],
+        ),
+    ] {
+        assert_relative_eq!(one, other, max_relative = 1e-3);
+    }
+}
+
+/// Slip on the curved surface is that of a wheel that turns about its axle, by cross products in the contact plane with x
+/// along, y to the right and z into the rail. 1e-9 of 1/r: chords of the surface.
+#[test]
+fn slip_on_the_curved_surface_is_that_of_rigid_bodies() {
+    let wheelset = nominal();
+    let contact = wheelset.contact(-4e-3, 0.0).unwrap();
+    for rail in Rail::BOTH {
+        let loaded = wheelset
+            .under_load(&contact, rail, steel(), 80e3, ContactSurface::Curved, 16)
+            .unwrap();
+        let side = rail.sign();
+        let (sine, cosine) = loaded.gap.contact_angle().sin_cos();
+        let radius = loaded.rolling_radius;
+        // Axle to the right, and down.
+        let axle = [0.0, cosine, side * sine];
+        let down = [0.0, -side * sine, cosine];
+        let creepages = Creepages {
+            spin: -side * sine / radius,
+            ..Creepages::default()
+        };
+        let [_, [low, high]] = loaded.ends();
+        assert!(loaded.inclination().unwrap() > 0.02);
+        for (x, y) in [(3e-3, low), (-2e-3, high), (0.0, 0.5 * (low + high))] {
+            let place = loaded.surface.at(y);
+            let from_centre = [
+                x + radius * down[0],
+                place.y + radius * down[1],
+                place.depth + radius * down[2],
+            ];
+            let turning = [
+                axle[1] * from_centre[2] - axle[2] * from_centre[1],
+                axle[2] * from_centre[0] - axle[0] * from_centre[2],
+                axle[0] * from_centre[1] - axle[1] * from_centre[0],
+            ];
+            let slip = [
+                1.0 - turning[0] / radius,
+                -turning[1] / radius,
+                -turning[2] / radius,
+            ];
+            let (rise, across) = place.inclination.sin_cos();
+            let expected = [slip[0], across * slip[1] - side * rise * slip[2]];
+            let found = loaded.rigid_slip(creepages, x, y);
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+            }
+            // Far from nothing.
+            assert!(expected.iter().any(|slip| slip.abs() > 1e-6));
+        }
+    }
+}
+
+/// The mirrored wheelset on the curved surface.
+#[test]
+fn the_curved_surface_is_symmetric() {
+    let wheelset = nominal();
+    let one = wheelset.contact(-3e-3, 0.002).unwrap();
+    let other = wheelset.contact(3e-3, -0.002).unwrap();
+    let pressed = |contact: &WheelsetContact, rail| {
+        wheelset
+            .under_load(contact, rail, steel(), 60e3, ContactSurface::Curved, 24)
+            .unwrap()
+    };
+    let (one, other) = (pressed(&one, Rail::Right), pressed(&other, Rail::Left));
+    assert_relative_eq!(
+        one.state().approach(),
+        other.state().approach(),
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(
+        one.centre_of_pressure()[1],
+        -other.centre_of_pressure()[1],
+        epsilon = 1e-9
+    );
+    let creepages = |side: f64| Creepages {
+        longitudinal: 5e-4,
+        lateral: side * 4e-4,
+        spin: side * 0.2,
+    };
+    let (right, right_moment) = one.roll(creepages(1.0), |_, _| 0.35).unwrap();
+    let (left, left_moment) = other.roll(creepages(-1.0), |_, _| 0.35).unwrap();
+    assert_relative_eq!(right.longitudinal, left.longitudinal, max_relative = 1e-4);
+    assert_relative_eq!(right.lateral, -left.lateral, max_relative = 1e-4);
+    assert_relative_eq!(right_moment, -left_moment, max_relative = 1e-3);
 }

@@ -6,6 +6,7 @@
 
 mod conicity;
 mod contact_gap;
+mod contact_surface;
 mod contact_table;
 mod crossing;
 mod error;
@@ -22,6 +23,7 @@ mod worn_dimensions;
 
 pub use conicity::EquivalentConicity;
 pub use contact_gap::ContactGap;
+pub use contact_surface::ContactSurface;
 pub use contact_table::ContactTable;
 pub use error::ProfileError;
 pub use loaded_contact::LoadedContact;

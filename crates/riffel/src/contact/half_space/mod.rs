@@ -23,7 +23,7 @@ mod transform;
 mod transient;
 
 pub use self::normal::{ContactGrid, NormalContact, NormalState};
-pub use self::patch_rolling::PatchRolling;
+pub use self::patch_rolling::{PatchRolling, PatchTractions};
 pub use self::transient::{TransientRolling, TransientStep};
 
 use self::friction::Slip;
@@ -86,14 +86,15 @@ impl Grid {
     }
 
     fn roll(&self, creepages: Creepages, start: Option<&Field<f64>>) -> Result<Slip, Error> {
-        steady::solve(&self.patch, &self.influence, creepages, &self.bound, start).map_err(
-            |residual| Error::NotConverged {
+        let slip = steady::rigid_slip(&self.patch, |x, y| creepages.rigid_slip(x, y));
+        steady::solve(&self.patch, &self.influence, &slip, &self.bound, start).map_err(|residual| {
+            Error::NotConverged {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
                 remedy: REMEDY,
-            },
-        )
+            }
+        })
     }
 
     /// Tractions of a grid of half as many elements across, as the same shares of the bounds here.

@@ -1,9 +1,8 @@
 //! Steady rolling of a patch of any shape.
 
-use super::influence::Influence;
+use super::influence::{Field, Influence};
 use super::patch::Patch;
 use super::{NormalState, REMEDY, steady};
-use crate::contact::{CreepForces, Creepages};
 use crate::{ElasticMaterial, Error};
 
 /// Kalker's exact theory of steady rolling on a patch of any shape: two elastic half-spaces of one material, the pressure of
@@ -14,8 +13,7 @@ use crate::{ElasticMaterial, Error};
 /// with the number of elements under pressure, most where little slips.
 ///
 /// Source: Kalker (1990), *Three-dimensional elastic bodies in rolling contact*. Range of validity: one material, flat
-/// patches, bodies much larger than these; x along the direction of rolling, y and the spin about the normal of
-/// [`Creepages`], slip of the rigid bodies (ξ − φy, η + φx) with x, y of the grid.
+/// patches, bodies much larger than these; x along the direction of rolling, y across, to the right.
 pub struct PatchRolling {
     patch: Patch,
     influence: Influence,
@@ -51,24 +49,40 @@ impl PatchRolling {
         })
     }
 
-    /// Steady rolling: creep forces \[N\], their moment about the normal in the middle of the grid \[Nm\], and the share of the
-    /// area that slips \[-\].
+    /// Steady rolling under a slip of the rigid bodies along and across per metre rolled \[-\] at a place of the grid \[m\]:
+    /// [`Creepages::rigid_slip`](crate::contact::Creepages::rigid_slip) on a flat patch.
     ///
     /// # Errors
     /// [`Error::NotConverged`].
-    pub fn roll(&self, creepages: Creepages) -> Result<(CreepForces, f64, f64), Error> {
-        let slip = steady::solve(&self.patch, &self.influence, creepages, &self.bound, None)
+    pub fn roll(&self, slip: impl Fn(f64, f64) -> [f64; 2]) -> Result<PatchTractions<'_>, Error> {
+        let rigid_slip = steady::rigid_slip(&self.patch, slip);
+        let slip = steady::solve(&self.patch, &self.influence, &rigid_slip, &self.bound, None)
             .map_err(|residual| Error::NotConverged {
                 problem: "steady rolling",
                 residual,
                 tolerance: steady::TOLERANCE,
                 remedy: REMEDY,
             })?;
-        let slipping = slip.slips.iter().filter(|slips| **slips).count();
-        Ok((
-            self.patch.forces(&slip.tractions),
-            self.patch.moment(&slip.tractions),
-            slipping as f64 / self.patch.len() as f64,
-        ))
+        Ok(PatchTractions {
+            patch: &self.patch,
+            tractions: slip.tractions,
+        })
+    }
+}
+
+/// Tractions of a [`PatchRolling`].
+pub struct PatchTractions<'a> {
+    patch: &'a Patch,
+    tractions: Field<f64>,
+}
+
+impl PatchTractions<'_> {
+    /// Centres (x, y) \[m\] of the elements and the forces on them along and across \[N\].
+    pub fn forces(&self) -> impl Iterator<Item = ((f64, f64), [f64; 2])> {
+        let centres = self.patch.centres.iter().enumerate();
+        centres.map(|(index, &centre)| {
+            let force = |part: usize| self.patch.area() * self.tractions[part][index];
+            (centre, [force(0), force(1)])
+        })
     }
 }

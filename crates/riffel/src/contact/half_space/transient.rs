@@ -273,7 +273,8 @@ impl TransientRolling {
                 )
             }
             Motion::Roll(creepages) => {
-                (rigid_slip(&self.patch, creepages), &self.displacement.front)
+                let slip = |x, y| creepages.rigid_slip(x, y);
+                (rigid_slip(&self.patch, slip), &self.displacement.front)
             }
         };
         for (forcing, before) in forcing.iter_mut().zip(before) {

@@ -48,6 +48,14 @@ impl Creepages {
         }
     }
 
+    /// Slip of the rigid bodies along and across per metre rolled, (ξ − φy, η + φx), at a place of a flat patch \[m\].
+    pub fn rigid_slip(self, x: f64, y: f64) -> [f64; 2] {
+        [
+            self.longitudinal - self.spin * y,
+            self.lateral + self.spin * x,
+        ]
+    }
+
     /// Magnitude |ξ| of longitudinal and lateral creepage \[-\].
     pub fn magnitude(self) -> f64 {
         self.longitudinal.hypot(self.lateral)

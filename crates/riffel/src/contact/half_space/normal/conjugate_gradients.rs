@@ -12,7 +12,7 @@ pub(super) const MOST_STEPS: usize = 1000;
 /// What is prescribed.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Condition {
-    /// Sum of the pressures \[Pa\].
+    /// Sum of the pressures \[Pa\], each by the direction cosine of its normal.
     PressureSum(f64),
     /// Approach \[m\].
     Approach(f64),
@@ -30,13 +30,14 @@ pub(super) struct Solution {
     pub(super) steps: usize,
 }
 
-/// Pressures p ≥ 0 with g = z + u(p) − δ ≥ 0 and p g = 0 on every element.
+/// Pressures p ≥ 0 with g = z + u(p) − δ c ≥ 0 and p g = 0 on every element; c is the direction cosine of its normal.
 ///
-/// They are the minimum of ½p·u(p) + p·(z − δ) over p ≥ 0, of which g is the gradient. Polonsky & Keer
+/// They are the minimum of ½p·u(p) + p·(z − δ c) over p ≥ 0, of which g is the gradient. Polonsky & Keer
 /// (1999): a step of conjugate gradients on the elements under pressure, negative pressures cut off,
 /// overlapping elements without pressure taken in by a step of steepest descent, after which the
-/// directions start anew; if the load is given, gradients lose their mean over the contact, δ is that
-/// mean, and the pressures are scaled to the load.
+/// directions start anew; if the load is given, gradients lose their part along c over the contact, δ is that
+/// part, and the pressures are scaled to the load. Where a step has cut off nothing, displacements follow from those of the
+/// direction; the last ones are those of the pressures themselves. `near` is an approach to begin with if the load is given.
 ///
 /// # Errors
 /// The residual after `most_steps`.
@@ -44,27 +45,30 @@ pub(super) fn solve(
     influence: &Boussinesq,
     undeformed: &[f64],
     condition: Condition,
+    near: Option<f64>,
     most_steps: usize,
 ) -> Result<Solution, f64> {
-    let mut pressures = start(influence, undeformed, condition);
+    let cosines = influence.cosines();
+    let mut pressures = start(influence, undeformed, condition, near);
+    let mut displacements = influence.displacements(&pressures);
+    let mut are_exact = true;
     let mut direction = vec![0.0; pressures.len()];
     // Square of the last gradient; infinite where the directions start anew.
     let mut last_square = f64::INFINITY;
     let mut residual = f64::NAN;
     for steps in 0..=most_steps {
-        let displacements = influence.displacements(&pressures);
         let largest = displacements.iter().copied().fold(0.0, f64::max);
         let mut gaps: Vec<f64> = undeformed
             .iter()
-            .zip(displacements)
+            .zip(&displacements)
             .map(|(gap, displacement)| gap + displacement)
             .collect();
         let approach = match condition {
-            Condition::PressureSum(_) => mean_in_contact(&pressures, &gaps),
+            Condition::PressureSum(_) => along_in_contact(&pressures, &gaps, cosines),
             Condition::Approach(approach) => approach,
         };
-        for gap in &mut gaps {
-            *gap -= approach;
+        for (gap, cosine) in gaps.iter_mut().zip(cosines) {
+            *gap -= approach * cosine;
         }
         let violation = pressures
             .iter()
@@ -73,12 +77,18 @@ pub(super) fn solve(
             .fold(0.0, f64::max);
         residual = violation / largest.max(f64::MIN_POSITIVE);
         if residual <= TOLERANCE {
-            return Ok(Solution {
-                pressures,
-                gaps,
-                approach,
-                steps,
-            });
+            if are_exact {
+                return Ok(Solution {
+                    pressures,
+                    gaps,
+                    approach,
+                    steps,
+                });
+            }
+            displacements = influence.displacements(&pressures);
+            are_exact = true;
+            last_square = f64::INFINITY;
+            continue;
         }
 
         let square: f64 = pressures
@@ -95,15 +105,14 @@ pub(super) fn solve(
                 0.0
             };
         }
-        let mut change = influence.displacements(&direction);
-        if let Condition::PressureSum(_) = condition {
-            let mean = mean_in_contact(&pressures, &change);
-            for change in &mut change {
-                *change -= mean;
-            }
-        }
+        let change = influence.displacements(&direction);
         let slope: f64 = dot(&gaps, &direction);
-        let curvature: f64 = dot(&change, &direction);
+        // The direction has no part along c where the load is given, nor does a part of the change along c count.
+        let along = match condition {
+            Condition::PressureSum(_) => along_in_contact(&pressures, &change, cosines),
+            Condition::Approach(_) => 0.0,
+        };
+        let curvature = dot(&change, &direction) - along * dot(cosines, &direction);
         // A contact of one element has no direction to go: overlapping elements then come in with the
         // step of an element on its own.
         let length = if curvature > 0.0 {
@@ -111,35 +120,64 @@ pub(super) fn solve(
         } else {
             influence.own().recip()
         };
-        let mut overlaps = false;
+        let (mut overlaps, mut cuts) = (false, false);
         for ((pressure, direction), &gap) in pressures.iter_mut().zip(&direction).zip(&gaps) {
-            *pressure = (*pressure - length * direction).max(0.0);
+            let next = *pressure - length * direction;
+            cuts |= next < 0.0;
+            *pressure = next.max(0.0);
             if *pressure == 0.0 && gap < 0.0 {
                 *pressure = -length * gap;
                 overlaps = true;
             }
         }
         last_square = if overlaps { f64::INFINITY } else { square };
-        if let Condition::PressureSum(wanted) = condition {
-            let scale = wanted / pressures.iter().sum::<f64>();
-            for pressure in &mut pressures {
-                *pressure *= scale;
+        let scale = match condition {
+            Condition::PressureSum(wanted) => wanted / dot(&pressures, cosines),
+            Condition::Approach(_) => 1.0,
+        };
+        for pressure in &mut pressures {
+            *pressure *= scale;
+        }
+        are_exact = overlaps || cuts;
+        if are_exact {
+            displacements = influence.displacements(&pressures);
+        } else {
+            for (displacement, change) in displacements.iter_mut().zip(&change) {
+                *displacement = scale * (*displacement - length * change);
             }
         }
     }
     Err(residual)
 }
 
-/// The load spread evenly, or the penetration of the rigid bodies as pressure, in the share that leaves the
-/// least energy.
-fn start(influence: &Boussinesq, undeformed: &[f64], condition: Condition) -> Vec<f64> {
+/// The penetration of the rigid bodies as pressure, in the share that leaves the least energy; if the load is given, the
+/// square root of the penetration at an approach near its own, or without one the load spread evenly.
+fn start(
+    influence: &Boussinesq,
+    undeformed: &[f64],
+    condition: Condition,
+    near: Option<f64>,
+) -> Vec<f64> {
+    let cosines = influence.cosines();
+    let penetration = |approach: f64| -> Vec<f64> {
+        let gaps = undeformed.iter().zip(cosines);
+        gaps.map(|(gap, cosine)| (approach * cosine - gap).max(0.0))
+            .collect()
+    };
     match condition {
-        Condition::PressureSum(sum) => vec![sum / undeformed.len() as f64; undeformed.len()],
+        Condition::PressureSum(sum) => {
+            let mut shares = near.map_or_else(Vec::new, penetration);
+            for share in &mut shares {
+                *share = share.sqrt();
+            }
+            if !shares.iter().any(|share| *share > 0.0) {
+                shares = vec![1.0; undeformed.len()];
+            }
+            let scale = sum / dot(&shares, cosines);
+            shares.iter().map(|share| scale * share).collect()
+        }
         Condition::Approach(approach) => {
-            let penetration: Vec<f64> = undeformed
-                .iter()
-                .map(|gap| (approach - gap).max(0.0))
-                .collect();
+            let penetration = penetration(approach);
             let energy = dot(&penetration, &influence.displacements(&penetration));
             if energy <= 0.0 {
                 return penetration;
@@ -150,16 +188,16 @@ fn start(influence: &Boussinesq, undeformed: &[f64], condition: Condition) -> Ve
     }
 }
 
-/// Mean of a field over the elements under pressure.
-fn mean_in_contact(pressures: &[f64], field: &[f64]) -> f64 {
-    let (sum, count) = pressures
+/// Part of a field along the direction cosines, over the elements under pressure: its mean where they are one.
+fn along_in_contact(pressures: &[f64], field: &[f64], cosines: &[f64]) -> f64 {
+    let (sum, squares) = pressures
         .iter()
-        .zip(field)
+        .zip(field.iter().zip(cosines))
         .filter(|(pressure, _)| **pressure > 0.0)
-        .fold((0.0, 0), |(sum, count), (_, value)| {
-            (sum + value, count + 1)
+        .fold((0.0, 0.0), |(sum, squares), (_, (value, cosine))| {
+            (sum + value * cosine, squares + cosine * cosine)
         });
-    sum / f64::from(count)
+    sum / squares
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

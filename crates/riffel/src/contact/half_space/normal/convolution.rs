@@ -25,13 +25,13 @@ impl Convolution {
     }
 
     /// The sum over all elements of kernel times value, at every element.
-    pub(super) fn apply(&self, values: &[f64]) -> Vec<f64> {
+    pub(super) fn apply(&self, values: impl Iterator<Item = Complex64>) -> Vec<Complex64> {
         let [width, _] = self.transform.size();
         let mut workspace = self.transform.workspace();
-        let rows = workspace.field.chunks_exact_mut(width);
-        for (row, values) in rows.zip(values.chunks_exact(self.columns)) {
-            for (point, &value) in row.iter_mut().zip(values) {
-                *point = value.into();
+        let mut values = values;
+        for row in workspace.field.chunks_exact_mut(width) {
+            for (point, value) in row.iter_mut().zip(values.by_ref().take(self.columns)) {
+                *point = value;
             }
         }
         let mut spectrum = vec![Complex64::ZERO; self.spectrum.len()];
@@ -41,7 +41,6 @@ impl Convolution {
         }
         self.transform.backward(&mut spectrum, &mut workspace);
         let rows = workspace.field.chunks_exact(width);
-        rows.flat_map(|row| row[..self.columns].iter().map(|point| point.re))
-            .collect()
+        rows.flat_map(|row| &row[..self.columns]).copied().collect()
     }
 }

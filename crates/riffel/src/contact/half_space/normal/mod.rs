@@ -64,6 +64,7 @@ pub struct NormalState {
     pressures: Vec<f64>,
     gaps: Vec<f64>,
     approach: f64,
+    load: f64,
     steps: usize,
 }
 
@@ -77,9 +78,41 @@ impl NormalContact {
         grid: ContactGrid,
         gap: impl Fn(f64, f64) -> f64,
     ) -> Result<Self, Error> {
+        Self::curved(materials, grid, gap, |_| 0.0)
+    }
+
+    /// The same on a surface that is curved across: y is its arc length, `inclination` that of a row of elements \[rad\], of
+    /// which there are [`ContactGrid::rows`], and the gap is measured along the normal of its row. Load and approach are along
+    /// the normal of inclination zero.
+    ///
+    /// Displacements are those of half-spaces, each along the normal of its pressure, seen along the normal of its place.
+    /// Source: J. Blanco-Lorenzo, J. Santamaria, E. G. Vadillo, N. Correa, *Tribology International* 103 (2016), 647–667. Range of
+    /// validity: two bodies of one material. In two dimensions, where a disc in a hole is solved exactly (Persson 1964), this
+    /// leaves out that both change their radii under their mean pressure, N/2πE\* for N per length: the share b²/8R² of the
+    /// difference of the radii, 2 % for half a width over the radius b/R of 0.4 (test `a_disc_in_a_hole`).
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] if the gap is not finite at the centre of an element, or an inclination is not below 90°.
+    pub fn curved(
+        materials: [ElasticMaterial; 2],
+        grid: ContactGrid,
+        gap: impl Fn(f64, f64) -> f64,
+        inclination: impl Fn(usize) -> f64,
+    ) -> Result<Self, Error> {
+        for row in 0..grid.rows() {
+            let value = inclination(row);
+            if !(value.abs() < std::f64::consts::FRAC_PI_2) {
+                return Err(Error::OutOfRange {
+                    quantity: "inclination of the surface in the contact",
+                    value,
+                    unit: "rad",
+                    rule: "must be below 90°, either way",
+                });
+            }
+        }
         Ok(Self {
             gaps: sample(&grid, gap)?,
-            influence: Boussinesq::new(contact_modulus(materials), &grid),
+            influence: Boussinesq::new(contact_modulus(materials), &grid, inclination),
             grid,
         })
     }
@@ -104,11 +137,18 @@ impl NormalContact {
     /// [`Error::OutOfRange`] if the load is not positive, [`Error::GridTooSmall`] if the patch reaches
     /// the rim of the grid, [`Error::NotConverged`].
     pub fn under_load(&self, load: f64) -> Result<NormalState, Error> {
+        self.under_load_near(load, None)
+    }
+
+    /// The same, begun with pressures where the undeformed bodies overlap at an approach \[m\]: that of a patch as large as
+    /// the one expected, about half the approach under load, saves a third of the steps.
+    ///
+    /// # Errors
+    /// As those of [`under_load`](Self::under_load).
+    pub fn under_load_near(&self, load: f64, approach: Option<f64>) -> Result<NormalState, Error> {
         Error::unless_positive("normal load", load, "N")?;
-        self.solve(
-            Condition::PressureSum(load / self.grid.element_area()),
-            MOST_STEPS,
-        )
+        let sum = Condition::PressureSum(load / self.grid.element_area());
+        self.solve(sum, approach, MOST_STEPS)
     }
 
     /// The contact at an approach δ \[m\]. Where that leaves a gap everywhere, there is no pressure.
@@ -125,16 +165,21 @@ impl NormalContact {
                 rule: "must be finite",
             });
         }
-        self.solve(Condition::Approach(approach), MOST_STEPS)
+        self.solve(Condition::Approach(approach), None, MOST_STEPS)
     }
 
-    fn solve(&self, condition: Condition, most_steps: usize) -> Result<NormalState, Error> {
+    fn solve(
+        &self,
+        condition: Condition,
+        near: Option<f64>,
+        most_steps: usize,
+    ) -> Result<NormalState, Error> {
         let Solution {
             pressures,
             gaps,
             approach,
             steps,
-        } = conjugate_gradients::solve(&self.influence, &self.gaps, condition, most_steps)
+        } = conjugate_gradients::solve(&self.influence, &self.gaps, condition, near, most_steps)
             .map_err(|residual| Error::NotConverged {
                 problem: "normal contact",
                 residual,
@@ -149,8 +194,11 @@ impl NormalContact {
                 width: self.grid.rows() as f64 * self.grid.dy(),
             });
         }
+        let along = pressures.iter().zip(self.influence.cosines());
+        let sum: f64 = along.map(|(pressure, cosine)| pressure * cosine).sum();
         Ok(NormalState {
             grid: self.grid,
+            load: sum * self.grid.element_area(),
             pressures,
             gaps,
             approach,
@@ -192,7 +240,7 @@ impl NormalState {
 
     /// Normal load P \[N\].
     pub fn load(&self) -> f64 {
-        self.pressures.iter().sum::<f64>() * self.grid.element_area()
+        self.load
     }
 
     /// Approach δ \[m\].

@@ -219,7 +219,7 @@ fn bad_input_and_failure_are_told() {
     assert!(message(contact.at_approach(70e-6)).contains("rim of the grid of 0.01 m"));
     assert!(message(contact.under_load(0.0)).contains("normal load"));
     assert!(message(contact.at_approach(f64::NAN)).contains("approach"));
-    let capped = contact.solve(Condition::PressureSum(1e3 / grid.element_area()), 3);
+    let capped = contact.solve(Condition::PressureSum(1e3 / grid.element_area()), None, 3);
     let told = message(capped);
     assert!(told.contains("did not converge: residual"), "{told}");
     assert!(contact.set_gap(|x, _| 1.0 / (x - x)).is_err());
