@@ -1,7 +1,7 @@
 //! Wheels pressed on rails by their own profiles, against CONTACT on those of the Manchester benchmark.
 
 use riffel::contact::Creepages;
-use riffel::profile::LoadedContact;
+use riffel::profile::{ContactSurface, LoadedContact};
 use riffel::{ElasticMaterial, Rail};
 
 use crate::Row;
@@ -76,7 +76,14 @@ fn under_load(case: &Case<'_>) -> LoadedContact {
         .contact(1e-3 * case.number("y_ws_mm"), case.number("yaw_rad"))
         .expect("a contact");
     wheelset
-        .under_load(&contact, case.rail(), steel, case.number("fn_n"), 48)
+        .under_load(
+            &contact,
+            case.rail(),
+            steel,
+            case.number("fn_n"),
+            ContactSurface::Flat,
+            48,
+        )
         .expect("a contact under load")
 }
 

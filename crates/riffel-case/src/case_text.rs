@@ -109,10 +109,11 @@ impl CaseText {
         })
     }
 
-    /// `Ok` if every value lies in its physical range; what is unusual becomes a remark.
+    /// `Ok` if every value lies in its physical range; what is written and unusual becomes a remark.
     pub(crate) fn judge(&mut self) -> Result<(), CaseError> {
         for key in CaseKey::all() {
             let remark = self.keys.judge(&key.key)?;
+            let remark = remark.filter(|_| !self.filled_in.contains(&key.key));
             self.remarks.extend(remark);
         }
         for key in CaseKey::in_lists() {

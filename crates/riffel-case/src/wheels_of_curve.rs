@@ -1,51 +1,46 @@
 //! The wheels of a vehicle in its curve, each as the wheel of the loop.
 
-use riffel::Rail;
 use riffel::curving::{Curve, VehicleState, WheelState};
 use riffel_keys::CaseError;
 
 use crate::Case;
-use crate::file::{CurveRail, FromCurve};
+use crate::file::{ContactOfWheel, CurveRail, FromCurve};
 
 /// The equilibrium of a vehicle, and its wheels one after the other in the loop of a case.
 pub struct WheelsOfCurve {
     /// The curve.
     pub curve: Curve,
-    /// Wheelset by wheelset from the front, the low rail first.
+    /// Wheelset by wheelset from the front, the low rail first; of a wheel that stands on two points both, the tread first.
     pub wheels: Vec<WheelOfCurve>,
 }
 
-/// One wheel of a vehicle in its curve.
+/// A contact of a wheel of a vehicle in its curve.
 pub struct WheelOfCurve {
-    /// As the equilibrium has it; of a wheel that stands on two points the one on the tread.
+    /// As the equilibrium has it, told from this contact.
     pub state: WheelState,
     /// Low or high.
     pub rail: CurveRail,
+    /// Tread, or the flange of a wheel that stands on two points.
+    pub contact: ContactOfWheel,
     /// The case with this wheel under study, or why the loop has no mean state on it.
     pub case: Result<Case, CaseError>,
 }
 
 impl WheelOfCurve {
-    /// As in "wheelset 1, low rail".
+    /// As in "wheelset 1, low rail", or "wheelset 1, high rail, flange".
     pub fn name(&self) -> String {
-        format!(
-            "wheelset {}, {} rail",
-            self.state.wheelset,
-            self.rail.name()
-        )
-    }
-
-    /// Which part of the normal forces of the wheel its other point carries \[-\]; zero where it stands on one.
-    pub fn share_of_second_contact(&self) -> f64 {
-        self.state.second_contact.map_or(0.0, |second| {
-            second.normal_force / (self.state.normal_force + second.normal_force)
-        })
+        let flange = match self.contact {
+            ContactOfWheel::Tread => "",
+            ContactOfWheel::Flange => ", flange",
+        };
+        let (wheelset, rail) = (self.state.wheelset, self.rail.name());
+        format!("wheelset {wheelset}, {rail} rail{flange}")
     }
 }
 
 impl Case {
     /// Every wheel of the vehicle that `contact.from` names, as if it were asked for; none where the case takes its mean state from
-    /// no curve. All keys but `contact.from.wheelset`, `contact.from.rail` and `wheelset.rail` stay; a wheel is that of its tread.
+    /// no curve. All keys but `contact.from.wheelset`, `contact.from.rail`, `contact.from.contact` and `wheelset.rail` stay.
     ///
     /// # Errors
     /// [`CaseError`] for a vehicle that has no equilibrium.
@@ -63,17 +58,26 @@ impl Case {
         let VehicleState { wheels, .. } = &states[0];
         let low = CurveRail::Low.in_curve(vehicle.curve.radius);
         let mut wheels: Vec<WheelOfCurve> = (wheels.iter())
-            .map(|&state| {
+            .flat_map(|state| {
                 let rail = match state.rail == low {
                     true => CurveRail::Low,
                     false => CurveRail::High,
                 };
-                WheelOfCurve {
-                    state,
-                    rail,
-                    case: self.on_wheel(&from, state.wheelset, rail, state.rail),
-                }
+                let contacts = [
+                    (ContactOfWheel::Tread, Some(*state)),
+                    (ContactOfWheel::Flange, state.from_second_contact()),
+                ];
+                contacts.map(|(contact, state)| {
+                    let state = state?;
+                    Some(WheelOfCurve {
+                        state,
+                        rail,
+                        contact,
+                        case: self.on_wheel(&from, &state, rail, contact),
+                    })
+                })
             })
+            .flatten()
             .collect();
         wheels.sort_by_key(|wheel| (wheel.state.wheelset, wheel.rail == CurveRail::High));
         Ok(Some(WheelsOfCurve {
@@ -86,19 +90,19 @@ impl Case {
     fn on_wheel(
         &self,
         from: &FromCurve,
-        wheelset: usize,
+        state: &WheelState,
         rail: CurveRail,
-        side: Rail,
+        contact: ContactOfWheel,
     ) -> Result<Self, CaseError> {
         let mut keys = vec![
-            format!("contact.from.wheelset={wheelset}"),
+            format!("contact.from.wheelset={}", state.wheelset),
             format!("contact.from.rail={}", rail.name()),
         ];
-        if from.contact.is_some() {
-            keys.push("contact.from.contact=tread".to_owned());
+        if from.contact.is_some() || contact == ContactOfWheel::Flange {
+            keys.push(format!("contact.from.contact={}", contact.name()));
         }
         if self.unfilled.keys.has("wheelset.rail") {
-            keys.push(format!("wheelset.rail={}", side.name()));
+            keys.push(format!("wheelset.rail={}", state.rail.name()));
         }
         self.with(&[&keys])
     }
@@ -133,6 +137,7 @@ mod tests {
             [
                 "wheelset 1, low rail",
                 "wheelset 1, high rail",
+                "wheelset 1, high rail, flange",
                 "wheelset 2, low rail",
                 "wheelset 2, high rail"
             ]
@@ -141,6 +146,7 @@ mod tests {
             let keys = [
                 format!("contact.from.wheelset={}", wheel.state.wheelset),
                 format!("contact.from.rail={}", wheel.rail.name()),
+                format!("contact.from.contact={}", wheel.contact.name()),
             ];
             let asked = case(CURVE, &keys.each_ref().map(String::as_str));
             let got = growth(
@@ -189,7 +195,7 @@ mod tests {
                 .is_some_and(|why| why.contains("contact.creepage")),
             "{whys:?}"
         );
-        assert!(whys[2..].iter().all(Option::is_none), "{whys:?}");
+        assert!(whys[3..].iter().all(Option::is_none), "{whys:?}");
     }
 
     #[test]

@@ -97,6 +97,19 @@ pub enum NetworkError {
         rule: String,
     },
 
+    /// A date that cannot be read.
+    #[error("the date {0}")]
+    Date(String),
+
+    /// A limit table that does not fit the store.
+    #[error("the limit \"{name}\" {reason}")]
+    Limit {
+        /// Name of the table.
+        name: String,
+        /// Why not.
+        reason: String,
+    },
+
     /// What was asked cannot be answered by what is there.
     #[error("{0}")]
     Nothing(String),

@@ -27,6 +27,10 @@ pub struct Ingested {
     pub date: String,
     /// Whether the store had it already, and nothing was written.
     pub there_already: bool,
+    /// Length of the cells of the store \[m\].
+    pub resolution_m: f64,
+    /// Another line of the store that is called alike, but for capitals, spaces and marks.
+    pub alike: Option<String>,
     /// Cells that are measured, of each rail.
     pub measured: BTreeMap<String, u64>,
 }
@@ -38,7 +42,7 @@ impl Store {
     /// Memory: a chunk of cells for each rail.
     ///
     /// # Errors
-    /// [`NetworkError::Value`] for what is no date, a line without a name, other bands than the store has, or more than 10⁸
+    /// [`NetworkError::Date`] for what is no date; [`NetworkError::Value`] for a line without a name, other bands than the store has, or more than 10⁸
     /// cells; [`NetworkError::Conflict`], [`NetworkError::Locked`], [`NetworkError::Write`].
     pub fn ingest(
         &self,
@@ -69,17 +73,30 @@ impl Store {
                 return value("the date", day.to_string(), "a day between 1950 and 2100");
             }
             Ok(day) => day,
-            Err(sentence) => return value("the date", sentence, "a day, as in 2026-01-31"),
+            Err(sentence) => return Err(NetworkError::Date(sentence)),
         };
         let _held = self.lock()?;
-        let network = self.begin(&file.bands(), file.first_block()?)?;
+        let network = self.begin(&file.bands(), file.usual_block)?;
         let folder = self.line_folder(line);
         let record = folder.join(format!("{day}.json"));
-        let there = self
-            .surveys()?
-            .into_iter()
+        let surveys = self.surveys()?;
+        let is_known = surveys.iter().any(|survey| survey.line == line);
+        let is_alike = |survey: &&SurveyRecord| plain(&survey.line) == plain(line);
+        let alike = surveys.iter().find(is_alike).filter(|_| !is_known);
+        let done = |survey: &SurveyRecord, there_already: bool| Ingested {
+            line: survey.line.clone(),
+            date: survey.date.to_string(),
+            there_already,
+            resolution_m: network.resolution_m,
+            alike: alike.map(|survey| survey.line.clone()),
+            measured: (survey.rails.iter())
+                .map(|rail| (rail.name.clone(), rail.measured))
+                .collect(),
+        };
+        let there = surveys
+            .iter()
             .find(|survey| survey.line == line && survey.date == day);
-        if let Some(survey) = &there {
+        if let Some(survey) = there {
             if survey.sha256 == file.sha256 {
                 return Ok(done(survey, true));
             }
@@ -158,16 +175,10 @@ impl Store {
     }
 }
 
-fn done(survey: &SurveyRecord, there_already: bool) -> Ingested {
-    let rails = survey.rails.iter();
-    Ingested {
-        line: survey.line.clone(),
-        date: survey.date.to_string(),
-        there_already,
-        measured: rails
-            .map(|rail| (rail.name.clone(), rail.measured))
-            .collect(),
-    }
+/// Letters and digits of a name, small.
+fn plain(name: &str) -> String {
+    let kept = name.chars().filter(|letter| letter.is_alphanumeric());
+    kept.flat_map(char::to_lowercase).collect()
 }
 
 /// The name of the array of a rail: its own where that is a plain word, which no coordinate has.

@@ -20,22 +20,30 @@ impl Judgement {
     /// A limit table on the bands of a store.
     ///
     /// # Errors
-    /// [`NetworkError::Value`] for a table of levels, or without a band of the store.
+    /// [`NetworkError::Limit`] for a table of levels, or without a band of the store.
     pub fn new(store: &Store, table: &LimitTable) -> Result<Self, NetworkError> {
         let bands = store.bands()?;
-        let wrong = |rule: &str| {
-            Err(NetworkError::Value {
-                what: "the limit",
-                value: format!("\"{}\"", table.name),
-                rule: rule.to_owned(),
+        let wrong = |reason: String| {
+            Err(NetworkError::Limit {
+                name: table.name.clone(),
+                reason,
             })
         };
         let Limit::Rms(limit) = &table.limit else {
-            return wrong("a table of RMS in bands of wavelength");
+            return wrong(
+                "is one of levels, but a store holds RMS in bands of wavelength".to_owned(),
+            );
         };
         let limits: Vec<Option<f64>> = bands.iter().map(|band| of_band(limit, band)).collect();
         if limits.iter().all(Option::is_none) {
-            return wrong("a table with a band of the store");
+            let held: Vec<String> = bands
+                .iter()
+                .map(|band| format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to()))
+                .collect();
+            return wrong(format!(
+                "says nothing of the bands of the store, {} mm",
+                held.join(", ")
+            ));
         }
         Ok(Self {
             limit: table.name.clone(),

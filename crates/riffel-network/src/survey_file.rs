@@ -11,6 +11,8 @@ use sha2::{Digest, Sha256};
 
 /// Roughest that a band can be \[m\]: what is more is another unit.
 const ROUGHEST: f64 = 0.01;
+/// Smoothest that the roughest block of a survey can be \[m\]: a tenth of what rails have that were polished for noise.
+const SMOOTHEST: f64 = 1e-7;
 /// Farthest place \[m\].
 const FARTHEST: f64 = 1e8;
 /// By how much blocks may overlap that join on \[m\]: places are rounded.
@@ -41,6 +43,8 @@ pub struct SurveyFile {
     /// First and last place \[m\].
     pub(crate) ends: [f64; 2],
     rows: u64,
+    /// Length that most blocks have, to a millimetre \[m\].
+    pub(crate) usual_block: f64,
 }
 
 #[derive(Debug, Clone)]
@@ -54,11 +58,11 @@ struct Columns {
 
 impl SurveyFile {
     /// Read a file once: a head with `rail`, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
-    /// band of wavelength, and a row for each block; empty cells are not known. Memory: a row.
+    /// band of wavelength, and a row for each block; empty cells are not known. Memory: a row, and a count for each length of block.
     ///
     /// # Errors
     /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] with the line: a column that is missing, a number that is
-    /// none, below zero or more than 10 mm, a block that ends before it begins, blocks of a rail that overlap or fall.
+    /// none, below zero or more than 10 mm, a survey that is nowhere above 0.1 µm, a block that ends before it begins, blocks of a rail that overlap or fall.
     pub fn check(path: &Path) -> Result<Self, CaseError> {
         let unreadable = |reason| CaseError::Read {
             what: "file",
@@ -92,12 +96,17 @@ impl SurveyFile {
             rails: Vec::new(),
             ends: [f64::INFINITY, f64::NEG_INFINITY],
             rows: 0,
+            usual_block: 1.0,
         };
         let (mut ends, mut rows, mut rails) = (survey.ends, 0, Vec::new());
-        let mut knows = false;
+        // Blocks by their length in millimetres.
+        let mut lengths: HashMap<u64, u64> = HashMap::new();
+        let mut roughest = f64::NEG_INFINITY;
         survey.each(
             &mut |block, name| {
-                knows |= block.rms.iter().any(|rms| rms.is_finite());
+                roughest = block.rms.iter().copied().fold(roughest, f64::max);
+                let length = (1e3 * (block.to - block.from)).round().max(1.0);
+                *lengths.entry(length as u64).or_default() += 1;
                 if block.rail == rails.len() {
                     rails.push(name.to_owned());
                 }
@@ -110,11 +119,22 @@ impl SurveyFile {
         if rows == 0 {
             return Err(at(path, 1, "there is no block below the head".to_owned()));
         }
-        if !knows {
+        if roughest == f64::NEG_INFINITY {
             let message =
                 "no block has an RMS in any band: such a survey would hide the one before it";
             return Err(at(path, 1, message.to_owned()));
         }
+        if roughest > 0.0 && roughest < SMOOTHEST {
+            let message = format!(
+                "no block has an RMS above {:.1e} µm, but rails polished for noise have 1 µm; is the unit right?",
+                1e6 * roughest
+            );
+            return Err(at(path, 1, message));
+        }
+        let usual = lengths
+            .iter()
+            .max_by_key(|(length, count)| (**count, std::cmp::Reverse(**length)));
+        survey.usual_block = usual.map_or(1.0, |(length, _)| 1e-3 * *length as f64);
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
         Ok(survey)
     }
@@ -127,22 +147,6 @@ impl SurveyFile {
     /// Blocks of all rails.
     pub fn rows(&self) -> u64 {
         self.rows
-    }
-
-    /// Length of the first block \[m\].
-    ///
-    /// # Errors
-    /// As [`check`](Self::check).
-    pub fn first_block(&self) -> Result<f64, CaseError> {
-        let mut reader = reader(&self.path)?;
-        let mut record = csv::ByteRecord::new();
-        let read = reader.read_byte_record(&mut record);
-        if !read.map_err(|error| csv_error(&self.path, &error))? {
-            return Ok(1.0);
-        }
-        let block = self.columns.block(&record, 0);
-        let block = block.map_err(|message| at(&self.path, 2, message))?;
-        Ok(block.to - block.from)
     }
 
     /// The name of the file, without its folder.

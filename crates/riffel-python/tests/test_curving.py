@@ -119,5 +119,7 @@ def test_contact_under_load_is_that_of_the_program(program: Callable[..., Any]) 
         assert at["stiffness"].item() == row["stiffness_n_per_m"]
         assert at["peak_pressure"].sel(theory="exact").item() == row["peak_pressure_pa"]
         assert at["width"].sel(theory="fast").item() == row["fast"]["width_m"]
+        assert at["area"].sel(theory="conformal").item() == row["conformal"]["area_m2"]
+        assert at["conformal_stiffness"].item() == row["conformal"]["stiffness_n_per_m"]
     with pytest.raises(ValueError, match="load"):
         riffel.contact_under_load("cases/profiles.toml", "-60 kN")

@@ -16,8 +16,8 @@ FEW = {"map.wavelength.points": 8, "map.speed.points": 4}
 def test_wheels_are_those_of_the_keys(program: Callable[..., Any]) -> None:
     case = riffel.Case.from_toml("cases/metro-curve.toml").with_(FEW)
     wheels = riffel.wheels_of_curve(case)
-    assert wheels["growth_map"].sizes == {"wheel": 4, "speed": 4, "map_wavelength": 8}
-    assert wheels["wheel"].values.tolist() == ["1 low", "1 high", "2 low", "2 high"]
+    assert wheels["growth_map"].sizes == {"wheel": 5, "speed": 4, "map_wavelength": 8}
+    assert wheels["wheel"].values.tolist() == ["1 low", "1 high", "1 high flange", "2 low", "2 high"]
     own = case.with_({"contact.from.wheelset": 2, "contact.from.rail": "high"}).growth_map()["growth_rate"]
     np.testing.assert_allclose(wheels["growth_map"].sel(wheel="2 high").values, own.values, rtol=1e-12)
     assert wheels["growth_rate"].max().item() <= wheels["fastest_growth_rate"].max().item()
@@ -34,9 +34,9 @@ def test_what_is_not_in_the_loop_has_no_growth(nominal: riffel.Case) -> None:
     keys = {**FEW, "contact.creep_law": "shen-hedrick-elkins", "contact.from.wheelset": 2}
     wheels = riffel.wheels_of_curve(case.with_(keys))
     missing = wheels["not_in_loop"].values != ""
-    assert missing.tolist() == [True, True, False, False]
+    assert missing.tolist() == [True, True, True, False, False]
     for name in ("growth_map", "growth_rate"):
-        known = np.isfinite(wheels[name].values).reshape(4, -1)
+        known = np.isfinite(wheels[name].values).reshape(5, -1)
         assert (known.all(axis=1) == ~missing).all()
     with pytest.raises(ValueError, match="contact.from"):
         riffel.wheels_of_curve(nominal)

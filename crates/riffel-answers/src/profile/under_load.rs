@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use riffel::profile::{LoadedContact, WheelsetContact};
+use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
 use riffel_keys::Remark;
@@ -15,10 +15,16 @@ use crate::AnswerError;
 pub struct UnderLoadAnswer {
     normal_force: f64,
     /// By lateral shift, the left contact and the right one.
-    contacts: Vec<(WheelsetContact, [LoadedContact; 2])>,
+    contacts: Vec<(WheelsetContact, [Pressed; 2])>,
     document: UnderLoadDocument,
     /// What the reader should know.
     pub remarks: Vec<Remark>,
+}
+
+/// A contact on the contact plane and on the rail's own surface, which may have none where a profile ends.
+struct Pressed {
+    flat: LoadedContact,
+    conformal: Option<LoadedContact>,
 }
 
 /// What `riffel profile CASE --wheelset --load P --json` prints.
@@ -47,6 +53,9 @@ struct ContactDocument {
     equivalent_semi_axes_m: [f64; 2],
     /// Turn of the rail from one side of the patch to the other.
     turn_of_rail_rad: Option<f64>,
+    /// On the rail, which is curved across, in the place of the contact plane; the width is along its arc. None where a profile
+    /// ends.
+    conformal: Option<ConformalDocument>,
     /// Kik and Piotrowski.
     fast: PatchDocument,
     /// None where a curvature at the first touch is not positive.
@@ -61,6 +70,14 @@ struct PatchDocument {
     area_m2: f64,
     length_m: f64,
     width_m: f64,
+}
+
+/// The patch on the curved surface of the rail.
+#[derive(Serialize)]
+struct ConformalDocument {
+    #[serde(flatten)]
+    patch: PatchDocument,
+    stiffness_n_per_m: f64,
 }
 
 const RAILS: [Rail; 2] = [Rail::Left, Rail::Right];
@@ -88,10 +105,14 @@ impl UnderLoadAnswer {
         let mut rows = Vec::with_capacity(2 * shifts.len());
         for shift in shifts {
             let at = wheelset.contact(*shift, yaw).map_err(refused)?;
+            let on = |rail, surface| {
+                wheelset.under_load(&at, rail, steel, normal_force, surface, Self::ELEMENTS)
+            };
             let under = |rail| {
-                let loaded =
-                    wheelset.under_load(&at, rail, steel, normal_force, surface, Self::ELEMENTS);
-                loaded.map_err(refused)
+                Ok::<Pressed, AnswerError>(Pressed {
+                    flat: on(rail, ContactSurface::Flat).map_err(refused)?,
+                    conformal: on(rail, ContactSurface::Curved).ok(),
+                })
             };
             let loaded = [under(Rail::Left)?, under(Rail::Right)?];
             for (rail, loaded) in RAILS.iter().zip(&loaded) {
@@ -123,6 +144,7 @@ impl UnderLoadAnswer {
             "length mm",
             "width mm",
             "peak MPa",
+            "conformal MPa",
             "Hertz MPa",
             "approach µm",
             "stiffness MN/m",
@@ -134,9 +156,8 @@ impl UnderLoadAnswer {
                 format!("{:.1}", 1e3 * row.length_m),
                 format!("{:.1}", 1e3 * row.width_m),
                 format!("{:.0}", 1e-6 * row.peak_pressure_pa),
-                row.hertz.as_ref().map_or("–".to_owned(), |hertz| {
-                    format!("{:.0}", 1e-6 * hertz.peak_pressure_pa)
-                }),
+                megapascals(row.conformal.as_ref().map(|conformal| &conformal.patch)),
+                megapascals(row.hertz.as_ref()),
                 format!("{:.1}", 1e6 * row.approach_m),
                 format!("{:.0}", 1e-6 * row.stiffness_n_per_m),
             ]
@@ -153,7 +174,7 @@ impl UnderLoadAnswer {
         writer.write_record(["lateral_shift_m", "rail", "x_m", "y_m", "pressure_pa"])?;
         for (at, loaded) in &self.contacts {
             for (rail, loaded) in RAILS.iter().zip(loaded) {
-                for ((x, y), pressure) in loaded.under_pressure() {
+                for ((x, y), pressure) in loaded.flat.under_pressure() {
                     writer.serialize((at.lateral_shift, rail.name(), x, y, pressure))?;
                 }
             }
@@ -224,7 +245,8 @@ impl UnderLoadAnswer {
 }
 
 impl ContactDocument {
-    fn new(at: &WheelsetContact, rail: Rail, loaded: &LoadedContact) -> Result<Self, AnswerError> {
+    fn new(at: &WheelsetContact, rail: Rail, pressed: &Pressed) -> Result<Self, AnswerError> {
+        let loaded = &pressed.flat;
         let [length, width] = loaded.size();
         let (state, fast) = (loaded.state(), loaded.fast());
         let [first, last] = fast.ends();
@@ -241,6 +263,10 @@ impl ContactDocument {
             centre_of_pressure_m: loaded.centre_of_pressure(),
             equivalent_semi_axes_m: loaded.equivalent_semi_axes(),
             turn_of_rail_rad: loaded.inclination(),
+            conformal: match &pressed.conformal {
+                Some(conformal) => Some(ConformalDocument::new(conformal)?),
+                None => None,
+            },
             fast: PatchDocument {
                 approach_m: fast.approach,
                 peak_pressure_pa: fast.peak_pressure(),
@@ -262,8 +288,31 @@ impl ContactDocument {
     }
 }
 
-/// Largest pressure and outline of a patch over y.
-fn of_patch(rail: Rail, loaded: &LoadedContact) -> [LinePanel; 2] {
+impl ConformalDocument {
+    fn new(loaded: &LoadedContact) -> Result<Self, AnswerError> {
+        let (state, [length, width]) = (loaded.state(), loaded.size());
+        Ok(Self {
+            patch: PatchDocument {
+                approach_m: state.approach(),
+                peak_pressure_pa: state.peak_pressure(),
+                area_m2: state.contact_area(),
+                length_m: length,
+                width_m: width,
+            },
+            stiffness_n_per_m: loaded.stiffness()?,
+        })
+    }
+}
+
+/// Peak pressure of a patch for a table.
+fn megapascals(patch: Option<&PatchDocument>) -> String {
+    patch.map_or("–".to_owned(), |patch| {
+        format!("{:.0}", 1e-6 * patch.peak_pressure_pa)
+    })
+}
+
+/// y across \[m\], largest pressure \[Pa\] and ends along \[m\] of each row of elements, by increasing y.
+fn rows_of(loaded: &LoadedContact) -> Vec<(f64, f64, [f64; 2])> {
     let grid = loaded.state().grid();
     // Rows of the grid follow each other.
     let mut rows: Vec<(f64, f64, [f64; 2])> = Vec::new();
@@ -278,6 +327,12 @@ fn of_patch(rail: Rail, loaded: &LoadedContact) -> [LinePanel; 2] {
             _ => rows.push((y, pressure, ends)),
         }
     }
+    rows
+}
+
+/// Largest pressure and outline of a patch over y.
+fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
+    let (loaded, rows) = (&pressed.flat, rows_of(&pressed.flat));
     let y: Vec<f64> = rows.iter().map(|row| 1e3 * row.0).collect();
     let series = |label: &str, style: LineStyle, x: Vec<f64>, y: Vec<f64>| Series {
         label: label.to_owned(),
@@ -301,6 +356,13 @@ fn of_patch(rail: Rail, loaded: &LoadedContact) -> [LinePanel; 2] {
             fast.iter().map(|[_, pressure]| 1e-6 * pressure).collect(),
         ),
     ];
+    if let Some(conformal) = &pressed.conformal {
+        let (y, peaks) = rows_of(conformal)
+            .into_iter()
+            .map(|row| (1e3 * row.0, 1e-6 * row.1))
+            .unzip();
+        pressures.insert(1, series("conformal", LineStyle::Markers, y, peaks));
+    }
     let outline = loaded.fast().outline();
     let (fast_y, fast_ends): (Vec<f64>, Vec<[f64; 2]>) = outline
         .map(|[y, back, front]| (1e3 * y, [1e3 * back, 1e3 * front]))
@@ -366,12 +428,12 @@ fn of_turn(rows: &[ContactDocument]) -> Option<Remark> {
         let degrees = most.to_degrees();
         Remark::new(
             format!(
-                "the rail turns by {degrees:.0}° across a patch, which is taken as flat on a half-space: that holds to some 23°, half a width \
-                 over the radius of 0.2; beyond, the contact is conformal, and stiffer than told"
+                "the rail turns by {degrees:.0}° across a patch: the flat one holds to some 23°, half a width over the radius of 0.2; beyond, \
+                 take the conformal one beside it"
             ),
             format!(
-                "die Schiene dreht sich über eine Berührfläche um {degrees:.0}°, die als eben auf einem Halbraum gilt: das trägt bis etwa 23°, \
-                 halbe Breite durch Radius 0,2; darüber ist der Kontakt konform und steifer als angegeben"
+                "die Schiene dreht sich über eine Berührfläche um {degrees:.0}°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; \
+                 darüber gilt die konforme daneben"
             ),
         )
     })

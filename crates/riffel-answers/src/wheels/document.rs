@@ -31,6 +31,8 @@ struct WheelDocument<'a> {
     rail: &'static str,
     /// `left` or `right`.
     side: &'static str,
+    /// `tread` or `flange`.
+    contact: &'static str,
     /// Those of the equilibrium; what the case gives itself is named in `remarks`.
     longitudinal_creepage: f64,
     lateral_creepage: f64,
@@ -38,7 +40,7 @@ struct WheelDocument<'a> {
     normal_force_n: f64,
     contact_angle_rad: f64,
     tractive_ratio: f64,
-    /// Of the normal forces of the wheel, on the point that the loop leaves out.
+    /// Of the normal forces of the wheel, on its other contact, which the loop leaves out.
     share_of_second_contact: f64,
     /// Why the loop has no mean state there; null where it has.
     not_in_loop: Option<&'a str>,
@@ -71,13 +73,14 @@ fn of(wheel: &WheelAnswer) -> WheelDocument<'_> {
         wheelset: state.wheelset,
         rail: wheel.rail.name(),
         side: state.rail.name(),
+        contact: wheel.contact.name(),
         longitudinal_creepage: state.creepages.longitudinal,
         lateral_creepage: state.creepages.lateral,
         spin_1_per_m: state.creepages.spin,
         normal_force_n: state.normal_force,
         contact_angle_rad: state.contact_angle,
         tractive_ratio: state.tractive_ratio,
-        share_of_second_contact: wheel.share_of_second_contact,
+        share_of_second_contact: state.share_of_second_contact(),
         not_in_loop: growth.as_ref().err().map(String::as_str),
         growth_rate_per_passage: known.map(|growth| growth.rates.as_slice()),
         highest: known.and_then(|growth| growth.highest).map(Into::into),

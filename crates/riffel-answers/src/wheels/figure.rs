@@ -1,7 +1,7 @@
 //! The wheels of a curve as pictures.
 
 use riffel_case::Case;
-use riffel_case::file::CurveRail;
+use riffel_case::file::{ContactOfWheel, CurveRail};
 use riffel_plot::{Arrangement, LineFigure, LineStyle, MapFigure, OKABE_ITO};
 
 use super::WheelsAnswer;
@@ -66,8 +66,9 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
             rates: &growth.rates,
             highest: growth.highest,
             color,
-            style: match wheel.state.wheelset % 2 {
-                1 => LineStyle::Solid,
+            style: match (wheel.contact, wheel.state.wheelset % 2) {
+                (ContactOfWheel::Flange, _) => LineStyle::Dotted,
+                (_, 1) => LineStyle::Solid,
                 _ => LineStyle::Dashed,
             },
         }

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use riffel::curving::{Curve, WheelState};
 use riffel::{Axis, Ridge};
-use riffel_case::file::CurveRail;
+use riffel_case::file::{ContactOfWheel, CurveRail};
 use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
 use riffel_plot::{LineFigure, MapFigure};
 
@@ -30,7 +30,7 @@ pub struct WheelsAnswer {
     /// Wavelengths \[m\] of the window of the map, rising: at the speed of the curve their frequencies are evenly spaced, so
     /// that the narrow resonances of a wheelset are seen.
     pub wavelengths: Vec<f64>,
-    /// Wheelset by wheelset from the front, the low rail first.
+    /// Wheelset by wheelset from the front, the low rail first; of a wheel that stands on two points both, the tread first.
     pub wheels: Vec<WheelAnswer>,
 }
 
@@ -38,12 +38,12 @@ pub struct WheelsAnswer {
 pub struct WheelAnswer {
     /// As in "wheelset 1, low rail".
     pub name: String,
-    /// Its mean state in the equilibrium of the vehicle; of a wheel that stands on two points that of the tread.
+    /// Its mean state in the equilibrium of the vehicle, told from this contact.
     pub state: WheelState,
     /// Low or high.
     pub rail: CurveRail,
-    /// Which part of the normal forces of the wheel its other point carries \[-\], which the loop leaves out.
-    pub share_of_second_contact: f64,
+    /// Tread, or the flange of a wheel that stands on two points.
+    pub contact: ContactOfWheel,
     /// Growth; where the loop has no mean state there, the sentence that says why.
     pub growth: Result<WheelGrowth, String>,
 }
@@ -94,15 +94,20 @@ impl WheelsAnswer {
         case.check_window()?;
         let wavelengths = wavelengths(ends);
         let wheels = wheels.into_iter().map(|wheel| {
-            let (name, share_of_second_contact) = (wheel.name(), wheel.share_of_second_contact());
-            let WheelOfCurve { state, rail, case } = wheel;
+            let name = wheel.name();
+            let WheelOfCurve {
+                state,
+                rail,
+                contact,
+                case,
+            } = wheel;
             let state = case.as_ref().map_or(state, |case| in_loop(state, case));
             let growth = case.map(|case| WheelGrowth::of(case, &wavelengths, &curve, &progress));
             WheelAnswer {
                 name,
                 state,
                 rail,
-                share_of_second_contact,
+                contact,
                 growth: growth.map_err(|error| error.to_string()),
             }
         });
@@ -126,9 +131,11 @@ impl WheelsAnswer {
         wheels.filter_map(|wheel| Some((wheel, wheel.growth.as_ref().ok()?)))
     }
 
-    /// The wheel under which corrugation grows fastest at the speed of the curve; none where nothing grows.
+    /// The wheel under which corrugation grows fastest at the speed of the curve, among contacts that carry at least half of the
+    /// normal forces of their wheel; none where nothing grows.
     pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
-        let wheels = self.in_loop();
+        let wheels =
+            (self.in_loop()).filter(|(wheel, _)| wheel.state.share_of_second_contact() <= 0.5);
         let growing = wheels.filter_map(|(wheel, growth)| Some((wheel, growth.highest?)));
         growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use riffel::Axis;
 use riffel_case::Case;
+use riffel_case::file::{ContactOfWheel, CurveRail};
 
 use super::{WheelAnswer, WheelsAnswer};
 use crate::netcdf::{Variable, write_netcdf};
@@ -17,7 +18,7 @@ pub(super) fn words(answer: &WheelsAnswer) -> (Vec<&'static str>, Vec<Vec<String
         "along %",
         "across %",
         "spin 1/m",
-        "load kN",
+        "normal kN",
         "angle deg",
         "highest 10⁻⁶ per passage",
         "mm",
@@ -27,7 +28,10 @@ pub(super) fn words(answer: &WheelsAnswer) -> (Vec<&'static str>, Vec<Vec<String
         let state = &wheel.state;
         let mut row = vec![
             state.wheelset.to_string(),
-            wheel.rail.name().to_owned(),
+            match wheel.contact {
+                ContactOfWheel::Tread => wheel.rail.name().to_owned(),
+                ContactOfWheel::Flange => format!("{}, flange", wheel.rail.name()),
+            },
             format!("{:.3}", 100.0 * state.creepages.longitudinal),
             format!("{:.3}", 100.0 * state.creepages.lateral),
             format!("{:.3}", state.creepages.spin),
@@ -72,6 +76,7 @@ pub(super) fn wheels(answer: &WheelsAnswer, file: &mut impl Write) -> io::Result
         "wheelset",
         "rail",
         "side",
+        "contact",
         "longitudinal_creepage",
         "lateral_creepage",
         "spin_1_per_m",
@@ -91,13 +96,14 @@ pub(super) fn wheels(answer: &WheelsAnswer, file: &mut impl Write) -> io::Result
             state.wheelset,
             wheel.rail.name(),
             state.rail.name(),
+            wheel.contact.name(),
             state.creepages.longitudinal,
             state.creepages.lateral,
             state.creepages.spin,
             state.normal_force,
             state.contact_angle,
             state.tractive_ratio,
-            wheel.share_of_second_contact,
+            state.share_of_second_contact(),
             highest.map(|highest| highest.rate),
             highest.map(|highest| highest.wavelength),
             highest.map(|highest| highest.frequency),
@@ -155,7 +161,14 @@ pub(super) fn grid(answer: &WheelsAnswer, case: &Case, path: &Path) -> Result<()
             axes: &["wheel"],
             unit: "1",
             long_name: "one for the high rail, zero for the low one",
-            values: of_wheels(|wheel| f64::from(wheel.rail == riffel_case::file::CurveRail::High)),
+            values: of_wheels(|wheel| f64::from(wheel.rail == CurveRail::High)),
+        },
+        Variable {
+            name: "flange",
+            axes: &["wheel"],
+            unit: "1",
+            long_name: "one for the flange of a wheel on two points, else zero",
+            values: of_wheels(|wheel| f64::from(wheel.contact == ContactOfWheel::Flange)),
         },
         Variable {
             name: "growth_rate",

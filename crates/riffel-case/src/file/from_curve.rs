@@ -34,6 +34,8 @@ pub enum Patch {
     /// That of the profiles themselves under load, exact on elements: its stiffness, place and angle, and an ellipse like it for
     /// the laws of creep.
     NonElliptic,
+    /// The same on the rail's own surface, which is curved across, in the place of the contact plane.
+    Conformal,
 }
 
 /// A rail of a curve.
@@ -86,4 +88,14 @@ pub enum ContactOfWheel {
     Tread,
     /// That of the larger contact angle.
     Flange,
+}
+
+impl ContactOfWheel {
+    /// The word of the case file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Tread => "tread",
+            Self::Flange => "flange",
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use riffel::profile::{LoadedContact, ProfileError};
+use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, Remark};
 
@@ -41,6 +41,7 @@ impl CurvingCase {
         lateral_shift: f64,
         contact_angle: f64,
         normal_force: f64,
+        surface: ContactSurface,
     ) -> Result<Result<LoadedPatch, String>, CaseError> {
         let wheelset = self.wheelset_on_track()?;
         let steel = self.steel()?;
@@ -96,18 +97,21 @@ impl CaseText {
         rail: Rail,
         contact: &mut MeanContact,
     ) -> Result<(), CaseError> {
-        if patch == Patch::Hertz {
-            return self.tell_of_conformal(curving, rail, contact);
-        }
+        let (name, surface) = match patch {
+            Patch::Hertz => return self.tell_of_conformal(curving, rail, contact),
+            Patch::NonElliptic => ("non-elliptic", ContactSurface::Flat),
+            Patch::Conformal => ("conformal", ContactSurface::Curved),
+        };
         let paper = match self.keys.text_of("contact.hertz") {
             Some(theory) => theory == "paper",
             None => self.keys.text_of("contact.creep_law") == Some("carter-3d"),
         };
         if paper {
-            let rule =
-                "is \"non-elliptic\", but the ellipse like it is one of contact.hertz = \"exact\"";
+            let rule = format!(
+                "is \"{name}\", but the ellipse like it is one of contact.hertz = \"exact\""
+            );
             let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
-            return Err(self.keys.invalid("contact.from.patch", rule, help));
+            return Err(self.keys.invalid("contact.from.patch", &rule, help));
         }
         let german = match rail {
             Rail::Left => "linken",
@@ -122,6 +126,7 @@ impl CaseText {
                 contact.lateral_shift,
                 contact.contact_angle,
                 contact.normal_force,
+                surface,
             )?,
         };
         let loaded = match loaded {
@@ -188,6 +193,7 @@ impl CaseText {
                     contact.lateral_shift,
                     contact.contact_angle,
                     contact.normal_force,
+                    ContactSurface::Curved,
                 )?
                 .ok(),
         };
@@ -202,12 +208,12 @@ impl CaseText {
         let (english, german) = match percent {
             Some([stiffer, longer, wider]) => (
                 format!(
-                    "; the profiles under load are stiffer by {stiffer:+.0} %, {longer:+.0} % as long and {wider:+.0} % as wide \
-                     (contact.from.patch = \"non-elliptic\" takes them, still on a half-space)"
+                    "; the profiles under load, on the curved rail, are stiffer by {stiffer:+.0} %, {longer:+.0} % as long and {wider:+.0} % as wide \
+                     (contact.from.patch = \"conformal\" takes them)"
                 ),
                 format!(
-                    "; die Profile unter Last sind um {stiffer:+.0} % steifer, {longer:+.0} % so lang und {wider:+.0} % so breit \
-                     (contact.from.patch = \"non-elliptic\" nimmt sie, weiterhin auf einem Halbraum)"
+                    "; die Profile unter Last auf der gekrümmten Schiene sind um {stiffer:+.0} % steifer, {longer:+.0} % so lang und {wider:+.0} % so breit \
+                     (contact.from.patch = \"conformal\" nimmt sie)"
                 ),
             ),
             None => (String::new(), String::new()),

@@ -73,46 +73,32 @@ impl CaseText {
         };
         let wheelset = usize::from(from.wheelset) - 1;
         let shift = state.wheelsets[wheelset].lateral_shift;
-        let place = |angle: f64| curving.place_on_rail(rail, shift, angle);
-        match (from.contact.unwrap_or_default(), wheel.second_contact) {
-            (ContactOfWheel::Flange, Some(second)) => Ok(MeanContact {
-                creepages: second.creepages,
-                contact_angle: second.contact_angle,
-                rolling_radius: second.rolling_radius,
-                lateral_shift: shift,
-                stiffness: None,
-                longitudinal_radius: second.rolling_radius / second.contact_angle.cos(),
-                place: place(second.contact_angle)?,
-                normal_force: second.normal_force,
-                transverse_radius: radius_of(second.lateral_curvature),
-                friction,
-                tractive_ratio: second.tractive_ratio,
-                elsewhere: wheel.normal_force / (wheel.normal_force + second.normal_force),
-            }),
-            (ContactOfWheel::Flange, None) => Err(self.keys.invalid(
-                "contact.from.contact",
-                &format!(
-                    "is \"flange\", but the wheel stands on one point, at a contact angle of {:.1}°",
-                    wheel.contact_angle.to_degrees()
-                ),
-                "leave it out",
-            )),
-            (ContactOfWheel::Tread, _) => Ok(MeanContact {
-                creepages: wheel.creepages,
-                contact_angle: wheel.contact_angle,
-                rolling_radius: wheel.rolling_radius,
-                lateral_shift: shift,
-                stiffness: None,
-                longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
-                place: place(wheel.contact_angle)?,
-                normal_force: wheel.normal_force,
-                transverse_radius: radius_of(wheel.lateral_curvature),
-                friction,
-                tractive_ratio: wheel.tractive_ratio,
-                elsewhere: wheel.second_contact.map_or(0.0, |second| {
-                    second.normal_force / (wheel.normal_force + second.normal_force)
-                }),
-            }),
-        }
+        let wheel = match from.contact.unwrap_or_default() {
+            ContactOfWheel::Tread => *wheel,
+            ContactOfWheel::Flange => wheel.from_second_contact().ok_or_else(|| {
+                let angle = wheel.contact_angle.to_degrees();
+                self.keys.invalid(
+                    "contact.from.contact",
+                    &format!(
+                        "is \"flange\", but the wheel stands on one point, at a contact angle of {angle:.1}°"
+                    ),
+                    "leave it out",
+                )
+            })?,
+        };
+        Ok(MeanContact {
+            creepages: wheel.creepages,
+            contact_angle: wheel.contact_angle,
+            rolling_radius: wheel.rolling_radius,
+            lateral_shift: shift,
+            stiffness: None,
+            longitudinal_radius: wheel.rolling_radius / wheel.contact_angle.cos(),
+            place: curving.place_on_rail(rail, shift, wheel.contact_angle)?,
+            normal_force: wheel.normal_force,
+            transverse_radius: radius_of(wheel.lateral_curvature),
+            friction,
+            tractive_ratio: wheel.tractive_ratio,
+            elsewhere: wheel.share_of_second_contact(),
+        })
     }
 }

@@ -1,6 +1,7 @@
 use std::path::Path;
 
 use riffel::curving::WheelState;
+use riffel::profile::ContactSurface;
 use riffel::{HertzContact, Rail};
 use riffel_keys::CaseError;
 use rstest::rstest;
@@ -288,7 +289,13 @@ fn circles_under_load_are_those_of_hertz() {
             .contact(0.0, 0.0)
             .unwrap()
             .contacts[1];
-        let patch = case.loaded_patch(Rail::Right, 0.0, on.contact_angle, 60e3);
+        let patch = case.loaded_patch(
+            Rail::Right,
+            0.0,
+            on.contact_angle,
+            60e3,
+            ContactSurface::Flat,
+        );
         let patch = patch.unwrap().unwrap();
         let across = (on.rail_curvature - on.wheel_curvature).recip();
         let along = on.rolling_radius / on.contact_angle.cos();
@@ -329,7 +336,13 @@ fn a_patch_under_load_enters_the_loop() {
         .find(|wheel| (wheel.wheelset, wheel.rail) == (2, Rail::Right));
     let wheel = wheel.unwrap();
     let shift = state.wheelsets[1].lateral_shift;
-    let patch = curving.loaded_patch(Rail::Right, shift, wheel.contact_angle, wheel.normal_force);
+    let patch = curving.loaded_patch(
+        Rail::Right,
+        shift,
+        wheel.contact_angle,
+        wheel.normal_force,
+        ContactSurface::Flat,
+    );
     let patch = patch.unwrap().unwrap();
     assert!((case.hertz.stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
     assert!((case.feedback.contact_stiffness() / patch.stiffness - 1.0).abs() < 1e-12);

@@ -57,7 +57,7 @@ pub(crate) struct Ingest {
     #[arg(long, value_name = "DATE")]
     pub(crate) date: String,
 
-    /// Length of a cell of a new store [default: that of the first block].
+    /// Length of a cell of a new store [default: that of most blocks].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) resolution: Option<Quantity<Length>>,
 

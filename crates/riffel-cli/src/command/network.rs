@@ -95,8 +95,22 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
         let rails: Vec<String> = rails
             .map(|(rail, cells)| format!("{rail} {cells} cells"))
             .collect();
-        format!("{}, {}: {}\n", found.line, found.date, rails.join(", "))
-    })
+        format!(
+            "{}, {}: {}, each {} m long\n",
+            found.line,
+            found.date,
+            rails.join(", "),
+            found.resolution_m
+        )
+    })?;
+    if let Some(alike) = &found.alike {
+        print_remarks(&[format!(
+            "the store has a line \"{alike}\", and \"{}\" is another one; if the same was meant, delete the folder of this one in \
+             the store and ingest the file under that name",
+            found.line
+        )]);
+    }
+    Ok(())
 }
 
 fn chart(arguments: &network::Chart) -> miette::Result<()> {
@@ -180,10 +194,9 @@ fn judged(arguments: &Judged) -> miette::Result<(Store, Judgement, f64)> {
 }
 
 fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError> {
-    read_date(text).map_err(|sentence| CliError::Argument {
+    read_date(text).map_err(|sentence| CliError::Range {
         argument,
-        value: sentence,
-        rule: "a day, as in 2026-01-31".to_owned(),
+        message: format!(": {sentence}"),
     })
 }
 
@@ -281,9 +294,13 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
                 false => format!("{:+.1}", section.growth_db_per_year),
             },
             format!("{:.2}", section.rms_over_limit),
-            section
-                .months_to_limit
-                .map_or_else(|| "never".to_owned(), |months| format!("{months:.1}")),
+            section.months_to_limit.map_or_else(
+                || "never".to_owned(),
+                |months| match months > 0.0 {
+                    true => format!("{months:.1}"),
+                    false => "over it".to_owned(),
+                },
+            ),
         ]);
     }
     format!("{rows}\n")

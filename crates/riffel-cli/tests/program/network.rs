@@ -77,7 +77,10 @@ fn what_cannot_be_is_refused() {
             "network status nowhere".to_owned(),
             "nowhere holds no network",
         ),
-        (format!("{ingest} --date tomorrow"), "the date is"),
+        (
+            format!("{ingest} --date tomorrow"),
+            "the date \"tomorrow\" is no date; write it as",
+        ),
         (
             format!("{ingest} --date 2026-01-01 --resolution \"1 mm\""),
             "the resolution is 0.001 m, but must be between 0.1 m and 1000 m",
@@ -107,7 +110,14 @@ fn what_cannot_be_is_refused() {
             "worst railway --section \"1 m\"",
             "at least a cell of the store, 10 m",
         ),
-        ("worst railway --limit iso-3095-2013", "a table of RMS"),
+        (
+            "worst railway --limit iso-3095-2013",
+            "is one of levels, but a store holds RMS in bands",
+        ),
+        (
+            "growth railway --from tomorrow --to 2026-01-01",
+            "\"tomorrow\" is no date; write it as",
+        ),
         (
             "plan railway --length \"-1 km\"",
             "--length is -1000 m, but must be greater",

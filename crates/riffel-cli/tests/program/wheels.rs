@@ -5,7 +5,7 @@ use crate::sandbox::{Sandbox, number};
 /// A coarse map: growth at the speed of the curve has wavelengths of its own.
 const FEW: &str = "--set map.wavelength.points=7 --set map.speed.points=3";
 
-/// Four wheels of a bogie with their files; the document is that of the folder, and the wheel of the case grows as `riffel point`
+/// Four wheels of a bogie, one of them on two points, with their files; the document is that of the folder, and the wheel of the case grows as `riffel point`
 /// says.
 #[test]
 fn wheels_stand_side_by_side() {
@@ -42,20 +42,31 @@ fn wheels_stand_side_by_side() {
     let wheels = document["wheels"].as_array().unwrap();
     let names: Vec<String> = wheels
         .iter()
-        .map(|wheel| format!("{} {} {}", wheel["wheelset"], wheel["rail"], wheel["side"]))
+        .map(|wheel| {
+            let word = |key: &str| wheel[key].as_str().unwrap();
+            format!(
+                "{} {} {} {}",
+                wheel["wheelset"],
+                word("rail"),
+                word("side"),
+                word("contact")
+            )
+        })
         .collect();
     assert_eq!(
         names,
         [
-            "1 \"low\" \"right\"",
-            "1 \"high\" \"left\"",
-            "2 \"low\" \"right\"",
-            "2 \"high\" \"left\""
+            "1 low right tread",
+            "1 high left tread",
+            "1 high left flange",
+            "2 low right tread",
+            "2 high left tread"
         ]
     );
     for (wheel, keys) in wheels.iter().zip([
         "",
         "--set contact.from.rail=high",
+        "--set contact.from.rail=high --set contact.from.contact=flange",
         "--set contact.from.wheelset=2",
         "--set contact.from.wheelset=2 --set contact.from.rail=high",
     ]) {
@@ -91,7 +102,7 @@ fn a_wheel_that_slides_as_a_whole_is_told() {
         .iter()
         .map(|wheel| wheel["not_in_loop"].is_null())
         .collect();
-    assert_eq!(known, [false, false, true, true]);
+    assert_eq!(known, [false, false, false, true, true]);
     for (wheel, known) in wheels.iter().zip(known) {
         assert_eq!(wheel["growth_rate_per_passage"].is_array(), known);
     }
@@ -144,4 +155,13 @@ fn the_patch_is_that_of_the_profiles_under_load() {
     let area = number(&right["area_m2"]);
     assert!((std::f64::consts::PI * axes[0] * axes[1] / area - 1.0).abs() < 1e-6);
     assert!((axes[0] / axes[1] / (moments[0] / moments[1]) - 1.0).abs() < 1e-6);
+    // On the curved rail the stiffness of the conformal contact beside it, which is another one.
+    let keys = keys.replace("non-elliptic", "conformal");
+    let map = sandbox.json(&format!(
+        "map cases/metro-curve.toml --json {FEW} {keys} -o conformal"
+    ));
+    let conformal = number(&map["derived"]["contact_stiffness_n_per_m"]);
+    let of_profiles = number(&right["conformal"]["stiffness_n_per_m"]);
+    assert!((conformal / of_profiles - 1.0).abs() < 1e-6);
+    assert!((conformal / stiffness - 1.0).abs() > 1e-5);
 }

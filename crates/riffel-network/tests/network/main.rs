@@ -308,8 +308,12 @@ fn what_is_wrong_is_refused_with_its_line() {
     let put = |line: &str, date: &str| store.ingest(line, date, &file, false, &|_| ());
     for (line, date, part) in [
         ("", "2026-01-01", "the line is"),
-        ("A", "2026-02-30", "the date is"),
-        ("A", "yesterday", "the date is"),
+        (
+            "A",
+            "2026-02-30",
+            "the date \"2026-02-30\" is not in the calendar",
+        ),
+        ("A", "yesterday", "the date \"yesterday\" is no date"),
     ] {
         let refusal = put(line, date).unwrap_err().to_string();
         assert!(refusal.contains(part), "{refusal}");
@@ -349,4 +353,33 @@ fn damage_is_found() {
     fs::write(path, bytes).unwrap();
     let refusal = worst(&store, &grassie(&store), 10.0, None, 1);
     assert!(matches!(refusal, Err(NetworkError::Damaged { .. })));
+}
+
+/// A first block that was cut short says nothing of the others; a name that differs by a capital is told; a thousandth of any
+/// roughness that rails have is another unit.
+#[test]
+fn cells_are_as_long_as_most_blocks_and_names_alike_are_told() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let write = |name: &str, rms: f64| {
+        let path = folder.path().join(name);
+        let blocks = format!(
+            "rail,from_m,to_m,rms_30_to_100_mm_um\nleft,7,10,{rms}\nleft,10,20,{rms}\nleft,20,30,{rms}\n"
+        );
+        fs::write(&path, blocks).unwrap();
+        path
+    };
+    let file = SurveyFile::check(&write("a.csv", 5.0)).unwrap();
+    let first = store.ingest("Nord 1", "2026-01-01", &file, false, &|_| ())?;
+    assert_eq!((first.resolution_m, &first.alike), (10.0, &None));
+    let other = store.ingest("nord-1", "2026-02-01", &file, false, &|_| ())?;
+    assert_eq!(other.alike.as_deref(), Some("Nord 1"));
+    let again = store.ingest("Nord 1", "2026-02-01", &file, false, &|_| ())?;
+    assert_eq!(again.alike, None);
+    let refused = SurveyFile::check(&write("b.csv", 0.005)).unwrap_err();
+    assert!(
+        refused.to_string().contains("is the unit right?"),
+        "{refused}"
+    );
+    Ok(())
 }

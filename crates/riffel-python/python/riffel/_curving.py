@@ -22,6 +22,8 @@ Orientation: TypeAlias = Literal["found", "as-written", "mirrored", "upside-down
 """How the coordinates of a file of a profile stand."""
 
 RAILS = ["left", "right"]
+# Of a contact under load; all but the first by their keys.
+THEORIES = ["exact", "conformal", "fast", "hertz"]
 
 # Keys of the document, with units and long names.
 WHEELS = {
@@ -451,9 +453,10 @@ def contact_under_load(
     Returns
     -------
     xarray.Dataset
-        Over ``lateral_shift``, ``rail`` and ``theory`` (exact, fast after Kik and Piotrowski, Hertz): ``approach``,
-        ``peak_pressure``, ``area``, ``length``, ``width``, NaN where a theory has none; over the first two ``stiffness``,
-        equivalent semi-axes and ``turn_of_rail``, which a flat patch leaves out. Remarks are attributes.
+        Over ``lateral_shift``, ``rail`` and ``theory`` (exact on the contact plane, conformal on the curved rail, fast after Kik
+        and Piotrowski, Hertz): ``approach``, ``peak_pressure``, ``area``, ``length``, ``width``, NaN where a theory has none; over
+        the first two ``stiffness`` and ``conformal_stiffness``, equivalent semi-axes and ``turn_of_rail``, which a flat patch leaves out.
+        Remarks are attributes.
 
     Raises
     ------
@@ -474,8 +477,8 @@ def contact_under_load(
     rows = found["contacts"]
 
     def over_theories(key: str) -> np.ndarray[Any, np.dtype[np.float64]]:
-        values = [[(of or {}).get(key, np.nan) for of in (row, row["fast"], row["hertz"])] for row in rows]
-        return np.array(values, float).reshape(len(shifts), len(RAILS), 3)
+        values = [[(of or {}).get(key, np.nan) for of in (row, *(row[name] for name in THEORIES[1:]))] for row in rows]
+        return np.array(values, float).reshape(len(shifts), len(RAILS), len(THEORIES))
 
     def alone(values: list[float | None]) -> np.ndarray[Any, np.dtype[np.float64]]:
         return np.array(values, float).reshape(len(shifts), len(RAILS))
@@ -495,6 +498,11 @@ def contact_under_load(
                 for name, (key, units, words) in theories.items()
             },
             "stiffness": (places, alone([row["stiffness_n_per_m"] for row in rows]), _said("N/m", "contact stiffness")),
+            "conformal_stiffness": (
+                places,
+                alone([(row["conformal"] or {}).get("stiffness_n_per_m") for row in rows]),
+                _said("N/m", "contact stiffness on the curved rail"),
+            ),
             "turn_of_rail": (
                 places,
                 alone([row["turn_of_rail_rad"] for row in rows]),
@@ -514,7 +522,7 @@ def contact_under_load(
         {
             "lateral_shift": _along("lateral_shift", shifts.tolist(), "m", "lateral shift, to the right positive"),
             "rail": ("rail", RAILS, {"long_name": "rail"}),
-            "theory": ("theory", ["exact", "fast", "hertz"], {"long_name": "theory of the contact"}),
+            "theory": ("theory", THEORIES, {"long_name": "theory of the contact"}),
             "yaw": ((), angle, _said("rad", "yaw, nose to the right positive")),
             "load": ((), force, _said("N", "normal force on each wheel")),
         },

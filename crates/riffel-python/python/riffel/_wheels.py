@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -20,6 +22,11 @@ STATES = {
 }
 
 
+def _label(wheel: dict[str, Any]) -> str:
+    flange = " flange" if wheel["contact"] == "flange" else ""
+    return f"{wheel['wheelset']} {wheel['rail']}{flange}"
+
+
 def wheels_of_curve(case: Case) -> xr.Dataset:
     """Growth under every wheel of the vehicle in its curve, side by side.
 
@@ -31,10 +38,10 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        Over ``wheel``, wheelset by wheelset from the front and the low rail first: ``growth_map`` by ``speed`` and
+        Over ``wheel``, wheelset by wheelset from the front and the low rail first, of wheels on two points both contacts: ``growth_map`` by ``speed`` and
         ``map_wavelength``, the growth rate per passage on the grid of the map; ``growth_rate`` by ``wavelength`` at the speed of
         the curve; ``fastest_wavelength``, ``fastest_growth_rate`` and ``fastest_frequency`` there, NaN where nothing grows;
-        ``wheelset``, ``rail`` and ``side``; the mean state in the equilibrium of the vehicle under the names of `riffel.curve`;
+        ``wheelset``, ``rail``, ``side`` and ``contact``; the mean state in the equilibrium of the vehicle under the names of `riffel.curve`;
         ``not_in_loop``, why a wheel has no mean state in the loop and NaN in the place of growth, or nothing. Attributes: radius and
         speed of the curve, and ``wheels``, all that ``riffel map --wheels --json`` says of each.
 
@@ -79,11 +86,12 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
             "wheelset": ("wheel", [wheel["wheelset"] for wheel in wheels], {"long_name": "wheelset, 1 leads"}),
             "rail": words("rail", "low or high rail"),
             "side": words("side", "left or right rail"),
+            "contact": words("contact", "tread, or flange of a wheel on two points"),
             **states,
             "not_in_loop": words("not_in_loop", "why the loop has no mean state there"),
         },
         {
-            "wheel": ("wheel", [f"{wheel['wheelset']} {wheel['rail']}" for wheel in wheels], {"long_name": "wheel"}),
+            "wheel": ("wheel", [_label(wheel) for wheel in wheels], {"long_name": "wheel"}),
             "wavelength": ("wavelength", wavelengths, _datasets.WAVELENGTH),
             "speed": ("speed", speeds, _datasets.SPEED),
             "map_wavelength": ("map_wavelength", map_wavelengths, _datasets.WAVELENGTH),

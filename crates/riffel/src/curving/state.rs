@@ -60,7 +60,7 @@ pub struct WheelState {
     pub t_gamma: f64,
 }
 
-/// The contact of the larger angle of a wheel that stands on two points, as in [`WheelState`].
+/// The other contact of a wheel that stands on two points, that of the larger angle, as in [`WheelState`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct SecondContact {
@@ -95,12 +95,52 @@ impl WheelState {
         self.t_gamma + self.second_contact.map_or(0.0, |second| second.t_gamma)
     }
 
+    /// Which part of the normal forces of the wheel its second contact carries \[-\]; zero where it stands on one.
+    pub fn share_of_second_contact(&self) -> f64 {
+        self.second_contact.map_or(0.0, |second| {
+            second.normal_force / (self.normal_force + second.normal_force)
+        })
+    }
+
     /// Lateral force of all contacts of the wheel on the rail, in the plane of the track \[N\].
     pub fn whole_track_lateral_force(&self) -> f64 {
         self.track_lateral_force
             + self
                 .second_contact
                 .map_or(0.0, |second| second.track_lateral_force)
+    }
+
+    /// The same wheel told from its other contact, with the one told before as the second; none on one point.
+    pub fn from_second_contact(self) -> Option<Self> {
+        let other = self.second_contact?;
+        Some(Self {
+            creepages: other.creepages,
+            contact_angle: other.contact_angle,
+            rolling_radius: other.rolling_radius,
+            lateral_curvature: other.lateral_curvature,
+            normal_force: other.normal_force,
+            creep_forces: other.creep_forces,
+            track_lateral_force: other.track_lateral_force,
+            tractive_ratio: other.tractive_ratio,
+            t_gamma: other.t_gamma,
+            second_contact: Some(self.contact()),
+            ..self
+        })
+    }
+
+    /// What a second contact has, of the first one.
+    fn contact(&self) -> SecondContact {
+        SecondContact {
+            creepages: self.creepages,
+            contact_angle: self.contact_angle,
+            rolling_radius: self.rolling_radius,
+            lateral_curvature: self.lateral_curvature,
+            normal_force: self.normal_force,
+            creep_forces: self.creep_forces,
+            track_lateral_force: self.track_lateral_force,
+            tractive_ratio: self.tractive_ratio,
+            t_gamma: self.t_gamma,
+        }
     }
 
     /// The state of two contacts, that of the smaller angle first.
@@ -110,17 +150,7 @@ impl WheelState {
             false => (other, self),
         };
         Self {
-            second_contact: Some(SecondContact {
-                creepages: second.creepages,
-                contact_angle: second.contact_angle,
-                rolling_radius: second.rolling_radius,
-                lateral_curvature: second.lateral_curvature,
-                normal_force: second.normal_force,
-                creep_forces: second.creep_forces,
-                track_lateral_force: second.track_lateral_force,
-                tractive_ratio: second.tractive_ratio,
-                t_gamma: second.t_gamma,
-            }),
+            second_contact: Some(second.contact()),
             ..first
         }
     }
