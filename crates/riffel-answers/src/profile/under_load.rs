@@ -195,8 +195,8 @@ impl UnderLoadAnswer {
         };
         LineFigure {
             title: format!("Wheels under {:.1} kN each", 1e-3 * self.normal_force),
-            caption: "Exact contact of the profiles (half-space), the fast patch of Kik and Piotrowski, and Hertz with the curvatures \
-                      where the profiles first touch; y across the contact plane, to the right."
+            caption: "Exact contact of the profiles on their contact plane and on the curved rail (conformal, y along its arc), the fast patch \
+                      of Kik and Piotrowski, and Hertz with the curvatures where the profiles first touch; y across, to the right."
                 .to_owned(),
             panels,
             arrangement: Arrangement::SideBySide,
@@ -356,13 +356,6 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
             fast.iter().map(|[_, pressure]| 1e-6 * pressure).collect(),
         ),
     ];
-    if let Some(conformal) = &pressed.conformal {
-        let (y, peaks) = rows_of(conformal)
-            .into_iter()
-            .map(|row| (1e3 * row.0, 1e-6 * row.1))
-            .unzip();
-        pressures.insert(1, series("conformal", LineStyle::Markers, y, peaks));
-    }
     let outline = loaded.fast().outline();
     let (fast_y, fast_ends): (Vec<f64>, Vec<[f64; 2]>) = outline
         .map(|[y, back, front]| (1e3 * y, [1e3 * back, 1e3 * front]))
@@ -403,6 +396,13 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
             })
             .unzip();
         pressures.push(series("Hertz", LineStyle::Dotted, hertz_y, hertz_p));
+    }
+    if let Some(conformal) = &pressed.conformal {
+        let (y, peaks) = rows_of(conformal)
+            .into_iter()
+            .map(|row| (1e3 * row.0, 1e-6 * row.1))
+            .unzip();
+        pressures.push(series("conformal", LineStyle::Markers, y, peaks));
     }
     let panel = |subtitle: String, label: &str, series: Vec<Series>| LinePanel {
         subtitle,

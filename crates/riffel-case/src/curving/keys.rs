@@ -44,9 +44,7 @@ fn refuse_unknown_in(keys: &KeyFile, parent: &str, table: &Table) -> Result<(), 
             _ if is_table => {}
             _ => {
                 let likeness = |known: &&CaseKey| strsim::jaro_winkler(&key, &known.key);
-                let nearest = KEYS
-                    .iter()
-                    .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+                let nearest = known().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
                 let help =
                     nearest.map_or(String::new(), |near| format!("did you mean {}?", near.key));
                 return Err(keys.invalid(&key, "is not a key Riffel knows", &help));

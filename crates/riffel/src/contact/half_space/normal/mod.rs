@@ -25,9 +25,9 @@ use crate::{ElasticMaterial, Error};
 /// Boussinesq's solution integrated over a rectangle (Love 1929) as a convolution. Tolerance: no overlap,
 /// and no gap under pressure, above 1e-9 of the largest displacement. Error of the discretisation, Hertz
 /// contact with n elements over 2.5 semi-axes: approach below 0.4/n², semi-axes 1.8/n², pressures 0.6/n in
-/// the mean square (test `error_falls_with_the_grid`); a wave wants ten elements. Cost: two convolutions a
-/// step, 30 to 60 steps for 64 × 64 elements, some 15 ms, and half as many again for each doubling of n; twice as
-/// many steps where elements are ten times as long as wide.
+/// the mean square (test `error_falls_with_the_grid`); a wave wants ten elements. Cost: a convolution a
+/// step, two where it cuts off pressures, 30 to 60 steps for 64 × 64 elements, some 10 ms, and half as many again for each
+/// doubling of n; twice as many steps where elements are ten times as long as wide.
 ///
 /// Source: K. L. Johnson (1985), *Contact Mechanics*, chapters 3 and 5, for the theory; I. A. Polonsky and
 /// L. M. Keer, *Wear* 231 (1999), 206–219, for the iteration. Range of validity: small slopes, bodies much
