@@ -147,14 +147,11 @@ impl NoiseAnswer {
         request: NoiseRequest,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, AnswerError> {
-        if case.track.structure.is_none() && request.decay.is_none() {
+        if let (None, Some(why)) = (&request.decay, without_decay(case)) {
             return Err(AnswerError::Argument {
                 argument: "--decay-rate",
                 value: "left out".to_owned(),
-                rule: format!(
-                    "given: track.model = \"{}\" says what the rail does under the wheel alone",
-                    case.file.track.model.name()
-                ),
+                rule: format!("given: {why}"),
             });
         }
         range::check(&request)?;
@@ -230,6 +227,21 @@ pub(crate) fn levels_of(
 ) -> Result<PassByLevels, AnswerError> {
     let powers = powers_of(case, request, roughness, speed)?;
     heard(request, &powers)
+}
+
+/// Why a track has no level of its own, if it has none: nothing is known of how far its rail carries vibration, or it carries it
+/// further than a length can be told, at every frequency, so that the level would be that of where the length is cut.
+pub fn without_decay(case: &Case) -> Option<String> {
+    let model = case.file.track.model.name();
+    let Some(track) = case.track.structure.as_deref() else {
+        return Some(format!(
+            "track.model = \"{model}\" says what the rail does under the wheel alone, not how far its vibration runs"
+        ));
+    };
+    let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
+    runs_on.then(|| {
+        format!("the rail of track.model = \"{model}\" carries its vibration on without end at every frequency")
+    })
 }
 
 /// Pressures beside the track of some sound powers of a wheel on one rail.

@@ -147,3 +147,26 @@ fn levels_beyond_the_model_are_told() {
     let text = told(&format!("{MEASURED} --rail-foot 150"));
     assert!(text.contains("--rail-foot"), "{text}");
 }
+
+/// A rail without support carries its vibration on without end: a level would be that of where its length is cut. Decay rates of
+/// one's own give it one.
+#[test]
+fn a_rail_without_support_has_no_level_of_its_own() {
+    let sandbox = sandbox();
+    let command = format!("noise cases/nominal.toml --speed \"136 km/h\" {MEASURED} --json -o out");
+    let refused = sandbox.riffel(&command);
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    let sentence = refused.sentence();
+    assert!(
+        sentence.contains("carries its vibration on without end at every frequency"),
+        "{sentence}"
+    );
+    assert!(!sandbox.path("out").exists());
+    std::fs::write(
+        sandbox.path("decay.csv"),
+        "frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n800,1\n1000,0.8\n",
+    )
+    .unwrap();
+    let heard = sandbox.json(&format!("{command} --decay-rate decay.csv"));
+    assert!(number(&heard["level"]["total_dba"]) > 50.0);
+}

@@ -2,8 +2,6 @@
 
 use axum::Json;
 use axum::extract::State;
-use riffel::noise::{FrequencyBand, RailDecay};
-use riffel_case::Case;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -41,7 +39,8 @@ pub(crate) async fn post(
     page.long
         .run(asker.subject("noise"), move |wanted| {
             let rail = &question.rail;
-            if let Some(fault) = silent(&rail.case.read()?) {
+            if let Some(why) = riffel_answers::noise::without_decay(&rail.case.read()?) {
+                let fault = Fault::of_key("track.model", why, "");
                 return Ok(Json(json!({ "fault": fault })));
             }
             rail.write(&upload)?;
@@ -75,22 +74,4 @@ pub(crate) async fn post(
             run.document_or_fault(&arguments).map(Json)
         })
         .await
-}
-
-/// Why a track has no level, if it has none: nothing is known of how far its rail carries vibration, or it carries it further
-/// than a length can be told, at every frequency, so that the level would be that of where the length is cut.
-fn silent(case: &Case) -> Option<Fault> {
-    let model = case.file.track.model.name();
-    let fault = |message: String| Some(Fault::of_key("track.model", message, ""));
-    let Some(track) = case.track.structure.as_deref() else {
-        return fault(format!(
-            "track.model = \"{model}\" says what the rail does under the wheel alone, not how far its vibration runs"
-        ));
-    };
-    if FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre())) {
-        return fault(format!(
-            "the rail of track.model = \"{model}\" carries its vibration on without end at every frequency"
-        ));
-    }
-    None
 }
