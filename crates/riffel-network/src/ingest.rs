@@ -213,10 +213,21 @@ fn write_arrays(
         let bytes = arrays[rail].encode(&Values::Numbers(values));
         write(&folder.join(arrays[rail].file(chunk)), &bytes)
     };
+    // Bands of the store that the survey does not have are not known.
+    let mut rms = vec![f64::NAN; bands];
+    let places = file.bands().into_iter();
+    let places: Vec<Option<usize>> = places
+        .map(|band| network.place_of([band.from(), band.to()]))
+        .collect();
     file.each(
         &mut |block, _| {
+            for (place, value) in places.iter().zip(&block.rms) {
+                if let Some(place) = *place {
+                    rms[place] = *value;
+                }
+            }
             let rail = block.rail;
-            rails[rail].add(block.from, block.to, &block.rms, |chunk, values| {
+            rails[rail].add(block.from, block.to, &rms, |chunk, values| {
                 put(rail, chunk, values)
             })
         },

@@ -59,6 +59,15 @@ impl NetworkRecord {
             .map(|&[from, to]| WavelengthBand::new(from, to))
             .collect()
     }
+
+    /// The place of a band with these ends \[m\] among those of the store; none for another.
+    pub(crate) fn place_of(&self, band: [f64; 2]) -> Option<usize> {
+        let is_it = |held: &[f64; 2]| {
+            let mut ends = held.iter().zip(band);
+            ends.all(|(held, asked)| (held / asked - 1.0).abs() < 1e-9)
+        };
+        self.bands_m.iter().position(is_it)
+    }
 }
 
 /// A day as its text, 2026-01-31.

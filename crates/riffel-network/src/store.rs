@@ -152,7 +152,7 @@ impl Store {
             })
     }
 
-    /// What the first survey makes of a new store; that of one that is there must have its bands.
+    /// What the first survey makes of a new store; one that is there must have the bands of the survey.
     pub(crate) fn begin(
         &self,
         bands: &[WavelengthBand],
@@ -160,18 +160,13 @@ impl Store {
     ) -> Result<NetworkRecord, NetworkError> {
         let bands_m: Vec<[f64; 2]> = bands.iter().map(|band| [band.from(), band.to()]).collect();
         if let Some(record) = self.record()? {
-            let same = |a: &[f64; 2], b: &[f64; 2]| {
-                a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 1e-9)
-            };
-            let alike = record.bands_m.len() == bands_m.len()
-                && record.bands_m.iter().zip(&bands_m).all(|(a, b)| same(a, b));
-            if alike {
+            if bands_m.iter().all(|band| record.place_of(*band).is_some()) {
                 return Ok(record);
             }
             return Err(NetworkError::Value {
                 what: "the list of bands",
                 value: in_words(&bands_m),
-                rule: format!("that of the store, {}", in_words(&record.bands_m)),
+                rule: format!("of those of the store, {}", in_words(&record.bands_m)),
             });
         }
         let record = NetworkRecord {

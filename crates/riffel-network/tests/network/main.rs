@@ -328,7 +328,7 @@ fn what_is_wrong_is_refused_with_its_line() {
     assert!(
         refusal
             .to_string()
-            .contains("that of the store, 30–100 mm, 100–300 mm"),
+            .contains("must be of those of the store, 30–100 mm, 100–300 mm"),
         "{refusal}"
     );
     let levels = LimitTable::find("iso-3095-2013").unwrap();
@@ -381,5 +381,37 @@ fn cells_are_as_long_as_most_blocks_and_names_alike_are_told() -> Result<(), Net
         refused.to_string().contains("is the unit right?"),
         "{refused}"
     );
+    Ok(())
+}
+
+/// A survey of some of the bands leaves the others unknown, in whatever order its columns stand.
+#[test]
+fn a_survey_may_have_fewer_bands() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let (path, file) = survey(folder.path(), "a.csv", [0, 10], |_, _| 5.0);
+    take(&store, "A", "2026-01-01", &file);
+    fs::write(
+        &path,
+        "rail,from_m,to_m,rms_100_to_300_mm_um\nleft,0,10,7\n",
+    )
+    .unwrap();
+    take(
+        &store,
+        "A",
+        "2026-02-01",
+        &SurveyFile::check(&path).unwrap(),
+    );
+    let later = &store.surveys()?[1];
+    let sections = Sections::of(&store, later, &later.rails[0], 10.0)?.sections;
+    let [unknown, known] = sections[0].rms[..] else {
+        panic!("{:?}", sections[0]);
+    };
+    assert!(unknown.is_nan());
+    assert!((known - 7e-6).abs() < 1e-18);
+    // Growth is told in the band that both have.
+    let grown = growth(&store, &grassie(&store), 10.0, None)?;
+    assert_eq!(grown.len(), 1);
+    assert_eq!(grown[0].band_m, [0.1, 0.3]);
     Ok(())
 }
