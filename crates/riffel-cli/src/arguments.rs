@@ -17,9 +17,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_answers::paper::Model;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CaseContact, CurvingCase};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Angle, Dimension, Force, Frequency, Length, Quantity, Ratio, Speed};
 use riffel_keys::text_file::is_standard_input;
+use riffel_keys::{CaseError, Language};
 
 use crate::error::CliError;
 use crate::messages::Verbosity;
@@ -55,9 +55,36 @@ pub(crate) struct Arguments {
     /// Print notes in full.
     #[arg(short, long, global = true)]
     verbose: bool,
+
+    /// Language of reports, findings, notes and errors, en or de; help and JSON are English.
+    #[arg(
+        long,
+        global = true,
+        value_name = "LANGUAGE",
+        default_value = "en",
+        hide_possible_values = true
+    )]
+    language: Spoken,
+}
+
+/// A language of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Spoken {
+    /// English.
+    En,
+    /// German.
+    De,
 }
 
 impl Arguments {
+    /// The language in which it is said.
+    pub(crate) fn language(&self) -> Language {
+        match self.language {
+            Spoken::En => Language::English,
+            Spoken::De => Language::German,
+        }
+    }
+
     /// How much is to be said beside the results.
     pub(crate) fn verbosity(&self) -> Verbosity {
         match (self.quiet, self.verbose) {

@@ -57,7 +57,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
         complain_of(CliError::StandardInput.into());
         return BAD_INPUT;
     }
-    messages::begin(arguments.verbosity());
+    messages::begin(arguments.verbosity(), arguments.language());
     staging::set_inputs(inputs);
     // The page ends its own work.
     if !matches!(arguments.command, Command::Serve(_)) {

@@ -1,15 +1,17 @@
 //! What is said on standard error beside the results: messages and notes, as much as was asked for.
 
+use std::borrow::Cow;
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{Language, Remark};
 use riffel_web::{ERRORS_AS_JSON, ErrorDocument};
+use riffel_words::in_german;
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -32,9 +34,13 @@ fn printed() -> MutexGuard<'static, Vec<String>> {
     PRINTED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Begin a run that says as much.
-pub(crate) fn begin(verbosity: Verbosity) {
+/// True if this run speaks German.
+static GERMAN: AtomicBool = AtomicBool::new(false);
+
+/// Begin a run that says as much, in a language.
+pub(crate) fn begin(verbosity: Verbosity, language: Language) {
     VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
+    GERMAN.store(language == Language::German, Ordering::Relaxed);
     printed().clear();
 }
 
@@ -47,6 +53,22 @@ pub(crate) fn lay_out_errors() {
         let _ = miette::set_hook(Box::new(|_| {
             Box::new(MietteHandlerOpts::new().width(COLUMNS).build())
         }));
+    }
+}
+
+/// The language of this run.
+pub(crate) fn language() -> Language {
+    match GERMAN.load(Ordering::Relaxed) {
+        true => Language::German,
+        false => Language::English,
+    }
+}
+
+/// Words in the language of this run; in English what the catalogue does not have.
+pub(crate) fn in_language(words: &str) -> Cow<'_, str> {
+    match language() {
+        Language::English => Cow::Borrowed(words),
+        Language::German => in_german(words).map_or(Cow::Borrowed(words), Cow::Owned),
     }
 }
 
@@ -122,7 +144,8 @@ struct Shown(Report);
 
 impl Display for Shown {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&in_a_message(&self.0.to_string()))
+        let words = self.0.to_string();
+        formatter.write_str(&in_a_message(&in_language(&words)))
     }
 }
 
@@ -135,6 +158,7 @@ impl std::error::Error for Shown {
 impl Diagnostic for Shown {
     fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
         let help = self.0.help()?.to_string();
+        let help = in_language(&help);
         Some(Box::new(in_a_message(&help).into_owned()))
     }
 
@@ -156,27 +180,31 @@ pub(crate) fn say(message: impl Display) {
 
 /// What the reader of the results should know, in a line and in full.
 pub(crate) trait Note {
-    fn in_a_line(&self) -> &str;
-    fn in_full(&self) -> &str;
+    fn in_a_line(&self) -> Cow<'_, str>;
+    fn in_full(&self) -> Cow<'_, str>;
 }
 
 impl Note for Remark {
-    fn in_a_line(&self) -> &str {
-        self.short()
+    /// German has no short wordings.
+    fn in_a_line(&self) -> Cow<'_, str> {
+        match language() {
+            Language::English => Cow::Borrowed(self.short()),
+            Language::German => self.in_full(),
+        }
     }
 
-    fn in_full(&self) -> &str {
-        self.in_language(Language::English)
+    fn in_full(&self) -> Cow<'_, str> {
+        Cow::Borrowed(self.in_language(language()))
     }
 }
 
 impl Note for String {
-    fn in_a_line(&self) -> &str {
-        self
+    fn in_a_line(&self) -> Cow<'_, str> {
+        in_language(self)
     }
 
-    fn in_full(&self) -> &str {
-        self
+    fn in_full(&self) -> Cow<'_, str> {
+        in_language(self)
     }
 }
 
@@ -189,9 +217,13 @@ pub(crate) fn print_remarks(remarks: &[impl Note]) {
             true => remark.in_full(),
             false => remark.in_a_line(),
         };
-        if !printed.iter().any(|earlier| earlier == note) {
-            say(format_args!("note: {note}"));
-            printed.push(note.to_owned());
+        if !printed.iter().any(|earlier| *earlier == note) {
+            let word = match language() {
+                Language::English => "note",
+                Language::German => "Hinweis",
+            };
+            say(format_args!("{word}: {note}"));
+            printed.push(note.into_owned());
         }
     }
 }

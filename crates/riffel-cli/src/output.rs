@@ -8,10 +8,19 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::messages::is_quiet;
+use crate::messages::{in_language, is_quiet, language};
+use riffel_keys::Language;
 
-/// Print to standard output.
+/// Print to standard output, line by line in the language of the run.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
+    if language() == Language::English {
+        return write(text);
+    }
+    let lines = text.split_inclusive('\n').map(in_language);
+    write(&lines.collect::<String>())
+}
+
+fn write(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
     unless_reader_left(
         stdout
@@ -32,7 +41,7 @@ pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError
 
 /// Print one JSON document.
 pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
-    print(&json(document))
+    write(&json(document))
 }
 
 /// A JSON document, indented, with a final line feed.
@@ -50,6 +59,7 @@ const STYLE: TableStyle =
 /// A table with right-aligned columns but the first.
 pub(crate) fn table(header: &[&str]) -> Table {
     let mut table = Table::new();
+    let header: Vec<_> = header.iter().map(|words| in_language(words)).collect();
     table.load_style(STYLE).set_header(header);
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);

@@ -24,7 +24,6 @@ macro_rules! sentences {
 
         impl Sentence {
             /// All of them.
-            #[cfg(test)]
             const ALL: &[Self] = &[$(Self::$name,)*];
 
             fn wording(self) -> Wording {
@@ -445,6 +444,16 @@ impl Language {
 }
 
 impl Sentence {
+    /// The English and the German wording of all sentences, with names in braces in the place of values.
+    pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
+        Self::ALL.iter().map(|sentence| {
+            let Wording {
+                english, german, ..
+            } = sentence.wording();
+            (english, german)
+        })
+    }
+
     /// The English sentence in one line, with its values; none where it is short itself.
     pub(crate) fn in_short(self, values: &[(&str, &dyn Display)]) -> Option<String> {
         self.wording().short.map(|short| fill(short, values))

@@ -5,6 +5,7 @@ import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords } from './german.js';
 import { Fault, Line } from './server.js';
 import { currentLanguage, t, translate } from './words.js';
 
@@ -122,7 +123,7 @@ export function startBogie({ state, listen, complain, banner, save }) {
     draw(curvatures, trace((profile) => profile.curvature_1_per_m.map(visible)), layout({ xaxis: across(), yaxis: axis(t('curvature_profile')) }));
     const { fault, wheels = [], wheelsets = [] } = shown.curve;
     trouble.hidden = !fault;
-    trouble.textContent = fault ? `${t('no_equilibrium')} ${fault.message}` : '';
+    trouble.textContent = fault ? `${t('no_equilibrium')} ${inWords(fault.message)}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
     if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
@@ -136,8 +137,8 @@ export function startBogie({ state, listen, complain, banner, save }) {
           cell((180 / Math.PI) * wheel.contact_angle_rad, 1), cell(1e-3 * wheel.normal_force_n, 1), cell(wheel.t_gamma_n, 0));
       })),
     );
-    remarks.replaceChildren(...[...shown.remarks, ...(shown.curve.remarks ?? [])].filter((words, k, all) => all.indexOf(words) === k)
-      .map((words) => element('li', { textContent: words, lang: 'en' })));
+    remarks.replaceChildren(...[...shown.remarks, ...(shown.curve.remarks ?? [])].map((note) => note[currentLanguage()]).filter((words, k, all) => all.indexOf(words) === k)
+      .map((words) => element('li', { textContent: words })));
   }
 
   listen((what) => {

@@ -1,5 +1,6 @@
 // What the program refuses, in the labels of the form and the unit of the field.
 
+import { said } from './german.js';
 import { get, set, short } from './keys.js';
 import { Fault, askOnce } from './server.js';
 import { currentLanguage, labelOf, t } from './words.js';
@@ -45,12 +46,17 @@ export const inLabels = (text, form) => plainOptions(named(text, form.fields));
 /** The sentence of a fault and what would be right. */
 export function wording(fault, form) {
   if (fault.status === 0) return { text: t('gone'), language: currentLanguage() };
-  const words = (text) => inLabels(inUnitOf(text, form.fields.get(fault.key)), form);
+  // Units are told by the English wording, labels by keys that are the same in every language.
+  let { language } = said(fault.message);
+  const words = (text) => {
+    const { text: spoken, language: own } = said(inUnitOf(text, form.fields.get(fault.key)));
+    if (own === 'en') language = own;
+    return inLabels(spoken, form);
+  };
   // What the program would have one write on its command line helps nobody here.
   const help = fault.help && fault.help.search(OPTION) < 0 ? words(fault.help) : fault.help && 'The page reads a table whose head names position and height with their units: position [m], height [µm].';
   const text = [words(fault.message), help && `(${help})`].filter(Boolean).join(' ');
-  // Sentences of the program are in English.
-  return { text, language: 'en' };
+  return { text, language };
 }
 
 /** No form has more fields that are wrong at once. */

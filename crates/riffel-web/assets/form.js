@@ -5,6 +5,7 @@ import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
 import * as lists from './lists.js';
 import { askWhich, readNumber } from './numbers.js';
+import { inWords } from './german.js';
 import { labelOf, nameOf, number, t, written as worded } from './words.js';
 
 /** A file cannot come over the page. */
@@ -51,6 +52,9 @@ function tableOf(schema, node) {
 
 /** What a field shows of a value: not the table in its place. */
 const bare = (value) => (value === null || Array.isArray(value) || typeof value !== 'object' ? value : undefined);
+
+/** What a key is, in the language of the page: shown beside the pointer. */
+const hint = (place) => (place.title = place.dataset.hint.split('\n').map((line) => inWords(line)).join('\n'));
 
 export class Form {
   /** `onChange` is told the gesture that goes on, `onAsk` that a field asks what was meant, or no longer does. */
@@ -104,7 +108,9 @@ export class Form {
 
   #row(key, node) {
     const id = idOf(key);
-    const label = element('label', { htmlFor: id, title: `${node.description ?? ''}\n${key}`.trim() });
+    const label = element('label', { htmlFor: id });
+    label.dataset.hint = `${node.description ?? ''}\n${key}`.trim();
+    hint(label);
     label.dataset.name = key;
     const unit = element('span', { className: 'unit', id: `${id}-unit` });
     const fault = element('p', { className: 'fault', lang: 'en', id: `${id}-fault`, hidden: true });
@@ -146,7 +152,12 @@ export class Form {
   #menu(choices, empty) {
     const menu = element('select', {});
     if (empty) menu.append(element('option', { value: '', textContent: '—' }));
-    for (const [name, title] of choices) menu.append(element('option', { value: name, textContent: name, title: title ?? '' }));
+    for (const [name, title] of choices) {
+      const option = element('option', { value: name, textContent: name });
+      option.dataset.hint = title ?? '';
+      hint(option);
+      menu.append(option);
+    }
     return menu;
   }
 
@@ -371,11 +382,16 @@ export class Form {
     return faults.filter((fault) => {
       const field = this.#fieldOf(fault);
       if (!field) return true;
-      const { text, language } = wording(fault, this);
-      Object.assign(field.fault, { textContent: text, lang: language });
+      field.refused = fault;
+      this.#tell(field);
       this.#wrong(field);
       return false;
     });
+  }
+
+  #tell(field) {
+    const { text, language } = wording(field.refused, this);
+    Object.assign(field.fault, { textContent: text, lang: language });
   }
 
   #wrong({ input, fault }) {
@@ -421,6 +437,10 @@ export class Form {
 
   /** Words of another language: what was typed is shown as the program has it. */
   reword() {
-    for (const field of this.fields.values()) if (field.fault.hidden) field.typed = null;
+    for (const field of this.fields.values()) {
+      if (field.fault.hidden) field.typed = null;
+      else if (!field.asks) this.#tell(field);
+      for (const one of field.input.closest('.row').querySelectorAll('[data-hint]')) hint(one);
+    }
   }
 }

@@ -8,6 +8,7 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
+import { inWords, said } from './german.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { currentLanguage, number, t, translate } from './words.js';
 
@@ -50,13 +51,13 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   // What is answered -----------------------------------------------------------------------------------
 
   const panel = (word, className, ...children) => element('article', { className: `panel ${className}`, hidden: true }, element('header', {}, worded('h2', word)), ...children);
-  const verdicts = element('ul', { className: 'sentences', lang: 'en' });
+  const verdicts = element('ul', { className: 'sentences' });
   const spectrum = element('div', { className: 'curve tall', id: 'spectrum' });
-  const dominant = element('div', { className: 'findings', lang: 'en' });
-  const outlook = element('ul', { className: 'sentences', lang: 'en' });
+  const dominant = element('div', { className: 'findings' });
+  const outlook = element('ul', { className: 'sentences' });
   const map = element('div', { className: 'map' });
   const legend = element('div', { className: 'bar' });
-  const notes = element('ul', { lang: 'en' });
+  const notes = element('ul');
   const panels = [
     panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
@@ -164,7 +165,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       tellFile();
       stale(line.pending || !state.current);
       show();
-      announce(answer.roughness.verdicts.map(({ sentence }) => sentence).join(' '), 'en');
+      announce(answer.roughness.verdicts.map(({ sentence }) => inWords(sentence)).join(' '));
     }, (fault) => {
       const { name } = file;
       tellFile();
@@ -191,7 +192,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     if (!answer) return false;
     report.disabled = true;
     try {
-      save(await (await askOnce('/api/report', question())).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
+      save(await (await askOnce('/api/report', { ...question(), language: currentLanguage() })).blob(), `${file.name.replace(/\.\w+$/, '')}-report.html`);
     } finally {
       report.disabled = false;
     }
@@ -201,7 +202,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   // Showing it -----------------------------------------------------------------------------------------
 
-  const item = (text, className = '') => element('li', { textContent: labels(text), className });
+  /** Words of the program as an element of the page. */
+  const spoken = (name, english, more = {}) => {
+    const { text, language } = said(english);
+    return element(name, { textContent: labels(text), lang: language, ...more });
+  };
+  const item = (text, className = '') => spoken('li', text, { className });
 
   function show() {
     for (const one of panels) one.hidden = !answer;
@@ -211,7 +217,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     if (!answer) return;
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
-    dominant.replaceChildren(...(diagnosis.fault ? [element('p', { textContent: labels(diagnosis.fault.message) })] : diagnosis.dominant_wavelengths.map(finding)));
+    dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
     if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
     outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : forecast.findings.map((sentence) => item(sentence))));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
@@ -224,18 +230,18 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   function finding(one) {
     const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}`, lang: currentLanguage() }));
     const shares = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => {
-      const row = element('div', { className: 'share', title: [...candidate.reasons_for, ...candidate.reasons_against, candidate.source].join('\n') },
-        element('span', { textContent: candidate.mechanism }), element('meter', { value: candidate.share, max: 1, ariaLabel: candidate.mechanism }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));
+      const row = element('div', { className: 'share', title: [...candidate.reasons_for, ...candidate.reasons_against, candidate.source].map(inWords).join('\n') },
+        spoken('span', candidate.mechanism), element('meter', { value: candidate.share, max: 1, ariaLabel: inWords(candidate.mechanism) }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));
       return row;
     });
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
-    return element('section', {}, heading, ...where, element('p', { textContent: labels(one.summary).replace(/^./, (c) => c.toUpperCase()) }), ...shares);
+    return element('section', {}, heading, ...where, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...shares);
   }
 
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
   function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
     const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
-    return `${t('rail')} ${rail}, ${spans.join(', ')}: ${number(level, 3)} dB`;
+    return `${inWords(`rail ${rail}`)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
 
   async function drawSpectrum() {
@@ -249,7 +255,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const rails = roughness.rails ?? [];
     const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
     const traces = [
-      ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${t('rail')} ${rail.name}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
+      ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${inWords(`rail ${rail.name}`)}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
       ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];

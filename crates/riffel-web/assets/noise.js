@@ -4,6 +4,7 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords, said } from './german.js';
 import { askWhich, readNumber } from './numbers.js';
 import { Line, json } from './server.js';
 import { currentLanguage, number, speed, speedsIn, t, translate, written } from './words.js';
@@ -20,13 +21,6 @@ const LEAST_SPAN = 2;
 
 /** A level with one digit after the point. */
 const decibels = (value) => (value === null ? '–' : (Math.round(10 * value) / 10 + 0).toLocaleString(currentLanguage(), { minimumFractionDigits: 1, maximumFractionDigits: 1 }).replace('-', '−'));
-
-/** What the program calls a measure, in the words of the page. */
-function nameOf(title) {
-  const [, edition] = /^rail ground to (.*)$/.exec(title) ?? [];
-  if (edition) return t('noise_ground', edition);
-  return t('noise_measures')[title] ?? speedsIn(title);
-}
 
 function keptLimit() {
   try {
@@ -46,7 +40,7 @@ export class Noise {
     this.verdict = element('p', { className: 'why', id: 'noise-verdict' });
     this.parts = element('table', { className: 'comparison', id: 'noise-parts' });
     this.bands = element('div', { className: 'curve tall', id: 'noise-bands' });
-    this.remarks = element('ul', { className: 'fine', id: 'noise-remarks', lang: 'en' });
+    this.remarks = element('ul', { className: 'fine', id: 'noise-remarks' });
     const head = element('header', {}, worded('h2', 'noise'));
     this.panel = element('article', { className: 'panel half', hidden: true, id: 'noise-panel' }, head, this.verdict, element('div', { className: 'sideways' }, this.parts), this.bands, this.remarks);
     offer(head, () => ({ name: 'noise', plot: this.bands }), save);
@@ -138,7 +132,8 @@ export class Noise {
     if (!answer) return;
     if (fault) {
       const known = fault.key === 'track.model';
-      Object.assign(this.verdict, { textContent: known ? t('noise_silent') : this.labels(fault.message), lang: known ? currentLanguage() : 'en' });
+      const { text, language } = said(fault.message);
+      Object.assign(this.verdict, { textContent: known ? t('noise_silent') : this.labels(text), lang: known ? currentLanguage() : language });
       return;
     }
     Object.assign(this.verdict, {
@@ -147,9 +142,12 @@ export class Noise {
     });
     const row = (tag, cells, scope) => element('tr', {}, ...cells.map((textContent, k) => element(textContent === '' ? 'td' : k ? tag : 'th', { textContent, ...((scope || !k) && { scope: scope ?? 'row' }) })));
     this.parts.replaceChildren(element('thead', {}, row('th', ['', ...PARTS.map(([part]) => t(`noise_${part}`))], 'col')), element('tbody', {}, row('td', ['dB(A)', ...PARTS.map(([part]) => decibels(answer.level[`${part}_dba`]))])));
-    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row('td', [nameOf(title), decibels(after), decibels(saved)]));
+    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row('td', [speedsIn(inWords(title)), decibels(after), decibels(saved)]));
     this.measures.replaceChildren(element('thead', {}, row('th', t('noise_columns'), 'col')), element('tbody', {}, ...measures));
-    this.remarks.replaceChildren(...answer.remarks.map((remark) => element('li', { textContent: this.labels(remark) })));
+    this.remarks.replaceChildren(...answer.remarks.map((remark) => {
+      const { text, language } = said(remark);
+      return element('li', { textContent: this.labels(text), lang: language });
+    }));
     if (this.fault.hidden) this.input.value = this.limit === null ? '' : written(this.limit);
     this.outlook.textContent = this.#ahead();
     this.#draw();

@@ -1,7 +1,7 @@
 // Take away: the case as a link or a file, and back from a file.
 
 import { askOnce } from './server.js';
-import { t, t2 } from './words.js';
+import { currentLanguage, t, t2 } from './words.js';
 
 export function save(blob, name) {
   const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: name });
@@ -20,7 +20,7 @@ export function startTakeAway({ state, banner, complain, replace, measure }) {
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },
     toml: async () => {
-      const answer = await (await askOnce('/api/case', { case: { keys: state.keys } })).json();
+      const answer = await (await askOnce('/api/case', { case: { keys: state.keys }, language: currentLanguage() })).json();
       save(new Blob([answer.toml], { type: 'application/toml' }), `${fileName(state)}.toml`);
     },
     ...Object.fromEntries(['csv', 'png', 'svg', 'html'].map((kind) => [kind, async () => {

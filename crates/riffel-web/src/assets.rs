@@ -30,6 +30,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "elements.js": "text/javascript; charset=utf-8",
     "figures.js": "text/javascript; charset=utf-8",
     "faults.js": "text/javascript; charset=utf-8",
+    "german.js": "text/javascript; charset=utf-8",
     "form.js": "text/javascript; charset=utf-8",
     "keys.js": "text/javascript; charset=utf-8",
     "lists.js": "text/javascript; charset=utf-8",
@@ -53,6 +54,20 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "words.js": "text/javascript; charset=utf-8",
 };
 
+/// The wordings of the catalogue, as a file of the page.
+static CATALOGUE: LazyLock<String> = LazyLock::new(|| {
+    let wordings: Vec<_> = riffel_words::wordings().collect();
+    // Pairs of texts are always JSON, and JSON is JavaScript.
+    let wordings = serde_json::to_string(&wordings).unwrap_or_default();
+    format!("// What Riffel says, in English and in German.\nexport default {wordings};\n")
+});
+
+/// All files of the page.
+static ALL: LazyLock<Vec<(&str, &str, &str)>> = LazyLock::new(|| {
+    let catalogue = ("catalogue.js", SCRIPT, CATALOGUE.as_str());
+    FILES.iter().copied().chain([catalogue]).collect()
+});
+
 const PAGE: &str = include_str!("../assets/page.html");
 
 /// What is computed once: the text of plotly.js, the page, and what their addresses are made of.
@@ -68,7 +83,7 @@ struct Built {
 static BUILT: LazyLock<Built> = LazyLock::new(|| {
     let plotly = riffel_plot::plotly_js();
     let plotly_version = fingerprint([plotly.as_str()]);
-    let version = fingerprint(FILES.iter().map(|(_, _, text)| *text));
+    let version = fingerprint(ALL.iter().map(|(_, _, text)| *text));
     let page = PAGE
         .replace("{assets}", &format!("/assets/{version}"))
         .replace(
@@ -120,8 +135,7 @@ pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Respo
     let found = if name == "plotly.min.js" && version == built.plotly_version {
         Some((SCRIPT, built.plotly.as_str()))
     } else {
-        FILES
-            .iter()
+        ALL.iter()
             .find(|(known, ..)| *known == name && version == built.version)
             .map(|&(_, kind, text)| (kind, text))
     };

@@ -17,10 +17,11 @@ use riffel_answers::report::{
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
+use riffel_keys::{CaseError, Language};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
+use riffel_words::page_in_german;
 
 use crate::arguments::{
     CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Report, Spectra,
@@ -33,6 +34,7 @@ use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
 use crate::fingerprint::fingerprint;
+use crate::messages::language;
 use crate::output::{Progress, print};
 use crate::staging::{Existing, write_file};
 
@@ -164,6 +166,10 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         noise: noise.as_ref().map_err(String::clone),
         inputs: &inputs,
     })?;
+    let page = match language() {
+        Language::English => page,
+        Language::German => page_in_german(&page),
+    };
     let existing = match arguments.force || is_report(&arguments.output) {
         true => Existing::Replace,
         false => Existing::Keep("--force to replace it"),

@@ -11,6 +11,7 @@ mod evolution;
 mod files;
 mod forecast;
 mod habits;
+mod language;
 mod models;
 mod network;
 mod noise;

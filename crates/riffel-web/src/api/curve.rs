@@ -9,6 +9,7 @@ use riffel_keys::{CaseError, Remark};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use super::note::Note;
 use super::roughness::LONGEST_NAME;
 use crate::Page;
 use crate::fault::Fault;
@@ -138,9 +139,9 @@ impl Question {
         ))
     }
 
-    fn told(&self, remarks: &[Remark], paths: &[String]) -> Vec<String> {
-        let told = remarks.iter();
-        told.map(|remark| self.named(&remark.to_string(), paths))
+    fn told(&self, remarks: &[Remark], paths: &[String]) -> Vec<Note> {
+        let told = remarks.iter().map(Note::from);
+        told.map(|note| note.in_words(|words| self.named(words, paths)))
             .collect()
     }
 

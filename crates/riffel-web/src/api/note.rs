@@ -19,3 +19,13 @@ impl From<&Remark> for Note {
         }
     }
 }
+
+impl Note {
+    /// The same remark in other words.
+    pub(crate) fn in_words(self, words: impl Fn(&str) -> String) -> Self {
+        Self {
+            en: words(&self.en),
+            de: words(&self.de),
+        }
+    }
+}

@@ -5,6 +5,7 @@ use std::path::Path;
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
+use riffel_keys::Language;
 use serde::Deserialize;
 
 use super::roughness::{self, LONGEST_NAME, Reading};
@@ -15,10 +16,31 @@ use crate::request::{Asked, Asker, CaseText};
 /// The page that the program writes.
 const REPORT: &str = "report.html";
 
+/// A report of a rail, and the language of its words.
+#[derive(Deserialize)]
+pub(crate) struct OfRail {
+    #[serde(flatten)]
+    rail: roughness::Question,
+    #[serde(default)]
+    language: Language,
+}
+
+/// The option of the program for a language.
+fn spoken(language: Language) -> [&'static str; 2] {
+    let name = match language {
+        Language::English => "en",
+        Language::German => "de",
+    };
+    ["--language", name]
+}
+
 pub(crate) async fn of_rail(
     State(page): State<Page>,
     asker: Asker,
-    Asked(question): Asked<roughness::Question>,
+    Asked(OfRail {
+        rail: question,
+        language,
+    }): Asked<OfRail>,
 ) -> Result<impl IntoResponse, Fault> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
@@ -45,6 +67,7 @@ pub(crate) async fn of_rail(
                 REPORT,
             ];
             arguments.extend(reading.format());
+            arguments.extend(spoken(language));
             let run = program.run(upload.folder(), &arguments, wanted);
             run.map_err(|fault| fault.in_words(|words| question.named(words, &upload)))?;
             let name: String = question.name.chars().take(LONGEST_NAME).collect();
@@ -61,6 +84,8 @@ pub(crate) async fn of_rail(
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
+    #[serde(default)]
+    language: Language,
 }
 
 pub(crate) async fn of_case(
@@ -78,7 +103,8 @@ pub(crate) async fn of_case(
             let folder = uploads.folder().map_err(stored)?;
             let text = question.case.toml()?;
             std::fs::write(folder.path().join("case.toml"), text).map_err(stored)?;
-            let arguments = ["report", "case.toml", "-o", REPORT];
+            let [option, language] = spoken(question.language);
+            let arguments = ["report", "case.toml", "-o", REPORT, option, language];
             program.run(folder.path(), &arguments, wanted)?;
             report_in(folder.path())
         })

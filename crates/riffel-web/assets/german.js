@@ -1,0 +1,110 @@
+// Sentences of the program in German, by the catalogue that the program has for itself (crates/riffel-words).
+
+import WORDINGS from './catalogue.js';
+import { currentLanguage } from './words.js';
+
+/** A sentence in a sentence in a sentence … */
+const DEEPEST = 5;
+/** Name of a value that must be a sentence of the catalogue. */
+const SENTENCE = 'sentence';
+
+/** Wordings without values, and those with them in pieces: words at even places, names at odd ones; the longest first. */
+const whole = new Map();
+const entries = [];
+for (const [english, german] of WORDINGS) {
+  if (!english.includes('{')) {
+    if (!whole.has(english)) whole.set(english, german);
+    continue;
+  }
+  const pieces = english.split(/[{}]/);
+  entries.push({ pieces, german: german.split(/[{}]/), own: pieces.filter((_, k) => k % 2 === 0).join('').length });
+}
+entries.sort((a, b) => b.own - a.own);
+
+const SENTENCE_END = /\. (?=\p{Lu})/u;
+/** What may stand at a name; that a sentence is one is told by the catalogue. */
+function mayStand(name, value) {
+  if (name === 'edition' || name === 'sentence') return value !== '';
+  if (name === 'name') return value !== '' && !value.includes(' ');
+  if (name === 'count' || name === 'number') return /^[-+−.,e0-9]*[0-9][-+−.,e0-9]*$/.test(value);
+  return value !== '' && !value.includes('; ') && !SENTENCE_END.test(value);
+}
+
+/** The values that make the sentence of a wording; none where it is another. */
+function valuesOf(pieces, sentence, at = 0) {
+  if (!sentence.startsWith(pieces[at])) return null;
+  const rest = sentence.slice(pieces[at].length);
+  if (at + 1 === pieces.length) return rest ? null : [];
+  const words = pieces[at + 2];
+  if (at + 3 === pieces.length && words === '') return mayStand(pieces[at + 1], rest) ? [[pieces[at + 1], rest]] : null;
+  for (let end = rest.indexOf(words, 1); end >= 1; end = rest.indexOf(words, end + 1)) {
+    const more = mayStand(pieces[at + 1], rest.slice(0, end)) ? valuesOf(pieces, rest.slice(end), at + 2) : null;
+    if (more) return [[pieces[at + 1], rest.slice(0, end)], ...more];
+    if (end >= rest.length) break;
+  }
+  return null;
+}
+
+/** Numbers with the decimal comma; what is quoted, names of files and keys stay. */
+function withComma(words) {
+  let quoted = null;
+  return words.split(/(?<= )/).map((word) => {
+    const stays = /\.[a-z]|_/i.test(word);
+    return [...word].map((letter, k, all) => {
+      if (!quoted && (letter === '"' || letter === '`')) quoted = letter;
+      else if (letter === quoted) quoted = null;
+      const isDigit = (other) => /^[0-9]$/.test(other ?? '');
+      return letter === '.' && !stays && !quoted && isDigit(all[k - 1]) && isDigit(all[k + 1]) ? ',' : letter;
+    }).join('');
+  }).join('');
+}
+
+function exact(english, depth) {
+  if (whole.has(english)) return whole.get(english);
+  for (const { pieces, german } of entries) {
+    const values = valuesOf(pieces, english);
+    if (!values) continue;
+    const found = new Map();
+    for (const [name, value] of values) {
+      const known = sought(value.trim(), depth - 1);
+      if (known !== null) found.set(name, value.replace(value.trim(), () => known));
+      else if (name === SENTENCE) break;
+      else found.set(name, value.split(', ').map((part) => sought(part, depth - 1) ?? withComma(part)).join(', '));
+    }
+    if (found.size === new Set(values.map(([name]) => name)).size) return german.map((piece, k) => (k % 2 ? found.get(piece) : piece)).join('');
+  }
+  return null;
+}
+
+function both(english, [end, begin], depth) {
+  const first = sought(english.slice(0, end), depth);
+  const rest = first === null ? null : sought(english.slice(begin), depth);
+  return rest === null ? null : first + english.slice(end, begin) + rest;
+}
+
+function sought(english, depth) {
+  if (!english || depth === 0) return null;
+  const stop = english.search(SENTENCE_END);
+  const sentences = stop < 0 ? null : both(english, [stop + 1, stop + 2], depth);
+  if (sentences !== null) return sentences;
+  const stopped = (text) => exact(text, depth) ?? (text.endsWith('.') ? ((german) => german && `${german}.`)(exact(text.slice(0, -1), depth)) : null);
+  const german = stopped(english);
+  if (german !== null) return german;
+  const small = english[0].toLowerCase() + english.slice(1);
+  const capital = small === english ? null : stopped(small);
+  if (capital !== null) return capital[0].toUpperCase() + capital.slice(1);
+  const semicolon = english.indexOf('; ');
+  return semicolon < 0 ? null : both(english, [semicolon, semicolon + 2], depth);
+}
+
+/** The German of what the program says; null of what the catalogue does not have. */
+export const inGerman = (english) => sought(english.trim(), DEEPEST);
+
+/** What the program says, in the language of the page where the catalogue has it, and that language. */
+export function said(english) {
+  const german = currentLanguage() === 'de' ? inGerman(english) : null;
+  return german === null ? { text: english, language: 'en' } : { text: german, language: 'de' };
+}
+
+/** The text alone. */
+export const inWords = (english) => said(english).text;

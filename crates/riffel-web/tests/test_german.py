@@ -1,0 +1,112 @@
+"""A page in German says nothing in English: what the program says is put into German by one catalogue."""
+
+import re
+import subprocess
+
+import pytest
+from conftest import PROGRAM, ROOT
+from test_along import along
+from test_noise import CASE
+from test_page import open_case
+
+# Small words without which English gets nowhere, and which German does not have. Names of standards and sources keep theirs.
+ENGLISH = re.compile(
+    r"\b(the|of|and|is|are|at|from|with|by|on|not|over|under|after|which|that|must|no|rails?|wheels?|track|speed|force|level|growth|"
+    r"limit|left|right|now|length|wavelength|choose|give)\b"
+)
+KEPT = re.compile(r"map\.wavelength|track\.model|Grassie, Saxon & Smith|Shock and Vibration|Figure \d|\(?\w+ \(?20\d\d\)?.*?;|`[^`]*`|\"[^\"]*\"|riffel [a-z-]+|--[a-z-]+")
+
+
+def english(text):
+    return [line for line in text.split("\n") if ENGLISH.search(KEPT.sub("", line))]
+
+
+def panels(page, view):
+    """What stands in a view; options of menus are names of keys."""
+    return page.page.locator(f"#view-{view}").evaluate(
+        r"""(view) => {
+          const copy = view.cloneNode(true);
+          for (const one of copy.querySelectorAll('[hidden], select, script, svg.main-svg .legendtext')) one.remove();
+          for (const one of copy.querySelectorAll('li, p, td, th, h2, h3, tr, label, text, button, span, div, figcaption')) one.append('\n');
+          return copy.textContent;
+        }"""
+    )
+
+
+def test_a_measured_rail_is_judged_in_german(open_page, tmp_path):
+    page = open_page(locale="de-DE")
+    open_case(page, CASE.read_text())
+    page.page.click("#tab-measure")
+    page.page.click("#sample")
+    along(page)
+    page.until(lambda: page.page.locator("#noise-parts td").count() > 0, seconds=90)
+    told = panels(page, "measure")
+    assert "über der Grenze, 1 von 22 Bändern" in told and "führt mit einem Anteil von 0," in told
+    assert "Höhen fehlen" in told and "Schiene rechts liegt vorn: jetzt über der Grenze" in told
+    assert english(told) == []
+    reasons = page.page.locator(".share").evaluate_all("(all) => all.map(({ title }) => title)")
+    assert any("gemessen 40,0 mm" in reason for reason in reasons)
+    assert english("\n".join(reasons)) == []
+    with page.page.expect_download() as download:
+        page.page.click("#report")
+    file = tmp_path / "report.html"
+    download.value.save_as(file)
+    report = file.read_text()
+    assert '<html lang="de">' in report and "In Kürze" in report and "Was zu schleifen ist" in report
+    # What reads the file and where its values come from stays: titles, names and sources.
+    words = re.sub(r"<style>.*?</style>|<h2>\d+ Eingaben.*?</section>", "", report, flags=re.S)
+    found = english(re.sub(r"<[^>]*>", "\n", words))
+    assert [line for line in found if "Values of EN ISO 3095" not in line and "S. L. Grassie" not in line] == [], "a sentence of the report"
+    # The same sentences from the program.
+    made = subprocess.run([PROGRAM, "roughness", "--synthesise"], capture_output=True, check=True, text=True).stdout
+    (tmp_path / "sample.csv").write_text(made)
+    command = [PROGRAM, "--language", "de", "roughness", "sample.csv", "-o", "out"]
+    printed = subprocess.run(command, capture_output=True, check=True, text=True, cwd=tmp_path).stdout
+    verdict = "EN ISO 3095:2013, Figure 2: über der Grenze, 1 von 22 Bändern, am meisten um 18,5 dB bei 40 mm"
+    assert verdict in printed and verdict in told
+    page.close()
+
+
+@pytest.mark.without_curves
+def test_values_that_are_refused_are_told_in_german(open_page):
+    page = open_page(locale="de-DE")
+    fault = page.page.locator(".row .fault:visible")
+    for key, text, words in [
+        ("contact.friction", "3", "Reibung μ ist 3, muss aber zwischen 0,001 und 1,5 liegen"),
+        ("contact.normal_load", "50 kg", '"50 kg" ist in kg, nicht eine Kraft in N'),
+        ("contact.normal_load", "35O", "unbekannte Einheit"), ("steel.poisson_ratio", "0,7", "muss aber zwischen"), ("map.wavelength.min", "200", "das Fenster ist leer"),
+        ("contact.grid", "1,5", "ganze Zahl"), ("map.speed.points", "5000", "Punkte"), ("contact.tractive_ratio", "1,2", "muss aber zwischen"),
+    ]:
+        before = page.page.locator(f"#key-{key.replace('.', '-')}").input_value()
+        page.set(key, text)
+        page.until(lambda: fault.count() > 0)
+        assert words in fault.first.inner_text(), fault.first.inner_text()
+        assert english(fault.first.inner_text()) == [], key
+        page.set(key, before)
+        page.until(lambda: fault.count() == 0)
+    page.close(complaints=len(page.complaints))
+
+
+@pytest.mark.without_curves
+@pytest.mark.parametrize("name", ["curve", "metro", "freight", "tram", "main-line"])
+def test_what_is_said_of_a_case_is_german(open_page, name):
+    page = open_page(locale="de-DE")
+    open_case(page, (ROOT / f"cases/{name}.toml").read_text(), f"{name}.toml")
+    page.page.wait_for_timeout(300)
+    page.settle()
+    told = [page.text(place) for place in ("#why", "#verdict", "#notes") if page.page.locator(place).is_visible()]
+    assert told and english("\n".join(told)) == []
+    page.page.click("#tab-compare")
+    page.page.click("#keep")
+    page.page.locator("#compare-difference").wait_for()
+    page.settle()
+    assert english(re.sub("\n.*(title|Titel).*", "", page.text("#compare-difference"))) == []
+    page.close()
+
+
+def test_the_curve_is_german(open_page):
+    page = open_page(locale="de-DE")
+    page.page.click("#tab-curve")
+    page.until(lambda: page.page.locator("#wheels td").count() > 0)
+    assert english(panels(page, "curve")) == []
+    page.close()

@@ -1,0 +1,197 @@
+//! The catalogue, and what finds a sentence in it.
+
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
+use crate::numbers::with_comma;
+use crate::wording::{Wording, sentence_end};
+
+/// Sentences of English alone where they are made: an English wording, the German one below it, an empty line; lines with
+/// `#` are headings.
+const FILE: &str = include_str!("german.txt");
+
+/// All wordings, each English one with the German one: those of the file, and those that have both languages where they
+/// are made ([`riffel_keys::Sentence`]).
+pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
+    let is_wording = |line: &&str| !line.is_empty() && !line.starts_with('#');
+    let english = FILE.lines().filter(is_wording).step_by(2);
+    let german = FILE.lines().filter(is_wording).skip(1).step_by(2);
+    // Parts that are put together, such as " and ", are no sentences.
+    let whole = |wording: &(&str, &str)| {
+        !wording.0.starts_with([' ', ',', ';']) && !wording.0.ends_with(' ')
+    };
+    english
+        .zip(german)
+        .chain(riffel_keys::Sentence::wordings().filter(whole))
+}
+
+/// Name of a value that must be a sentence of the catalogue.
+const SENTENCE: &str = "sentence";
+
+/// Sentences are sought in sentences so deep.
+const DEEPEST: usize = 5;
+
+pub(crate) struct Catalogue {
+    /// Those with values, the longest first.
+    pub(crate) entries: Vec<(Wording<'static>, Wording<'static>)>,
+    /// Those without values, by their English wording.
+    whole: HashMap<&'static str, &'static str>,
+}
+
+pub(crate) static READ: LazyLock<Catalogue> = LazyLock::new(|| {
+    let (mut entries, mut whole) = (Vec::new(), HashMap::new());
+    for (english, german) in wordings() {
+        if english.contains('{') {
+            entries.push((Wording::new(english), Wording::new(german)));
+        } else {
+            whole.entry(english).or_insert(german);
+        }
+    }
+    entries.sort_by_key(|(english, _)| std::cmp::Reverse(english.own));
+    Catalogue { entries, whole }
+});
+
+/// The German of a sentence or of words that the program says; none of what the catalogue does not have.
+///
+/// A text of several sentences is translated sentence by sentence, and wholly or not at all. Cost: some 10 µs for each
+/// sentence.
+pub fn in_german(english: &str) -> Option<String> {
+    let inner = english.trim();
+    let german = sought(inner, DEEPEST)?;
+    let start = english.len() - english.trim_start().len();
+    Some([&english[..start], &german, &english[start + inner.len()..]].concat())
+}
+
+fn sought(english: &str, depth: usize) -> Option<String> {
+    if english.is_empty() || depth == 0 {
+        return None;
+    }
+    let stopped = || {
+        let without = english.strip_suffix('.')?;
+        Some(exact(without, depth)? + ".")
+    };
+    let small = || {
+        let mut letters = english.chars();
+        let first = letters.next().filter(|first| first.is_uppercase())?;
+        let small: String = first.to_lowercase().chain(letters).collect();
+        let german =
+            exact(&small, depth).or_else(|| Some(exact(small.strip_suffix('.')?, depth)? + "."))?;
+        let mut letters = german.chars();
+        Some(letters.next()?.to_uppercase().chain(letters).collect())
+    };
+    // A value of the last sentence must not swallow those that follow.
+    let sentences = || parts(english, sentence_end(english)?, depth);
+    let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
+    sentences()
+        .or_else(|| exact(english, depth))
+        .or_else(stopped)
+        .or_else(small)
+        .or_else(clauses)
+}
+
+/// The German of one wording.
+fn exact(english: &str, depth: usize) -> Option<String> {
+    if let Some(german) = READ.whole.get(english) {
+        return Some((*german).to_owned());
+    }
+    // The one with the most words of its own first.
+    READ.entries.iter().find_map(|(own, german)| {
+        let values = own.values(english)?;
+        let mut found = Vec::new();
+        for (name, value) in values {
+            let known = sought(value.trim(), depth - 1)
+                .map(|german| value.replacen(value.trim(), &german, 1));
+            found.push((
+                name,
+                match (known, name) {
+                    (Some(german), _) => german,
+                    (None, SENTENCE) => return None,
+                    (None, _) => of_value(value, depth - 1),
+                },
+            ));
+        }
+        Some(german.filled(|name| {
+            let value = found.iter().find(|(own, _)| *own == name);
+            value.map_or_else(String::new, |(_, value)| value.clone())
+        }))
+    })
+}
+
+/// A value that is no sentence of the catalogue: a row of those, or what stays.
+fn of_value(value: &str, depth: usize) -> String {
+    let parts = value.split(", ");
+    let parts: Vec<String> = parts
+        .map(|part| sought(part, depth).unwrap_or_else(|| with_comma(part)))
+        .collect();
+    parts.join(", ")
+}
+
+/// Two parts, of which each must be known.
+fn parts(english: &str, [end, begin]: [usize; 2], depth: usize) -> Option<String> {
+    let (first, rest) = (
+        sought(&english[..end], depth)?,
+        sought(&english[begin..], depth)?,
+    );
+    Some([&first, &english[end..begin], &rest].concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    fn german(english: &str) -> String {
+        in_german(english).unwrap_or_else(|| panic!("no German of {english:?}"))
+    }
+
+    /// Headings aside, the catalogue is pairs; both have the same names, and no wording is there twice.
+    #[test]
+    fn languages_have_no_gaps() {
+        let mut known = BTreeSet::new();
+        for block in FILE.split("\n\n") {
+            let lines: Vec<&str> = block
+                .lines()
+                .filter(|line| !line.starts_with('#'))
+                .collect();
+            if lines.is_empty() {
+                continue;
+            }
+            let [english, german] = lines[..] else {
+                panic!("not a wording in two languages: {block}");
+            };
+            assert!(known.insert(english), "twice: {english}");
+            let names = |text| {
+                Wording::new(text)
+                    .names()
+                    .map(str::to_owned)
+                    .collect::<BTreeSet<_>>()
+            };
+            assert_eq!(names(english), names(german), "{english}");
+        }
+    }
+
+    #[test]
+    fn sentences_are_found_with_their_values() {
+        assert_eq!(
+            german(
+                "growth ridge leads with a share of 0.62, next is grinding mark with 0.21. There is one record only: whether it grows is not known."
+            ),
+            "Wachstumsgrat führt mit einem Anteil von 0,62, dann folgt Schleifspur mit 0,21. Es gibt nur eine Messung: Ob sie wächst, ist nicht bekannt."
+        );
+        assert_eq!(german("Growth ridge"), "Wachstumsgrat");
+        assert_eq!(
+            german(
+                "rail left: EN ISO 3095:2013: over the limit, 3 of 12 bands, at worst by 4.2 dB at 40 mm"
+            ),
+            "Schiene links: EN ISO 3095:2013: über der Grenze, 3 von 12 Bändern, am meisten um 4,2 dB bei 40 mm"
+        );
+        assert_eq!(
+            german(
+                "`contact.normal_load`: \"50 kg\" is in kg, not a force in N; write it as in \"50 kN\""
+            ),
+            "`contact.normal_load`: \"50 kg\" ist in kg, nicht eine Kraft in N; man schreibt es wie \"50 kN\""
+        );
+        assert_eq!(in_german("no sentence of Riffel"), None);
+    }
+}

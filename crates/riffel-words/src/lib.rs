@@ -1,0 +1,35 @@
+//! # The German of what Riffel says
+//!
+//! Physics and answers speak English and know of no other language. What leaves the program is put into German at its
+//! edge: by [`in_german`] where it is printed, by [`page_in_german`] in a report, and by the same catalogue in the page of
+//! `riffel serve`, which takes the [`wordings`] along.
+//!
+//! The identity of a sentence is its English wording with a name in braces for every value. The catalogue has the German
+//! wording below it, with the same names:
+//!
+//! ```text
+//! {place} leads: {sentence}
+//! {place} liegt vorn: {sentence}
+//! ```
+//!
+//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. Of several wordings that fit,
+//! the one with the most letters of its own is meant.
+//!
+//! ```
+//! use riffel_words::in_german;
+//!
+//! let sentence = "`contact.friction` is 3, but must be between 0.001 and 2";
+//! assert_eq!(in_german(sentence).unwrap(), "`contact.friction` ist 3, muss aber zwischen 0,001 und 2 liegen");
+//! assert_eq!(in_german("cannot be found in it"), None);
+//! ```
+//!
+//! A test holds the catalogue against the sources: no wording is left that nobody says any more, and the files that the
+//! page speaks with say nothing that the catalogue lacks.
+
+mod catalogue;
+mod numbers;
+mod page;
+mod wording;
+
+pub use catalogue::{in_german, wordings};
+pub use page::page_in_german;

@@ -1,0 +1,236 @@
+//! The catalogue against the sources that speak.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use riffel_words::wordings;
+
+/// Files of which every sentence must have its German: what the page says of a measured rail and of a case. Paths in
+/// `crates`; a folder stands for all of its files.
+const WHOLE: &[&str] = &[
+    "riffel/src/diagnosis",
+    "riffel-answers/src/diagnose/finding.rs",
+    "riffel-answers/src/forecast/mod.rs",
+    "riffel-answers/src/noise/course.rs",
+    "riffel-answers/src/noise/measure.rs",
+    "riffel-answers/src/roughness/verdict.rs",
+    "riffel-keys/src/quantity/error.rs",
+    "riffel-rail/src/chainage.rs",
+    "riffel-rail/src/record.rs",
+    "riffel-web/src",
+];
+
+/// What has no German there, and why.
+const LEFT: &[&str] = &[
+    // Of headers and policies, for browsers.
+    "max-age",
+    "// What Riffel says",
+    "default-src",
+    "text/",
+    "camera=()",
+    "a request must be JSON",
+    "send the header",
+    "only the page itself may ask",
+    "the header Origin",
+    "this page is not served",
+    "open it by the address",
+    "a request about a file must say",
+    // Defects, told in English to those who mend them.
+    "cannot be run",
+    "is not known",
+    "cannot be written",
+    "cannot be stored",
+    "cannot be drawn",
+    "cannot be read",
+    "is too long",
+    "there is no place",
+    "there is no table of blocks",
+    "there is no report",
+    "printed something else",
+    "there is no such nominal profile",
+    // Said on the command line that starts the page.
+    "cannot listen on",
+    "cannot make a private",
+    "cannot start the server",
+    // Speeds that the page never sends.
+    "weight of a speed",
+    "sum of the weights",
+    "the paper has no figure",
+    // Files that the page writes for the program.
+    "the curve of the page",
+    "title = ",
+    "contact.friction={",
+    "standard_deviation",
+];
+
+fn crates() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// All Rust files below a path.
+fn files(path: &Path, found: &mut Vec<PathBuf>) {
+    if path.is_dir() {
+        let entries = fs::read_dir(path).unwrap();
+        let mut entries: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
+        entries.sort();
+        entries.iter().for_each(|entry| files(entry, found));
+    } else if path.extension().is_some_and(|end| end == "rs") && !path.ends_with("tests.rs") {
+        found.push(path.to_owned());
+    }
+}
+
+/// The texts of a source file, its tests aside.
+fn texts(source: &str) -> Vec<String> {
+    let source = source.split("#[cfg(test)]\nmod tests").next().unwrap();
+    let lines = source
+        .lines()
+        .filter(|line| !line.trim_start().starts_with("//"));
+    let letters: Vec<char> = lines.flat_map(|line| line.chars().chain(['\n'])).collect();
+    let (mut found, mut at) = (Vec::new(), 0);
+    while at < letters.len() {
+        match letters[at] {
+            '\'' if letters.get(at + 2) == Some(&'\'') => at += 3,
+            '"' => {
+                let mut text = String::new();
+                at += 1;
+                while letters[at] != '"' {
+                    if letters[at] != '\\' {
+                        text.push(letters[at]);
+                    } else if letters[at + 1] == '\n' {
+                        at += 1;
+                        while letters[at + 1].is_whitespace() {
+                            at += 1;
+                        }
+                    } else {
+                        at += 1;
+                        text.push(if letters[at] == 'n' { ' ' } else { letters[at] });
+                    }
+                    at += 1;
+                }
+                found.push(text);
+                at += 1;
+            }
+            _ => at += 1,
+        }
+    }
+    found
+}
+
+/// What stands between the values of a wording.
+fn between_values(wording: &str) -> impl Iterator<Item = &str> {
+    wording
+        .split('{')
+        .enumerate()
+        .map(|(k, part)| match (k, part.split_once('}')) {
+            (1.., Some((_, words))) => words,
+            _ => part,
+        })
+}
+
+/// Of several words in small letters: a sentence or a part of one.
+fn is_said(words: &str) -> bool {
+    let is_word = |word: &&str| word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase());
+    let punctuation = |c: char| matches!(c, ',' | '.' | ':' | ';' | '(' | ')' | '"');
+    words
+        .split(' ')
+        .map(|word| word.trim_matches(punctuation))
+        .filter(is_word)
+        .count()
+        >= 2
+}
+
+fn english() -> Vec<&'static str> {
+    wordings().map(|(english, _)| english).collect()
+}
+
+#[test]
+fn no_sentence_of_the_page_lacks_its_german() {
+    let catalogue = english();
+    let mut sources = Vec::new();
+    WHOLE
+        .iter()
+        .for_each(|path| files(&crates().join(path), &mut sources));
+    let mut missing = Vec::new();
+    for source in &sources {
+        for text in texts(&fs::read_to_string(source).unwrap()) {
+            let known = |words: &&str| {
+                let words = words.trim_matches(|c: char| c.is_whitespace() || ".,;:()".contains(c));
+                let small = words
+                    .chars()
+                    .take(1)
+                    .flat_map(char::to_lowercase)
+                    .chain(words.chars().skip(1))
+                    .collect::<String>();
+                catalogue.iter().any(|wording| {
+                    between_values(wording)
+                        .any(|part| part.contains(words) || part.contains(&small))
+                })
+            };
+            let lacks = between_values(&text).any(|words| is_said(words) && !known(&words));
+            if lacks && !LEFT.iter().any(|left| text.contains(left)) {
+                missing.push(format!("{}: {text}", source.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "no German of\n{}", missing.join("\n"));
+}
+
+#[test]
+fn no_sentence_is_left_that_nobody_says() {
+    let mut sources = Vec::new();
+    let all = fs::read_dir(crates())
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    all.filter(|path| !path.ends_with("riffel-words"))
+        .for_each(|path| files(&path.join("src"), &mut sources));
+    let mut said = String::new();
+    for source in &sources {
+        for text in texts(&fs::read_to_string(source).unwrap()) {
+            between_values(&text).for_each(|words| said.extend([words, "\n"]));
+        }
+    }
+    said += &fs::read_to_string(crates().join("riffel-web/assets/faults.js")).unwrap();
+    // What a key is stands in the comment on it.
+    for source in sources.iter().filter(|source| {
+        source
+            .parent()
+            .is_some_and(|folder| folder.ends_with("riffel-case/src/file"))
+    }) {
+        let text = fs::read_to_string(source).unwrap();
+        let comments = text
+            .lines()
+            .filter_map(|line| line.trim_start().strip_prefix("/// "));
+        said.extend(comments.map(|line| line.replace('\\', "") + " "));
+    }
+    // A long sentence may be put together of parts: of its pairs of words a third must stand somewhere. Of a short one each word.
+    let is_said = |wording: &str| {
+        let is_word = |word: &&str| {
+            word.chars()
+                .all(|c| c.is_alphabetic() || ",.:;".contains(c))
+        };
+        let parts: Vec<Vec<&str>> = between_values(wording)
+            .map(|part| part.split_whitespace().filter(is_word).collect())
+            .collect();
+        let pairs: Vec<String> = parts
+            .iter()
+            .flat_map(|words| words.windows(2))
+            .map(|pair| pair.join(" "))
+            .collect();
+        let said_pairs = pairs
+            .iter()
+            .filter(|pair| said.contains(pair.as_str()))
+            .count();
+        match pairs.len() {
+            ..4 => parts
+                .iter()
+                .flatten()
+                .all(|word| said.contains(word.trim_end_matches([':', ',', '.', ';']))),
+            count => 3 * said_pairs >= count,
+        }
+    };
+    let unsaid: Vec<&str> = english()
+        .into_iter()
+        .filter(|wording| !is_said(wording))
+        .collect();
+    assert!(unsaid.is_empty(), "nobody says\n{}", unsaid.join("\n"));
+}
