@@ -47,6 +47,7 @@ pub mod study;
 mod track_in_words;
 pub mod wheels;
 pub mod wheelset;
+pub mod wheelset_motions;
 
 pub use capital::capital;
 pub use error::AnswerError;

@@ -10,6 +10,7 @@ import { Form } from './form.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
+import { startMotion } from './motion.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { startPrinting } from './printing.js';
@@ -496,6 +497,7 @@ const shared = {
 startCompare(shared);
 const measure = startMeasure(shared);
 startBogie(shared);
+startMotion(shared);
 startPaper(shared);
 startTakeAway({ ...shared, measure });
 startPrinting({ applyTheme, redraw });

@@ -2,7 +2,7 @@
 
 const WORDS = {
   en: {
-    explore: 'Explore', compare: 'Compare', measure: 'Measure', paper: 'Paper', take_away: 'Take away',
+    explore: 'Explore', compare: 'Compare', measure: 'Measure', motion: 'Motion', paper: 'Paper', take_away: 'Take away',
     tagline: 'which corrugation grows, how fast, and why',
     case: 'Case', handles: 'Handles', theme: 'Light or dark', language: 'Language',
     growth_map: 'Growth map', wavelength: 'wavelength', speed: 'speed', frequency: 'frequency',
@@ -73,6 +73,10 @@ const WORDS = {
     friction_high: 'friction, high rail', friction_low: 'low rail', bogie_from_above: 'From above, travelling to the right',
     bogie_drawn: (p) => `Shifts, angles and the bow of the curve are drawn ${p.scale} times as large. Arrows: creep force on the rail, the longest ${p.force} kN. Wheels are the darker the more they wear, up to Tγ = ${p.wear} N.`,
     bogie_value: (p) => `${p.label}: ${p.low} to ${p.high}.`,
+    passage: 'A wheel over the wave, in time', wave_amplitude: 'amplitude of the wave [µm]', wave_place: 'place of the wheel [mm]', wave_height: 'profile [µm]', wave_force: 'P [kN]', wave_creepage: 'creepage [%]', wave_dissipation: 'dissipation [J/m]', wave_time: 'in time', wave_linear: 'linear',
+    wave_apart: (p) => `The wheel is in the air over ${p.percent} % of the wave (shaded). The linear answer knows nothing of that.`,
+    wave_large: (p) => `The wheel stays on the rail, but its normal force falls to ${p.share} P₀: the linear answer is off.`, wave_small: (p) => `The wheel stays on the rail; its normal force falls to ${p.share} P₀ at the least. The linear answer holds.`,
+    wheelset_modes: 'Wheelset in its modes', wheelset_none: 'This case has a lone wheel and no axle. Choose a wheelset on the left, one of its presets for instance.', wheelset_list: 'Natural frequency', wheelset_play: 'Move', wheelset_stop: 'Hold', wheelset_drawn: 'Drawn slower and larger than it is; wheels and discs are rigid, the axle bends, twists and stretches. Lines on the wheels show the twist.',
     profiles_panel: 'Profiles', curvatures_panel: 'Curvature', wheels_panel: 'The four wheels in the curve', across_profile: 'lateral x, field side positive [mm]', height_profile: 'height [mm]', curvature_profile: 'curvature [1/m]',
     no_equilibrium: 'The bogie does not stand in this curve:', shift_mm: 'shift mm', attack_mrad: 'attack mrad', along_percent: 'creepage along %', across_percent: 'across %', angle_degrees: 'angle °', load_kn: 'P kN', t_gamma: 'Tγ N',
     profile_large: (name) => `${name} is larger than 80 kB: profiles have some thousand points; riffel profile reads larger files.`,
@@ -80,7 +84,7 @@ const WORDS = {
     passages_word: 'passages', speed_unit: 'Unit of speeds', whole_map: 'Whole map', band: 'traffic', band_default: 'default traffic', gross_tonnes: (n) => `${n} MGT`, growth_time: (p) => `${p.time} or ${p.mass}${p.isDefault ? ' with the default traffic' : ''}`, time_months: (n) => `${n} months`, time_days: (n) => `${n} days`, time_years: (n) => `${n} years`,
   },
   de: {
-    explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', paper: 'Aufsatz', take_away: 'Mitnehmen',
+    explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', motion: 'Bewegung', paper: 'Aufsatz', take_away: 'Mitnehmen',
     tagline: 'welche Riffeln wachsen, wie schnell und warum',
     case: 'Fall', handles: 'Regler', theme: 'Hell oder dunkel', language: 'Sprache',
     growth_map: 'Wachstumskarte', wavelength: 'Wellenlänge', speed: 'Geschwindigkeit', frequency: 'Frequenz',
@@ -151,6 +155,10 @@ const WORDS = {
     friction_high: 'Reibung, bogenäußere Schiene', friction_low: 'bogeninnere Schiene', bogie_from_above: 'Von oben, Fahrt nach rechts',
     bogie_drawn: (p) => `Verschiebungen, Winkel und die Krümmung des Gleises sind ${p.scale}-fach vergrößert. Pfeile: Schlupfkraft auf die Schiene, der längste ${p.force} kN. Räder sind umso dunkler, je mehr sie verschleißen, bis Tγ = ${p.wear} N.`,
     bogie_value: (p) => `${p.label}: ${p.low} bis ${p.high}.`,
+    passage: 'Ein Rad über der Welle, in der Zeit', wave_amplitude: 'Amplitude der Welle [µm]', wave_place: 'Ort des Rades [mm]', wave_height: 'Profil [µm]', wave_force: 'P [kN]', wave_creepage: 'Schlupf [%]', wave_dissipation: 'Dissipation [J/m]', wave_time: 'in der Zeit', wave_linear: 'linear',
+    wave_apart: (p) => `Das Rad ist auf ${p.percent} % der Welle in der Luft (getönt). Davon weiß die lineare Antwort nichts.`,
+    wave_large: (p) => `Das Rad bleibt auf der Schiene, aber seine Normalkraft fällt auf ${p.share} P₀: die lineare Antwort weicht ab.`, wave_small: (p) => `Das Rad bleibt auf der Schiene; seine Normalkraft fällt höchstens auf ${p.share} P₀. Die lineare Antwort gilt.`,
+    wheelset_modes: 'Radsatz in seinen Eigenformen', wheelset_none: 'Dieser Fall hat ein einzelnes Rad und keine Welle. Links einen Radsatz wählen, zum Beispiel eine seiner Vorgaben.', wheelset_list: 'Eigenfrequenz', wheelset_play: 'Bewegen', wheelset_stop: 'Anhalten', wheelset_drawn: 'Langsamer und größer gezeichnet, als es ist; Räder und Scheiben sind starr, die Welle biegt, verdreht und dehnt sich. Striche auf den Rädern zeigen die Verdrehung.',
     profiles_panel: 'Profile', curvatures_panel: 'Krümmung', wheels_panel: 'Die vier Räder im Bogen', across_profile: 'quer x, Außenseite positiv [mm]', height_profile: 'Höhe [mm]', curvature_profile: 'Krümmung [1/m]',
     no_equilibrium: 'Das Drehgestell steht nicht in diesem Bogen:', shift_mm: 'Versatz mm', attack_mrad: 'Anlauf mrad', along_percent: 'Schlupf längs %', across_percent: 'quer %', angle_degrees: 'Winkel °', load_kn: 'P kN', t_gamma: 'Tγ N',
     profile_large: (name) => `${name} ist größer als 80 kB: Profile haben einige tausend Punkte; riffel profile liest größere Dateien.`,

@@ -39,6 +39,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "map-view.js": "text/javascript; charset=utf-8",
     "measure.js": "text/javascript; charset=utf-8",
     "noise.js": "text/javascript; charset=utf-8",
+    "motion.js": "text/javascript; charset=utf-8",
     "numbers.js": "text/javascript; charset=utf-8",
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",
@@ -51,6 +52,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "sweep.js": "text/javascript; charset=utf-8",
     "variant-report.js": "text/javascript; charset=utf-8",
     "variants.js": "text/javascript; charset=utf-8",
+    "wheelset-drawing.js": "text/javascript; charset=utf-8",
     "words.js": "text/javascript; charset=utf-8",
 };
 

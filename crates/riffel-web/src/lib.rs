@@ -51,6 +51,8 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/case", post(api::case::post))
         .route("/api/map", post(api::map::post))
         .route("/api/point", post(api::point::post))
+        .route("/api/passage", post(api::passage::post))
+        .route("/api/wheelset", post(api::wheelset::post))
         .route("/api/compare", post(api::compare::post))
         .route("/api/growth", post(api::compare::growth))
         .route("/api/curve", post(api::curve::post))

@@ -104,9 +104,16 @@ def test_what_is_said_of_a_case_is_german(open_page, name):
     page.close()
 
 
-def test_the_curve_is_german(open_page):
+def test_curve_and_motion_are_german(open_page):
     page = open_page(locale="de-DE")
     page.page.click("#tab-curve")
     page.until(lambda: page.page.locator("#wheels td").count() > 0)
     assert english(panels(page, "curve")) == []
-    page.close()
+    page.page.fill("#curve-radius", "25")
+    page.page.press("#curve-radius", "Tab")
+    page.settle()
+    page.page.click("#tab-motion")
+    page.until(lambda: page.text("#wave-words") != "" and page.text("#wheelset-words") != "")
+    assert "die lineare Antwort" in page.text("#wave-words").replace("Die", "die")
+    assert english(panels(page, "motion")) == []
+    page.close(complaints=len(page.complaints))

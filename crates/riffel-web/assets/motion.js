@@ -1,0 +1,235 @@
+// Motion: the wheel over a wave in time, and the wheelset in its modes.
+
+import { letterSize, theme } from './colors.js';
+import { axis, draw, layout, palette } from './curves.js';
+import { element, worded } from './elements.js';
+import { offer } from './figures.js';
+import { said } from './german.js';
+import { askWhich, readNumber } from './numbers.js';
+import { Line, json } from './server.js';
+import { WheelsetDrawing } from './wheelset-drawing.js';
+import { currentLanguage, number, speed, t, translate, written } from './words.js';
+
+/** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
+const SWING = 1800;
+/** Amplitudes that are taken [µm]. */
+const [LOWEST, HIGHEST] = [0.01, 2000];
+
+export function startMotion({ state, listen, banner, labels, save }) {
+  const place = document.getElementById('view-motion');
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+  // The wheel over a wave ------------------------------------------------------------------------------
+
+  const passage = { line: new Line('/api/passage', json), answer: null, fault: null, asked: '' };
+  const amplitude = element('input', { type: 'text', id: 'wave-amplitude', inputMode: 'decimal', size: 6, autocomplete: 'off' });
+  const refused = element('p', { className: 'fault', id: 'wave-fault', hidden: true });
+  amplitude.setAttribute('aria-describedby', refused.id);
+  const waveHead = element('header', {}, worded('h2', 'passage'), element('span', { className: 'aside', id: 'wave-at' }));
+  const waveWords = element('p', { className: 'why', id: 'wave-words' });
+  const wave = element('div', { className: 'curve strips', id: 'wave' });
+  const waveNotes = element('ul', { className: 'fine', id: 'wave-notes' });
+  offer(waveHead, () => passage.answer && { name: 'passage', plot: wave }, save);
+
+  /** The amplitude [m]: that of the case where none is written, none where what is written cannot be. */
+  function wanted() {
+    const read = amplitude.value === '' ? null : readNumber(amplitude.value) ?? { number: NaN };
+    if (read?.choices) {
+      askWhich(refused, amplitude.value, read, 'µm', (choice) => {
+        amplitude.value = written(choice);
+        askPassage();
+      });
+      return null;
+    }
+    const micro = read && Number(read.number);
+    const known = micro === null || (Number.isFinite(micro) && micro >= LOWEST && micro <= HIGHEST);
+    refused.hidden = known;
+    amplitude.setAttribute('aria-invalid', String(!known));
+    if (!known) refused.textContent = t('must_lie', { label: t('wave_amplitude'), value: amplitude.value, low: number(LOWEST), high: number(HIGHEST) });
+    return known ? (micro === null ? state.at?.state.amplitude_m : 1e-6 * micro) : null;
+  }
+
+  function askPassage() {
+    if (state.view !== 'motion' || !state.accepted || !state.point) return;
+    const amplitude_m = wanted();
+    if (!amplitude_m) return;
+    const question = { case: { keys: state.accepted }, wavelength_m: state.point.wavelength, speed_m_per_s: state.point.speed, amplitude_m };
+    const asked = JSON.stringify(question);
+    if (asked === passage.asked) return;
+    passage.asked = asked;
+    const shown = (answer, fault) => {
+      Object.assign(passage, { answer, fault });
+      showPassage();
+    };
+    passage.line.ask(question, (answer) => shown(answer, null), (fault) => {
+      passage.asked = '';
+      shown(null, fault);
+    });
+  }
+  passage.line.onCancel = () => {
+    passage.asked = '';
+    banner.say(() => t('stopped'), { ways: [['again', askPassage]] });
+  };
+
+  function showPassage() {
+    const { answer, fault } = passage;
+    document.getElementById('wave-at').textContent = state.point ? `${number(1e3 * state.point.wavelength)} mm, ${speed(state.point.speed)}` : '';
+    if (state.at) amplitude.placeholder = number(1e6 * state.at.state.amplitude_m);
+    wave.hidden = waveNotes.hidden = waveHead.querySelector('.take').hidden = !answer;
+    if (!answer) {
+      tell(waveWords, fault);
+      return;
+    }
+    const { course, linear, static_normal_force_n: mean, contact_loss_fraction: lost } = answer;
+    const least = Math.min(...linear.normal_force_n) / mean;
+    Object.assign(waveWords, {
+      textContent: lost > 0 ? t('wave_apart', { percent: number(100 * lost, 2) }) : t(least < 0.5 ? 'wave_large' : 'wave_small', { share: number(Math.min(...course.normal_force_n) / mean, 2) }),
+      lang: currentLanguage(),
+    });
+    waveNotes.replaceChildren(...answer.remarks.map((note) => element('li', { textContent: note[currentLanguage()] })));
+    drawPassage(answer);
+  }
+
+  async function drawPassage({ course, linear, static_normal_force_n: mean }) {
+    const [ink, blue, orange] = palette();
+    const x = course.position_m.map((value) => 1e3 * value);
+    const strips = [
+      ['wave_height', '', [[course.height_m, 1e6]]],
+      ['wave_force', 'kN', [[course.normal_force_n, 1e-3], [linear.normal_force_n, 1e-3]]],
+      ['wave_creepage', '%', [[course.creepage, 100]]],
+      ['wave_dissipation', 'J/m', [[course.dissipation_j_per_m, 1], [linear.dissipation_j_per_m, 1]]],
+    ];
+    const gap = 0.05;
+    const high = (1 - gap * (strips.length - 1)) / strips.length;
+    const axes = {};
+    const traces = strips.flatMap(([word, , curves], k) => {
+      const name = k ? `y${k + 1}` : 'y';
+      const top = 1 - k * (high + gap);
+      axes[k ? `yaxis${k + 1}` : 'yaxis'] = axis(t(word), { domain: [Math.max(0, top - high), top], nticks: 4 });
+      return curves.map(([values, unit], of) => ({
+        type: 'scatter', mode: 'lines', x, y: values.map((value) => unit * value), yaxis: name, name: t(of ? 'wave_linear' : 'wave_time'), legendgroup: of ? 'linear' : 'time', showlegend: k === 1,
+        line: { width: 1.7, color: k === 0 ? ink : of ? orange : blue, dash: of ? 'dash' : 'solid' }, hovertemplate: `%{x:.3~g} mm · %{y:.4~g}<extra>${t(of ? 'wave_linear' : 'wave_time')}</extra>`,
+      }));
+    });
+    // Where the wheel is in the air.
+    const shapes = [];
+    course.normal_force_n.forEach((force, k, all) => {
+      if (force > 1e-9 * mean) return;
+      const last = shapes.at(-1);
+      if (k && all[k - 1] <= 1e-9 * mean && last) last.x1 = x[k];
+      else shapes.push({ type: 'rect', xref: 'x', yref: 'paper', x0: x[k], x1: x[k], y0: 0, y1: 1, line: { width: 0 }, fillcolor: theme().warm, opacity: 0.14 });
+    });
+    await draw(wave, traces, layout({
+      xaxis: axis(t('wave_place'), { anchor: `y${strips.length}`, range: [0, x.at(-1)] }), ...axes, shapes, showlegend: true, margin: { l: 4.4 * letterSize(), r: 10, t: 2 * letterSize(), b: 3 * letterSize() },
+    }));
+  }
+
+  amplitude.addEventListener('change', askPassage);
+
+  // The wheelset ---------------------------------------------------------------------------------------
+
+  const modes = { line: new Line('/api/wheelset', json), answer: null, fault: null, asked: '', chosen: 0, drawing: null, playing: !still.matches, begun: 0 };
+  const wheelHead = element('header', {}, worded('h2', 'wheelset_modes'));
+  const wheelWords = element('p', { className: 'why', id: 'wheelset-words' });
+  const picture = element('div', { id: 'wheelset-drawing' });
+  const play = element('button', { type: 'button', className: 'plain small', id: 'wheelset-play' });
+  const list = element('fieldset', { className: 'modes', id: 'wheelset-modes' });
+  const table = element('table', { hidden: true });
+  offer(wheelHead, () => modes.answer && { name: 'wheelset', drawing: picture, table }, save);
+
+  function askModes() {
+    if (state.view !== 'motion' || !state.accepted) return;
+    const asked = JSON.stringify(state.accepted);
+    if (asked === modes.asked) return;
+    modes.asked = asked;
+    const shown = (answer, fault) => {
+      Object.assign(modes, { answer, fault, chosen: Math.max(0, Math.min(modes.chosen, (answer?.modes.length ?? 1) - 1)) });
+      showModes();
+    };
+    // A lone wheel has no modes to ask for.
+    if (!state.accepted.wheelset) return shown(null, null);
+    modes.line.ask({ case: { keys: state.accepted } }, (answer) => {
+      // The first that is no motion of the rigid body says most.
+      if (!modes.answer) modes.chosen = Math.max(0, answer.modes.findIndex(({ name }) => !name.startsWith('rigid body')));
+      shown(answer, null);
+    }, (fault) => {
+      modes.asked = '';
+      shown(null, fault);
+    });
+  }
+  modes.line.onCancel = () => (modes.asked = '');
+
+  function showModes() {
+    const { answer, fault } = modes;
+    picture.hidden = list.hidden = play.hidden = wheelHead.querySelector('.take').hidden = !answer;
+    if (!answer) {
+      if (fault || !modes.asked) tell(wheelWords, fault);
+      else Object.assign(wheelWords, { textContent: t('wheelset_none'), lang: currentLanguage() });
+      return;
+    }
+    Object.assign(wheelWords, { textContent: t('wheelset_drawn'), lang: currentLanguage() });
+    list.replaceChildren(worded('legend', 'wheelset_list', { textContent: t('wheelset_list') }), ...answer.modes.map(({ frequency_hz: frequency, name }, k) => {
+      const { text, language } = said(name);
+      const input = element('input', { type: 'radio', name: 'wheelset-mode', value: k, checked: k === modes.chosen });
+      input.addEventListener('change', () => {
+        modes.chosen = k;
+        modes.begun = 0;
+        step();
+      });
+      return element('label', {}, input, element('b', { textContent: `${number(frequency)} Hz` }), element('span', { textContent: text, lang: language }));
+    }));
+    table.replaceChildren(element('tbody', {}, element('tr', {}, element('th', { textContent: 'frequency_hz' }), element('th', { textContent: 'mode' })),
+      ...answer.modes.map(({ frequency_hz: frequency, name }) => element('tr', {}, element('td', { textContent: frequency }), element('td', { textContent: name })))));
+    modes.drawing = new WheelsetDrawing(picture, answer, t('wheelset_modes'));
+    step();
+  }
+
+  /** The share of the amplitude that is drawn: one that stands still is drawn where it is largest. */
+  let frame = 0;
+  function step(now = performance.now()) {
+    cancelAnimationFrame(frame);
+    const mode = modes.answer?.modes[modes.chosen];
+    play.textContent = t(modes.playing ? 'wheelset_stop' : 'wheelset_play');
+    if (!mode || state.view !== 'motion') return;
+    modes.begun ||= now - SWING / 4;
+    modes.drawing.draw(mode, modes.playing ? Math.sin((2 * Math.PI * (now - modes.begun)) / SWING) : 1);
+    if (modes.playing) frame = requestAnimationFrame(step);
+  }
+  play.addEventListener('click', () => {
+    modes.playing = !modes.playing;
+    modes.begun = 0;
+    step();
+  });
+  still.addEventListener('change', () => {
+    modes.playing = !still.matches;
+    step();
+  });
+
+  // ----------------------------------------------------------------------------------------------------
+
+  function tell(words, fault) {
+    const { text, language } = fault ? said(fault.message) : { text: '', language: currentLanguage() };
+    // The program tells a speed with all of its digits.
+    const short = text.replace(/\d+[.,]\d{5,}/g, (digits) => number(Number(digits.replace(',', '.')), 4));
+    Object.assign(words, { textContent: labels(short), lang: language });
+  }
+
+  place.append(
+    element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, element('span', { className: 'choice' }, worded('label', 'wave_amplitude', { htmlFor: amplitude.id }), amplitude)), refused, waveWords, wave, waveNotes),
+    element('article', { className: 'panel half' }, wheelHead, wheelWords, picture, element('div', { className: 'settings' }, play), list),
+  );
+  listen((what) => {
+    if (what === 'words') {
+      translate(place);
+      showPassage();
+      showModes();
+    } else if (what === 'view' || what === 'point' || what === 'map') {
+      askPassage();
+      askModes();
+      if (what === 'view' && state.view === 'motion') {
+        if (passage.answer) showPassage();
+        step();
+      }
+    }
+  });
+}

@@ -1,0 +1,106 @@
+//! `POST /api/passage`: a wheel over a sinusoid in time, and what the linear loop says of the same wave.
+
+use axum::Json;
+use axum::extract::State;
+use riffel::passage::Sinusoid;
+use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
+use serde::{Deserialize, Serialize};
+
+use super::note::Note;
+use crate::Page;
+use crate::fault::Fault;
+use crate::queue::Wanted;
+use crate::request::{Asked, Asker, CaseText};
+
+/// Amplitudes of the wave \[m\].
+const AMPLITUDES: [f64; 2] = [1e-8, 2e-3];
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+    wavelength_m: f64,
+    speed_m_per_s: f64,
+    amplitude_m: f64,
+}
+
+#[derive(Serialize)]
+pub(crate) struct Answer {
+    /// One wave under the wheel, from crest to crest.
+    course: Course,
+    contact_loss_fraction: f64,
+    static_normal_force_n: f64,
+    linear: Linear,
+    remarks: Vec<Note>,
+}
+
+/// The same wave by the linear loop, at the same places.
+#[derive(Serialize)]
+struct Linear {
+    normal_force_n: Vec<f64>,
+    dissipation_j_per_m: Vec<f64>,
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Json<Answer>, Fault> {
+    page.queue
+        .run(asker.subject("passage"), move |wanted| {
+            question.answer(wanted)
+        })
+        .await
+}
+
+impl Question {
+    fn answer(&self, wanted: &Wanted) -> Result<Json<Answer>, Fault> {
+        let [least, most] = AMPLITUDES;
+        let (wavelength, speed, amplitude) =
+            (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
+        if !(least..=most).contains(&amplitude) {
+            return Err(Fault::bad(format!(
+                "the amplitude is {} µm, but must be between {} and {} µm",
+                1e6 * amplitude,
+                1e6 * least,
+                1e6 * most
+            )));
+        }
+        let case = self.case.read()?;
+        let state = case.point(wavelength, speed)?;
+        if !wanted.still() {
+            return Err(Fault::busy(
+                "a newer request has taken the place of this one",
+            ));
+        }
+        let profile = Sinusoid {
+            wavelength,
+            amplitude,
+        };
+        let request = SinusoidRequest::new(speed, profile, None)?;
+        let answer = SinusoidAnswer::new(&case, request)?;
+        let course = answer.course();
+        // Oscillations are those of the amplitude of the case, with the profile real at x = 0.
+        let share = amplitude / case.feedback.amplitude();
+        let linear = |mean: f64, oscillation: riffel::Complex64| {
+            let at = |x: &f64| {
+                let turn = riffel::Complex64::cis(std::f64::consts::TAU * x / wavelength);
+                mean + share * (oscillation * turn).re
+            };
+            course.position_m.iter().map(at).collect()
+        };
+        let static_normal_force = case.steady.normal_force;
+        Ok(Json(Answer {
+            linear: Linear {
+                normal_force_n: linear(static_normal_force, state.normal_force()),
+                dissipation_j_per_m: linear(
+                    state.mean_dissipation() / speed,
+                    state.dissipation() / speed,
+                ),
+            },
+            contact_loss_fraction: answer.settled.contact_loss,
+            static_normal_force_n: static_normal_force,
+            remarks: answer.remarks.iter().map(Note::from).collect(),
+            course,
+        }))
+    }
+}

@@ -1,0 +1,99 @@
+"""Motion: a wheel over a wave in time beside the linear loop, and a wheelset in its modes."""
+
+import json
+import subprocess
+
+import pytest
+from conftest import PROGRAM, ROOT
+from test_figures import given
+from test_page import open_case
+
+CURVES = """() => document.getElementById('wave').data.map(({ x, y, yaxis, name, line }) => ({ x, y, yaxis, dashed: line.dash === 'dash' }))"""
+
+
+def amplitude(page, text):
+    page.page.fill("#wave-amplitude", text)
+    page.page.press("#wave-amplitude", "Tab")
+
+
+def curves(page):
+    return page.page.evaluate(CURVES)
+
+
+def test_a_small_wave_is_linear_and_a_large_one_parts(page, tmp_path):
+    page.page.click("#tab-motion")
+    page.until(lambda: page.page.locator("#wave .main-svg").count() > 0)
+    amplitude(page, "0.1")
+    page.until(lambda: max(curves(page)[0]["y"]) == pytest.approx(0.1))
+    _, force, linear, _, dissipated, of_loop = curves(page)
+    assert not force["dashed"] and linear["dashed"]
+    # A thousandth of the static load; what is left is of second order in the amplitude and in the step of the march.
+    for one, other in [(force, linear), (dissipated, of_loop)]:
+        swing = max(other["y"]) - min(other["y"])
+        assert swing > 0
+        assert max(abs(a - b) for a, b in zip(one["y"], other["y"], strict=True)) < 0.02 * swing
+    assert "holds" in page.text("#wave-words")
+    amplitude(page, "150")
+    page.until(lambda: "in the air" in page.text("#wave-words"))
+    page.until(lambda: max(curves(page)[0]["y"]) == pytest.approx(150))
+    _, force, linear, *_ = curves(page)
+    assert min(force["y"]) == 0 and min(linear["y"]) < 0
+    # As the program has it at the same place of the map.
+    point = page.page.evaluate("() => window.riffel.state.point")
+    command = [
+        PROGRAM, "simulate", str(ROOT / "cases/nominal.toml"), "--sinusoid", f"150um,{point['wavelength']} m", "--speed", f"{point['speed']} m/s", "--json", "--quiet",
+    ]
+    document = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    assert f"{100 * document['contact_loss_fraction']:.2g} %" in page.text("#wave-words")
+    assert max(force["y"]) == pytest.approx(1e-3 * document["maximum_normal_force_n"], rel=1e-3)
+    assert page.page.evaluate("() => document.getElementById('wave').layout.shapes.length") > 0
+    page.keep("passage", whole=True)
+    amplitude(page, "3000")
+    assert page.page.locator("#wave-fault").is_visible() and "2000" in page.text("#wave-fault")
+
+
+def test_a_wheelset_moves_in_its_modes(open_page):
+    page = open_page(reduced_motion="no-preference")
+    page.page.click("#tab-motion")
+    page.until(lambda: "no axle" in page.text("#wheelset-words"))
+    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    page.until(lambda: page.page.locator("#wheelset-modes input").count() > 3)
+    page.settle()
+    command = [PROGRAM, "wheelset", str(ROOT / "cases/curve.toml"), "--json", "--quiet"]
+    document = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    modes = [one["name"] for one in document["natural_frequencies"]]
+    assert page.page.locator("#wheelset-modes label span").all_inner_texts() == modes
+    shape = lambda: page.page.locator("#wheelset-drawing svg").inner_html()
+    bending = next(k for k, name in enumerate(modes) if "bending" in name)
+    page.page.locator("#wheelset-modes input").nth(bending).check()
+    before = shape()
+    page.until(lambda: shape() != before)
+    page.page.click("#wheelset-play")
+    page.page.wait_for_timeout(100)
+    held = shape()
+    page.page.wait_for_timeout(200)
+    assert shape() == held
+    page.page.locator("#wheelset-modes input").nth(next(k for k, name in enumerate(modes) if "torsion" in name)).check()
+    assert shape() != held
+    for kind in ("svg", "csv"):
+        text = given(page, "wheelset-drawing", kind)
+        assert (b"<svg" if kind == "svg" else b"frequency_hz,mode") in text[:300]
+    page.keep("wheelset-modes", whole=True)
+    page.close(complaints=len(page.complaints))
+
+
+@pytest.mark.without_curves
+def test_who_asks_for_no_motion_sees_none(open_page):
+    page = open_page(reduced_motion="reduce")
+    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    page.page.wait_for_timeout(300)
+    page.settle()
+    page.page.click("#tab-motion")
+    page.until(lambda: page.page.locator("#wheelset-drawing svg").count() > 0)
+    shape = lambda: page.page.locator("#wheelset-drawing svg").inner_html()
+    still = shape()
+    page.page.wait_for_timeout(300)
+    assert shape() == still
+    page.page.click("#wheelset-play")
+    page.until(lambda: shape() != still)
+    page.close(complaints=len(page.complaints))
