@@ -109,7 +109,7 @@ export class Form {
   #row(key, node) {
     const id = idOf(key);
     const label = element('label', { htmlFor: id });
-    label.dataset.hint = `${node.description ?? ''}\n${key}`.trim();
+    label.dataset.hint = `${(node.description ?? '').replaceAll('\n', ' ')}\n${key}`.trim();
     hint(label);
     label.dataset.name = key;
     const unit = element('span', { className: 'unit', id: `${id}-unit` });
@@ -154,7 +154,7 @@ export class Form {
     if (empty) menu.append(element('option', { value: '', textContent: '—' }));
     for (const [name, title] of choices) {
       const option = element('option', { value: name, textContent: name });
-      option.dataset.hint = title ?? '';
+      option.dataset.hint = (title ?? '').replaceAll('\n', ' ');
       hint(option);
       menu.append(option);
     }

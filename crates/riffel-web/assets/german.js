@@ -5,6 +5,8 @@ import { currentLanguage } from './words.js';
 
 /** A sentence in a sentence in a sentence … */
 const DEEPEST = 5;
+/** What is longer is data and no sentence. */
+const LONGEST = 2000;
 /** Name of a value that must be a sentence of the catalogue. */
 const SENTENCE = 'sentence';
 
@@ -98,7 +100,7 @@ function sought(english, depth) {
 }
 
 /** The German of what the program says; null of what the catalogue does not have. */
-export const inGerman = (english) => sought(english.trim(), DEEPEST);
+export const inGerman = (english) => (english.length > LONGEST ? null : sought(english.trim(), DEEPEST));
 
 /** What the program says, in the language of the page where the catalogue has it, and that language. */
 export function said(english) {

@@ -104,6 +104,20 @@ def test_what_is_said_of_a_case_is_german(open_page, name):
     page.close()
 
 
+@pytest.mark.without_curves
+def test_labels_and_hints_are_german(open_page):
+    page = open_page(locale="de-DE")
+    labels = page.page.evaluate(
+        """() => [...document.querySelectorAll('#keys [data-name]')].map(({ dataset, textContent }) => [dataset.name.split('.').at(-1).replaceAll('_', ' '), textContent])"""
+    )
+    assert [label for key, label in labels if label == key] == [], "a key that is called as it is written"
+    hints = page.page.evaluate("() => [...document.querySelectorAll('#keys [data-hint]')].map(({ dataset, title }) => [dataset.hint.split('\\n')[0], title.split('\\n')[0]])")
+    titles = page.page.evaluate("() => window.riffel.state.vocabulary.presets.map(({ title }) => title)")
+    assert len(hints) > 150
+    assert [hint for hint, shown in hints if hint == shown and " " in hint and hint not in titles] == []
+    page.close()
+
+
 def test_curve_and_motion_are_german(open_page):
     page = open_page(locale="de-DE")
     page.page.click("#tab-curve")

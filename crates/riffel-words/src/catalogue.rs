@@ -28,6 +28,9 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// Name of a value that must be a sentence of the catalogue.
 const SENTENCE: &str = "sentence";
 
+/// What is longer [bytes] is data and no sentence.
+const LONGEST: usize = 2000;
+
 /// Sentences are sought in sentences so deep.
 const DEEPEST: usize = 5;
 
@@ -53,10 +56,13 @@ pub(crate) static READ: LazyLock<Catalogue> = LazyLock::new(|| {
 
 /// The German of a sentence or of words that the program says; none of what the catalogue does not have.
 ///
-/// A text of several sentences is translated sentence by sentence, and wholly or not at all. Cost: some 10 µs for each
-/// sentence.
+/// A text of several sentences is translated sentence by sentence, and wholly or not at all. Cost, without
+/// optimisation: 0.2 to 3 ms for the sentences and captions of a report.
 pub fn in_german(english: &str) -> Option<String> {
     let inner = english.trim();
+    if inner.len() > LONGEST {
+        return None;
+    }
     let german = sought(inner, DEEPEST)?;
     let start = english.len() - english.trim_start().len();
     Some([&english[..start], &german, &english[start + inner.len()..]].concat())

@@ -54,8 +54,34 @@ impl<'a> Wording<'a> {
 
     /// The values that make the sentence of this wording, the shortest first ones where several do; a value is never empty.
     pub(crate) fn values<'s>(&self, sentence: &'s str) -> Option<Vec<(&'a str, &'s str)>> {
+        if !self.may_fit(sentence) {
+            return None;
+        }
         let mut values = Vec::new();
         fits(&self.pieces, sentence, &mut values).then_some(values)
+    }
+
+    /// Whether its words stand in a sentence in their order: quick, and false of nearly all.
+    fn may_fit(&self, sentence: &str) -> bool {
+        if let Some(Piece::Words(words)) = self.pieces.last()
+            && !sentence.ends_with(words)
+        {
+            return false;
+        }
+        let mut rest = sentence;
+        self.pieces
+            .iter()
+            .enumerate()
+            .all(|(place, piece)| match piece {
+                Piece::Words(words) => match (place, rest.find(words)) {
+                    (0, Some(1..)) | (_, None) => false,
+                    (_, Some(at)) => {
+                        rest = &rest[at + words.len()..];
+                        true
+                    }
+                },
+                Piece::Value(_) => true,
+            })
     }
 
     /// The sentence with values in the place of their names.

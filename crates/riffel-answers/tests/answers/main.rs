@@ -5,3 +5,4 @@ mod axlebox;
 mod branches;
 mod comparison;
 mod forecast;
+mod motions;
