@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use crate::step::{run_beside, run_unseen};
-use crate::{Outcome, environment, root};
+use crate::{Outcome, environment, page, root};
 
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
@@ -16,7 +16,7 @@ const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chro
 /// [`test()`] with the program whose page is tested.
 pub(crate) fn test_alone() -> Outcome {
     crate::build_program()?;
-    test(&prepare()?)
+    test(&prepare()?, page::build_if_possible()?)
 }
 
 /// What drives the browser, and the browser.
@@ -33,8 +33,9 @@ pub(crate) fn prepare() -> Result<Browser, String> {
     })
 }
 
-/// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
-pub(crate) fn test(browser: &Browser) -> Outcome {
+/// Run the tests of the page, and of the page in one file where its module is there; screenshots are kept in
+/// `target/browser-tests/screenshots`.
+pub(crate) fn test(browser: &Browser, module: Option<PathBuf>) -> Outcome {
     let tests = ["-m", "pytest", "--quiet", "crates/riffel-web/tests"];
     let mut tests = environment::command(&browser.python, &tests);
     tests
@@ -42,6 +43,9 @@ pub(crate) fn test(browser: &Browser) -> Outcome {
         .env("CHROMIUM", &browser.chromium)
         .env("SCREENSHOTS", folder().join("screenshots"))
         .env("PYTHONDONTWRITEBYTECODE", "1");
+    if let Some(module) = module {
+        tests.env("RIFFEL_WASM", module);
+    }
     run_beside(&mut tests)
 }
 

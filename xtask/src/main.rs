@@ -5,6 +5,7 @@ mod check;
 mod dependencies;
 mod environment;
 mod fuzz;
+mod page;
 mod python;
 mod release;
 mod step;
@@ -36,6 +37,8 @@ enum Task {
     },
     /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
     Browser,
+    /// The answers of the page as a WebAssembly module: a program that is built after it holds them, for `riffel page`.
+    Page,
     /// The Python package alone: wheel, tests, types.
     Python,
     /// Write the generated files of the book. A test of the program says whether they are current.
@@ -62,6 +65,7 @@ fn main() -> ExitCode {
         Task::Test { quick: true } => check::quick(),
         Task::Test { quick: false } => check::all(),
         Task::Browser => browser::test_alone(),
+        Task::Page => page::install(),
         Task::Python => python::test_alone(),
         Task::Generate => generate(),
         Task::Dependencies => dependencies::check(),

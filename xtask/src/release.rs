@@ -9,7 +9,7 @@ use flate2::write::GzEncoder;
 use tar::{Builder, EntryType, Header};
 
 use crate::step::{cargo, run};
-use crate::{Outcome, dependencies, environment, output, python, root};
+use crate::{Outcome, dependencies, environment, output, page, python, root};
 
 /// Where the files of a release are written.
 const FOLDER: &str = "target/release-files";
@@ -38,6 +38,7 @@ pub(crate) fn build() -> Outcome {
     let folder = root().join(FOLDER);
     let _ = fs::remove_dir_all(&folder);
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {FOLDER}: {error}"))?;
+    page::install()?;
     let flags = flags()?;
     let environment = [("CARGO_ENCODED_RUSTFLAGS", flags.as_str())];
     // With the features of both, so that what both are made of is built once.
@@ -74,7 +75,7 @@ fn python_package(variables: &[(&str, &str)]) -> Outcome {
 }
 
 /// Flags of the compiler that keep the folders of this machine out of the program.
-fn flags() -> Result<String, String> {
+pub(crate) fn flags() -> Result<String, String> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
     let home = home.ok_or("there is no home folder")?;
@@ -171,7 +172,7 @@ fn time_of_commit() -> Result<u64, String> {
 }
 
 /// The system that the compiler builds for.
-fn host() -> Result<String, String> {
+pub(crate) fn host() -> Result<String, String> {
     let text = output(Path::new("rustc"), &["--print", "host-tuple"])?;
     Ok(String::from_utf8_lossy(&text).trim().to_owned())
 }

@@ -38,6 +38,7 @@ mod parameters;
 pub mod point;
 pub mod profile;
 pub mod receptance;
+#[cfg(not(target_family = "wasm"))] // its page is drawn
 pub mod report;
 pub mod ridge;
 pub mod roughness;

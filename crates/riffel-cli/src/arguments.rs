@@ -7,6 +7,7 @@ mod listed_length;
 pub(crate) mod network;
 mod noise;
 mod number;
+mod page;
 mod roughness;
 mod simulate;
 mod study;
@@ -31,6 +32,7 @@ pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Mode
 pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
+pub(crate) use page::Page;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
@@ -138,6 +140,8 @@ pub(crate) enum Command {
     Figures(Figures),
     /// The page: the whole model in a browser on this machine.
     Serve(Serve),
+    /// The page as one file, with a case inside: it opens without server and network.
+    Page(Page),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
     /// Print the JSON schema of the case file, of the traffic file or of the plan of a study.

@@ -89,6 +89,25 @@ pub(crate) enum CliError {
     #[error("{error}")]
     Serve { error: riffel_web::ServeError },
 
+    #[error(
+        "this program was built without the WebAssembly module that the page in one file needs"
+    )]
+    #[diagnostic(help(
+        "in the sources of Riffel run `cargo xtask page` and build the program anew, or give the module with --module; \
+         the programs of a release have it"
+    ))]
+    NoModule,
+
+    #[error("cannot read the module {path}: {reason}", path = path.display())]
+    ReadModule { path: PathBuf, reason: io::Error },
+
+    #[error("{message}")]
+    Page {
+        message: String,
+        #[help]
+        help: Option<String>,
+    },
+
     #[error(transparent)]
     #[diagnostic(transparent)]
     Answer(#[from] riffel_answers::AnswerError),

@@ -94,6 +94,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Forecast(arguments) => command::forecast::run(&arguments)?,
         Command::Compare(arguments) => command::compare::run(&arguments)?,
         Command::Serve(arguments) => command::serve::run(&arguments, program)?,
+        Command::Page(arguments) => command::page::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),
         Command::Completions(arguments) => command::completions::run(&arguments)?,
         Command::Man(arguments) => command::man::run(&arguments)?,

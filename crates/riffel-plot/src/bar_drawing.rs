@@ -2,13 +2,14 @@
 
 use plotters::style::text_anchor::{HPos, VPos};
 
-use crate::axis::{Axis, Direction, Scale, Ticks};
+use crate::axis::{Axis, Direction, Ticks};
 use crate::bar_figure::{BarArrangement, BarFigure, BarPanel};
 use crate::canvas::{self, Canvas, Lettering, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
 use crate::error::PlotError;
 use crate::frame::{self, Side};
 use crate::legend::{Entry, Sample};
+use crate::scale::Scale;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
 use crate::text::{self, Weight};

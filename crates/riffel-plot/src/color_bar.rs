@@ -3,43 +3,18 @@
 use plotters::style::text_anchor::{HPos, VPos};
 
 use crate::canvas::{Canvas, Lettering, Stroke};
-use crate::color::{Rgb, growth_color};
+use crate::color::Rgb;
 use crate::error::PlotError;
 use crate::sheet_box::SheetBox;
+use crate::steps::Steps;
 use crate::text::{self, Weight};
 use crate::text::{TICK_FONT, TITLE_FONT};
 
 /// Height of bar, values and name, pixels.
 pub(crate) const HEIGHT: f64 = BAR + 4.0 + TICK_FONT + 5.0 + TITLE_FONT + 3.0;
 const BAR: f64 = 10.0;
-/// More steps than this cannot be told apart.
-const MOST_STEPS: usize = 50;
-
-/// The equal steps of growth of a map.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Steps {
-    /// Smallest value of the map, negative.
-    pub(crate) least: f64,
-    /// Number of steps from 0 to `least`.
-    pub(crate) count: usize,
-}
 
 impl Steps {
-    /// Value at the boundary `index`, from 0 at 0 to `least` at `count`.
-    pub(crate) fn value(&self, index: usize) -> f64 {
-        self.least * (index as f64 / self.count as f64)
-    }
-
-    /// The steps of a map, none if nothing grows. The count is kept within 1 to [`MOST_STEPS`].
-    pub(crate) fn new(least: Option<f64>, count: usize) -> Option<Self> {
-        least
-            .filter(|least| -least > f64::MIN_POSITIVE)
-            .map(|least| Steps {
-                least,
-                count: count.clamp(1, MOST_STEPS),
-            })
-    }
-
     /// Power of ten common to the values; 0 for numbers that read well as they are.
     fn exponent(&self) -> i32 {
         let magnitude = self.least.abs().log10().floor() as i32;
@@ -70,25 +45,6 @@ impl Steps {
             0 => name.to_owned(),
             exponent => format!("{name}  (×{})", text::power_of_ten(exponent)),
         }
-    }
-
-    /// Colour of the step between the boundaries `index` and `index + 1`.
-    pub(crate) fn color(&self, index: usize) -> Rgb {
-        growth_color(index as f64 / (self.count.max(2) - 1) as f64)
-    }
-
-    /// Values at which regions of growth begin, as positive numbers; the first is just above 0, for
-    /// a value of exactly 0 is no growth.
-    pub(crate) fn growth_levels(&self) -> Vec<f64> {
-        (0..self.count)
-            .map(|index| {
-                if index == 0 {
-                    -self.least * 1e-9
-                } else {
-                    -self.value(index)
-                }
-            })
-            .collect()
     }
 }
 

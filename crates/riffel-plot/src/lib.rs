@@ -39,49 +39,81 @@
 //!
 //! Lengths on the sheet are pixels of CSS, 96 per inch: a map of one panel is 146 mm wide with
 //! labels of 9 and 10 points, one of two panels 196 mm.
+//!
+//! Built for WebAssembly the crate holds figures as data alone: a browser draws them.
 
+#![cfg_attr(target_family = "wasm", allow(dead_code))] // what drawing alone asks of figures
+
+#[cfg(not(target_family = "wasm"))]
 mod axis;
+#[cfg(not(target_family = "wasm"))]
 mod bar_drawing;
 mod bar_figure;
+#[cfg(not(target_family = "wasm"))]
 mod canvas;
 mod chainage;
+#[cfg(not(target_family = "wasm"))]
 mod collision;
 mod color;
+#[cfg(not(target_family = "wasm"))]
 mod color_bar;
+#[cfg(not(target_family = "wasm"))]
 mod contours;
 mod error;
+#[cfg(not(target_family = "wasm"))]
 mod frame;
 mod grid;
+#[cfg(not(target_family = "wasm"))]
 mod html;
+#[cfg(not(target_family = "wasm"))]
 mod legend;
+#[cfg(not(target_family = "wasm"))]
 mod line_drawing;
 mod line_figure;
+#[cfg(not(target_family = "wasm"))]
 mod line_page;
+#[cfg(not(target_family = "wasm"))]
 mod map_drawing;
 mod map_figure;
+#[cfg(not(target_family = "wasm"))]
 mod map_marks;
+#[cfg(not(target_family = "wasm"))]
 mod map_page;
+#[cfg(not(target_family = "wasm"))]
 mod mark_name;
+#[cfg(not(target_family = "wasm"))]
 mod marker;
+#[cfg(not(target_family = "wasm"))]
 mod raster;
 mod rays;
+mod scale;
+#[cfg(not(target_family = "wasm"))]
 mod sheet;
+#[cfg(not(target_family = "wasm"))]
 mod sheet_box;
+mod steps;
+#[cfg(not(target_family = "wasm"))]
 mod strip_drawing;
 mod strip_figure;
+#[cfg(not(target_family = "wasm"))]
 mod subscript;
+#[cfg(not(target_family = "wasm"))]
 mod text;
 
-pub use axis::Scale;
 pub use bar_figure::{Bar, BarArrangement, BarFigure, BarPanel, BarSeries};
 pub use chainage::ChainageUnit;
+#[cfg(not(target_family = "wasm"))]
 pub use collision::collisions;
 pub use color::{OKABE_ITO, Rgb};
 pub use error::PlotError;
+#[cfg(not(target_family = "wasm"))]
 pub use html::plotly_js;
 pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
+#[cfg(not(target_family = "wasm"))]
 pub use line_page::html_of_stages;
 pub use map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
+#[cfg(not(target_family = "wasm"))]
 pub use raster::{DEFAULT_PNG_SCALE, png};
 pub use rays::constant_frequency_rays;
+pub use scale::Scale;
 pub use strip_figure::{Strip, StripClass, StripFigure, StripPanel, StripRow};

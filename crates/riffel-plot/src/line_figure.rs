@@ -1,8 +1,8 @@
 //! Curves over a common abscissa: the data of the figure.
 
-use crate::axis::Scale;
 use crate::color::Rgb;
 use crate::error::PlotError;
+use crate::scale::Scale;
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -2,12 +2,13 @@
 
 use serde_json::{Value, json};
 
-use crate::axis::{Scale, degree_step};
+use crate::axis::degree_step;
 use crate::error::PlotError;
 use crate::html::{self, PagePanel, PageStage, coordinates, words};
 use crate::line_drawing::series_color;
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 use crate::marker::Marker;
+use crate::scale::Scale;
 
 impl LineFigure {
     /// The figure as a page of HTML that shows the numbers under the pointer. It carries everything

@@ -1,9 +1,9 @@
 //! Maps of growth as pictures.
 
-use crate::axis::{Axis, Direction, Scale, Ticks};
+use crate::axis::{Axis, Direction, Ticks};
 use crate::canvas::{self, Canvas, Point, Stroke};
 use crate::color::Rgb;
-use crate::color_bar::{self, Steps};
+use crate::color_bar;
 use crate::contours::{self, Region};
 use crate::error::PlotError;
 use crate::frame::{self, Side};
@@ -14,8 +14,10 @@ use crate::map_marks::{
     BEST_FIT_RAY, BRANCH, Marks, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker,
 };
 use crate::marker::Marker;
+use crate::scale::Scale;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
+use crate::steps::Steps;
 
 const SPEED_KM_PER_H: &str = "speed V [km/h]";
 const SPEED_M_PER_S: &str = "speed V [m/s]";

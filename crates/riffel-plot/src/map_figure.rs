@@ -1,9 +1,9 @@
 //! Maps of growth over wavelength and speed: the data of the figure.
 
-use crate::color_bar::Steps;
 use crate::error::PlotError;
 use crate::grid::{Grid, check_axis};
 use crate::rays::Window;
+use crate::steps::Steps;
 
 /// Branches that are named by their frequency, the strongest among them: more labels than these hide the map.
 const NAMED_BRANCHES: usize = 4;

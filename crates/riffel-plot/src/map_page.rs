@@ -3,7 +3,6 @@
 use serde_json::{Value, json};
 
 use crate::color::{BEST_FIT, Rgb, growth_color};
-use crate::color_bar::Steps;
 use crate::error::PlotError;
 use crate::grid::{Grid, thinned_indices};
 use crate::html::{self, PagePanel, PageStage, coordinates, number, words};
@@ -11,6 +10,7 @@ use crate::map_drawing::ZERO_CONTOUR;
 use crate::map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 use crate::map_marks::{MOST_RIDGE_MARKS, hertz};
 use crate::marker::Marker;
+use crate::steps::Steps;
 
 /// Grid points along an axis of a page: more only make it heavy.
 const MOST_GRID_POINTS: usize = 250;

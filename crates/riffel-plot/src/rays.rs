@@ -79,7 +79,7 @@ pub fn constant_frequency_rays(
         return best.into_iter().step_by(every).collect();
     }
     // A narrow window: equal steps.
-    let step = crate::axis::nice_step(highest - lowest, 6);
+    let step = crate::scale::nice_step(highest - lowest, 6);
     let first = (lowest / step).ceil();
     (0..=MOST)
         .map(|k| (first + k as f64) * step)

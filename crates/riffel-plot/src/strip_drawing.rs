@@ -1,10 +1,11 @@
 //! Strips as pictures.
 
-use crate::axis::{Axis, Direction, Scale, Ticks};
+use crate::axis::{Axis, Direction, Ticks};
 use crate::canvas::{self, Canvas};
 use crate::error::PlotError;
 use crate::frame::{self, Side};
 use crate::legend::{Entry, Sample};
+use crate::scale::Scale;
 use crate::sheet::{self, Sheet};
 use crate::sheet_box::SheetBox;
 use crate::strip_figure::{StripFigure, StripPanel, StripRow};

@@ -19,6 +19,7 @@ import { Steps } from './steps.js';
 import { offer } from './figures.js';
 import { save, startTakeAway } from './take-away.js';
 import { Traffic, readTraffic } from './traffic.js';
+import { inside, reach } from './transport.js';
 import { readVariants } from './variants.js';
 import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
 
@@ -34,7 +35,7 @@ const banner = new Banner($('trouble'), $('notice'));
 const trouble = (words, more) => banner.say(words, more);
 translate();
 
-const vocabulary = await fetch('/api/vocabulary').then((response) => (response.ok ? response.json() : Promise.reject(response.status))).catch((fault) => {
+const vocabulary = await reach('/api/vocabulary').then((response) => (response.ok ? response.json() : Promise.reject(response.status))).catch((fault) => {
   trouble(() => t('gone'), { until: 'closed', ways: [['reload', () => location.reload()]] });
   throw fault;
 });
@@ -508,14 +509,14 @@ for (const [id, figure] of [
 translate();
 
 const link = location.hash.length > 1 ? readLink(location.hash) : null;
-const last = lastState();
+const last = inside ? { ...nominal(), case: structuredClone(inside) } : lastState();
 const first = link ?? last ?? nominal();
 Object.assign(state, { keys: first.case, variants: first.variants });
 traffic.show(first.traffic);
 steps.begin(snapshot());
 open(first, { asStep: false });
 if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
-else if (!link && last && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
+else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
 window.riffel = { traffic: requests, state, gaps, idle: () => maps.idle && points.idle && !drawing };

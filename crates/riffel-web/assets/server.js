@@ -1,6 +1,8 @@
 // Questions to the program. Of each kind only the newest is wanted: an older one that is still under way
 // gives up its place, here by AbortController and there by the name of this page.
 
+import { reach } from './transport.js';
+
 const NAME = 'riffel-page';
 /** How long a reload may take to give back the name of the page [ms]. */
 const HANDING_OVER = 400;
@@ -75,7 +77,7 @@ async function ask(path, body, signal, headers = {}) {
     traffic.asked++;
     let response;
     try {
-      response = await fetch(path, {
+      response = await reach(path, {
         method: 'POST',
         headers: { 'Content-Type': 'application/json', 'X-Riffel-Page': page, ...headers },
         body: typeof body === 'string' || body instanceof Blob ? body : JSON.stringify(body),

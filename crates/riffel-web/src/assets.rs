@@ -48,6 +48,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "svg-context.js": "text/javascript; charset=utf-8",
     "steps.js": "text/javascript; charset=utf-8",
     "take-away.js": "text/javascript; charset=utf-8",
+    "transport.js": "text/javascript; charset=utf-8",
     "traffic.js": "text/javascript; charset=utf-8",
     "sweep.js": "text/javascript; charset=utf-8",
     "variant-report.js": "text/javascript; charset=utf-8",
@@ -70,7 +71,19 @@ static ALL: LazyLock<Vec<(&str, &str, &str)>> = LazyLock::new(|| {
     FILES.iter().copied().chain([catalogue]).collect()
 });
 
-const PAGE: &str = include_str!("../assets/page.html");
+pub(crate) const PAGE: &str = include_str!("../assets/page.html");
+
+/// The name of a file as it is known here.
+pub(crate) fn name(name: &str) -> Option<&'static str> {
+    let (name, ..) = ALL.iter().find(|(known, ..)| *known == name)?;
+    Some(name)
+}
+
+/// The text of a file; that of one that is not there is empty.
+pub(crate) fn text(name: &str) -> &'static str {
+    let file = ALL.iter().find(|(known, ..)| *known == name);
+    file.map_or("", |(.., text)| text)
+}
 
 /// What is computed once: the text of plotly.js, the page, and what their addresses are made of.
 struct Built {

@@ -1,164 +1,27 @@
-//! What went wrong, as the page shows it.
+//! A fault as an answer of the server.
 
 use axum::Json;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use miette::Diagnostic;
-use riffel_keys::CaseError;
-use serde::Serialize;
+pub(crate) use riffel_page::Fault;
 
-/// An error: a status for the browser, a sentence for the reader and, where there is one, the key of the
-/// case that is at fault.
-#[derive(Debug, Serialize)]
-pub(crate) struct Fault {
-    #[serde(skip)]
-    status: StatusCode,
-    #[serde(skip)]
-    retry_after_s: Option<u32>,
-    /// Dotted key of the case.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    key: Option<String>,
-    /// The sentence.
-    message: String,
-    /// What would be right.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    help: Option<String>,
-    /// Line of the text that was sent, from 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    line: Option<usize>,
-    /// What a developer of the page wants to know, and nobody else.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    detail: Option<Box<str>>,
-}
+/// A fault that is sent in place of an answer.
+#[derive(Debug)]
+pub(crate) struct Refusal(pub(crate) Fault);
 
-impl Fault {
-    /// A request that is not let in.
-    pub(crate) fn refused(status: StatusCode, message: String, help: &str) -> Self {
-        Self {
-            status,
-            retry_after_s: None,
-            key: None,
-            message,
-            help: (!help.is_empty()).then(|| help.to_owned()),
-            line: None,
-            detail: None,
-        }
-    }
-
-    /// Too much to do at present.
-    pub(crate) fn busy(message: &str) -> Self {
-        Self {
-            retry_after_s: Some(1),
-            ..Self::refused(
-                StatusCode::SERVICE_UNAVAILABLE,
-                message.to_owned(),
-                "the page asks again by itself",
-            )
-        }
-    }
-
-    /// A value of the case beyond what the page computes.
-    pub(crate) fn of_key(key: &str, message: String, help: &str) -> Self {
-        Self {
-            key: Some(key.to_owned()),
-            ..Self::refused(StatusCode::UNPROCESSABLE_ENTITY, message, help)
-        }
-    }
-
-    /// A request that cannot be read, or cannot be answered as it stands.
-    pub(crate) fn bad(message: impl Into<String>) -> Self {
-        Self::refused(StatusCode::UNPROCESSABLE_ENTITY, message.into(), "")
-    }
-
-    /// A request in another form than that of this program's page.
-    pub(crate) fn misunderstood(detail: &str) -> Self {
-        Self {
-            detail: Some(detail.into()),
-            ..Self::refused(
-                StatusCode::UNPROCESSABLE_ENTITY,
-                "the page and the program do not understand each other".to_owned(),
-                "reload the page: it may be older than the program",
-            )
-        }
-    }
-
-    /// The same fault of something that the form does not show.
-    pub(crate) fn without_key(self, what: &str) -> Self {
-        Self {
-            key: None,
-            line: None,
-            message: format!("{what}{}", self.message),
-            ..self
-        }
-    }
-
-    /// The same fault in other words.
-    pub(crate) fn in_words(self, words: impl Fn(&str) -> String) -> Self {
-        Self {
-            message: words(&self.message),
-            help: self.help.as_deref().map(words),
-            ..self
-        }
-    }
-
-    /// A defect of the program.
-    pub(crate) fn defect(message: &str) -> Self {
-        Self::refused(
-            StatusCode::INTERNAL_SERVER_ERROR,
-            message.to_owned(),
-            "this is a defect of Riffel; the case in the address bar reproduces it",
-        )
+impl From<Fault> for Refusal {
+    fn from(fault: Fault) -> Self {
+        Self(fault)
     }
 }
 
-impl From<CaseError> for Fault {
-    fn from(error: CaseError) -> Self {
-        let help = error.help().map(|help| help.to_string());
-        let line = error.labels().and_then(|mut labels| {
-            let offset = labels.next()?.offset();
-            let source = error.source_code()?;
-            let span = source.read_span(&(offset, 0).into(), 0, 0).ok()?;
-            Some(span.line() + 1)
-        });
-        let mut cause = &error;
-        if let CaseError::NotConverged(inner) = cause {
-            cause = inner;
-        }
-        let key = match cause {
-            CaseError::Invalid { key, .. } => Some(key.clone()),
-            _ => None,
-        };
-        Self {
-            status: StatusCode::UNPROCESSABLE_ENTITY,
-            retry_after_s: None,
-            key,
-            message: error.to_string(),
-            help,
-            line,
-            detail: None,
-        }
-    }
-}
-
-impl From<riffel_plot::PlotError> for Fault {
-    fn from(error: riffel_plot::PlotError) -> Self {
-        Self::bad(format!("the figure cannot be drawn: {error}"))
-    }
-}
-
-impl From<riffel_answers::AnswerError> for Fault {
-    fn from(error: riffel_answers::AnswerError) -> Self {
-        match error {
-            riffel_answers::AnswerError::Case(error) => error.into(),
-            error => Self::bad(error.to_string()),
-        }
-    }
-}
-
-impl IntoResponse for Fault {
+impl IntoResponse for Refusal {
     fn into_response(self) -> Response {
-        let (status, retry_after) = (self.status, self.retry_after_s);
-        let mut response = (status, Json(self)).into_response();
+        let Self(fault) = self;
+        let status = StatusCode::from_u16(fault.status());
+        let retry_after = fault.retry_after_s();
+        let status = status.unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
+        let mut response = (status, Json(fault)).into_response();
         if let Some(seconds) = retry_after {
             response
                 .headers_mut()

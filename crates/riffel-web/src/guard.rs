@@ -12,7 +12,7 @@ use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header}
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 
 /// What the page may load and do: its own files, nothing else.
 ///
@@ -46,7 +46,7 @@ const HEADERS: [(HeaderName, &str); 7] = [
 pub(crate) async fn guard(request: Request, next: Next) -> Response {
     let mut response = match check(request.method(), request.headers()) {
         Ok(()) => next.run(request).await,
-        Err(fault) => fault.into_response(),
+        Err(fault) => Refusal(fault).into_response(),
     };
     let headers = response.headers_mut();
     for (name, value) in HEADERS {

@@ -8,7 +8,7 @@
 mod api;
 mod assets;
 mod fault;
-mod framed;
+mod file;
 mod guard;
 mod program;
 mod queue;
@@ -23,11 +23,13 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 
-use fault::Fault;
+use fault::{Fault, Refusal};
 use program::Program;
 use queue::Queue;
+use riffel_page::QUESTIONS;
 use uploads::Uploads;
 
+pub use file::{FILE_GENERATOR, PAGE_MODULE, PageFileError, page_file};
 pub use program::{ERRORS_AS_JSON, ErrorDocument};
 pub use server::{Options, ServeError, serve};
 
@@ -44,19 +46,17 @@ pub(crate) struct Page {
 
 /// The page as a service.
 pub(crate) fn router(page: Page) -> Router {
-    Router::new()
+    let questions = QUESTIONS
+        .into_iter()
+        .fold(Router::new(), |router, (path, reader)| {
+            let answer = move |page, asker, asked| api::questions::post(reader, page, asker, asked);
+            router.route(path, post(answer))
+        });
+    questions
         .route("/", get(assets::page))
         .route("/assets/{version}/{name}", get(assets::file))
-        .route("/api/vocabulary", get(api::vocabulary::get))
-        .route("/api/case", post(api::case::post))
-        .route("/api/map", post(api::map::post))
-        .route("/api/point", post(api::point::post))
-        .route("/api/passage", post(api::passage::post))
-        .route("/api/wheelset", post(api::wheelset::post))
-        .route("/api/compare", post(api::compare::post))
-        .route("/api/growth", post(api::compare::growth))
+        .route("/api/vocabulary", get(api::questions::vocabulary))
         .route("/api/curve", post(api::curve::post))
-        .route("/api/figure", post(api::figure::post))
         .route("/api/export/{kind}", post(api::export::post))
         .route("/api/roughness", post(api::roughness::post))
         .route("/api/measure", post(api::roughness::measure))
@@ -72,10 +72,10 @@ pub(crate) fn router(page: Page) -> Router {
 }
 
 async fn nothing_here() -> Response {
-    Fault::refused(
+    Refusal(Fault::refused(
         StatusCode::NOT_FOUND,
         "there is nothing here".to_owned(),
         "",
-    )
+    ))
     .into_response()
 }

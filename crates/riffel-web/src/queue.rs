@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use tokio::sync::Semaphore;
 
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 
 /// Requests that may wait for a worker; one more is turned away.
 const MOST_WAITING: usize = 128;
@@ -63,9 +63,7 @@ impl Wanted {
         if self.still() {
             return result;
         }
-        Err(Fault::busy(
-            "a newer request has taken the place of this one",
-        ))
+        Err(Fault::superseded())
     }
 }
 
@@ -120,17 +118,18 @@ impl Queue {
         &self,
         subject: Option<String>,
         work: impl FnOnce(&Wanted) -> Result<T, Fault> + Send + 'static,
-    ) -> Result<T, Fault> {
+    ) -> Result<T, Refusal> {
         let wanted = self.register(subject);
         let waiting = Waiting(wanted.clone());
         let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(wanted, work)).await;
         drop(waiting);
-        outcome.unwrap_or_else(|_| {
+        let outcome = outcome.unwrap_or_else(|_| {
             Err(Fault::busy(&format!(
                 "the answer took longer than {} s and was given up",
                 self.time_limit.as_secs_f64()
             )))
-        })
+        });
+        Ok(outcome?)
     }
 
     async fn wait_and_work<T: Send + 'static>(

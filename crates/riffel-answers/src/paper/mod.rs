@@ -7,7 +7,9 @@ mod vertical;
 
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, Sentence};
-use riffel_plot::{LineFigure, MapFigure, PlotError};
+#[cfg(not(target_family = "wasm"))]
+use riffel_plot::PlotError;
+use riffel_plot::{LineFigure, MapFigure};
 
 use crate::AnswerError;
 
@@ -27,6 +29,7 @@ pub enum Drawing {
     Lines(LineFigure),
 }
 
+#[cfg(not(target_family = "wasm"))]
 impl PaperFigure {
     /// The figure as an SVG document.
     ///

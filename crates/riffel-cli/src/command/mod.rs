@@ -14,6 +14,7 @@ pub(crate) mod map;
 mod models;
 pub(crate) mod network;
 pub(crate) mod noise;
+pub(crate) mod page;
 pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod profile;

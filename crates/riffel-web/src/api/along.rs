@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use super::roughness::{Reading, named};
 use crate::Page;
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
 
 /// Where the program puts its tables.
@@ -50,12 +50,12 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Answer>, Fault> {
+) -> Result<Json<Answer>, Refusal> {
     let block = question.block_m;
     if !(1.0..=1e6).contains(&block) {
-        return Err(Fault::bad(format!(
+        return Err(Refusal(Fault::bad(format!(
             "blocks are {block} m long, but must be 1 m to 1000 km"
-        )));
+        ))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
@@ -139,7 +139,7 @@ pub(crate) async fn spectrum(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<PlaceQuestion>,
-) -> Result<Json<Value>, Fault> {
+) -> Result<Json<Value>, Refusal> {
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.long
@@ -170,7 +170,7 @@ pub(crate) async fn spectrum(
 pub(crate) async fn sample(
     State(page): State<Page>,
     asker: Asker,
-) -> Result<impl IntoResponse, Fault> {
+) -> Result<impl IntoResponse, Refusal> {
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
     let text = page
         .long

@@ -9,11 +9,11 @@ use riffel_keys::{CaseError, Remark};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::note::Note;
 use super::roughness::LONGEST_NAME;
 use crate::Page;
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use riffel_page::Note;
 
 /// Endings of names by which a reader tells formats apart; others are left out.
 const ENDINGS: [&str; 8] = ["ban", "mpt", "prr", "prw", "rai", "slcs", "whe", "whl"];
@@ -66,7 +66,7 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Fault> {
+) -> Result<Json<Value>, Refusal> {
     question.check()?;
     page.queue
         .run(asker.subject("curve"), move |_| question.answer())

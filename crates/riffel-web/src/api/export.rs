@@ -1,16 +1,17 @@
-//! `POST /api/export/…`: the map as the program's own files.
+//! `POST /api/export/…`: the map as pictures and as a page.
 
 use axum::extract::{Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel::{GrowthMap, Ridge};
-use riffel_answers::map::{map_csv, map_figure};
+use riffel_answers::map::map_figure;
+use riffel_page::CaseText;
 use riffel_plot::{DEFAULT_PNG_SCALE, png};
 use serde::Deserialize;
 
 use crate::Page;
-use crate::fault::Fault;
-use crate::request::{Asked, Asker, CaseText};
+use crate::fault::{Fault, Refusal};
+use crate::request::{Asked, Asker};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -21,7 +22,6 @@ pub(crate) struct Question {
 #[derive(Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Kind {
-    Csv,
     Png,
     Svg,
     Html,
@@ -30,7 +30,6 @@ pub(crate) enum Kind {
 impl Kind {
     fn content_type(self) -> &'static str {
         match self {
-            Self::Csv => "text/csv; charset=utf-8",
             Self::Png => "image/png",
             Self::Svg => "image/svg+xml",
             // A page is for the disk of the user, not for this origin to show.
@@ -44,7 +43,7 @@ pub(crate) async fn post(
     Path(kind): Path<Kind>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<impl IntoResponse, Fault> {
+) -> Result<impl IntoResponse, Refusal> {
     let bytes = page
         .queue
         .run(asker.subject(kind.content_type()), move |wanted| {
@@ -56,22 +55,15 @@ pub(crate) async fn post(
                 || wanted.still(),
                 |_| (),
             );
-            let figure = || {
-                let ridge = Ridge::of_map(&case.feedback, &map);
-                map_figure(&case, &map, &ridge, Vec::new())
-            };
+            let ridge = Ridge::of_map(&case.feedback, &map);
+            let figure = map_figure(&case, &map, &ridge, Vec::new());
+            let unable = |error| Fault::bad(format!("the figure cannot be drawn: {error}"));
             match kind {
-                Kind::Csv => {
-                    let mut bytes = Vec::new();
-                    map_csv(&map, &mut bytes, |_| ()).map_err(|error| {
-                        Fault::bad(format!("the table cannot be written: {error}"))
-                    })?;
-                    Ok(bytes)
-                }
-                Kind::Png => Ok(png(&figure().svg()?, DEFAULT_PNG_SCALE)?),
-                Kind::Svg => Ok(figure().svg()?.into_bytes()),
-                Kind::Html => Ok(figure().html()?.into_bytes()),
+                Kind::Png => figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE)),
+                Kind::Svg => figure.svg().map(String::into_bytes),
+                Kind::Html => figure.html().map(String::into_bytes),
             }
+            .map_err(unable)
         })
         .await?;
     Ok((

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::roughness::{self, Reading, Run};
 use crate::Page;
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
 
 /// Highest level that may be a limit \[dB(A)\].
@@ -26,13 +26,13 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Fault> {
+) -> Result<Json<Value>, Refusal> {
     question.rail.check()?;
     let limit = question.limit_dba;
     if limit.is_some_and(|limit| !(0.0..=LOUDEST).contains(&limit)) {
-        return Err(Fault::bad(format!(
+        return Err(Refusal(Fault::bad(format!(
             "the limit of the level must be 0 to {LOUDEST} dB(A)"
-        )));
+        ))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();

@@ -6,12 +6,13 @@ use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel_keys::Language;
+use riffel_page::CaseText;
 use serde::Deserialize;
 
 use super::roughness::{self, LONGEST_NAME, Reading};
 use crate::Page;
-use crate::fault::Fault;
-use crate::request::{Asked, Asker, CaseText};
+use crate::fault::{Fault, Refusal};
+use crate::request::{Asked, Asker};
 
 /// The page that the program writes.
 const REPORT: &str = "report.html";
@@ -41,7 +42,7 @@ pub(crate) async fn of_rail(
         rail: question,
         language,
     }): Asked<OfRail>,
-) -> Result<impl IntoResponse, Fault> {
+) -> Result<impl IntoResponse, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
@@ -92,7 +93,7 @@ pub(crate) async fn of_case(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<impl IntoResponse, Fault> {
+) -> Result<impl IntoResponse, Refusal> {
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
     let html = page
         .long

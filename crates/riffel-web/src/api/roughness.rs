@@ -4,15 +4,16 @@ use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, header};
+use riffel_page::CaseText;
 use riffel_rail::{Limit, LimitTable, ReaderFormat};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use crate::Page;
-use crate::fault::Fault;
+use crate::fault::{Fault, Refusal};
 use crate::program::Program;
 use crate::queue::Wanted;
-use crate::request::{Asked, Asker, CaseText};
+use crate::request::{Asked, Asker};
 use crate::uploads::Upload;
 
 /// Longest name of a file that is shown.
@@ -24,7 +25,7 @@ pub(crate) async fn post(
     asker: Asker,
     headers: HeaderMap,
     body: Body,
-) -> Result<Json<Value>, Fault> {
+) -> Result<Json<Value>, Refusal> {
     let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
     let announced = text(header::CONTENT_LENGTH).and_then(|length| length.parse().ok());
     let kind = match text(header::CONTENT_TYPE) {
@@ -169,7 +170,7 @@ pub(crate) async fn measure(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Fault> {
+) -> Result<Json<Value>, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();

@@ -2,13 +2,15 @@
 
 use std::sync::LazyLock;
 
-use axum::http::header;
-use axum::response::IntoResponse;
 use riffel_case::{NOMINAL_CASE, json_schema, presets};
 use serde_json::{Value, json};
 
-/// It is the same for every request.
-static VOCABULARY: LazyLock<String> = LazyLock::new(|| {
+/// The vocabulary with the nominal case to begin with, in JSON.
+pub static VOCABULARY: LazyLock<String> =
+    LazyLock::new(|| vocabulary_of(&NOMINAL_CASE.parse().unwrap_or_default()));
+
+/// The vocabulary in JSON, with the keys of the case to begin with.
+pub fn vocabulary_of(case: &toml::Table) -> String {
     let presets: Vec<Value> = presets()
         .iter()
         .map(|preset| {
@@ -23,19 +25,11 @@ static VOCABULARY: LazyLock<String> = LazyLock::new(|| {
             json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title, "values": values })
         })
         .collect();
-    let nominal: toml::Table = NOMINAL_CASE.parse().unwrap_or_default();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "schema": json_schema(),
         "presets": presets,
-        "nominal": nominal,
+        "nominal": case,
     })
     .to_string()
-});
-
-pub(crate) async fn get() -> impl IntoResponse {
-    (
-        [(header::CONTENT_TYPE, "application/json")],
-        VOCABULARY.as_str(),
-    )
 }

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// A remark in every language of the page, which changes its language without asking anew.
 #[derive(Serialize)]
-pub(crate) struct Note {
+pub struct Note {
     en: String,
     de: String,
 }
@@ -22,7 +22,7 @@ impl From<&Remark> for Note {
 
 impl Note {
     /// The same remark in other words.
-    pub(crate) fn in_words(self, words: impl Fn(&str) -> String) -> Self {
+    pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
         Self {
             en: words(&self.en),
             de: words(&self.de),

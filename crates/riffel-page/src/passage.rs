@@ -1,16 +1,10 @@
 //! `POST /api/passage`: a wheel over a sinusoid in time, and what the linear loop says of the same wave.
 
-use axum::Json;
-use axum::extract::State;
 use riffel::passage::Sinusoid;
 use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
 use serde::{Deserialize, Serialize};
 
-use super::note::Note;
-use crate::Page;
-use crate::fault::Fault;
-use crate::queue::Wanted;
-use crate::request::{Asked, Asker, CaseText};
+use crate::{CaseText, Fault, Note, Reply, Wanted};
 
 /// Amplitudes of the wave \[m\].
 const AMPLITUDES: [f64; 2] = [1e-8, 2e-3];
@@ -24,7 +18,7 @@ pub(crate) struct Question {
 }
 
 #[derive(Serialize)]
-pub(crate) struct Answer {
+struct Answer {
     /// One wave under the wheel, from crest to crest.
     course: Course,
     contact_loss_fraction: f64,
@@ -40,20 +34,12 @@ struct Linear {
     dissipation_j_per_m: Vec<f64>,
 }
 
-pub(crate) async fn post(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Json<Answer>, Fault> {
-    page.queue
-        .run(asker.subject("passage"), move |wanted| {
-            question.answer(wanted)
-        })
-        .await
-}
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("passage".to_owned())
+    }
 
-impl Question {
-    fn answer(&self, wanted: &Wanted) -> Result<Json<Answer>, Fault> {
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
         let [least, most] = AMPLITUDES;
         let (wavelength, speed, amplitude) =
             (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
@@ -67,10 +53,8 @@ impl Question {
         }
         let case = self.case.read()?;
         let state = case.point(wavelength, speed)?;
-        if !wanted.still() {
-            return Err(Fault::busy(
-                "a newer request has taken the place of this one",
-            ));
+        if !wanted() {
+            return Err(Fault::superseded());
         }
         let profile = Sinusoid {
             wavelength,
@@ -89,7 +73,7 @@ impl Question {
             course.position_m.iter().map(at).collect()
         };
         let static_normal_force = case.steady.normal_force;
-        Ok(Json(Answer {
+        Reply::json(&Answer {
             linear: Linear {
                 normal_force_n: linear(static_normal_force, state.normal_force()),
                 dissipation_j_per_m: linear(
@@ -101,6 +85,6 @@ impl Question {
             static_normal_force_n: static_normal_force,
             remarks: answer.remarks.iter().map(Note::from).collect(),
             course,
-        }))
+        })
     }
 }

@@ -1,6 +1,5 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
-use axum::extract::State;
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
@@ -9,12 +8,7 @@ use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
-use super::note::Note;
-use crate::Page;
-use crate::fault::Fault;
-use crate::framed::Framed;
-use crate::queue::Wanted;
-use crate::request::{Asked, Asker, CaseText};
+use crate::{CaseText, Fault, Note, Reply, Wanted};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -131,9 +125,9 @@ impl Computed {
         feedback: &Loop,
         wavelength: Axis,
         speed: Axis,
-        wanted: &Wanted,
+        wanted: Wanted,
     ) -> Self {
-        let map = GrowthMap::compute_while(feedback, wavelength, speed, || wanted.still(), |_| ());
+        let map = GrowthMap::compute_while(feedback, wavelength, speed, wanted, |_| ());
         let ridge = Ridge::of_map(feedback, &map);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
@@ -188,20 +182,15 @@ impl Computed {
     }
 }
 
-pub(crate) async fn post(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Framed<Head>, Fault> {
-    page.queue
-        .run(asker.subject("map"), move |wanted| {
-            let case = question.case.read()?;
-            let (wavelength, speed) = (case.wavelength, case.speed);
-            let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted);
-            Ok(Framed {
-                head: map.head,
-                values: map.values,
-            })
-        })
-        .await
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("map".to_owned())
+    }
+
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+        let case = self.case.read()?;
+        let (wavelength, speed) = (case.wavelength, case.speed);
+        let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted);
+        Reply::framed(&map.head, &map.values)
+    }
 }

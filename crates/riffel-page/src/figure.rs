@@ -1,16 +1,12 @@
 //! `POST /api/figure`: a figure of Afferrante & Ciavarella (2009), as data for the page to draw.
 
-use axum::Json;
-use axum::extract::State;
 use riffel_answers::paper::{Drawing, FIGURES, Model};
 use riffel_keys::Language;
 use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::Page;
-use crate::fault::Fault;
-use crate::request::{Asked, Asker};
+use crate::{Fault, Reply, Wanted};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -29,37 +25,36 @@ enum Contact {
     NonSteady,
 }
 
-pub(crate) async fn post(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Fault> {
-    let number = question.number;
-    let (_, make) = FIGURES
-        .into_iter()
-        .find(|(known, _)| *known == number)
-        .ok_or_else(|| Fault::bad(format!("the paper has no figure {number} that is computed")))?;
-    let subject = asker.subject(&format!("figure {number}"));
-    page.queue
-        .run(subject, move |_| {
-            let model = match question.contact {
-                Contact::QuasiStatic => Model::QuasiStatic,
-                Contact::SpringDashpot => Model::SpringDashpot,
-                Contact::NonSteady => Model::NonSteady,
-            };
-            let figure = make(model, question.language)?;
-            Ok(Json(match figure.drawing {
-                Drawing::Maps(figure) => json!({
-                    "title": figure.title, "caption": figure.caption,
-                    "maps": figure.panels.iter().map(map).collect::<Vec<_>>(),
-                }),
-                Drawing::Lines(figure) => json!({
-                    "title": figure.title, "caption": figure.caption,
-                    "lines": figure.panels.iter().map(lines).collect::<Vec<_>>(),
-                }),
-            }))
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some(format!("figure {}", self.number))
+    }
+
+    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+        let number = self.number;
+        let (_, make) = FIGURES
+            .into_iter()
+            .find(|(known, _)| *known == number)
+            .ok_or_else(|| {
+                Fault::bad(format!("the paper has no figure {number} that is computed"))
+            })?;
+        let model = match self.contact {
+            Contact::QuasiStatic => Model::QuasiStatic,
+            Contact::SpringDashpot => Model::SpringDashpot,
+            Contact::NonSteady => Model::NonSteady,
+        };
+        let figure = make(model, self.language)?;
+        Reply::json(&match figure.drawing {
+            Drawing::Maps(figure) => json!({
+                "title": figure.title, "caption": figure.caption,
+                "maps": figure.panels.iter().map(map).collect::<Vec<_>>(),
+            }),
+            Drawing::Lines(figure) => json!({
+                "title": figure.title, "caption": figure.caption,
+                "lines": figure.panels.iter().map(lines).collect::<Vec<_>>(),
+            }),
         })
-        .await
+    }
 }
 
 /// A map; values keep the sign of the paper.

@@ -1,17 +1,12 @@
 //! `POST /api/compare`: maps of variants in the window of one case; `POST /api/growth`: their growth over wavelength.
 
-use axum::Json;
-use axum::extract::State;
 use riffel::{Axis, Ridge};
 use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::Case;
 use serde::{Deserialize, Serialize};
 
-use super::map::{Computed, Head};
-use crate::Page;
-use crate::fault::Fault;
-use crate::framed::Framed;
-use crate::request::{Asked, Asker, CaseText};
+use crate::map::{Computed, Head};
+use crate::{CaseText, Fault, Reply, Wanted};
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;
@@ -60,34 +55,29 @@ pub(crate) struct Question {
 
 /// The values of the variants follow each other.
 #[derive(Serialize)]
-pub(crate) struct Answer {
+struct Answer {
     variants: Vec<Head>,
 }
 
-pub(crate) async fn post(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Framed<Answer>, Fault> {
-    at_most("maps", &question.variants, MOST_MAPS)?;
-    page.queue
-        .run(asker.subject("comparison"), move |wanted| {
-            let case = question.case.read()?;
-            let (wavelength, speed) = (case.wavelength, case.speed);
-            let mut variants = Vec::new();
-            let mut values = Vec::new();
-            for variant in &question.variants {
-                let own = variant.covering(&case)?;
-                let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted);
-                variants.push(map.head);
-                values.extend(map.values);
-            }
-            Ok(Framed {
-                head: Answer { variants },
-                values,
-            })
-        })
-        .await
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("comparison".to_owned())
+    }
+
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+        at_most("maps", &self.variants, MOST_MAPS)?;
+        let case = self.case.read()?;
+        let (wavelength, speed) = (case.wavelength, case.speed);
+        let mut variants = Vec::new();
+        let mut values = Vec::new();
+        for variant in &self.variants {
+            let own = variant.covering(&case)?;
+            let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted);
+            variants.push(map.head);
+            values.extend(map.values);
+        }
+        Reply::framed(&Answer { variants }, &values)
+    }
 }
 
 #[derive(Deserialize)]
@@ -143,40 +133,36 @@ impl Growth {
     }
 }
 
-pub(crate) async fn growth(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<CurvesQuestion>,
-) -> Result<Json<Vec<Growth>>, Fault> {
-    at_most("curves", &question.curves, MOST_CURVES)?;
-    let subject = asker.subject(match question.purpose {
-        Purpose::Variants => "growth of variants",
-        Purpose::Sweep => "growth of a sweep",
-    });
-    page.queue
-        .run(subject, move |wanted| {
-            let case = question.case.read()?;
-            let mut curves = Vec::new();
-            for CurveQuestion {
-                variant,
-                speed_m_per_s: speed,
-            } in &question.curves
-            {
-                if !(*speed > 0.0 && *speed <= 200.0) {
-                    return Err(Fault::bad(format!(
-                        "{}: the speed is {speed} m/s, but must be above zero and at most 200 m/s",
-                        variant.name
-                    )));
-                }
-                if !wanted.still() {
-                    return Err(Fault::busy(
-                        "a newer request has taken the place of this one",
-                    ));
-                }
-                let own = variant.covering(&case)?;
-                curves.push(Growth::new(&own, case.wavelength, *speed)?);
+impl crate::Question for CurvesQuestion {
+    fn subject(&self) -> Option<String> {
+        let subject = match self.purpose {
+            Purpose::Variants => "growth of variants",
+            Purpose::Sweep => "growth of a sweep",
+        };
+        Some(subject.to_owned())
+    }
+
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+        at_most("curves", &self.curves, MOST_CURVES)?;
+        let case = self.case.read()?;
+        let mut curves = Vec::new();
+        for CurveQuestion {
+            variant,
+            speed_m_per_s: speed,
+        } in &self.curves
+        {
+            if !(*speed > 0.0 && *speed <= 200.0) {
+                return Err(Fault::bad(format!(
+                    "{}: the speed is {speed} m/s, but must be above zero and at most 200 m/s",
+                    variant.name
+                )));
             }
-            Ok(Json(curves))
-        })
-        .await
+            if !wanted() {
+                return Err(Fault::superseded());
+            }
+            let own = variant.covering(&case)?;
+            curves.push(Growth::new(&own, case.wavelength, *speed)?);
+        }
+        Reply::json(&curves)
+    }
 }

@@ -1,17 +1,12 @@
 //! `POST /api/point`: the loop at one wavelength and speed, and the curves that run through it.
 
-use axum::Json;
-use axum::extract::State;
 use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
-use super::compare::Growth;
-use crate::Page;
-use crate::fault::Fault;
-use crate::queue::Wanted;
-use crate::request::{Asked, Asker, CaseText};
+use crate::compare::Growth;
+use crate::{CaseText, Fault, Reply, Wanted};
 
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
@@ -26,7 +21,7 @@ pub(crate) struct Question {
 }
 
 #[derive(Serialize)]
-pub(crate) struct Answer {
+struct Answer {
     state: Turn,
     /// Over frequency at the speed of the point.
     spectrum: Spectrum,
@@ -95,46 +90,36 @@ fn within(key: &str, what: &str, value: f64, low: f64, high: f64) -> Result<f64,
     ))
 }
 
-pub(crate) async fn post(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<Question>,
-) -> Result<Json<Answer>, Fault> {
-    page.queue
-        .run(asker.subject("point"), move |wanted: &Wanted| {
-            let case = question.case.read()?;
-            let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
-            let (slowest, fastest) = (case.speed.min(), case.speed.max());
-            let wavelength = within(
-                "map.wavelength",
-                "wavelength",
-                question.wavelength_m,
-                shortest,
-                longest,
-            )?;
-            let speed = within(
-                "map.speed",
-                "speed",
-                question.speed_m_per_s,
-                slowest,
-                fastest,
-            )?;
-            let state = case.point(wavelength, speed)?;
-            let spectrum = Spectrum::new(&case, speed);
-            if !wanted.still() {
-                return Err(Fault::busy(
-                    "a newer request has taken the place of this one",
-                ));
-            }
-            Ok(Json(Answer {
-                state: Turn {
-                    point: Point::new(&case, &state),
-                    amplitude_m: case.feedback.amplitude(),
-                    static_normal_force_n: case.steady.normal_force,
-                },
-                spectrum,
-                growth: Growth::new(&case, case.wavelength, speed)?,
-            }))
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("point".to_owned())
+    }
+
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+        let case = self.case.read()?;
+        let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
+        let (slowest, fastest) = (case.speed.min(), case.speed.max());
+        let wavelength = within(
+            "map.wavelength",
+            "wavelength",
+            self.wavelength_m,
+            shortest,
+            longest,
+        )?;
+        let speed = within("map.speed", "speed", self.speed_m_per_s, slowest, fastest)?;
+        let state = case.point(wavelength, speed)?;
+        let spectrum = Spectrum::new(&case, speed);
+        if !wanted() {
+            return Err(Fault::superseded());
+        }
+        Reply::json(&Answer {
+            state: Turn {
+                point: Point::new(&case, &state),
+                amplitude_m: case.feedback.amplitude(),
+                static_normal_force_n: case.steady.normal_force,
+            },
+            spectrum,
+            growth: Growth::new(&case, case.wavelength, speed)?,
         })
-        .await
+    }
 }

@@ -1,0 +1,41 @@
+//! `POST /api/case`: a case checked, as keys and as text.
+
+use serde::{Deserialize, Serialize};
+
+use crate::{CaseText, Fault, Note, Reply, Wanted};
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+}
+
+#[derive(Serialize)]
+struct Answer {
+    /// The keys as they were written.
+    keys: toml::Table,
+    /// The same as a case file.
+    toml: String,
+    /// Every key, with presets and defaults.
+    complete: riffel_case::file::CaseFile,
+    remarks: Vec<Note>,
+}
+
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        None
+    }
+
+    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+        let case = self.case.read()?;
+        let toml = self.case.toml()?;
+        let keys = toml
+            .parse()
+            .map_err(|error| Fault::bad(format!("not valid TOML: {error}")))?;
+        Reply::json(&Answer {
+            keys,
+            toml,
+            complete: case.file,
+            remarks: case.remarks.iter().map(Note::from).collect(),
+        })
+    }
+}

@@ -1,0 +1,87 @@
+//! What the page asks and what it is answered: a question comes as JSON, its answer goes as bytes.
+//!
+//! There is no server here. `riffel serve` answers its page with this over HTTP, and the page that `riffel page`
+//! writes holds the same code as WebAssembly. [`QUESTIONS`] is all that both can ask.
+//!
+//! ```
+//! use riffel_page::read;
+//!
+//! let question = read("/api/figure", br#"{ "number": 2, "contact": "quasi-static" }"#).unwrap()?;
+//! let answer = question.answer(&|| true)?;
+//! assert!(answer.bytes.starts_with(b"{\"title\""));
+//! # Ok::<(), riffel_page::Fault>(())
+//! ```
+
+mod case;
+mod case_text;
+mod compare;
+mod fault;
+mod figure;
+mod map;
+mod note;
+mod passage;
+mod point;
+mod reply;
+mod table;
+mod vocabulary;
+mod wheelset;
+
+use serde::de::DeserializeOwned;
+
+pub use case_text::{CaseText, LARGEST_CASE};
+pub use fault::Fault;
+pub use note::Note;
+pub use reply::Reply;
+pub use vocabulary::{VOCABULARY, vocabulary_of};
+
+/// Whether somebody still waits for the answer; work asks now and then, from any thread, and stops if not.
+pub type Wanted<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// A question that was understood.
+pub trait Question {
+    /// What the answer is for: of the questions of one page for the same, only the newest is wanted.
+    fn subject(&self) -> Option<String>;
+
+    /// The answer. One that is no longer wanted is worth nothing.
+    ///
+    /// # Errors
+    /// A [`Fault`] of the case or of the question.
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault>;
+}
+
+/// Reads a question.
+pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
+
+/// The questions by their paths.
+pub const QUESTIONS: [(&str, Reader); 9] = [
+    ("/api/case", reader::<case::Question>),
+    ("/api/map", reader::<map::Question>),
+    ("/api/point", reader::<point::Question>),
+    ("/api/compare", reader::<compare::Question>),
+    ("/api/growth", reader::<compare::CurvesQuestion>),
+    ("/api/figure", reader::<figure::Question>),
+    ("/api/passage", reader::<passage::Question>),
+    ("/api/wheelset", reader::<wheelset::Question>),
+    ("/api/export/csv", reader::<table::Question>),
+];
+
+/// A question in JSON; `None` for a path that is not one of [`QUESTIONS`].
+pub fn read(path: &str, json: &[u8]) -> Option<Result<Box<dyn Question + Send>, Fault>> {
+    let (_, reader) = QUESTIONS.into_iter().find(|(known, _)| *known == path)?;
+    Some(reader(json))
+}
+
+fn reader<T>(json: &[u8]) -> Result<Box<dyn Question + Send>, Fault>
+where
+    T: DeserializeOwned + Question + Send + 'static,
+{
+    Ok(Box::new(understood::<T>(json)?))
+}
+
+/// A question of a given form.
+///
+/// # Errors
+/// A [`Fault`] if it has another.
+pub fn understood<T: DeserializeOwned>(json: &[u8]) -> Result<T, Fault> {
+    serde_json::from_slice(json).map_err(|error| Fault::misunderstood(&error.to_string()))
+}

@@ -1,0 +1,21 @@
+//! `POST /api/wheelset`: how the wheelset of a case moves at its natural frequencies.
+
+use riffel_answers::wheelset_motions::WheelsetMotions;
+use serde::Deserialize;
+
+use crate::{CaseText, Fault, Reply, Wanted};
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+}
+
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("wheelset".to_owned())
+    }
+
+    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+        Reply::json(&WheelsetMotions::new(&self.case.read()?)?)
+    }
+}

@@ -1,0 +1,43 @@
+//! `POST` of the questions that need no server: see [`riffel_page`]. `GET /api/vocabulary`: its words.
+
+use axum::extract::State;
+use axum::http::{HeaderValue, header};
+use axum::response::{IntoResponse, Response};
+use riffel_page::{Reader, Reply, VOCABULARY};
+
+use crate::Page;
+use crate::fault::Refusal;
+use crate::request::{AskedJson, Asker};
+
+pub(crate) async fn post(
+    reader: Reader,
+    State(page): State<Page>,
+    asker: Asker,
+    AskedJson(json): AskedJson,
+) -> Result<Response, Refusal> {
+    let question = reader(&json)?;
+    let subject = question.subject().and_then(|kind| asker.subject(&kind));
+    let reply = page
+        .queue
+        .run(subject, move |wanted| question.answer(&|| wanted.still()))
+        .await?;
+    Ok(sent(reply))
+}
+
+fn sent(reply: Reply) -> Response {
+    let kind = HeaderValue::from_static(reply.content_type);
+    let mut response = ([(header::CONTENT_TYPE, kind)], reply.bytes).into_response();
+    if reply.attached {
+        let attachment = HeaderValue::from_static("attachment");
+        let headers = response.headers_mut();
+        headers.insert(header::CONTENT_DISPOSITION, attachment);
+    }
+    response
+}
+
+pub(crate) async fn vocabulary() -> impl IntoResponse {
+    (
+        [(header::CONTENT_TYPE, "application/json")],
+        VOCABULARY.as_str(),
+    )
+}
