@@ -173,3 +173,12 @@ def test_files_are_kept_and_pages_replaced(path, tmp_path):
     write(tmp_path, "page.html", "--set", "contact.friction=0.2")
     inside = re.search(r'id="case-inside">(.*?)</script>', page.read_text())[1]
     assert json.loads(inside)["contact"]["friction"] == 0.2
+
+
+def test_what_is_no_module_is_refused(tmp_path):
+    other = tmp_path / "module.gz"
+    other.write_bytes(b"module")
+    command = [PROGRAM, "page", "-o", str(tmp_path / "page.html"), "--module", str(other)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2 and "no compressed WebAssembly module" in done.stderr
+    assert not (tmp_path / "page.html").exists()
