@@ -15,6 +15,8 @@ export function startMeasure({ listen, banner }) {
   const said = element('p', { className: 'fine', id: 'elsewhere' });
   const say = () => (said.textContent = ELSEWHERE[currentLanguage()]);
   say();
+  // Last also where the page is one column.
+  said.style.order = '99';
   document.querySelector('main').append(said);
   listen((what) => what === 'words' && say());
   return { saveReport: async () => false, take: () => banner.notice(ELSEWHERE[currentLanguage()]) };
