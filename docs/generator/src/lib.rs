@@ -35,6 +35,7 @@ const COMMANDS: [&str; 25] = [
     "study",
     "figures",
     "serve",
+    "page",
     "presets",
     "schema",
     "completions",

@@ -29,7 +29,7 @@ fn missing(answer: &WheelsAnswer) -> String {
 }
 
 pub(super) fn maps(answer: &WheelsAnswer, case: &Case) -> Option<MapFigure> {
-    let panels = answer.in_loop().map(|(wheel, growth)| {
+    let panels = answer.carrying().map(|(wheel, growth)| {
         let map = &growth.map;
         let mut panel = panel(&growth.case, &map.map, &map.ridge, Shown::Decay);
         panel.subtitle = wheel.name.clone();
@@ -39,7 +39,7 @@ pub(super) fn maps(answer: &WheelsAnswer, case: &Case) -> Option<MapFigure> {
         title: title(answer),
         caption: format!(
             "Rate of decay per passage of a wheel, below zero (coloured) where corrugation grows, in one scale of colours; \
-             each wheel with the mean state that it has at {:.0} km/h.{}{}",
+             each wheel with the mean state that it has at {:.0} km/h, on the contact that carries most of it.{}{}",
             3.6 * answer.curve.speed,
             missing(answer),
             place(case)

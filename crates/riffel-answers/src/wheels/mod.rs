@@ -155,7 +155,8 @@ impl WheelsAnswer {
         table::sentence(self)
     }
 
-    /// Maps of decay rates of all wheels in one scale of colours; none where no wheel is in the loop.
+    /// Maps of decay rates of all wheels in one scale of colours, of one on two points that of the contact that carries most; none
+    /// where no wheel is in the loop.
     pub fn map_figure(&self, case: &Case) -> Option<MapFigure> {
         figure::maps(self, case)
     }
