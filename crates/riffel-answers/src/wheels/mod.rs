@@ -131,11 +131,16 @@ impl WheelsAnswer {
         wheels.filter_map(|wheel| Some((wheel, wheel.growth.as_ref().ok()?)))
     }
 
-    /// The wheel under which corrugation grows fastest at the speed of the curve, among contacts that carry at least half of the
-    /// normal forces of their wheel; none where nothing grows.
+    /// Those of them that carry at least half of the normal forces of their wheel.
+    pub fn carrying(&self) -> impl Iterator<Item = (&WheelAnswer, &WheelGrowth)> {
+        self.in_loop()
+            .filter(|(wheel, _)| wheel.state.share_of_second_contact() <= 0.5)
+    }
+
+    /// The wheel under which corrugation grows fastest at the speed of the curve, on a contact that carries at least half of its
+    /// normal forces; none where nothing grows.
     pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
-        let wheels =
-            (self.in_loop()).filter(|(wheel, _)| wheel.state.share_of_second_contact() <= 0.5);
+        let wheels = self.carrying();
         let growing = wheels.filter_map(|(wheel, growth)| Some((wheel, growth.highest?)));
         growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))
     }
