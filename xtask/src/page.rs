@@ -24,6 +24,12 @@ const FOLDER: &str = "target/page-module";
 /// Where a program that is built takes the module from; see the README there.
 const INSIDE: &str = "crates/riffel-web/module/riffel.wasm.gz";
 
+/// The profile of what is handed out.
+const HANDED_OUT: &str = "page";
+
+/// That of tests, which takes half the time to build.
+const TESTED: &str = "page-tests";
+
 /// What one has to install where nothing that is needed is to be had.
 const ADVICE: &str =
     "a WebAssembly module needs Rust's library for it: `rustup target add wasm32-unknown-unknown`";
@@ -38,7 +44,7 @@ enum Toolchain {
 
 /// Build the module and put it where the next build of the program finds it.
 pub(crate) fn install() -> Outcome {
-    let module = build()?;
+    let module = build(HANDED_OUT)?;
     fs::copy(&module, root().join(INSIDE))
         .map_err(|error| format!("cannot write {INSIDE}: {error}"))?;
     println!(
@@ -55,12 +61,12 @@ pub(crate) fn build_if_possible() -> Result<Option<PathBuf>, String> {
             println!("# the page in one file is not tested: {reason}");
             Ok(None)
         }
-        _ => build().map(Some),
+        _ => build(TESTED).map(Some),
     }
 }
 
-/// Build the module, compressed, and where it is.
-pub(crate) fn build() -> Result<PathBuf, String> {
+/// Build the module with a profile, compressed, and where it is.
+fn build(profile: &str) -> Result<PathBuf, String> {
     let toolchain = toolchain()?;
     let mut cargo = Command::new(env!("CARGO"));
     cargo.args([
@@ -68,7 +74,7 @@ pub(crate) fn build() -> Result<PathBuf, String> {
         "--quiet",
         "--locked",
         "--profile",
-        "page",
+        profile,
         "--target",
         TARGET,
     ]);
@@ -87,7 +93,8 @@ pub(crate) fn build() -> Result<PathBuf, String> {
     let module = root()
         .join(FOLDER)
         .join(TARGET)
-        .join("page/riffel_wasm.wasm");
+        .join(profile)
+        .join("riffel_wasm.wasm");
     let packed = root().join(FOLDER).join("riffel.wasm.gz");
     pack(&module, &packed)
         .map_err(|error| format!("cannot write {}: {error}", packed.display()))?;
