@@ -9,6 +9,8 @@ mod tests;
 
 pub use grid::ContactGrid;
 
+use std::f64::consts::FRAC_PI_2;
+
 use self::boussinesq::Boussinesq;
 use self::conjugate_gradients::{Condition, MOST_STEPS, Solution, TOLERANCE};
 use crate::contact::ellipse::contact_modulus;
@@ -101,7 +103,7 @@ impl NormalContact {
     ) -> Result<Self, Error> {
         for row in 0..grid.rows() {
             let value = inclination(row);
-            if !(value.abs() < std::f64::consts::FRAC_PI_2) {
+            if !(-FRAC_PI_2..FRAC_PI_2).contains(&value) {
                 return Err(Error::OutOfRange {
                     quantity: "inclination of the surface in the contact",
                     value,
