@@ -3,7 +3,7 @@
 use std::thread::{self, ScopedJoinHandle};
 
 use crate::step::{cargo, run, run_beside};
-use crate::{Outcome, browser, dependencies, page, python};
+use crate::{Outcome, browser, dependencies, python};
 
 const FORMAT: [&str; 3] = ["fmt", "--all", "--check"];
 const LINTS: [&str; 7] = [
@@ -31,20 +31,19 @@ pub(crate) fn quick() -> Outcome {
 
 /// Everything there is.
 ///
-/// Packages are fetched, and the module of the page is built, while Rust compiles. The Python package and the page, which wait much, are tested beside the
-/// rest.
+/// Packages are fetched while Rust compiles. The Python package and the page, which wait much, are tested beside the
+/// rest. The page in one file, whose module takes eight minutes of a processor to build, is tested by `cargo xtask browser`.
 pub(crate) fn all() -> Outcome {
     run(&mut cargo(&FORMAT))?;
     dependencies::check()?;
     thread::scope(|scope| {
         let python = scope.spawn(python::prepare);
         let browser = scope.spawn(browser::prepare);
-        let module = scope.spawn(page::build_if_possible);
         run(&mut cargo(&LINTS))?;
         run(cargo(&TESTS).arg("--no-run"))?;
         let (python, browser) = (end(python)?, end(browser)?);
         let python = scope.spawn(move || python::test(&python));
-        let browser = scope.spawn(move || browser::test(&browser, end(module)?));
+        let browser = scope.spawn(move || browser::test(&browser, None));
         run_beside(&mut cargo(&TESTS))?;
         let mut documentation = cargo(&["doc", "--workspace", "--no-deps", "--quiet"]);
         run_beside(documentation.env("RUSTDOCFLAGS", "--deny warnings"))?;
