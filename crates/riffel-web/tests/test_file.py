@@ -70,7 +70,7 @@ def test_a_file_of_limited_size_shows_the_case_inside(path, file):
 
 
 def test_what_is_not_inside_is_named_and_not_offered(file):
-    assert file.page.locator("[role=tab]").all_inner_texts() == ["Explore", "Compare", "Paper"]
+    assert file.page.locator("[role=tab]").all_inner_texts() == ["Explore", "Compare", "Motion", "Paper"]
     assert "riffel serve" in file.text("#elsewhere")
     for kind in ("png", "svg", "html", "report"):
         assert file.page.locator(f"[data-take={kind}]").count() == 0

@@ -54,7 +54,8 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     --------
     >>> case = riffel.Case.from_toml("cases/metro-curve.toml")
     >>> wheels = riffel.wheels_of_curve(case.with_({"map.wavelength.points": 21, "map.speed.points": 3}))
-    >>> str(wheels["fastest_growth_rate"].idxmax("wheel").values)
+    >>> carrying = wheels["fastest_growth_rate"].where(wheels["share_of_second_contact"] <= 0.5)
+    >>> str(carrying.idxmax("wheel").values)
     '1 low'
     """
     found, (speeds, map_wavelengths), maps = _riffel.wheels_of_curve(case._case)
