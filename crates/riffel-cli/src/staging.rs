@@ -5,7 +5,7 @@ mod place;
 mod scratch;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -198,6 +198,25 @@ pub(crate) enum Existing {
     Replace,
     /// Keep it, and tell what else one can do than give another name.
     Keep(&'static str),
+}
+
+impl Existing {
+    /// Replaced if that is asked for, or if its head holds the mark of what writes it: a page is written anew, as the results of a
+    /// folder are.
+    pub(crate) fn page(path: &Path, force: bool, mark: &str) -> Self {
+        /// Bytes within which the mark stands.
+        const HEAD: u64 = 1024;
+        let mut head = Vec::new();
+        let mut is_known = || {
+            File::open(path)
+                .and_then(|file| file.take(HEAD).read_to_end(&mut head))
+                .is_ok_and(|_| String::from_utf8_lossy(&head).contains(mark))
+        };
+        match force || is_known() {
+            true => Self::Replace,
+            false => Self::Keep("--force to replace it"),
+        }
+    }
 }
 
 /// Write one file whole.

@@ -1,8 +1,6 @@
 //! `riffel page`
 
-use std::fs::{self, File};
-use std::io::Read;
-use std::path::Path;
+use std::fs;
 
 use riffel_web::{FILE_GENERATOR, PAGE_MODULE, page_file};
 
@@ -10,9 +8,6 @@ use crate::arguments::Page;
 use crate::error::CliError;
 use crate::output::print;
 use crate::staging::{Existing, write_file};
-
-/// Bytes at the beginning of a page in which it says what wrote it.
-const HEAD: u64 = 1024;
 
 pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
     let case = arguments.read()?;
@@ -27,10 +22,7 @@ pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
         message: error.to_string(),
         help: error.help().map(str::to_owned),
     })?;
-    let existing = match arguments.force || is_page(&arguments.output) {
-        true => Existing::Replace,
-        false => Existing::Keep("--force to replace it"),
-    };
+    let existing = Existing::page(&arguments.output, arguments.force, FILE_GENERATOR);
     write_file(&arguments.output, &page, existing)?;
     print(&format!(
         "wrote {}, {:.1} MB; open it in a browser: it needs no server and no network\n",
@@ -38,12 +30,4 @@ pub(crate) fn run(arguments: &Page) -> miette::Result<()> {
         page.len() as f64 / 1e6
     ))?;
     Ok(())
-}
-
-/// True if a file is a page that was written before: it is written anew, as a report is.
-fn is_page(path: &Path) -> bool {
-    let mut head = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(HEAD).read_to_end(&mut head))
-        .is_ok_and(|_| String::from_utf8_lossy(&head).contains(FILE_GENERATOR))
 }

@@ -1,7 +1,5 @@
 //! `riffel report`
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use jiff::civil::Date;
@@ -38,8 +36,6 @@ use crate::messages::language;
 use crate::output::{Progress, print};
 use crate::staging::{Existing, write_file};
 
-/// Bytes at the beginning of a page within which its generator stands.
-const REPORT_HEAD: u64 = 512;
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
 /// Why a part is left out.
@@ -170,24 +166,13 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         Language::English => page,
         Language::German => page_in_german(&page),
     };
-    let existing = match arguments.force || is_report(&arguments.output) {
-        true => Existing::Replace,
-        false => Existing::Keep("--force to replace it"),
-    };
+    let existing = Existing::page(&arguments.output, arguments.force, GENERATOR);
     write_file(&arguments.output, &page, existing)?;
     print(&format!(
         "wrote {}; open it in a browser, print it to A4 from there\n",
         arguments.output.display()
     ))?;
     Ok(())
-}
-
-/// True if a file is a report that was written before: it is written anew, as the results of a folder are.
-fn is_report(path: &Path) -> bool {
-    let mut head = String::new();
-    File::open(path)
-        .and_then(|file| file.take(REPORT_HEAD).read_to_string(&mut head))
-        .is_ok_and(|_| head.contains(GENERATOR))
 }
 
 /// Put a file among the inputs, with its fingerprint.
