@@ -115,7 +115,7 @@ impl WheelsetMotions {
         Ok(Self {
             rolling_radius_m: radius,
             contact_spacing_m: contacts.contact_spacing,
-            axle_diameter_m: largest_diameter(case),
+            axle_diameter_m: axle.largest_diameter(),
             modes: modes.collect(),
             position_m: places,
             discs: (flexible.discs().iter().enumerate())
@@ -128,18 +128,4 @@ impl WheelsetMotions {
                 .collect(),
         })
     }
-}
-
-fn largest_diameter(case: &Case) -> f64 {
-    let wheelset = case.file.wheelset.as_ref();
-    let axle = wheelset.and_then(|wheelset| wheelset.axle.as_ref());
-    let segments = axle.and_then(|axle| axle.segments.as_ref());
-    let stepped = segments
-        .into_iter()
-        .flatten()
-        .map(|segment| segment.diameter.si());
-    let even = axle
-        .and_then(|axle| axle.diameter)
-        .map(|diameter| diameter.si());
-    stepped.chain(even).fold(0.0, f64::max)
 }

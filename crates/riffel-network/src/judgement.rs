@@ -3,6 +3,7 @@
 use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
 
+use crate::store::in_words;
 use crate::{NetworkError, Store};
 
 /// How far sections are over a limit.
@@ -36,14 +37,9 @@ impl Judgement {
         };
         let limits: Vec<Option<f64>> = bands.iter().map(|band| of_band(limit, band)).collect();
         if limits.iter().all(Option::is_none) {
-            let held: Vec<String> = bands
-                .iter()
-                .map(|band| format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to()))
-                .collect();
-            return wrong(format!(
-                "says nothing of the bands of the store, {} mm",
-                held.join(", ")
-            ));
+            let held: Vec<[f64; 2]> = bands.iter().map(|band| [band.from(), band.to()]).collect();
+            let held = in_words(&held);
+            return wrong(format!("says nothing of the bands of the store, {held}"));
         }
         Ok(Self {
             limit: table.name.clone(),

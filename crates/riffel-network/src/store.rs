@@ -290,7 +290,8 @@ pub(crate) fn array(survey: &SurveyRecord, rail: &RailRecord, bands: usize) -> A
     }
 }
 
-fn in_words(bands: &[[f64; 2]]) -> String {
+/// Ends of bands \[m\] in words.
+pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
     let bands = bands.iter();
     let texts: Vec<String> = bands
         .map(|[from, to]| format!("{:.0}–{:.0} mm", 1e3 * from, 1e3 * to))

@@ -106,6 +106,12 @@ impl Axle {
         self.segments.iter().map(|segment| segment.length).sum()
     }
 
+    /// Diameter of its thickest segment \[m\].
+    pub fn largest_diameter(&self) -> f64 {
+        let diameters = self.segments.iter().map(|segment| segment.diameter);
+        diameters.fold(0.0, f64::max)
+    }
+
     /// Ends of the segments \[m\] from the middle of the axle, the outer ends among them.
     pub(super) fn joints(&self) -> Vec<f64> {
         let mut joints = vec![-0.5 * self.length()];
