@@ -1,7 +1,7 @@
 //! The wheels of a curve as pictures.
 
 use riffel_case::Case;
-use riffel_case::file::{ContactOfWheel, CurveRail};
+use riffel_case::file::CurveRail;
 use riffel_plot::{Arrangement, LineFigure, LineStyle, MapFigure, OKABE_ITO};
 
 use super::WheelsAnswer;
@@ -50,7 +50,7 @@ pub(super) fn maps(answer: &WheelsAnswer, case: &Case) -> Option<MapFigure> {
 }
 
 pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
-    let lines = answer.in_loop().map(|(wheel, growth)| {
+    let lines = answer.carrying().map(|(wheel, growth)| {
         // A colour for each rail, a line for each wheelset.
         let color = match wheel.rail {
             CurveRail::Low => OKABE_ITO[1],
@@ -66,9 +66,8 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
             rates: &growth.rates,
             highest: growth.highest,
             color,
-            style: match (wheel.contact, wheel.state.wheelset % 2) {
-                (ContactOfWheel::Flange, _) => LineStyle::Dotted,
-                (_, 1) => LineStyle::Solid,
+            style: match wheel.state.wheelset % 2 {
+                1 => LineStyle::Solid,
                 _ => LineStyle::Dashed,
             },
         }
@@ -76,7 +75,7 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
     LineFigure {
         title: title(answer),
         caption: format!(
-            "Growth at {:.0} km/h under each wheel, positive where corrugation grows; marks: fastest wavelengths.{}{}",
+            "Growth at {:.0} km/h under each wheel, on the contact that carries most of it, positive where corrugation grows; marks: fastest wavelengths.{}{}",
             3.6 * answer.curve.speed,
             missing(answer),
             place(case)

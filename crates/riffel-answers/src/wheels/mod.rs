@@ -166,7 +166,8 @@ impl WheelsAnswer {
         figure::maps(self, case)
     }
 
-    /// Growth over wavelength at the speed of the curve, a line for each wheel.
+    /// Growth over wavelength at the speed of the curve, a line for each wheel, of one on two points that of the contact that
+    /// carries most.
     pub fn curve_figure(&self, case: &Case) -> LineFigure {
         figure::curves(self, case)
     }
