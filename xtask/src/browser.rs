@@ -1,4 +1,7 @@
 //! The page in a real browser: Debian's Chromium, driven by pytest.
+//!
+//! Preferred is the browser without windows: one that has them, though it shows none, takes five times the processor for
+//! each page that is opened.
 
 use std::env;
 use std::path::PathBuf;
@@ -10,7 +13,10 @@ use crate::{Outcome, environment, page, root};
 /// What the tests need, with exact versions.
 const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
 
-/// Names under which Chromium is found.
+/// Chromium without windows, its program and package.
+const WINDOWLESS: &str = "chromium-headless-shell";
+
+/// Names under which a Chromium with windows is found.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
 /// [`test()`] with the program whose page is tested.
@@ -55,39 +61,44 @@ fn folder() -> PathBuf {
 
 /// Chromium; installed where it is missing and Debian's package manager may do so.
 fn chromium() -> Result<PathBuf, String> {
-    let found = || env::var_os("CHROMIUM").map(PathBuf::from).or_else(on_path);
-    if let Some(path) = found() {
-        return Ok(path);
+    if let Some(path) = env::var_os("CHROMIUM") {
+        return Ok(PathBuf::from(path));
     }
-    for arguments in [
-        &["update", "--quiet"][..],
-        &[
-            "install",
-            "--yes",
-            "--quiet",
-            "--no-install-recommends",
-            "chromium",
-        ],
-    ] {
-        let mut install = Command::new("apt-get");
-        install
-            .args(arguments)
-            .env("DEBIAN_FRONTEND", "noninteractive");
-        if run_unseen(&mut install).is_err() {
-            break;
-        }
-    }
-    found().ok_or_else(|| {
-        "the tests of the page need Chromium: install it (Debian: apt install chromium) or name it by \
-         CHROMIUM=/path/to/chromium"
-            .to_owned()
-    })
+    on_path(&[WINDOWLESS])
+        .or_else(|| install(WINDOWLESS).and_then(|()| on_path(&[WINDOWLESS])))
+        .or_else(|| on_path(&NAMES))
+        .or_else(|| install(NAMES[0]).and_then(|()| on_path(&NAMES)))
+        .ok_or_else(|| {
+            "the tests of the page need Chromium: install it (Debian: apt install chromium-headless-shell) or name it by \
+             CHROMIUM=/path/to/chromium"
+                .to_owned()
+        })
 }
 
-fn on_path() -> Option<PathBuf> {
+/// Install a package of Debian, where this user may; none where not.
+fn install(package: &str) -> Option<()> {
+    let install = [
+        "install",
+        "--yes",
+        "--quiet",
+        "--no-install-recommends",
+        package,
+    ];
+    for arguments in [&["update", "--quiet"][..], &install] {
+        let mut manager = Command::new("apt-get");
+        manager
+            .args(arguments)
+            .env("DEBIAN_FRONTEND", "noninteractive");
+        run_unseen(&mut manager).ok()?;
+    }
+    Some(())
+}
+
+/// The first of some programs that is on the path.
+fn on_path(names: &[&str]) -> Option<PathBuf> {
     let path = env::var_os("PATH")?;
     let folders: Vec<PathBuf> = env::split_paths(&path).collect();
-    NAMES
+    names
         .iter()
         .flat_map(|name| folders.iter().map(move |folder| folder.join(name)))
         .find(|file| file.is_file())

@@ -71,6 +71,13 @@ def written(folder: Path, *, method: str = "latin-hypercube", samples: int = 640
     return path
 
 
+@pytest.fixture(scope="module")
+def alone(tmp_path_factory: pytest.TempPathFactory) -> xr.Dataset:
+    """The results of the plan in one process."""
+    folder = tmp_path_factory.mktemp("plan")
+    return riffel.Study.from_toml(written(folder)).run(folder / "alone").load()
+
+
 def same(one: xr.Dataset, other: xr.Dataset) -> None:
     """The same variables with the same bits."""
     assert set(one.variables) == set(other.variables)
@@ -94,9 +101,8 @@ def client() -> Iterator[Client]:
         yield client
 
 
-def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: Path) -> None:
+def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: Path, alone: xr.Dataset) -> None:
     study = riffel.Study.from_toml(plan)
-    alone = study.run(tmp_path / "alone")
     assert not np.isnan(alone["ridge_frequency"].values).any()
     assert alone["mean_growth_rate"].sizes == {"sample": 640, "wavelength": 121}
     subprocess.run([PROGRAM, "study", str(plan), "-o", str(tmp_path / "program")], check=True, capture_output=True)
@@ -110,11 +116,11 @@ def test_program_shards_and_python_give_the_same_numbers(plan: Path, tmp_path: P
     assert riffel.study_summary(tmp_path / "merged")["samples_finished"] == 640
 
 
-def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: Path) -> None:
+def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset) -> None:
     study = riffel.Study.from_toml(plan)
     told: list[tuple[int, int]] = []
     results = study.run(tmp_path / "cluster", client, progress=lambda *now: told.append(now))
-    same(study.run(tmp_path / "alone"), results)
+    same(alone, results)
     assert told[-1] == (640, 640)
     assert [done for done, _ in told] == sorted(done for done, _ in told)
     # Nothing is left behind with the scheduler.
@@ -160,7 +166,9 @@ def limit_files(size: int) -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
 
 
-def test_a_full_disk_on_one_worker_costs_nothing(client: Client, plan: Path, tmp_path: Path) -> None:
+def test_a_full_disk_on_one_worker_costs_nothing(
+    client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset
+) -> None:
     study = riffel.Study.from_toml(plan)
     worker = next(iter(client.scheduler_info()["workers"]))
     client.run(limit_files, 100, workers=[worker])
@@ -168,10 +176,12 @@ def test_a_full_disk_on_one_worker_costs_nothing(client: Client, plan: Path, tmp
         results = study.run(tmp_path / "cluster", client)
     finally:
         client.run(limit_files, resource.RLIM_INFINITY, workers=[worker])
-    same(study.run(tmp_path / "alone"), results)
+    same(alone, results)
 
 
-def test_full_disks_everywhere_stop_it_with_a_sentence(client: Client, plan: Path, tmp_path: Path) -> None:
+def test_full_disks_everywhere_stop_it_with_a_sentence(
+    client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset
+) -> None:
     study = riffel.Study.from_toml(plan)
     client.run(limit_files, 100)
     try:
@@ -179,7 +189,7 @@ def test_full_disks_everywhere_stop_it_with_a_sentence(client: Client, plan: Pat
             study.run(tmp_path / "cluster", client, patience=5.0)
     finally:
         client.run(limit_files, resource.RLIM_INFINITY)
-    same(study.run(tmp_path / "alone"), study.run(tmp_path / "cluster", client))
+    same(alone, study.run(tmp_path / "cluster", client))
 
 
 @contextmanager
@@ -201,7 +211,7 @@ each_has_its_own = pytest.mark.skipif(not OWN_FOLDER.parent.exists(), reason="ne
 
 @each_has_its_own
 def test_a_folder_that_workers_do_not_see(
-    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: xr.Dataset
 ) -> None:
     study = riffel.Study.from_toml(plan)
     (here := tmp_path / "here").mkdir()
@@ -216,12 +226,12 @@ def test_a_folder_that_workers_do_not_see(
     assert riffel.study_summary(here / "study")["chunks_finished"] == finished
     assert list(there.iterdir()) == []
     # In a place that they see it goes on.
-    same(study.run(tmp_path / "alone"), study.run(here / "study", client))
+    same(alone, study.run(here / "study", client))
 
 
 @each_has_its_own
 def test_a_folder_of_which_each_worker_has_its_own(
-    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: xr.Dataset
 ) -> None:
     study = riffel.Study.from_toml(plan)
     (here := tmp_path / "here").mkdir()
@@ -235,12 +245,12 @@ def test_a_folder_of_which_each_worker_has_its_own(
     assert riffel.study_summary(here / "study")["chunks_finished"] == finished
     assert riffel.study_summary(there / "study")["chunks_finished"] > finished
     riffel.merge_studies(tmp_path / "merged", [here / "study", there / "study"])
-    same(study.run(tmp_path / "alone"), study.run(tmp_path / "merged"))
+    same(alone, study.run(tmp_path / "merged"))
 
 
 @each_has_its_own
 def test_one_worker_that_does_not_see_the_folder_costs_nothing(
-    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    client: Client, plan: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, alone: xr.Dataset
 ) -> None:
     study = riffel.Study.from_toml(plan)
     (here := tmp_path / "here").mkdir()
@@ -249,10 +259,10 @@ def test_one_worker_that_does_not_see_the_folder_costs_nothing(
     with elsewhere(client, there, [next(iter(client.scheduler_info()["workers"]))]):
         results = study.run(OWN_FOLDER, client)
     assert list(there.iterdir()) == []
-    same(study.run(tmp_path / "alone"), results)
+    same(alone, results)
 
 
-def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path) -> None:
+def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path, alone: xr.Dataset) -> None:
     study = riffel.Study.from_toml(plan)
 
     def interrupt(done: int, _: int) -> None:
@@ -266,7 +276,7 @@ def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path) -> None:
     kept = {path: path.stat().st_mtime_ns for path in (tmp_path / "study" / "finished").iterdir()}
     results = study.run(tmp_path / "study")
     assert {path: path.stat().st_mtime_ns for path in kept} == kept
-    same(study.run(tmp_path / "alone"), results)
+    same(alone, results)
 
 
 def test_tasks_are_few_and_long(client: Client, tmp_path: Path) -> None:
