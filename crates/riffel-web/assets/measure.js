@@ -3,19 +3,21 @@
 import { Along, metres } from './along.js';
 import { letterSize } from './colors.js';
 import { Columns } from './columns.js';
+import { courseWords, fitItems } from './course.js';
 import { axis, draw, layout, palette } from './curves.js';
+import { Earlier } from './earlier.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
 import { inWords, said } from './german.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
-import { currentLanguage, number, t, translate } from './words.js';
+import { currentLanguage, number, power, t, translate } from './words.js';
 
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';
 
-export function startMeasure({ state, traffic, labels, listen, complain, banner, announce, save, showView, leadTo }) {
+export function startMeasure({ state, traffic, labels, listen, complain, banner, announce, save, showView, leadTo, replace }) {
   const place = document.getElementById('view-measure');
   const line = new Line('/api/measure', json);
   let file = keptRecord();
@@ -35,8 +37,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   const columns = new Columns({ onChoose: (chosen) => {
     format = chosen;
     keepRecord(file);
-    ask();
+    earlier.reread().then(ask);
   } });
+  const earlier = new Earlier({ onChange: () => ask(), format: () => format, complain, banner, labels });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
   const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
   const status = element('span', { className: 'aside', id: 'record-state' });
@@ -45,7 +48,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   const report = worded('button', 'save_report', { type: 'button', className: 'plain', hidden: true, id: 'report' });
   const drop = element('div', { className: 'panel wide drop', id: 'drop' },
     element('div', { className: 'buttons' }, input, choose, sample, hint, bar, stop, status),
-    source, columns.place,
+    source, columns.place, earlier.place,
     element('div', { className: 'settings' }, traffics, report));
 
   // What is answered -----------------------------------------------------------------------------------
@@ -79,6 +82,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     columns.offer(chosen);
     answer = null;
     show();
+    earlier.offer(false);
     bar.hidden = stop.hidden = false;
     hint.hidden = true;
     status.textContent = chosen.name;
@@ -89,9 +93,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     coming.done.then(() => {
       coming = null;
       keepRecord(chosen);
+      const withEarlier = earlier.forget();
       tellFile();
       // The file itself is at hand unless the page was loaded anew meanwhile.
-      if (before) banner.notice(t('record_taken', chosen.name), before instanceof File ? () => take(before) : undefined);
+      if (before) banner.notice([t('record_taken', chosen.name), withEarlier && t('earlier_gone')].filter(Boolean).join(' '), before instanceof File ? () => take(before) : undefined);
       ask();
     }, (fault) => {
       coming = null;
@@ -117,10 +122,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   function forgetFile() {
     file = null;
     keepRecord(null);
+    earlier.forget();
     tellFile();
   }
 
   function tellFile(more = '') {
+    earlier.offer(Boolean(file) && !coming);
     hint.hidden = Boolean(file);
     status.textContent = file ? `${file.name}, ${more || `${number(file.size / 1e6, 3)} MB`}` : '';
   }
@@ -151,12 +158,15 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => drop.classList.remove('over'));
 
   const question = () => {
-    const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months } = traffic.values;
-    return { case: { keys: state.accepted }, name: file.name, slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6, passages_per_day: daily, months, ...(format && { format }) };
+    return { case: { keys: state.accepted }, name: file.name, ...traffic.question, ...(format && { format }), ...earlier.question };
   };
 
   function ask() {
     if (!file || coming || !state.accepted || state.view !== 'measure') return;
+    if (earlier.comingBack) {
+      earlier.comingBack.then(ask);
+      return;
+    }
     tellFile(t('computing'));
     stale(true);
     line.ask(question(), (given) => {
@@ -219,7 +229,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
     if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
-    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : forecast.findings.map((sentence) => item(sentence))));
+    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : [...forecast.findings.map((sentence) => item(sentence)), ...(forecast.wear_fit ? fitItems(forecast.wear_fit, { item, take: takeCoefficient }) : [])]));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
     notes.replaceChildren(...remarks.map((remark) => item(remark)));
     panels.at(-1).hidden = !remarks.length;
@@ -235,13 +245,29 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       return row;
     });
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
-    return element('section', {}, heading, ...where, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...shares);
+    const course = one.course ? [element('p', { className: 'aside course', textContent: courseWords(one.course), lang: currentLanguage() })] : [];
+    return element('section', {}, heading, ...where, ...course, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...shares);
   }
+
+  /** The wear coefficient that was fitted, in the place of that of the case. */
+  const takeCoefficient = (coefficient) => replace({ case: { ...structuredClone(state.keys), wear: { ...state.keys.wear, coefficient: Number(coefficient.toPrecision(4)) } }, point: state.point, tab: 'measure' }, t('coefficient_used', power(coefficient)));
 
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
   function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
     const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
     return `${inWords(`rail ${rail}`)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
+  }
+
+  /** Spectra of earlier records in the colour of their rail, the older the paler. */
+  function before(rails, curve, levels) {
+    const colors = palette();
+    const { spectra } = earlier;
+    const oldest = Math.max(...spectra.map(({ age }) => age)) + 1;
+    return spectra.map(({ rail, words, age, spectrum: own }) => {
+      const k = rails.findIndex(({ name }) => name === rail);
+      const name = rails.length > 1 && rail ? `${inWords(`rail ${rail}`)}, ${words}` : words;
+      return { ...curve(levels(own), name, colors[k > 0 ? 3 + (k % 4) : 0], 'dot'), opacity: 0.4 + (0.5 * (age + 1)) / oldest };
+    });
   }
 
   async function drawSpectrum() {
@@ -257,6 +283,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const traces = [
       ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${inWords(`rail ${rail.name}`)}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
       ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
+      ...before(rails, curve, levels),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];
     const ticks = [2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000];
@@ -284,6 +311,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       columns.reword();
       along.reword();
       noise.reword();
+      earlier.reword();
       show();
       along.drawPlace();
     } else if (what === 'view') {
@@ -305,8 +333,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   tellFile();
   return {
     saveReport,
-    /** Take a file from any view. */
-    take(chosen) {
+    /** Take a file from any view; one that is dropped on the earlier records is one of them. */
+    take(chosen, target) {
+      if (earlier.place.contains(target)) return void earlier.add([chosen]);
       if (state.view !== 'measure') showView('measure', true);
       take(chosen);
     },

@@ -79,6 +79,6 @@ export function startTakeAway({ state, banner, complain, replace, measure }) {
     const files = [...(event.dataTransfer?.files ?? [])];
     const [toml, record] = [files.find(({ name }) => name.endsWith('.toml')), files.find(({ name }) => !name.endsWith('.toml'))];
     if (toml) openFile(toml);
-    if (record) measure.take(record);
+    if (record) measure.take(record, event.target);
   });
 }

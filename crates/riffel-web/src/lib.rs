@@ -7,6 +7,7 @@
 
 mod api;
 mod assets;
+mod earlier_records;
 mod fault;
 mod file;
 mod guard;
@@ -59,6 +60,9 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/curve", post(api::curve::post))
         .route("/api/export/{kind}", post(api::export::post))
         .route("/api/roughness", post(api::roughness::post))
+        .route("/api/earlier", post(api::earlier::post))
+        .route("/api/earlier/read", post(api::earlier::read))
+        .route("/api/earlier/remove", post(api::earlier::remove))
         .route("/api/measure", post(api::roughness::measure))
         .route("/api/along", post(api::along::post))
         .route("/api/along/spectrum", post(api::along::spectrum))

@@ -14,6 +14,7 @@ use tempfile::TempDir;
 use tokio::io::AsyncWriteExt;
 use tokio::sync::Semaphore;
 
+use crate::earlier_records::EarlierRecords;
 use crate::fault::Fault;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
@@ -42,18 +43,24 @@ struct Inner {
     largest: u64,
 }
 
-/// One file in a folder of its own, removed with the last who uses it.
+/// One file in a folder of its own, with the earlier records of the same rail; removed with the last who uses it.
 pub(crate) struct Upload {
     folder: TempDir,
     /// Its name in there, made here.
     pub(crate) name: String,
     pub(crate) bytes: u64,
+    pub(crate) earlier: EarlierRecords,
 }
 
 impl Upload {
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }
+}
+
+/// Name of a file made of what is told of its kind: nothing of what was sent becomes part of a path.
+fn file_name(stem: &str, kind: &str) -> String {
+    format!("{stem}.{}", if kind == "txt" { "txt" } else { "csv" })
 }
 
 impl Uploads {
@@ -85,6 +92,54 @@ impl Uploads {
         announced: Option<u64>,
         body: Body,
     ) -> Result<Arc<Upload>, Fault> {
+        let folder = self.folder().map_err(disk)?;
+        let name = file_name("record", kind);
+        let bytes = self
+            .store(&folder.path().join(&name), announced, body)
+            .await?;
+        let upload = Arc::new(Upload {
+            folder,
+            name,
+            bytes,
+            earlier: EarlierRecords::default(),
+        });
+        let mut files = self.files();
+        files.retain(|(other, _)| *other != page);
+        if files.len() >= MOST_FILES {
+            files.remove(0);
+        }
+        files.push((page, upload.clone()));
+        Ok(upload)
+    }
+
+    /// Write what comes to disk as an earlier record beside the file of a page; its number and its size in bytes.
+    pub(crate) async fn receive_earlier(
+        &self,
+        page: &str,
+        kind: &str,
+        announced: Option<u64>,
+        body: Body,
+    ) -> Result<(u32, u64), Fault> {
+        let upload = self.of(page)?;
+        let place = upload.earlier.reserve()?;
+        let name = file_name(&format!("earlier-{}", place.number()), kind);
+        let path = upload.folder().join(&name);
+        match self.store(&path, announced, body).await {
+            Ok(bytes) => Ok((place.keep(name), bytes)),
+            Err(fault) => {
+                let _ = fs::remove_file(path);
+                Err(fault)
+            }
+        }
+    }
+
+    /// Write what comes to a new file; its size in bytes.
+    async fn store(
+        &self,
+        path: &Path,
+        announced: Option<u64>,
+        mut body: Body,
+    ) -> Result<u64, Fault> {
         let inner = &*self.0;
         let too_large = || {
             Fault::refused(
@@ -99,20 +154,8 @@ impl Uploads {
         let Ok(_coming) = inner.coming.try_acquire() else {
             return Err(Fault::busy("other files are just coming in"));
         };
-        let disk = |error: io::Error| {
-            Fault::refused(
-                StatusCode::INSUFFICIENT_STORAGE,
-                format!("the file cannot be stored: {error}"),
-                "",
-            )
-        };
-        // The name is made here: nothing of what was sent becomes part of a path.
-        let folder = self.folder().map_err(disk)?;
-        let name = format!("record.{}", if kind == "txt" { "txt" } else { "csv" });
-        let path = folder.path().join(&name);
-        let mut file = tokio::fs::File::create(&path).await.map_err(disk)?;
+        let mut file = tokio::fs::File::create(path).await.map_err(disk)?;
         let mut bytes = 0;
-        let mut body = body;
         loop {
             let piece = tokio::time::timeout(PIECE_TIME, body.frame()).await;
             let piece = piece.map_err(|_| {
@@ -133,18 +176,7 @@ impl Uploads {
             }
         }
         file.flush().await.map_err(disk)?;
-        let upload = Arc::new(Upload {
-            folder,
-            name,
-            bytes,
-        });
-        let mut files = self.files();
-        files.retain(|(other, _)| *other != page);
-        if files.len() >= MOST_FILES {
-            files.remove(0);
-        }
-        files.push((page, upload.clone()));
-        Ok(upload)
+        Ok(bytes)
     }
 
     /// A folder for work of a moment, which goes with it.
@@ -170,6 +202,15 @@ impl Uploads {
     fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
         self.0.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// The disk is full, or refuses.
+fn disk(error: io::Error) -> Fault {
+    Fault::refused(
+        StatusCode::INSUFFICIENT_STORAGE,
+        format!("the file cannot be stored: {error}"),
+        "",
+    )
 }
 
 /// Remove folders whose program is gone. What belongs to others, or cannot be removed, stays.
@@ -245,5 +286,39 @@ mod tests {
         assert_eq!(inside(), 2, "the newer file took the place of the older");
         assert_eq!(uploads.of("a").unwrap().bytes, second.bytes);
         assert!(uploads.of("b").is_err());
+    }
+    #[tokio::test]
+    async fn earlier_records_lie_beside_the_file_and_go_with_it() {
+        let place = tempfile::tempdir().unwrap();
+        let uploads = Uploads::within(place.path(), 1000).unwrap();
+        let earlier = |bytes: usize| {
+            let body = Body::from(vec![b'1'; bytes]);
+            uploads.receive_earlier("a", "../../txt", None, body)
+        };
+        assert!(earlier(1).await.is_err(), "beside no record");
+        let body = || Body::from("1,2\n");
+        let record = uploads.receive("a".to_owned(), "txt", None, body());
+        let record = record.await.unwrap();
+        let inside = || fs::read_dir(record.folder()).unwrap().count();
+        assert_eq!(earlier(3).await.unwrap(), (1, 3));
+        assert!(earlier(1001).await.is_err());
+        assert_eq!(inside(), 2, "what was too large is gone");
+        // The number of one that failed or was removed is not given again.
+        assert_eq!(earlier(4).await.unwrap().0, 3);
+        assert_eq!(record.earlier.file(1).unwrap(), "earlier-1.csv");
+        record.earlier.remove(record.folder(), 1);
+        record.earlier.remove(record.folder(), 1);
+        assert!(record.earlier.file(1).is_err() && record.earlier.file(3).is_ok());
+        assert_eq!(inside(), 2);
+        for _ in 1..crate::earlier_records::MOST {
+            earlier(1).await.unwrap();
+        }
+        assert!(earlier(1).await.is_err(), "one too many");
+        // Another record takes the place of all.
+        let folder = record.folder().to_owned();
+        drop(record);
+        let other = uploads.receive("a".to_owned(), "csv", None, body());
+        assert!(other.await.unwrap().earlier.file(3).is_err());
+        assert!(!folder.exists());
     }
 }

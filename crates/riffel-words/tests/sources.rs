@@ -11,6 +11,7 @@ const WHOLE: &[&str] = &[
     "riffel/src/diagnosis",
     "riffel-answers/src/diagnose/finding.rs",
     "riffel-answers/src/forecast/mod.rs",
+    "riffel-answers/src/forecast/wear_report.rs",
     "riffel-answers/src/noise/course.rs",
     "riffel-answers/src/noise/measure.rs",
     "riffel-answers/src/roughness/verdict.rs",

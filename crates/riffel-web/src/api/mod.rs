@@ -2,8 +2,10 @@
 
 pub(crate) mod along;
 pub(crate) mod curve;
+pub(crate) mod earlier;
 pub(crate) mod export;
 pub(crate) mod noise;
 pub(crate) mod questions;
 pub(crate) mod report;
 pub(crate) mod roughness;
+pub(crate) mod traffic;

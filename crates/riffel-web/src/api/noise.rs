@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::roughness::{self, Reading, Run};
+use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
@@ -45,13 +46,13 @@ pub(crate) async fn post(
             }
             rail.write(&upload)?;
             let run = Run {
-                question: rail,
+                names: rail.names(&upload, &rail.earlier(&upload)?),
                 program: &program,
                 upload: &upload,
                 wanted,
             };
             let reading = Reading::new(&upload, rail.format.as_ref())?;
-            let speed = format!("{} m/s", rail.mean_speed());
+            let speed = format!("{} m/s", rail.traffic.mean_speed());
             let months = rail.months.to_string();
             let limit = limit.map(|limit| limit.to_string());
             let mut arguments = vec![
@@ -62,7 +63,7 @@ pub(crate) async fn post(
                 "--speed",
                 &speed,
                 "--traffic",
-                "traffic.toml",
+                TRAFFIC_FILE,
                 "--months",
                 &months,
                 "--json",

@@ -9,7 +9,8 @@ use riffel_keys::Language;
 use riffel_page::CaseText;
 use serde::Deserialize;
 
-use super::roughness::{self, LONGEST_NAME, Reading};
+use super::roughness::{self, Reading};
+use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
@@ -45,13 +46,15 @@ pub(crate) async fn of_rail(
 ) -> Result<impl IntoResponse, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
+    let earlier = question.earlier(&upload)?;
     let program = page.program.clone();
     let html = page
         .long
         .run(asker.subject("report"), move |wanted| {
             question.write(&upload)?;
             let (file, months) = (upload.name.as_str(), question.months.to_string());
-            let speeds = question.speeds();
+            let more = [question.traffic.speed_arguments(), earlier.of_diagnosis()].concat();
+            let names = question.names(&upload, &earlier);
             let reading = Reading::new(&upload, question.format.as_ref())?;
             let mut arguments = vec![
                 "report",
@@ -59,24 +62,18 @@ pub(crate) async fn of_rail(
                 "--roughness",
                 file,
                 "--traffic",
-                "traffic.toml",
-                "--speed",
-                &speeds,
+                TRAFFIC_FILE,
                 "--months",
                 &months,
                 "-o",
                 REPORT,
             ];
+            arguments.extend(more.iter().map(String::as_str));
             arguments.extend(reading.format());
             arguments.extend(spoken(language));
             let run = program.run(upload.folder(), &arguments, wanted);
-            run.map_err(|fault| fault.in_words(|words| question.named(words, &upload)))?;
-            let name: String = question.name.chars().take(LONGEST_NAME).collect();
-            let escaped = name
-                .replace('&', "&amp;")
-                .replace('<', "&lt;")
-                .replace('>', "&gt;");
-            Ok(report_in(upload.folder())?.replace(file, &escaped))
+            run.map_err(|fault| fault.in_words(|words| names.put_into(words)))?;
+            Ok(names.put_into_page(&report_in(upload.folder())?))
         })
         .await?;
     Ok(attached(html))

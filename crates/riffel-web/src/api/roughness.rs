@@ -1,5 +1,7 @@
 //! `POST /api/roughness`: the file of a measured rail; `POST /api/measure`: what it says.
 
+use std::path::Path;
+
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
@@ -9,6 +11,8 @@ use riffel_rail::{Limit, LimitTable, ReaderFormat};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+use super::earlier::{Earlier, EarlierRecord};
+use super::traffic::{TRAFFIC_FILE, Traffic};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::program::Program;
@@ -18,6 +22,8 @@ use crate::uploads::Upload;
 
 /// Longest name of a file that is shown.
 pub(super) const LONGEST_NAME: usize = 120;
+/// Farthest look ahead.
+const MOST_MONTHS: f64 = 1200.0;
 
 /// Receive a file, whose kind is told by the header Content-Type.
 pub(crate) async fn post(
@@ -26,15 +32,21 @@ pub(crate) async fn post(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Json<Value>, Refusal> {
+    let (kind, announced) = kind_and_length(&headers);
+    let owner = asker.owner()?;
+    let upload = page.uploads.receive(owner, kind, announced, body).await?;
+    Ok(Json(json!({ "bytes": upload.bytes })))
+}
+
+/// Kind of a file that comes, and its length if it is announced.
+pub(super) fn kind_and_length(headers: &HeaderMap) -> (&'static str, Option<u64>) {
     let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
     let announced = text(header::CONTENT_LENGTH).and_then(|length| length.parse().ok());
     let kind = match text(header::CONTENT_TYPE) {
         Some("text/plain") => "txt",
         _ => "csv",
     };
-    let owner = asker.owner()?;
-    let upload = page.uploads.receive(owner, kind, announced, body).await?;
-    Ok(Json(json!({ "bytes": upload.bytes })))
+    (kind, announced)
 }
 
 #[derive(Deserialize)]
@@ -42,13 +54,97 @@ pub(crate) struct Question {
     pub(super) case: CaseText,
     /// Name of the file to the user.
     pub(super) name: String,
-    slowest_m_per_s: f64,
-    fastest_m_per_s: f64,
-    passages_per_day: f64,
+    #[serde(flatten)]
+    pub(super) traffic: Traffic,
     pub(super) months: f64,
-    /// How the file is laid out, where the reader has chosen its columns.
+    /// How the files are laid out, where the reader has chosen columns.
     #[serde(default)]
     pub(super) format: Option<ReaderFormat>,
+    /// When the rail was measured, as 2026-01-31.
+    #[serde(default)]
+    date: Option<String>,
+    /// Earlier records of the same rail, the oldest first.
+    #[serde(default)]
+    earlier: Vec<EarlierRecord>,
+}
+
+/// Names of files here, with those that the user knows.
+pub(super) struct Names(Vec<(String, String)>);
+
+impl Names {
+    pub(super) fn new(pairs: impl IntoIterator<Item = (String, String)>) -> Self {
+        let pairs = pairs.into_iter();
+        Self(
+            pairs
+                .map(|(here, name)| (here, name.chars().take(LONGEST_NAME).collect()))
+                .collect(),
+        )
+    }
+
+    /// Words of the program with the names that the user knows, of which none is taken for one of ours.
+    pub(super) fn put_into(&self, words: &str) -> String {
+        self.put(words, str::to_owned)
+    }
+
+    /// A page of the program with the names that the user knows.
+    pub(super) fn put_into_page(&self, page: &str) -> String {
+        self.put(page, |name| {
+            name.replace('&', "&amp;")
+                .replace('<', "&lt;")
+                .replace('>', "&gt;")
+        })
+    }
+
+    fn put(&self, words: &str, written: impl Fn(&str) -> String) -> String {
+        let (mut done, mut rest) = (String::new(), words);
+        let first = |rest: &str| {
+            let found = self.0.iter();
+            found
+                .filter_map(|(here, name)| Some((rest.find(here.as_str())?, here.len(), name)))
+                .min_by_key(|(at, ..)| *at)
+                .map(|(at, length, name)| (at, length, name.clone()))
+        };
+        while let Some((at, length, name)) = first(rest) {
+            done.push_str(&rest[..at]);
+            done.push_str(&written(&name));
+            rest = &rest[at + length..];
+        }
+        done + rest
+    }
+
+    /// The same in all texts of a document.
+    fn put_into_document(&self, document: Value) -> Value {
+        match document {
+            Value::String(text) => Value::String(self.put_into(&text)),
+            Value::Array(list) => {
+                let list = list.into_iter();
+                list.map(|one| self.put_into_document(one)).collect()
+            }
+            Value::Object(table) => {
+                let entries = table.into_iter();
+                entries
+                    .map(|(key, one)| (key, self.put_into_document(one)))
+                    .collect()
+            }
+            other => other,
+        }
+    }
+
+    /// What the program prints when it is run in a folder, with the names that the user knows.
+    pub(super) fn document(
+        &self,
+        program: &Program,
+        folder: &Path,
+        arguments: &[&str],
+        wanted: &Wanted,
+    ) -> Result<Value, Fault> {
+        let printed = program
+            .run(folder, arguments, wanted)
+            .map_err(|fault| fault.in_words(|words| self.put_into(words)))?;
+        let document = serde_json::from_str(&printed)
+            .map_err(|_| Fault::defect("the program printed something else than a document"))?;
+        Ok(self.put_into_document(document))
+    }
 }
 
 /// How the program is told to read the file of a page.
@@ -63,6 +159,15 @@ const FORMAT: &str = "format.toml";
 impl Reading {
     /// Put the reader profile, if there is one, beside the file.
     pub(super) fn new(upload: &Upload, format: Option<&ReaderFormat>) -> Result<Self, Fault> {
+        Self::of_file(&upload.name, upload, format)
+    }
+
+    /// The same for another file in the folder.
+    pub(super) fn of_file(
+        file: &str,
+        upload: &Upload,
+        format: Option<&ReaderFormat>,
+    ) -> Result<Self, Fault> {
         if let Some(format) = format {
             let text = toml::to_string(format)
                 .map_err(|error| Fault::bad(format!("the columns cannot be written: {error}")))?;
@@ -71,7 +176,7 @@ impl Reading {
             })?;
         }
         Ok(Self {
-            file: upload.name.clone(),
+            file: file.to_owned(),
             chosen: format.is_some(),
         })
     }
@@ -96,63 +201,30 @@ impl Reading {
 
 /// Words of the program with the name that the user knows.
 pub(super) fn named(name: &str, words: &str, upload: &Upload) -> String {
-    let name: String = name.chars().take(LONGEST_NAME).collect();
-    words.replace(&upload.name, &name)
+    Names::new([(upload.name.clone(), name.to_owned())]).put_into(words)
 }
 
 impl Question {
     pub(super) fn check(&self) -> Result<(), Fault> {
-        let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
-        if !(slowest > 0.0 && slowest <= fastest && fastest < 200.0) {
+        self.traffic.check()?;
+        let months = self.months;
+        if !(months > 0.0 && months <= MOST_MONTHS) {
             return Err(Fault::bad(format!(
-                "the speeds of the traffic go from {:.1} to {:.1} km/h, but must be above zero and rise",
-                3.6 * slowest,
-                3.6 * fastest
+                "months: {months}, but must be above zero and at most {MOST_MONTHS}"
             )));
-        }
-        for (what, value, most) in [
-            ("axle passages a day", self.passages_per_day, 1e6),
-            ("months", self.months, 1200.0),
-        ] {
-            if !(value > 0.0 && value <= most) {
-                return Err(Fault::bad(format!(
-                    "{what}: {value}, but must be above zero and at most {most}"
-                )));
-            }
         }
         Ok(())
     }
 
-    /// Mean speed of the traffic \[m/s\].
-    pub(super) fn mean_speed(&self) -> f64 {
-        (self.slowest_m_per_s + self.fastest_m_per_s) / 2.0
+    /// The earlier records that are asked about.
+    pub(super) fn earlier(&self, upload: &Upload) -> Result<Earlier, Fault> {
+        Earlier::new(&self.earlier, self.date.as_deref(), upload)
     }
 
-    /// One kind of vehicle, that of the case, at speeds spread evenly over their range.
-    fn traffic(&self) -> String {
-        let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
-        let mean = self.mean_speed();
-        // Of an even distribution.
-        let deviation = (fastest - slowest) / 12f64.sqrt();
-        let deviation = if deviation > 0.0 {
-            format!(", standard_deviation = {deviation}")
-        } else {
-            String::new()
-        };
-        format!(
-            "title = \"traffic of the page\"\n[line]\npassages_per_day = {:?}\n\
-             [[vehicle]]\nname = \"the wheel of the case\"\nshare = 1\nspeed = {{ mean = {mean}{deviation} }}\n",
-            self.passages_per_day
-        )
-    }
-
-    pub(super) fn speeds(&self) -> String {
-        format!("{} m/s..{} m/s", self.slowest_m_per_s, self.fastest_m_per_s)
-    }
-
-    /// Words of the program with the name that the user knows.
-    pub(super) fn named(&self, words: &str, upload: &Upload) -> String {
-        named(&self.name, words, upload)
+    /// Names of all files that are asked about.
+    pub(super) fn names(&self, upload: &Upload, earlier: &Earlier) -> Names {
+        let own = (upload.name.clone(), self.name.clone());
+        Names::new([own].into_iter().chain(earlier.named()))
     }
 
     /// Put case and traffic beside the file.
@@ -160,8 +232,9 @@ impl Question {
         // It is checked here, and opens no file.
         self.case.read()?;
         let write = |name: &str, text: &str| std::fs::write(upload.folder().join(name), text);
+        let traffic = self.traffic.toml()?;
         write("case.toml", &self.case.toml()?)
-            .and_then(|()| write("traffic.toml", &self.traffic()))
+            .and_then(|()| write(TRAFFIC_FILE, &traffic))
             .map_err(|error| Fault::defect(&format!("the case cannot be stored: {error}")))
     }
 }
@@ -173,12 +246,13 @@ pub(crate) async fn measure(
 ) -> Result<Json<Value>, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
+    let earlier = question.earlier(&upload)?;
     let program = page.program.clone();
     page.long
         .run(asker.subject("measurement"), move |wanted| {
             question.write(&upload)?;
             let run = Run {
-                question: &question,
+                names: question.names(&upload, &earlier),
                 program: &program,
                 upload: &upload,
                 wanted,
@@ -186,16 +260,21 @@ pub(crate) async fn measure(
             let file = upload.name.as_str();
             let reading = Reading::new(&upload, question.format.as_ref())?;
             let roughness = run.document(&reading.arguments("roughness", &["--json"]))?;
-            let speeds = question.speeds();
             // Short of a diagnosis or a forecast the levels are still worth seeing.
-            let mut diagnose = vec!["diagnose", "case.toml", "--roughness", file, "--speed", &speeds, "--json"];
+            let mut diagnose = vec![
+                "diagnose", "case.toml", "--roughness", file, "--traffic", TRAFFIC_FILE, "--json",
+            ];
+            let more = [question.traffic.speed_arguments(), earlier.of_diagnosis()].concat();
+            diagnose.extend(more.iter().map(String::as_str));
             diagnose.extend(reading.format());
             let diagnosis = run.document_or_fault(&diagnose)?;
             let months = question.months.to_string();
             let mut forecast = vec![
-                "forecast", "case.toml", "--spectrum", file, "--traffic", "traffic.toml", "--months", &months,
+                "forecast", "case.toml", "--spectrum", file, "--traffic", TRAFFIC_FILE, "--months", &months,
                 "--json",
             ];
+            let between = earlier.of_forecast(question.traffic.passages_per_day);
+            forecast.extend(between.iter().map(String::as_str));
             forecast.extend(reading.format());
             let forecast = run.document_or_fault(&forecast)?;
             Ok(Json(json!({
@@ -207,7 +286,7 @@ pub(crate) async fn measure(
 
 /// The program on the file of a question.
 pub(super) struct Run<'a> {
-    pub(super) question: &'a Question,
+    pub(super) names: Names,
     pub(super) program: &'a Program,
     pub(super) upload: &'a Upload,
     pub(super) wanted: &'a Wanted,
@@ -215,13 +294,9 @@ pub(super) struct Run<'a> {
 
 impl Run<'_> {
     fn document(&self, arguments: &[&str]) -> Result<Value, Fault> {
-        let named = |words: &str| self.question.named(words, self.upload);
-        let printed = self
-            .program
-            .run(self.upload.folder(), arguments, self.wanted)
-            .map_err(|fault| fault.in_words(named))?;
-        serde_json::from_str(&named(&printed))
-            .map_err(|_| Fault::defect("the program printed something else than a document"))
+        let folder = self.upload.folder();
+        self.names
+            .document(self.program, folder, arguments, self.wanted)
     }
 
     /// The document, or the fault in its place; none where nobody waits any more.
@@ -248,4 +323,28 @@ fn limits() -> Vec<Value> {
             Limit::Rms(_) => None,
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_of_the_user_is_never_taken_for_one_of_ours() {
+        let names = [
+            ("record.csv", "earlier-1.csv"),
+            ("earlier-1.csv", "a \"b\" <c>.csv"),
+        ];
+        let names = names.map(|(here, name)| (here.to_owned(), name.to_owned()));
+        let names = Names::new(names);
+        let document = json!({ "file": "record.csv", "warnings": ["earlier-1.csv, line 1: record.csv"], "n": 1 });
+        assert_eq!(
+            names.put_into_document(document),
+            json!({ "file": "earlier-1.csv", "warnings": ["a \"b\" <c>.csv, line 1: earlier-1.csv"], "n": 1 })
+        );
+        assert_eq!(
+            names.put_into_page("<p>earlier-1.csv</p>"),
+            "<p>a \"b\" &lt;c&gt;.csv</p>"
+        );
+    }
 }

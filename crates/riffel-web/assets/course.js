@@ -1,0 +1,32 @@
+// What has become of a rail between its records: levels of a wavelength by date, and the wear coefficient that explains them.
+
+import { element } from './elements.js';
+import { currentLanguage, number, passages, t } from './words.js';
+
+/** Decibels with a digit after the point and, where it is a change, with their sign. */
+const tenths = (value, sign = '') => `${sign && value >= 0 ? '+' : ''}${number(Math.round(10 * value) / 10, 4)}`;
+
+/** "2025-05-01 12.1 dB, 2026-05-01 17.3 dB: +5.2 dB, +5.2 ± 0.8 dB a year". */
+export function courseWords({ records, levels_db: levels, slope_db: slope, slope_scatter_db: scatter, per }) {
+  const points = records.map((record, k) => `${record} ${tenths(levels[k])} dB`).join(', ');
+  return t('course', { points, change: tenths(levels.at(-1) - levels[0], '+'), slope: tenths(slope, '+'), scatter: tenths(scatter), isYear: per === 'year' });
+}
+
+/**
+ * The fit of a forecast as items of a list: what it was fitted to, and what came of it. `item` makes one of a sentence of the program, `take` puts the
+ * coefficient into the case.
+ */
+export function fitItems(fit, { item, take }) {
+  const items = [element('li', { textContent: t('fit_between', passages(fit.passages_between)), lang: currentLanguage() })];
+  fit.sentences.forEach((sentence, k) => {
+    // What to write on a command line is here a button.
+    const one = item(sentence.replace(/: forecast with it by --set .*$/, ''));
+    if (k === 0 && fit.verdict === 'fitted') {
+      const use = element('button', { type: 'button', className: 'plain small', textContent: t('use_coefficient') });
+      use.addEventListener('click', () => take(fit.coefficient_kg_per_j));
+      one.append(' ', use);
+    }
+    items.push(one);
+  });
+  return items;
+}

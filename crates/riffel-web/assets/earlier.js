@@ -1,0 +1,253 @@
+// Earlier records of the measured rail, with their dates: what has grown since.
+
+import { element, worded } from './elements.js';
+import { said } from './german.js';
+import { Fault, askOnce, cancelled, json, send } from './server.js';
+import { currentLanguage, number, t, translate } from './words.js';
+
+/** Where a reload finds names and dates of the records that the program keeps for this page. */
+const EARLIER = 'riffel-earlier';
+/** Most records that the program takes. */
+const MOST = 6;
+/** No rail was measured in this way before; a year that is being typed is earlier still. */
+const FIRST_DATE = '1900-01-01';
+
+/** Date fields that were made, for their names. */
+let dateFields = 0;
+
+/** A day as a date field has it, once its year is whole. */
+const isDay = (text) => /^\d{4}-\d\d-\d\d$/.test(text) && text >= FIRST_DATE;
+
+export class Earlier {
+  /** `onChange` is told that there are other records or dates; `format` gives the columns that were chosen, `labels` puts words of the program into those of the form. */
+  constructor({ onChange, format, complain, banner, labels }) {
+    Object.assign(this, { onChange, format, complain, banner, labels, records: [], date: '' });
+    this.own = this.#dateField('record-date');
+    this.ownRow = element('div', { className: 'earlier-record' }, worded('label', 'measured_on', { htmlFor: 'record-date' }), this.own.input, this.own.fault);
+    this.list = element('ul', { className: 'earlier-records', id: 'earlier-records' });
+    this.input = element('input', { type: 'file', id: 'earlier-file', className: 'away', multiple: true, accept: '.csv,.txt,.tsv,.dat,.asc,text/plain,text/csv' });
+    this.choose = worded('label', 'add_earlier', { htmlFor: 'earlier-file', className: 'plain', id: 'add-earlier' });
+    this.hint = worded('span', 'earlier_hint', { className: 'fine' });
+    this.place = element('div', { className: 'earlier', id: 'earlier', hidden: true }, this.ownRow, this.list, element('div', { className: 'buttons' }, this.input, this.choose, this.hint));
+    this.input.addEventListener('change', () => {
+      this.add([...this.input.files]);
+      this.input.value = '';
+    });
+    this.#restore();
+  }
+
+  /** There is a record, or there is none, to which earlier ones belong. */
+  offer(isThere) {
+    this.place.hidden = !isThere;
+    this.#show();
+  }
+
+  /** Another record has taken the place of that to which these belong; true if there were any. */
+  forget() {
+    const had = this.records.length > 0;
+    this.coming?.abort();
+    Object.assign(this, { records: [], date: '' });
+    this.own.input.value = '';
+    this.own.fault.hidden = true;
+    this.#keep();
+    this.#show();
+    return had;
+  }
+
+  /** Those that could be read, by date where all have one. */
+  get good() {
+    const good = this.records.filter(({ spectra }) => spectra);
+    return good.every(({ date }) => date) ? [...good].sort((a, b) => (a.date < b.date ? -1 : 1)) : good;
+  }
+
+  /** What a question has of them. */
+  get question() {
+    const earlier = this.good.map(({ number: own, name, date }) => ({ number: own, name, ...(date && { date }) }));
+    return earlier.length ? { earlier, ...(this.date && { date: this.date }) } : {};
+  }
+
+  /** Their spectra: name of a rail, date or else name of the file, levels; the oldest first. */
+  get spectra() {
+    return this.good.flatMap(({ spectra, date, name }, age) => {
+      const rails = spectra.rails?.length ? spectra.rails : [{ name: '', spectrum: spectra.spectrum }];
+      return rails.map((rail) => ({ rail: rail.name, words: date || name, age, spectrum: rail.spectrum }));
+    });
+  }
+
+  /** Send files, one after the other. */
+  async add(files) {
+    for (const file of files) {
+      if (this.records.length >= MOST) {
+        this.banner.say(() => t('most_earlier', { most: MOST, name: file.name }));
+        return;
+      }
+      await this.#send(file);
+    }
+  }
+
+  async #send(file) {
+    const record = this.#record({ name: file.name, size: file.size, date: '' });
+    this.records.push(record);
+    this.#show();
+    this.coming = send('/api/earlier', file, (share) => (record.state.textContent = `${t('uploading')} ${number(100 * share, 3)} %`));
+    try {
+      const { number: own } = await this.coming.done;
+      Object.assign(record, { number: own, isAsked: true });
+    } catch (fault) {
+      this.records = this.records.filter((other) => other !== record);
+      this.#show();
+      if (fault instanceof Fault) this.complain(fault, { what: `${file.name}: ` });
+      return;
+    } finally {
+      this.coming = null;
+    }
+    // Meanwhile another record may have come, which these do not belong to.
+    if (!this.records.includes(record)) return;
+    this.#keep();
+    await this.#read(record);
+    this.onChange();
+  }
+
+  /** Ask what a record says; one that cannot be read says why, and is left out. */
+  async #read(record) {
+    record.isAsked = true;
+    record.state.textContent = t('computing');
+    const format = this.format();
+    try {
+      record.spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...(format && { format }) }));
+      record.refused = null;
+    } catch (fault) {
+      if (!(fault instanceof Fault) && !cancelled(fault)) throw fault;
+      record.spectra = null;
+      record.refused = fault instanceof Fault ? fault : { message: t('stopped_once') };
+    }
+    this.#show();
+  }
+
+  /** Read all anew, by other columns or after a reload. */
+  async reread() {
+    for (const record of [...this.records]) if (record.number !== undefined) await this.#read(record);
+  }
+
+  /** After a reload the files are there and their spectra are not: a promise that they are, or null. */
+  get comingBack() {
+    if (this.records.some(({ number: own, isAsked }) => own !== undefined && !isAsked)) this.reading ??= this.reread().finally(() => (this.reading = null));
+    return this.reading ?? null;
+  }
+
+  #remove(record) {
+    this.records = this.records.filter((other) => other !== record);
+    if (record.number === undefined) this.coming?.abort();
+    else askOnce('/api/earlier/remove', { number: record.number }).catch((fault) => this.complain(fault, { what: `${record.name}: ` }));
+    this.#checkDates();
+    this.#keep();
+    this.#show();
+    this.input.focus();
+    this.onChange();
+  }
+
+  // Dates ------------------------------------------------------------------------------------------------
+
+  #dateField(id) {
+    const input = element('input', { type: 'date', id, min: FIRST_DATE });
+    const fault = element('p', { className: 'fault', id: `${id}-fault`, hidden: true });
+    input.setAttribute('aria-describedby', fault.id);
+    // While the year is typed it is the year 2 or 20, which nobody means.
+    input.addEventListener('change', () => (!input.value || isDay(input.value)) && !input.validity.badInput && this.#dated());
+    input.addEventListener('blur', () => (input.validity.badInput || (input.value && !isDay(input.value))) && this.#tell({ input, fault }, t('no_date')));
+    return { input, fault };
+  }
+
+  #tell({ input, fault }, sentence) {
+    Object.assign(fault, { hidden: !sentence, textContent: sentence, lang: currentLanguage() });
+    input.setAttribute('aria-invalid', String(Boolean(sentence)));
+  }
+
+  /** The dates as they stand in the fields: taken if they can be those of the records, in any order. */
+  #dated() {
+    if (!this.#checkDates()) return;
+    const changed = this.date !== this.own.input.value || this.records.some(({ date, field }) => date !== field.input.value);
+    this.date = this.own.input.value;
+    for (const record of this.records) record.date = record.field.input.value;
+    if (!changed) return;
+    this.#keep();
+    this.onChange();
+  }
+
+  #checkDates() {
+    const own = this.own.input.value;
+    const seen = new Map();
+    let good = true;
+    this.#tell(this.own, '');
+    for (const { name, field } of this.records) {
+      const date = field.input.value;
+      const refusal = date && own && date >= own ? t('date_not_before', own) : date && seen.has(date) ? t('date_twice', { date, name: seen.get(date) }) : '';
+      this.#tell(field, refusal);
+      seen.set(date, name);
+      good &&= !refusal;
+    }
+    return good;
+  }
+
+  // Showing them -----------------------------------------------------------------------------------------
+
+  #record({ name, size, date, number: own }) {
+    const record = { name, size, date, number: own, spectra: null, refused: null };
+    record.field = this.#dateField(`earlier-date-${++dateFields}`);
+    record.field.input.value = date;
+    record.state = element('span', { className: 'aside' });
+    record.trouble = element('p', { className: 'fault', hidden: true });
+    const drop = element('button', { type: 'button', className: 'plain small', textContent: '✕' });
+    drop.addEventListener('click', () => this.#remove(record));
+    record.reword = () => {
+      drop.setAttribute('aria-label', `${t('drop')}: ${name}`);
+      record.field.input.setAttribute('aria-label', `${name}, ${t('measured_on')}`);
+    };
+    record.place = element('li', { className: 'earlier-record' }, element('span', { className: 'name', textContent: name, title: name }), record.field.input, drop, record.state, record.field.fault, record.trouble);
+    return record;
+  }
+
+  #show() {
+    this.ownRow.hidden = this.hint.hidden = !this.records.length;
+    this.choose.classList.toggle('off', this.records.length >= MOST);
+    this.input.disabled = this.records.length >= MOST;
+    for (const record of this.records) {
+      record.reword();
+      if (record.spectra || record.refused) record.state.textContent = record.refused ? t('left_out') : `${number(record.size / 1e6, 3)} MB`;
+      record.trouble.hidden = !record.refused;
+      if (!record.refused) continue;
+      const { text, language } = said(record.refused.message);
+      const columns = this.format() ? ` ${t('by_columns')}` : '';
+      Object.assign(record.trouble, { textContent: `${this.labels(text)}${columns}`, lang: language });
+    }
+    // Rows that are there stay in place: one may be typed into.
+    const places = this.records.map(({ place }) => place);
+    if (places.length !== this.list.children.length || places.some((place, k) => this.list.children[k] !== place)) this.list.replaceChildren(...places);
+  }
+
+  reword() {
+    translate(this.place);
+    this.#checkDates();
+    this.#show();
+  }
+
+  #keep() {
+    try {
+      const records = this.records.filter(({ number: own }) => own !== undefined).map(({ name, size, date, number: own }) => ({ name, size, date, number: own }));
+      if (records.length) sessionStorage.setItem(EARLIER, JSON.stringify({ date: this.date, records }));
+      else sessionStorage.removeItem(EARLIER);
+    } catch {
+      // Then a reload asks for the files again.
+    }
+  }
+
+  #restore() {
+    try {
+      const { date, records } = JSON.parse(sessionStorage.getItem(EARLIER)) ?? { date: '', records: [] };
+      this.date = this.own.input.value = date;
+      this.records = records.map((record) => this.#record(record));
+    } catch {
+      // There were none.
+    }
+  }
+}

@@ -1,0 +1,97 @@
+// A field of a number with its unit: read as people write it, and refused in its place.
+
+import { element, worded } from './elements.js';
+import { short } from './keys.js';
+import { askWhich, readNumber } from './numbers.js';
+import { SPEED_UNITS, currentLanguage, t, unitOfSpeed, written } from './words.js';
+
+/** Units of speed that are taken, in km/h. */
+const SPEEDS = { ...Object.fromEntries(Object.entries(SPEED_UNITS).map(([unit, size]) => [unit, 3.6 * size])), kph: 1, 'mi/h': 3.6 * SPEED_UNITS.mph };
+/** Unit beside a field and sizes of the units that it takes, in that of its value. A pound-force is 0.45359237 kg under standard gravity. */
+export const UNITS = {
+  speed: () => ({ unit: unitOfSpeed()[0], sizes: SPEEDS }),
+  force: () => ({ unit: 'kN', sizes: { kN: 1e3, N: 1, MN: 1e6, lbf: 4.4482216152605, kip: 4448.2216152605 } }),
+  percent: () => ({ unit: '%', sizes: { '%': 0.01 } }),
+  ratio: () => ({ unit: '', sizes: { '': 1, '%': 0.01 } }),
+  none: () => ({ unit: '', sizes: { '': 1 } }),
+  daily: () => ({ unit: '1/d', sizes: { '1/d': 1 } }),
+};
+
+/** A number as it may be typed again: without separators of thousands. */
+const plain = (value) => written(short(value));
+
+export class NumberField {
+  /**
+   * `units` is one of UNITS, `label` gives the name by which messages call the field. `accept` takes a value between `low` and `high`, or undefined from an empty
+   * field, and answers with a sentence if it refuses it. `onTrouble` is told that the field is refused, or is again accepted.
+   */
+  constructor({ id, word, units, low, high, label = () => t(word), accept, onTrouble }) {
+    Object.assign(this, { units, low, high, label, accept, onTrouble });
+    this.input = element('input', { type: 'text', inputMode: 'decimal', id, className: 'figure', autocomplete: 'off', spellcheck: false });
+    this.fault = element('p', { className: 'fault', id: `${id}-fault`, hidden: true });
+    this.input.setAttribute('aria-describedby', this.fault.id);
+    this.beside = element('span', { className: 'unit' });
+    this.row = element('div', { className: 'row' }, worded('label', word, { htmlFor: id }), this.input, this.beside, this.fault);
+    this.input.addEventListener('change', () => this.#read());
+  }
+
+  /** Show a value, null for an empty field, and what stands in for none: a value or words. What is refused stays. */
+  show(value, otherwise) {
+    this.unit = this.units().unit;
+    this.beside.textContent = this.unit;
+    if (this.isWrong) return;
+    this.input.value = value === null ? '' : plain(value / this.#size);
+    this.input.placeholder = typeof otherwise === 'number' ? plain(otherwise / this.#size) : (otherwise ?? '');
+  }
+
+  get isWrong() {
+    return !this.fault.hidden;
+  }
+
+  /** Size of the unit beside the field. */
+  get #size() {
+    return this.units().sizes[this.unit];
+  }
+
+  #read() {
+    this.right();
+    const text = this.input.value.trim();
+    const accept = (value) => {
+      this.right();
+      const refusal = this.accept(value);
+      if (refusal) this.wrong(refusal);
+    };
+    if (text === '') return accept(undefined);
+    const { sizes } = this.units();
+    const read = readNumber(text);
+    if (!read) return this.wrong(t('no_number', text));
+    const factor = read.rest === '' ? this.#size : sizes[read.rest];
+    const units = Object.keys(sizes).filter(Boolean).join(', ');
+    if (factor === undefined) return this.wrong(units ? t('no_unit', { text, units }) : t('no_number', text));
+    const bounded = (digits) => {
+      const value = Number(digits) * factor;
+      if (value >= this.low && value <= this.high) return accept(value);
+      this.wrong(t('must_lie', { label: this.label(), value: text, low: plain(this.low / this.#size), high: `${plain(this.high / this.#size)} ${this.unit}`.trim() }));
+    };
+    if (!read.choices) return bounded(read.number);
+    askWhich(this.fault, text, read, this.unit, bounded);
+    this.wrong();
+  }
+
+  /** Say what is wrong, or that something is. */
+  wrong(sentence) {
+    if (sentence) Object.assign(this.fault, { textContent: sentence, lang: currentLanguage() });
+    this.fault.hidden = false;
+    this.input.setAttribute('aria-invalid', 'true');
+    this.row.classList.add('wrong');
+    this.onTrouble();
+  }
+
+  right() {
+    if (!this.isWrong) return;
+    this.fault.hidden = true;
+    this.input.removeAttribute('aria-invalid');
+    this.row.classList.remove('wrong');
+    this.onTrouble();
+  }
+}
