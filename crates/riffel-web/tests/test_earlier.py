@@ -1,5 +1,6 @@
 """Earlier records of a rail and several vehicles on it: the same answers as from the program, and what is refused."""
 
+import base64
 import json
 import math
 import random
@@ -8,8 +9,9 @@ import subprocess
 import pytest
 from conftest import PROGRAM
 from test_german import english, panels
-from test_noise import GROWING, by_the_program
+from test_noise import GROWING
 
+BAND = "() => { const { from, to } = document.getElementById('map').view.band; return [from, to]; }"
 DAILY = 4000
 # Name, share, speeds, wheel load and tractive ratio.
 VEHICLES = [("tram", 0.7, [40, 60], None, None), ("works car", 0.3, [20, 70], 55e3, 0.05)]
@@ -71,10 +73,10 @@ def traffic_file():
 def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page, tmp_path):
     page.page.locator("#open-toml").set_input_files(str(GROWING))
     page.until(lambda: page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.keys.rail)"))
+    page.page.click("#tab-measure")
     add_vehicles(page)
     assert not page.page.locator("#trouble").is_visible() and not page.page.locator("#traffic-from").is_visible()
     texts = {"before": record(8, seed=2), "now": record(14)}
-    page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=files(now=texts["now"]))
     page.until(page.page.locator("#earlier").is_visible)
     # Nothing of dates before there is something to compare with.
@@ -145,3 +147,115 @@ def numbers(own, there, where=""):
         assert own == pytest.approx(there, rel=1e-9, abs=1e-12), where
     else:
         assert own == there, where
+
+
+@pytest.mark.without_curves
+def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
+    page = open_page(locale="de-DE", viewport={"width": 360, "height": 780})
+    questions = []
+    page.page.on("request", lambda request: request.url.endswith("/api/measure") and questions.append(request.post_data_json))
+    rows = page.page.locator("#earlier-records > li")
+    date = lambda k: rows.nth(k).locator("input")
+    asked = lambda: [(one["name"], one.get("date")) for one in questions[-1].get("earlier", [])]
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
+    page.until(page.page.locator("#earlier").is_visible)
+    good = record(8, metres=3)
+    page.page.set_input_files("#earlier-file", files=files(last=good, older=good) + [{"name": "notes.txt", "mimeType": "text/plain", "buffer": b"no table\n"}])
+    page.until(lambda: rows.count() == 3 and rows.nth(2).locator(".fault").last.is_visible(), seconds=60)
+    # What cannot be read says so under the name that the user knows, and the rest is asked for without it.
+    assert "notes.txt" in rows.nth(2).inner_text() and "earlier-3" not in rows.nth(2).inner_text()
+    page.until(lambda: questions and asked() == [("last.csv", None), ("older.csv", None)])
+    rows.nth(2).locator("button").click()
+    page.until(lambda: rows.count() == 2)
+    # The order of the dates counts, not that of the files; one that is not before the record is told of and not taken.
+    for field, day in [(page.page.locator("#record-date"), "2026-05-01"), (date(0), "2026-06-01")]:
+        field.fill(day)
+    page.until(rows.nth(0).locator(".fault").first.is_visible)
+    fault = rows.nth(0).locator(".fault").first.inner_text()
+    assert "vor dem 2026-05-01" in fault and english(fault) == []
+    before = len(questions)
+    date(1).fill("2024-05-01")
+    assert date(0).get_attribute("aria-invalid") == "true" and len(questions) == before
+    date(0).fill("2024-05-01")
+    page.until(lambda: "older.csv" in rows.nth(1).inner_text() and rows.nth(1).locator(".fault").first.is_visible())
+    date(0).fill("2025-05-01")
+    page.until(lambda: asked() == [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")] and questions[-1]["date"] == "2026-05-01", seconds=60)
+    page.until(lambda: page.page.locator(".course").count() > 0 and "im Jahr" in page.page.locator(".course").first.inner_text(), seconds=60)
+    page.until(lambda: page.page.locator("#noise-panel:not(.stale)").is_visible(), seconds=60)
+    assert "kein Verschleißbeiwert" in page.text("#view-measure")
+    assert english(panels(page, "measure")) == []
+    assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
+    page.keep("earlier-360", whole=True)
+    # A reload finds files and dates; one that is removed is gone from the answer.
+    page.page.reload()
+    page.settle()
+    page.until(lambda: page.page.locator(".course").count() > 0, seconds=60)
+    assert [date(k).input_value() for k in range(2)] == ["2025-05-01", "2024-05-01"]
+    rows.nth(1).locator("button").click()
+    page.until(lambda: asked() == [("last.csv", "2025-05-01")])
+    # Another record has no earlier ones until they are added.
+    page.page.set_input_files("#record", files=files(another=good))
+    page.until(lambda: "another.csv" in page.text("#record-state") and "earlier" not in questions[-1])
+    assert rows.count() == 0 and "früheren" in page.text("#notice")
+    page.close(complaints=len([text for text in page.complaints if "422" in text]))
+
+
+@pytest.mark.without_curves
+def test_vehicles_make_a_traffic_or_say_why_not(page):
+    load = lambda: page.page.evaluate("() => window.riffel.state.head.highest.growth_rate_per_passage")
+    add_vehicles(page)
+    page.until(lambda: "MGT" in page.text("#verdict"))
+    # Two wheels of an axle: seven tenths of the passages with the 50 kN of the case, three with 55 kN.
+    megatonnes = math.log(2) / load() * 2 * (0.7 * 50e3 + 0.3 * 55e3) / 9.80665 / 1e9
+    page.until(lambda: f"{megatonnes:.2g} MGT" in page.text("#verdict"))
+    # The band on the map spans the speeds of all.
+    page.until(lambda: page.page.evaluate(BAND) == pytest.approx([20 / 3.6, 70 / 3.6]))
+    trouble = page.page.locator("#trouble [data-field]")
+    for field, texts, words in [
+        ("share", ["0", "-20", "120 %"], "must be"), ("share", ["40"], "sum to 110 %"), ("from", ["80"], "highest speed"), ("to", ["30 knots"], "no unit"),
+        ("wheel", ["6 t", "3 GN"], "no unit"), ("wheel", ["5,000"], "two ways"), ("tractive", ["1.2"], "must be"), ("name", ["", "tram"], "vehicle"),
+    ]:
+        place = page.page.locator(f"#vehicle-1-{field}")
+        before = place.input_value()
+        for text in texts:
+            place.fill(text)
+            place.press("Tab")
+            page.until(lambda: trouble.count() == 1)
+            told = page.page.locator("#vehicles .fault:visible, #vehicles-fault:visible").all_inner_texts()
+            assert len(told) == 1 and words in told[0], (text, told)
+        place.fill(before)
+        place.press("Tab")
+        page.until(lambda: trouble.count() == 0)
+    # Thousands, other units and a unit of one's own choice for speeds.
+    type_into(page, "#vehicle-1-wheel", "10,000.5 lbf")
+    page.until(lambda: page.page.locator("#vehicle-1-wheel").input_value() == "44.484")
+    page.page.select_option("#speed-unit", "m/s")
+    assert page.page.locator("#vehicle-0-to").input_value() == f"{60 / 3.6:.5g}"
+    page.page.select_option("#speed-unit", "km/h")
+    # Undo, a link, and what is left of the shares where one goes.
+    page.page.click("#undo")
+    page.until(lambda: page.page.locator("#vehicle-1-wheel").input_value() == "55")
+    page.page.wait_for_timeout(400)
+    link = page.page.url
+    page.page.click("#vehicles [role=group]:first-child button")
+    page.until(lambda: page.page.locator("#vehicles [role=group]").count() == 1)
+    assert page.page.locator("#vehicle-0-name").input_value() == "works car" and page.page.locator("#vehicle-0-share").input_value() == "100"
+    page.page.click("#vehicles [role=group] button")
+    page.until(page.page.locator("#traffic-from").is_visible)
+    page.page.goto(link)
+    page.settle()
+    assert [page.page.locator(f"#vehicle-{k}-name").input_value() for k in range(2)] == ["tram", "works car"]
+    # A link of before has no vehicles, one whose shares make no traffic has none, either.
+    for vehicles, daily in [(None, "4000"), ([{"name": "a", "share": 0.5, "from_km_per_h": 20, "to_km_per_h": 30}], "")]:
+        traffic = {"from_km_per_h": 30, "to_km_per_h": 70, "passages_per_day": 4000, "months": 12, **({"vehicles": vehicles} if vehicles else {})}
+        open_link(page, traffic)
+        assert page.page.locator("#traffic-daily").input_value() == daily and page.page.locator("#traffic-from").count() == 1
+        assert page.page.locator("#vehicles [role=group]").count() == 0
+
+
+def open_link(page, traffic):
+    case = page.page.evaluate("() => window.riffel.state.keys")
+    text = json.dumps({"case": case, "point": None, "tab": "explore", "traffic": traffic}).encode()
+    page.page.goto(page.page.url.split("#")[0] + "#" + base64.urlsafe_b64encode(text).decode().rstrip("="))
+    page.settle()
