@@ -63,6 +63,8 @@ export class Along {
     this.placePanel.hidden = true;
     this.block = Math.max(SHORTEST_BLOCK, roughness.length_m / BLOCKS);
     this.line.ask({ ...this.question(), block_m: this.block }, (courses) => {
+      // Meanwhile another record may have come.
+      if (this.roughness !== roughness) return;
       this.courses = courses;
       const chosen = this.rail.value;
       const names = courses.rails.map(({ name }) => name);
@@ -138,6 +140,7 @@ export class Along {
     const from = Math.max(begin, Math.min(position - half, end - 2 * half));
     const to = Math.min(end, from + 2 * half);
     this.places.ask({ ...this.question(), from_m: from, to_m: to }, (there) => {
+      if (this.courses !== courses) return;
       Object.assign(this, { at: position, there: { ...there, from, to } });
       this.#draw();
       this.drawPlace();

@@ -173,3 +173,78 @@ impl Earlier {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::uploads::Uploads;
+
+    fn records(dates: &[Option<&str>]) -> Vec<EarlierRecord> {
+        let numbered = (1..).zip(dates);
+        numbered
+            .map(|(number, date)| EarlierRecord {
+                number,
+                name: format!("{number}"),
+                date: date.map(str::to_owned),
+            })
+            .collect()
+    }
+
+    #[tokio::test]
+    async fn the_program_is_told_of_files_dates_and_passages() {
+        let place = tempfile::tempdir().unwrap();
+        let uploads = Uploads::within(place.path(), 100).unwrap();
+        let body = || Body::from("1,2\n");
+        let upload = uploads.receive("a".to_owned(), "csv", None, body()).await;
+        let upload = upload.unwrap();
+        for _ in 0..2 {
+            uploads
+                .receive_earlier("a", "csv", None, body())
+                .await
+                .unwrap();
+        }
+        let asked = |dates: &[Option<&str>], own| Earlier::new(&records(dates), own, &upload);
+        let told = |dates: &[Option<&str>], own| {
+            let earlier = asked(dates, own).unwrap();
+            let arguments = [earlier.of_diagnosis(), earlier.of_forecast(1000.0)].concat();
+            arguments.join(" ")
+        };
+        let files = "--earlier earlier-1.csv --earlier earlier-2.csv";
+        assert_eq!(told(&[], Some("2026-05-01")), "");
+        assert_eq!(told(&[None, None], None), files);
+        // 365 days of 1000 passages; the diagnosis has dates where all records have one.
+        assert_eq!(
+            told(
+                &[Some("2024-05-01"), Some("2025-05-01")],
+                Some("2026-05-01")
+            ),
+            format!(
+                "{files} --dates 2024-05-01,2025-05-01,2026-05-01 --earlier earlier-2.csv --passages-between 365000"
+            )
+        );
+        assert_eq!(
+            told(&[Some("2025-05-01"), None], Some("2026-05-01")),
+            format!("{files} --earlier earlier-1.csv --passages-between 365000")
+        );
+        assert_eq!(told(&[Some("2025-05-01"), None], None), files);
+        for (dates, own, words) in [
+            (
+                [Some("2025-05-01"), Some("2024-05-01")],
+                Some("2026-05-01"),
+                "do not rise",
+            ),
+            (
+                [Some("2026-05-01"), None],
+                Some("2026-05-01"),
+                "do not rise",
+            ),
+            ([Some("--output=/tmp"), None], None, "the date of a record"),
+        ] {
+            let fault = asked(&dates, own).err().unwrap();
+            assert!(fault.message().contains(words), "{}", fault.message());
+        }
+        upload.earlier.remove(upload.folder(), 2);
+        let gone = asked(&[None, None], None).err().unwrap();
+        assert_eq!(gone.status(), 410);
+    }
+}
