@@ -13,10 +13,12 @@ export function courseWords({ records, levels_db: levels, slope_db: slope, slope
 }
 
 /**
- * The fit of a forecast as items of a list: what it was fitted to, and what came of it. `item` makes one of a sentence of the program, `take` puts the
- * coefficient into the case.
+ * What a forecast says of its fit as items of a list: what it was fitted to and what came of it, or why there is none. `item` makes one of a sentence of the
+ * program, `take` puts the coefficient into the case.
  */
-export function fitItems(fit, { item, take }) {
+export function fitItems({ wear_fit: fit, fit_fault: fault }, { item, take }) {
+  if (fault) return [item(fault.message)];
+  if (!fit) return [];
   const items = [element('li', { textContent: t('fit_between', passages(fit.passages_between)), lang: currentLanguage() })];
   fit.sentences.forEach((sentence, k) => {
     // What to write on a command line is here a button.

@@ -78,7 +78,7 @@ export class Earlier {
   async add(files) {
     for (const file of files) {
       if (this.records.length >= MOST) {
-        this.banner.say(() => t('most_earlier', { most: MOST, name: file.name }));
+        this.banner.say(() => t('most_earlier', { most: MOST, name: file.name }), { until: 'closed' });
         return;
       }
       await this.#send(file);

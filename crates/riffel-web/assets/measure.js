@@ -229,7 +229,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
     if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
-    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : [...forecast.findings.map((sentence) => item(sentence)), ...(forecast.wear_fit ? fitItems(forecast.wear_fit, { item, take: takeCoefficient }) : [])]));
+    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : [...forecast.findings.map((sentence) => item(sentence)), ...fitItems(forecast, { item, take: takeCoefficient })]));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
     notes.replaceChildren(...remarks.map((remark) => item(remark)));
     panels.at(-1).hidden = !remarks.length;

@@ -270,13 +270,30 @@ pub(crate) async fn measure(
             let diagnosis = run.document_or_fault(&diagnose)?;
             let months = question.months.to_string();
             let mut forecast = vec![
-                "forecast", "case.toml", "--spectrum", file, "--traffic", TRAFFIC_FILE, "--months", &months,
+                "forecast",
+                "case.toml",
+                "--spectrum",
+                file,
+                "--traffic",
+                TRAFFIC_FILE,
+                "--months",
+                &months,
                 "--json",
             ];
-            let between = earlier.of_forecast(question.traffic.passages_per_day);
-            forecast.extend(between.iter().map(String::as_str));
             forecast.extend(reading.format());
-            let forecast = run.document_or_fault(&forecast)?;
+            let between = earlier.of_forecast(question.traffic.passages_per_day);
+            let between = between.iter().map(String::as_str);
+            let fitted = [forecast.clone(), between.collect()].concat();
+            let mut answer = run.document_or_fault(&fitted)?;
+            // Short of a fit the forecast is still worth seeing.
+            if fitted != forecast && answer.get("fault").is_some() {
+                let without = run.document_or_fault(&forecast)?;
+                let fault = std::mem::replace(&mut answer, without)["fault"].take();
+                if answer.get("fault").is_none() {
+                    answer["fit_fault"] = fault;
+                }
+            }
+            let forecast = answer;
             Ok(Json(json!({
                 "roughness": roughness, "diagnosis": diagnosis, "forecast": forecast, "limits": limits(),
             })))
