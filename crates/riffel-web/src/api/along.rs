@@ -9,7 +9,8 @@ use riffel_rail::ReaderFormat;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::roughness::{Reading, named};
+use super::names::named;
+use super::roughness::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};

@@ -9,7 +9,7 @@ use riffel_keys::{CaseError, Remark};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::roughness::LONGEST_NAME;
+use super::names::LONGEST_NAME;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};

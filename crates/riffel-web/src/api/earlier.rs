@@ -8,7 +8,8 @@ use riffel_rail::{ReaderFormat, read_date};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::roughness::{Names, Reading, kind_and_length};
+use super::names::Names;
+use super::roughness::{Reading, kind_and_length};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
