@@ -113,14 +113,17 @@ export class Earlier {
     record.isAsked = true;
     record.state.textContent = t('computing');
     const format = this.format();
+    // Other columns may be chosen before it is read: the last question counts.
+    const turn = (record.turn = (record.turn ?? 0) + 1);
+    let [spectra, refused] = [null, null];
     try {
-      record.spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...(format && { format }) }));
-      record.refused = null;
+      spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...(format && { format }) }));
     } catch (fault) {
       if (!(fault instanceof Fault) && !cancelled(fault)) throw fault;
-      record.spectra = null;
-      record.refused = fault instanceof Fault ? fault : { message: t('stopped_once') };
+      refused = fault instanceof Fault ? fault : { message: t('stopped_once') };
     }
+    if (record.turn !== turn) return;
+    Object.assign(record, { spectra, refused });
     this.#show();
   }
 
@@ -217,8 +220,8 @@ export class Earlier {
       record.trouble.hidden = !record.refused;
       if (!record.refused) continue;
       const { text, language } = said(record.refused.message);
-      const columns = this.format() ? ` ${t('by_columns')}` : '';
-      Object.assign(record.trouble, { textContent: `${this.labels(text)}${columns}`, lang: language });
+      const sentence = this.labels(text);
+      Object.assign(record.trouble, { textContent: this.format() ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence, lang: language });
     }
     // Rows that are there stay in place: one may be typed into.
     const places = this.records.map(({ place }) => place);
