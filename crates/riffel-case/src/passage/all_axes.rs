@@ -293,7 +293,6 @@ mod tests {
         );
         let (absent, two) = ("wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]");
         for (case, wavelength, speed) in [
-            (case(NOMINAL_CASE, &lone), 0.05, 20.0),
             (case(NOMINAL_CASE, &lone), 0.12, 15.0),
             (trailer(&[antiphase, angle]), 0.05, 20.0),
             (trailer(&[absent, two]), 0.03, 12.0),

@@ -696,7 +696,9 @@ fn refuses_every_truncation() {
     for name in FIXTURES.iter().filter(|&&name| name != "several.uff") {
         let bytes = fixture(name);
         let mark = bytes.len() - b"\n".len();
-        for end in 0..mark {
+        // Lines have 80 places: with a step of 7 every place of one is an end somewhere.
+        let step = if mark > 4000 { 7 } else { 1 };
+        for end in (0..mark).step_by(step) {
             assert!(read(&bytes[..end]).is_err(), "{name} cut at {end}");
         }
         assert!(read(&bytes[..mark]).is_ok());
