@@ -22,7 +22,8 @@ const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chro
 /// [`test()`] with the program whose page is tested.
 pub(crate) fn test_alone() -> Outcome {
     crate::build_program()?;
-    test(&prepare()?, page::build_if_possible()?)
+    let module = page::build_if_possible()?;
+    test(&prepare()?, Thoroughness::All { module })
 }
 
 /// What drives the browser, and the browser.
@@ -39,9 +40,16 @@ pub(crate) fn prepare() -> Result<Browser, String> {
     })
 }
 
-/// Run the tests of the page, and of the page in one file where its module is there; screenshots are kept in
-/// `target/browser-tests/screenshots`.
-pub(crate) fn test(browser: &Browser, module: Option<PathBuf>) -> Outcome {
+/// How much is looked at.
+pub(crate) enum Thoroughness {
+    /// Each thing once.
+    Once,
+    /// Again in other colours, sizes and the other language, and in one file where the module for that is there.
+    All { module: Option<PathBuf> },
+}
+
+/// Run the tests of the page; screenshots are kept in `target/browser-tests/screenshots`.
+pub(crate) fn test(browser: &Browser, thoroughness: Thoroughness) -> Outcome {
     let tests = ["-m", "pytest", "--quiet", "crates/riffel-web/tests"];
     let mut tests = environment::command(&browser.python, &tests);
     tests
@@ -49,8 +57,13 @@ pub(crate) fn test(browser: &Browser, module: Option<PathBuf>) -> Outcome {
         .env("CHROMIUM", &browser.chromium)
         .env("SCREENSHOTS", folder().join("screenshots"))
         .env("PYTHONDONTWRITEBYTECODE", "1");
-    if let Some(module) = module {
-        tests.env("RIFFEL_WASM", module);
+    match thoroughness {
+        Thoroughness::Once => {
+            tests.args(["-m", "not thorough"]);
+        }
+        Thoroughness::All { module } => {
+            tests.envs(module.map(|module| ("RIFFEL_WASM", module)));
+        }
     }
     run_beside(&mut tests)
 }

@@ -2,6 +2,7 @@
 
 use std::thread::{self, ScopedJoinHandle};
 
+use crate::browser::Thoroughness;
 use crate::step::{cargo, run, run_beside};
 use crate::{Outcome, browser, dependencies, python};
 
@@ -32,7 +33,8 @@ pub(crate) fn quick() -> Outcome {
 /// Everything there is.
 ///
 /// Packages are fetched while Rust compiles. The Python package and the page, which wait much, are tested beside the
-/// rest. The page in one file, whose module takes eight minutes of a processor to build, is tested by `cargo xtask browser`.
+/// rest. The page in one file, whose module takes eight minutes of a processor to build, and what has been seen in other colours,
+/// another size or the other language are left to `cargo xtask browser`.
 pub(crate) fn all() -> Outcome {
     run(&mut cargo(&FORMAT))?;
     dependencies::check()?;
@@ -43,7 +45,7 @@ pub(crate) fn all() -> Outcome {
         run(cargo(&TESTS).arg("--no-run"))?;
         let (python, browser) = (end(python)?, end(browser)?);
         let python = scope.spawn(move || python::test(&python));
-        let browser = scope.spawn(move || browser::test(&browser, None));
+        let browser = scope.spawn(move || browser::test(&browser, Thoroughness::Once));
         run_beside(&mut cargo(&TESTS))?;
         let mut documentation = cargo(&["doc", "--workspace", "--no-deps", "--quiet"]);
         run_beside(documentation.env("RUSTDOCFLAGS", "--deny warnings"))?;

@@ -27,7 +27,9 @@ pub(crate) fn prepare(environment: &Path, requirements: &str) -> Result<PathBuf,
         format!("{python} has no module venv; install it (Debian: apt install python3-venv)")
     })?;
     let mut install = command(&own, &["-m", "pip", "install", "--quiet"]);
-    install.args(["--disable-pip-version-check", "--requirement", requirements]);
+    // Python compiles a module when it is first imported, which of most packages few are.
+    install.args(["--no-compile", "--disable-pip-version-check"]);
+    install.args(["--requirement", requirements]);
     run_unseen(&mut install)?;
     fs::write(&installed, wanted)
         .map_err(|error| format!("cannot write {}: {error}", installed.display()))?;

@@ -35,7 +35,8 @@ enum Task {
         #[arg(long)]
         quick: bool,
     },
-    /// The page alone, in a real browser: Debian's Chromium, driven by pytest.
+    /// The page alone, in a real browser: Debian's Chromium, driven by pytest. All there is, also in other colours, sizes and
+    /// languages and in one file.
     Browser,
     /// The answers of the page as a WebAssembly module: a program that is built after it holds them, for `riffel page`.
     Page,

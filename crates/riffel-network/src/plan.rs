@@ -1,7 +1,10 @@
 //! What to grind of a network with a budget.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
+use crate::most_track::{OverLimit, brought_below, most_track};
 use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, rails_without_growth, worst};
 
 /// What may be spent, in any currency.
@@ -43,6 +46,16 @@ impl Budget {
     }
 }
 
+/// What a plan is after.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Aim {
+    /// The worst sections.
+    #[default]
+    WorstFirst,
+    /// As much track below its limit as the money reaches.
+    MostTrack,
+}
+
 /// A section of track that is ground.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedSection {
@@ -54,7 +67,7 @@ pub struct PlannedSection {
     pub to_m: f64,
     /// RMS over limit of the worse rail at the time planned for.
     pub rms_over_limit: f64,
-    /// What it costs besides those chosen before it.
+    /// What it costs.
     pub cost: f64,
 }
 
@@ -71,18 +84,24 @@ pub struct GrindingPlan {
     pub cost: f64,
     /// Length of track over its limit at the time planned for, if nothing is done \[m\].
     pub over_limit_m: f64,
-    /// Length of that which the budget leaves \[m\].
+    /// Length of that which the plan leaves \[m\].
     pub left_over_limit_m: f64,
+    /// No plan for this budget leaves less \[m\].
+    pub least_left_over_limit_m: f64,
     /// What the reader should know.
     pub remarks: Vec<String>,
 }
 
-/// The sections of track that will be over their limit so many months behind the latest survey, the worst first, as far as the
-/// budget goes.
+/// A section by its line and its number along it.
+type Key = (String, i64);
+
+/// Sections of track that will be over their limit so many months behind the latest survey, as far as the budget goes.
 ///
-/// Method: greedy. Sections are taken in the order of RMS over limit of their worse rail; one that joins on to those taken
-/// before costs no new site; what does not fit any more is passed over, and smaller ones may still fit. That is no optimum, but
-/// nobody is passed over for one who is better off at the same cost. Lines with one survey are taken as they are.
+/// Method: for [`Aim::WorstFirst`] sections are taken in the order of RMS over limit of their worse rail; one that joins on to
+/// those taken before costs no new site; what does not fit any more is passed over, and smaller ones may still fit. Nobody is passed
+/// over for one who is better off at the same cost. For [`Aim::MostTrack`] sites are chosen that bring the most track below its
+/// limit, by a Lagrangian price and a pass over each line, through sections below their limit where that is cheaper than a new site;
+/// how far either may be from the optimum is told by `least_left_over_limit_m`. Lines with one survey are taken as they are.
 ///
 /// # Errors
 /// [`NetworkError::Value`] for a budget below zero; those of the files.
@@ -92,6 +111,7 @@ pub fn plan(
     length: f64,
     months: f64,
     budget: &Budget,
+    aim: Aim,
 ) -> Result<GrindingPlan, NetworkError> {
     budget.check()?;
     if !(0.0..=1200.0).contains(&months) {
@@ -103,8 +123,7 @@ pub fn plan(
     }
     let mut remarks = Vec::new();
     // A line by line and section by section: the worse rail.
-    let mut sections: std::collections::BTreeMap<(String, i64), f64> =
-        std::collections::BTreeMap::new();
+    let mut sections: BTreeMap<Key, f64> = BTreeMap::new();
     let mut worse = |line: &str, from: f64, ratio: f64| {
         let key = (line.to_owned(), (from / length).round() as i64);
         let known = sections.entry(key).or_insert(ratio);
@@ -128,56 +147,110 @@ pub fn plan(
             Err(error) => return Err(error),
         }
     }
-    let over: Vec<((String, i64), f64)> = sections
-        .into_iter()
-        .filter(|(_, ratio)| *ratio > 1.0)
+    let over = sections.values().filter(|ratio| **ratio > 1.0).count() as f64;
+    let stretches = stretches(sections);
+    let over_limit: Vec<OverLimit> = stretches
+        .iter()
+        .map(|stretch| stretch.iter().map(|(_, ratio)| *ratio > 1.0).collect())
         .collect();
-    let over_limit_m = over.len() as f64 * length;
-    let mut order: Vec<usize> = (0..over.len()).collect();
-    order.sort_by(|&a, &b| over[b].1.total_cmp(&over[a].1));
-    let mut chosen = std::collections::BTreeMap::new();
-    let mut money = budget.money;
-    for index in order {
-        let ((line, place), ratio) = &over[index];
-        let joins = [place - 1, place + 1]
-            .iter()
-            .filter(|other| chosen.contains_key(&(line.clone(), **other)))
-            .count();
-        // One that closes a gap makes one site of two.
-        let sites = 1.0 - joins as f64;
-        let cost = budget.per_metre * length + budget.per_site * sites;
-        if cost > money * (1.0 + 1e-12) {
-            continue;
-        }
-        money -= cost;
-        chosen.insert((line.clone(), *place), (*ratio, cost));
-    }
-    let mut sites: Vec<PlannedSection> = Vec::new();
-    let count = chosen.len() as f64;
-    for ((line, place), (ratio, cost)) in chosen {
-        let from = place as f64 * length;
-        match sites.last_mut() {
-            Some(site) if site.line == line && (site.to_m - from).abs() < 1e-6 * length => {
-                site.to_m = from + length;
-                site.rms_over_limit = site.rms_over_limit.max(ratio);
-                site.cost += cost;
-            }
-            _ => sites.push(PlannedSection {
-                line,
-                from_m: from,
-                to_m: from + length,
-                rms_over_limit: ratio,
-                cost,
-            }),
-        }
-    }
+    let per_section = budget.per_metre * length;
+    let best = most_track(&over_limit, budget.money, per_section, budget.per_site);
+    let ground = match aim {
+        Aim::WorstFirst => worst_first(&stretches, length, budget),
+        Aim::MostTrack => best.ground,
+    };
+    let brought_below = brought_below(&over_limit, &ground) as f64;
+    let sites = sites(&stretches, &ground, length, budget);
     Ok(GrindingPlan {
         months,
-        length_m: count * length,
+        length_m: sites.iter().map(|site| site.to_m - site.from_m).sum(),
         cost: sites.iter().map(|site| site.cost).sum(),
-        over_limit_m,
-        left_over_limit_m: over_limit_m - count * length,
+        over_limit_m: over * length,
+        left_over_limit_m: (over - brought_below) * length,
+        // Sections are whole.
+        least_left_over_limit_m: (over - (best.bound + 1e-9).floor()) * length,
         sites,
         remarks,
     })
+}
+
+/// Sections that join on, with RMS over limit of the worse rail.
+type Stretch = Vec<(Key, f64)>;
+
+/// Sections as stretches without a gap.
+fn stretches(sections: BTreeMap<Key, f64>) -> Vec<Stretch> {
+    let mut found: Vec<Stretch> = Vec::new();
+    for ((line, place), ratio) in sections {
+        let joins = |stretch: &Stretch| {
+            stretch
+                .last()
+                .is_some_and(|((before, last), _)| *before == line && last + 1 == place)
+        };
+        match found.last_mut().filter(|stretch| joins(stretch)) {
+            Some(stretch) => stretch.push(((line, place), ratio)),
+            None => found.push(vec![((line, place), ratio)]),
+        }
+    }
+    found
+}
+
+/// The worst sections that the money reaches.
+fn worst_first(stretches: &[Stretch], length: f64, budget: &Budget) -> Vec<Vec<bool>> {
+    let mut ground: Vec<Vec<bool>> = stretches.iter().map(|one| vec![false; one.len()]).collect();
+    let all = stretches.iter().enumerate();
+    let mut order: Vec<(f64, usize, usize)> = all
+        .flat_map(|(stretch, sections)| {
+            let sections = sections.iter().enumerate();
+            sections.map(move |(index, (_, ratio))| (*ratio, stretch, index))
+        })
+        .filter(|(ratio, ..)| *ratio > 1.0)
+        .collect();
+    order.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut money = budget.money;
+    for (_, stretch, index) in order {
+        let ground = &mut ground[stretch];
+        let beside = [index.checked_sub(1), Some(index + 1)];
+        let there = |at: &usize| ground.get(*at) == Some(&true);
+        let joins = beside.into_iter().flatten().filter(there).count();
+        // One that closes a gap makes one site of two.
+        let cost = budget.per_metre * length + budget.per_site * (1.0 - joins as f64);
+        if cost <= money * (1.0 + 1e-12) {
+            money -= cost;
+            ground[index] = true;
+        }
+    }
+    ground
+}
+
+/// What is ground as sites along the lines.
+fn sites(
+    stretches: &[Stretch],
+    ground: &[Vec<bool>],
+    length: f64,
+    budget: &Budget,
+) -> Vec<PlannedSection> {
+    let mut sites: Vec<PlannedSection> = Vec::new();
+    for (stretch, ground) in stretches.iter().zip(ground) {
+        for (index, ((line, place), ratio)) in stretch.iter().enumerate() {
+            if !ground[index] {
+                continue;
+            }
+            let from = *place as f64 * length;
+            match sites.last_mut() {
+                Some(site) if index > 0 && ground[index - 1] => {
+                    site.to_m = from + length;
+                    site.rms_over_limit = site.rms_over_limit.max(*ratio);
+                    site.cost += budget.per_metre * length;
+                }
+                _ => sites.push(PlannedSection {
+                    line: line.clone(),
+                    from_m: from,
+                    to_m: from + length,
+                    rms_over_limit: *ratio,
+                    cost: budget.per_metre * length + budget.per_site,
+                }),
+            }
+        }
+    }
+    sites
 }

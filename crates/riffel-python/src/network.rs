@@ -6,8 +6,8 @@ use std::path::PathBuf;
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
 use riffel_network::{
-    Budget, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth, plan,
-    status, worst,
+    Aim, Budget, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth,
+    plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -85,6 +85,7 @@ pub(crate) fn network_plan(
     judged: Judged,
     months: f64,
     budget: (f64, f64, f64),
+    most_track: bool,
 ) -> PyResult<Bound<'_, PyAny>> {
     let (money, per_metre, per_site) = budget;
     let budget = Budget {
@@ -94,7 +95,11 @@ pub(crate) fn network_plan(
     };
     answer(py, move || {
         let (store, judgement, section) = opened(&judged)?;
-        plan(&store, &judgement, section, months, &budget)
+        let aim = match most_track {
+            true => Aim::MostTrack,
+            false => Aim::WorstFirst,
+        };
+        plan(&store, &judgement, section, months, &budget, aim)
     })
 }
 

@@ -46,6 +46,8 @@ def test_surveys_become_a_plan(network: riffel.Network, tmp_path: Path) -> None:
     plan = network.plan(months=6, length="1 km")
     assert plan.attrs["over_limit_m"] == 100.0
     assert plan["from"].values.tolist() == [500.0]
+    most = network.plan(months=6, money=600, cost_per_metre=6, most_track=True)
+    assert most["to"].values.tolist() == [600.0] and most.attrs["least_left_over_limit_m"] == 0.0
     priced = network.plan(months=6, money=100, cost_per_metre=6)
     assert priced.sizes == {} and priced.attrs["left_over_limit_m"] == 100.0
 

@@ -128,7 +128,7 @@ def test_a_cluster_gives_the_same_numbers(client: Client, plan: Path, tmp_path: 
 
 
 def test_a_killed_worker_costs_nothing(tmp_path: Path) -> None:
-    study = riffel.Study.from_toml(written(tmp_path, samples=2560))
+    study = riffel.Study.from_toml(written(tmp_path, samples=1280))
     with workers(3) as client:
         pids = list(client.run(os.getpid).values())
 
@@ -281,7 +281,7 @@ def test_an_interrupted_study_goes_on(plan: Path, tmp_path: Path, alone: xr.Data
 
 def test_tasks_are_few_and_long(client: Client, tmp_path: Path) -> None:
     """Chunks of a millisecond go to the cluster many at a time, and never more than a few tasks at once."""
-    study = riffel.Study.from_toml(written(tmp_path, samples=6000, chunk=4))
+    study = riffel.Study.from_toml(written(tmp_path, samples=3000, chunk=4))
     tasks: list[int] = []
 
     def count(*_: int) -> None:
@@ -289,7 +289,7 @@ def test_tasks_are_few_and_long(client: Client, tmp_path: Path) -> None:
 
     study.run(tmp_path / "cluster", client, progress=count)
     assert max(tasks) <= _cluster.QUEUE * 3
-    assert len(tasks) < 1500 / 4
+    assert len(tasks) < 750 / 4
 
 
 def test_designs_are_those_of_their_names(tmp_path: Path) -> None:

@@ -109,7 +109,7 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
     page.close(complaints=len(page.complaints))
 
 
-@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+@pytest.mark.parametrize("locale", ["en-GB", pytest.param("de-DE", marks=pytest.mark.thorough)])
 def test_the_sample_says_what_it_is(open_page, locale):
     page = open_page(locale=locale, viewport={"width": 360, "height": 780})
     page.page.click("#tab-measure")

@@ -120,7 +120,7 @@ def test_passages_of_six_thousand_are_not_six(page):
     page.until(lambda: not page.page.locator("#trouble").is_visible())
 
 
-@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+@pytest.mark.parametrize("locale", ["en-GB", pytest.param("de-DE", marks=pytest.mark.thorough)])
 def test_every_view_counts_and_leads_to_what_is_not_accepted(open_page, locale):
     page = open_page(locale=locale)
     page.set("contact.normal_load", "-50")

@@ -78,7 +78,7 @@ LINES = """() => {
 
 
 @pytest.mark.without_curves
-@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+@pytest.mark.parametrize("locale", ["en-GB", pytest.param("de-DE", marks=pytest.mark.thorough)])
 def test_branches_have_lines_names_and_words(open_page, locale):
     page = open_page(locale=locale)
     for case in ["discrete-supports", "freight", "main-line", "metro", "tram"]:
@@ -513,7 +513,11 @@ def test_dark(open_page):
     page.close()
 
 
-@pytest.mark.parametrize(("name", "width", "height"), [("phone", 360, 740), ("tablet", 820, 1180), ("4k", 3840, 2160)])
+@pytest.mark.parametrize(("name", "width", "height"), [
+    ("phone", 360, 740),
+    pytest.param("tablet", 820, 1180, marks=pytest.mark.thorough),
+    pytest.param("4k", 3840, 2160, marks=pytest.mark.thorough),
+])
 def test_any_size_of_window(open_page, name, width, height):
     page = open_page(viewport={"width": width, "height": height})
     for view in VIEWS:
@@ -533,7 +537,7 @@ def test_any_size_of_window(open_page, name, width, height):
     page.close()
 
 
-@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.thorough)])
 def test_rules_of_accessibility(open_page, scheme):
     page = open_page(color_scheme=scheme)
     for view in VIEWS:

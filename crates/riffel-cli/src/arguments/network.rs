@@ -163,7 +163,7 @@ pub(crate) struct Growth {
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  riffel network plan railway --months 12 --length \"20 km\"\n  \
-        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000"
+        riffel network plan railway --months 12 --money 500000 --cost-per-metre 12 --cost-per-site 3000 --most-track"
 )]
 pub(crate) struct Plan {
     #[command(flatten)]
@@ -184,6 +184,10 @@ pub(crate) struct Plan {
     /// Cost of a metre of track.
     #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, requires = "money")]
     pub(crate) cost_per_metre: Option<f64>,
+
+    /// Choose the sites that bring the most track below its limit, not the worst sections first.
+    #[arg(long)]
+    pub(crate) most_track: bool,
 
     /// Cost of each site, besides.
     #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, default_value = "0", requires = "money")]

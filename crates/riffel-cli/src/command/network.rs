@@ -1,7 +1,7 @@
 //! `riffel network`
 
 use riffel_network::{
-    Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, StripChart,
+    Aim, Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, StripChart,
     SurveyFile, WorstPlace, growth, plan, rails_without_growth, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
@@ -53,7 +53,11 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
                     per_site: arguments.cost_per_site,
                 },
             };
-            let found = plan(&store, &judgement, section, arguments.months, &budget)?;
+            let aim = match arguments.most_track {
+                true => Aim::MostTrack,
+                false => Aim::WorstFirst,
+            };
+            let found = plan(&store, &judgement, section, arguments.months, &budget, aim)?;
             say(arguments.judged.json, &found, || {
                 plan_in_words(&found, arguments.money.is_some())
             })?;
@@ -334,8 +338,15 @@ fn plan_in_words(plan: &GrindingPlan, money: bool) -> String {
         true => format!(" for {:.0}", plan.cost),
         false => String::new(),
     };
+    let least = match plan.least_left_over_limit_m < plan.left_over_limit_m {
+        true => format!(
+            ", and no plan for this leaves less than {} km",
+            kilometres(plan.least_left_over_limit_m)
+        ),
+        false => String::new(),
+    };
     text + &format!(
-        "in {} months {} km of track are over the limit; {} km are ground{cost}, {} km are left\n",
+        "in {} months {} km of track are over the limit; {} km are ground{cost}, {} km are left{least}\n",
         plan.months,
         kilometres(plan.over_limit_m),
         kilometres(plan.length_m),

@@ -58,7 +58,11 @@ fn surveys_become_a_plan() {
         ),
         (
             "plan railway --months 6 --money 500 --cost-per-metre 6",
-            "0.100 km are left",
+            "0.100 km are left\n",
+        ),
+        (
+            "plan railway --months 6 --money 500 --cost-per-metre 4 --cost-per-site 100 --most-track",
+            "0.100 km are ground for 500, 0.000 km are left\n",
         ),
     ] {
         let outcome = sandbox.riffel(&format!("network {command}"));

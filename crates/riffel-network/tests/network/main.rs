@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use riffel_network::{
-    Budget, Judgement, NetworkError, Sections, Store, StoreSettings, SurveyFile, growth, plan,
+    Aim, Budget, Judgement, NetworkError, Sections, Store, StoreSettings, SurveyFile, growth, plan,
     status, worst,
 };
 use riffel_rail::LimitTable;
@@ -133,9 +133,9 @@ fn growth_between_dates_tells_when_a_limit_is_reached() -> Result<(), NetworkErr
 
     // Nothing is over the limit now but in a year two sections of track are.
     let one = Budget::of_length(100.0);
-    let now = plan(&store, &judgement, 100.0, 0.0, &one)?;
+    let now = plan(&store, &judgement, 100.0, 0.0, &one, Aim::WorstFirst)?;
     assert_eq!((now.over_limit_m, now.sites.len()), (0.0, 0));
-    let later = plan(&store, &judgement, 100.0, 12.0, &one)?;
+    let later = plan(&store, &judgement, 100.0, 12.0, &one, Aim::WorstFirst)?;
     assert_eq!(
         (later.over_limit_m, later.length_m, later.left_over_limit_m),
         (200.0, 100.0, 100.0)
@@ -162,7 +162,14 @@ fn a_plan_takes_the_worst_first_and_keeps_its_budget() -> Result<(), NetworkErro
         per_site: 300.0,
     };
     let sites = |money: f64| -> Result<Vec<(f64, f64, f64)>, NetworkError> {
-        let found = plan(&store, &judgement, 100.0, 0.0, &budget(money))?;
+        let found = plan(
+            &store,
+            &judgement,
+            100.0,
+            0.0,
+            &budget(money),
+            Aim::WorstFirst,
+        )?;
         assert!(found.cost <= money);
         let sites = found.sites.iter();
         Ok(sites
@@ -174,7 +181,51 @@ fn a_plan_takes_the_worst_first_and_keeps_its_budget() -> Result<(), NetworkErro
     // 21 µm at 500 m does not fit; 20 µm that joins on does.
     assert_eq!(sites(700.0)?, [(0.0, 200.0, 700.0)]);
     assert_eq!(sites(1200.0)?, [(0.0, 200.0, 700.0), (500.0, 600.0, 500.0)]);
-    assert!(plan(&store, &judgement, 100.0, 0.0, &budget(-1.0)).is_err());
+    let refused = plan(
+        &store,
+        &judgement,
+        100.0,
+        0.0,
+        &budget(-1.0),
+        Aim::WorstFirst,
+    );
+    assert!(refused.is_err());
+    Ok(())
+}
+
+/// One section far over its limit, and far from it four somewhat over it: for the money of one site the worst first leaves two
+/// of these, the most track the one.
+#[test]
+fn the_most_track_is_that_of_one_site() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let (_, file) = survey(folder.path(), "a.csv", [0, 1000], |_, place| match place {
+        place if place < 100.0 => 40.0,
+        place if place > 600.0 => 20.0,
+        _ => 1.0,
+    });
+    take(&store, "A", "2026-01-01", &file);
+    let budget = Budget {
+        money: 1100.0,
+        per_metre: 2.0,
+        per_site: 300.0,
+    };
+    let judgement = grassie(&store);
+    let found = |aim| plan(&store, &judgement, 100.0, 0.0, &budget, aim);
+    let (worst, most) = (found(Aim::WorstFirst)?, found(Aim::MostTrack)?);
+    let ends = |plan: &riffel_network::GrindingPlan| -> Vec<(f64, f64)> {
+        let sites = plan.sites.iter();
+        sites.map(|site| (site.from_m, site.to_m)).collect()
+    };
+    assert_eq!(ends(&worst), [(0.0, 100.0), (600.0, 700.0)]);
+    assert_eq!(ends(&most), [(600.0, 1000.0)]);
+    assert_eq!((most.cost, most.left_over_limit_m), (1100.0, 100.0));
+    assert_eq!(worst.left_over_limit_m, 300.0);
+    // 1100 pay for no fifth section, and both say so.
+    assert_eq!(
+        [worst, most].map(|plan| plan.least_left_over_limit_m),
+        [100.0; 2]
+    );
     Ok(())
 }
 

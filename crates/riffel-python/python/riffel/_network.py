@@ -144,6 +144,7 @@ class Network:
         money: float | None = None,
         cost_per_metre: float | None = None,
         cost_per_site: float = 0.0,
+        most_track: bool = False,
         section: Quantity = "100 m",
         limit: str | os.PathLike[str] = "grassie-1999",
     ) -> xr.Dataset:
@@ -157,6 +158,8 @@ class Network:
             Length of track that can be ground; or else
         money, cost_per_metre, cost_per_site : float, optional
             money, what a metre of track costs, and each site besides.
+        most_track : bool, default False
+            Choose the sites that bring the most track below its limit, not the worst sections first.
         section, limit
             As of `worst`.
 
@@ -164,7 +167,8 @@ class Network:
         -------
         xarray.Dataset
             Over ``site``: ``line``, ``from``, ``to``, ``rms_over_limit`` and ``cost``. Attributes: ``length_m``, ``cost``,
-            ``over_limit_m``, ``left_over_limit_m`` and ``remarks``.
+            ``over_limit_m``, ``left_over_limit_m``, ``least_left_over_limit_m`` (no plan for this budget leaves less)
+            and ``remarks``.
         """
         if (length is None) == (money is None):
             raise ValueError("plan takes either a length or money")
@@ -174,7 +178,7 @@ class Network:
             if cost_per_metre is None:
                 raise ValueError("cost_per_metre is missing: money needs it")
             budget = (float(money or 0.0), float(cost_per_metre), float(cost_per_site))
-        found = _riffel.network_plan(self._judged(section, limit), float(months), budget)
+        found = _riffel.network_plan(self._judged(section, limit), float(months), budget, most_track)
         sites = _table(found.pop("sites"), "site")
         return sites.assign_attrs(found)
 
