@@ -116,28 +116,28 @@ impl Costs {
                 .rev()
                 .for_each(|index| lengthen(index - 1, index));
         }
-        while fits(self.per_site + self.per_section, money) {
-            let longest = lines.iter().zip(ground.iter()).enumerate();
-            let longest = longest
-                .flat_map(|(number, (line, ground))| {
-                    let left: Vec<bool> = line
-                        .iter()
-                        .zip(ground)
-                        .map(|(over, ground)| *over && !*ground)
-                        .collect();
-                    stretches(&left)
-                        .into_iter()
-                        .map(move |(from, to)| (to - from, number, from))
-                })
-                .max_by_key(|(sections, number, from)| {
-                    (*sections, std::cmp::Reverse((*number, *from)))
-                });
-            let Some((sections, line, from)) = longest else {
+        // What no stretch of ground track reaches: the longest first, the first of equals.
+        let mut left: Vec<(usize, usize, usize)> = Vec::new();
+        for (number, (line, ground)) in lines.iter().zip(ground.iter()).enumerate() {
+            let missed: Vec<bool> = line
+                .iter()
+                .zip(ground)
+                .map(|(over, ground)| *over && !*ground)
+                .collect();
+            left.extend(
+                stretches(&missed)
+                    .into_iter()
+                    .map(|(from, to)| (number, from, to)),
+            );
+        }
+        left.sort_by_key(|(_, from, to)| std::cmp::Reverse(to - from));
+        for (number, from, to) in left {
+            if !fits(self.per_site + self.per_section, money) {
                 return;
-            };
+            }
             let paid = ((money * (1.0 + 1e-12) - self.per_site) / self.per_section) as usize;
-            let taken = sections.min(paid);
-            ground[line][from..from + taken].fill(true);
+            let taken = (to - from).min(paid);
+            ground[number][from..from + taken].fill(true);
             money -= self.per_site + self.per_section * taken as f64;
         }
     }
