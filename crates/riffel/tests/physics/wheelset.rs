@@ -523,9 +523,11 @@ proptest! {
         let built = Built { loss_factor: 0.0, suspension: None, ..built };
         let discs = built.discs.iter().map(|disc| Disc { coupled: None, ..*disc }).collect();
         let wheelset = Built { discs, ..built }.wheelset();
-        let modes = wheelset.natural_modes(TAU * 1500.0).unwrap();
+        // Neighbours of the last one are known too.
+        let (highest, beyond) = (TAU * 1500.0, TAU * 1600.0);
+        let modes = wheelset.natural_modes(beyond).unwrap();
         let frequencies: Vec<f64> = modes.iter().map(|mode| mode.angular_frequency).collect();
-        for mode in &modes {
+        for mode in modes.iter().filter(|mode| mode.angular_frequency < highest) {
             let natural = mode.angular_frequency;
             let apart = frequencies.iter()
                 .filter(|&&other| other != natural)
