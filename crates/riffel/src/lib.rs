@@ -95,6 +95,7 @@ mod elastic;
 mod error;
 pub mod feedback;
 pub mod forecast;
+mod gauss;
 mod golden_section;
 pub mod growth;
 mod inverse;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
-use libm::{j0, j1, y0, y1};
+use libm::{jn, yn};
 
 use super::Air;
 use crate::Error;
@@ -52,10 +52,7 @@ impl OscillatingCylinder {
 
     /// Radiation efficiency σ \[-\] at a frequency \[Hz\].
     pub fn efficiency(&self, air: &Air, frequency: f64) -> f64 {
-        let x = air.wavenumber(frequency) * self.radius;
-        // H₁′ = H₀ − H₁/x.
-        let derivative = (j0(x) - j1(x) / x).hypot(y0(x) - y1(x) / x);
-        2.0 / (PI * x * derivative * derivative)
+        efficiency(1, air.wavenumber(frequency) * self.radius)
     }
 
     /// Sound power per length and mean square velocity \[W/m per (m/s)²\]: ρc · 2πa · σ · ½, the half for the mean of the
@@ -65,8 +62,19 @@ impl OscillatingCylinder {
     }
 }
 
+/// Radiation efficiency 2/(πx|H_n′(x)|²) of a long cylinder with n waves around it, x = ka.
+pub(super) fn efficiency(waves: u32, x: f64) -> f64 {
+    let order = waves as i32;
+    // H_n′ = (n/x)H_n − H_{n+1}.
+    let ratio = f64::from(order) / x;
+    let derivative = [jn, yn].map(|bessel| ratio * bessel(order, x) - bessel(order + 1, x));
+    2.0 / (PI * x * (derivative[0].powi(2) + derivative[1].powi(2)))
+}
+
 #[cfg(test)]
 mod tests {
+    use libm::{j0, j1, y0, y1};
+
     use super::*;
 
     #[test]

@@ -8,13 +8,16 @@
 //! Bands are [`FrequencyBand`]s; sound power is in watts, mean square pressure in Pa², roughness as a
 //! [`Spectrum`](crate::roughness::Spectrum).
 //!
-//! Left out: the modes of the wheel's web and tyre, which radiate most of what a wheel does above some 1.6 kHz; rails that
-//! vibrate sideways; sleepers that move together, which matters below some 300 Hz; screening by vehicles and platforms;
-//! noise of engines, of air and of joints; squeal.
+//! The modes of the wheel's web and tyre, which radiate most of what a wheel does above some 1.6 kHz, are [`WheelModes`]; without
+//! them a wheel is a rigid body.
+//!
+//! Left out: rails that vibrate sideways; sleepers that move together, which matters below some 300 Hz; screening by
+//! vehicles and platforms; noise of engines, of air and of joints; squeal.
 
 mod a_weighting;
 mod air;
 mod cylinder;
+mod disc;
 mod excitation;
 mod frequency_band;
 mod level;
@@ -23,10 +26,12 @@ mod piston;
 mod rolling_source;
 mod sphere;
 mod transfer;
+mod wheel_modes;
 
 pub use a_weighting::a_weighting;
 pub use air::Air;
 pub use cylinder::OscillatingCylinder;
+pub use disc::VibratingDisc;
 pub use excitation::Excitation;
 pub use frequency_band::FrequencyBand;
 pub use level::{REFERENCE_POWER, REFERENCE_PRESSURE, power_level, pressure_level};
@@ -35,3 +40,4 @@ pub use piston::Piston;
 pub use rolling_source::{RailDecay, RollingSource, Sleepers, SoundPower};
 pub use sphere::OscillatingSphere;
 pub use transfer::{TransferFunction, TransferModel};
+pub use wheel_modes::{WheelMode, WheelModes};

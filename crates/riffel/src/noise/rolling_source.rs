@@ -2,7 +2,9 @@
 
 use std::f64::consts::{LN_10, TAU};
 
-use super::{Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston};
+use super::{
+    Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, Piston, WheelModes,
+};
 use crate::feedback::Loop;
 use crate::receptance::{CrossReceptance, Support, one_sided_places};
 use crate::{Complex64, Error};
@@ -61,7 +63,7 @@ pub struct SoundPower {
     pub rail: f64,
     /// Sound power of the sleepers \[W\].
     pub sleepers: f64,
-    /// Sound power of the wheel as a rigid body \[W\].
+    /// Sound power of the wheel \[W\].
     pub wheel: f64,
     /// Mean square of the contact force \[N²\].
     pub force: f64,
@@ -88,7 +90,8 @@ impl SoundPower {
 /// and velocities ωH_rP of the rail under it and ωH_wP of the wheel. The rail radiates W = w(f) ∫|v(x)|²dx with the
 /// power per length and velocity w of its [`OscillatingCylinder`]; where decay rates Δ \[dB/m\] are measured, the integral
 /// is |v(0)|² · (20/ln 10)/Δ. The sleepers move as the rail over them, times their share k_p/(k_p + k_b − ω²m_s). The
-/// wheel moves as a rigid body.
+/// wheel moves as a rigid body, to which [`WheelModes`] add what its web and tyre do: their receptance, and their sound. Where
+/// they are given, wheel and rail share the force that their resonances leave, which a band sums peak by peak.
 ///
 /// Vertical motion alone, at frequencies where the roughness is incoherent from wheel to wheel. Integrals reach 66 bays to
 /// either side: rails with less than 0.2 dB/m are louder than said here. The mean is taken over eight frequencies of a band,
@@ -103,8 +106,10 @@ pub struct RollingSource<'a> {
     pub rail: OscillatingCylinder,
     /// The sleepers as radiators; none where the rail stands on a slab.
     pub sleepers: Option<Sleepers>,
-    /// The wheel as a radiator.
+    /// The wheel as a radiator that moves as a rigid body.
     pub wheel: OscillatingSphere,
+    /// The modes of its web and tyre; none for a rigid wheel.
+    pub wheel_modes: Option<&'a WheelModes>,
     /// The air.
     pub air: Air,
 }
@@ -149,41 +154,58 @@ impl RollingSource<'_> {
         let step = (high / low).powf(f64::from(LINES).recip());
         for line in 0..LINES {
             let from = low * step.powf(f64::from(line));
-            let frequency = from * step.sqrt();
             let roughness = excitation.mean_square(from, from * step)?;
-            self.add(&mut power, frequency, roughness, excitation.speed(), rate);
+            self.add(
+                &mut power,
+                [from, from * step],
+                roughness,
+                excitation.speed(),
+                rate,
+            );
         }
         Ok(Some(power))
     }
 
-    /// Add what a roughness of some mean square \[m²\] at a frequency \[Hz\] does.
+    /// Add what a roughness of some mean square \[m²\] does that is spread evenly between two frequencies \[Hz\], over which the
+    /// rail is taken to be the same.
     fn add(
         &self,
         power: &mut SoundPower,
-        frequency: f64,
+        ends: [f64; 2],
         roughness: f64,
         speed: f64,
         rate: Option<f64>,
     ) {
-        let w = TAU * frequency;
-        let [under_wheel, wheel] = self.feedback.normal_receptances(w, speed);
-        let places = self.places(w, under_wheel, rate);
+        let middle = (ends[0] * ends[1]).sqrt();
+        let [under_wheel, wheel] = self.feedback.normal_receptances(TAU * middle, speed);
+        let places = self.places(TAU * middle, under_wheel, rate);
         let share = (places.len() as f64).recip();
         for rail in places {
-            let compliance = rail.direct + wheel + self.feedback.contact_stiffness().recip();
-            let force = share * roughness / compliance.norm_sqr();
-            power.force += force;
-            power.into_rail -= force * w * rail.direct.im;
-            let moved = force * w * w * rail.integral;
-            power.rail += moved * self.rail.power_per_length(&self.air, frequency);
-            if let Some(sleepers) = &self.sleepers
-                && let Some(share) = sleepers.support.sleeper_share(w)
-            {
-                let face = sleepers.face.power(&self.air, frequency) / sleepers.spacing;
-                power.sleepers += moved * share.norm_sqr() * face;
+            let rest = rail.direct + wheel + self.feedback.contact_stiffness().recip();
+            let lines = match self.wheel_modes {
+                Some(modes) => modes.lines(ends, rest),
+                None => vec![(middle, 1.0)],
+            };
+            for (frequency, part) in lines {
+                let w = TAU * frequency;
+                let modes = self
+                    .wheel_modes
+                    .map(|modes| [modes.receptance(w), modes.power(w).into()]);
+                let [given, radiated] = modes.unwrap_or_default();
+                let force = part * share * roughness / (rest + given).norm_sqr();
+                power.force += force;
+                power.into_rail -= force * w * rail.direct.im;
+                let moved = force * w * w * rail.integral;
+                power.rail += moved * self.rail.power_per_length(&self.air, frequency);
+                if let Some(sleepers) = &self.sleepers
+                    && let Some(share) = sleepers.support.sleeper_share(w)
+                {
+                    let face = sleepers.face.power(&self.air, frequency) / sleepers.spacing;
+                    power.sleepers += moved * share.norm_sqr() * face;
+                }
+                let rigid = w * w * wheel.norm_sqr() * self.wheel.power(&self.air, frequency);
+                power.wheel += force * (rigid + radiated.re);
             }
-            power.wheel +=
-                force * w * w * wheel.norm_sqr() * self.wheel.power(&self.air, frequency);
         }
     }
 

@@ -71,6 +71,7 @@ fn source<'a>(feedback: &'a Loop, decay: RailDecay<'a>, pad: f64) -> RollingSour
             spacing: SPACING,
         }),
         wheel: OscillatingSphere::of_wheel(0.46, 0.135).unwrap(),
+        wheel_modes: None,
         air: Air::default(),
     }
 }

@@ -5,6 +5,7 @@ use num_complex::Complex64;
 use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
+use crate::gauss::GAUSS;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,16 +16,6 @@ pub(super) struct Mode<S, const N: usize> {
     /// Displacements of each node and loads right of it.
     states: Vec<([Complex64; N], [Complex64; N])>,
 }
-
-/// Places and weights of Gauss and Legendre's rule of five points between 0 and 1: exact for polynomials of degree nine,
-/// and to 1e-9 for the square of a wave over a radian.
-const GAUSS: [(f64, f64); 5] = [
-    (0.046_910_077_030_668, 0.118_463_442_528_095),
-    (0.230_765_344_947_158, 0.239_314_335_249_683),
-    (0.5, 0.284_444_444_444_444),
-    (0.769_234_655_052_842, 0.239_314_335_249_683),
-    (0.953_089_922_969_332, 0.118_463_442_528_095),
-];
 
 impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
     pub(super) fn normalised(
