@@ -126,7 +126,7 @@ checks! {
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
         grinding_mark_fades, grinding_mark_is_diagnosed, grinding_mark_is_heard;
     noise: pass_by_level_of_the_site, directive_level_of_the_site, pass_by_bands_of_the_rail,
-        wheel_is_missing_above_the_rail, dampers_save_no_more_than_computed;
+        wheel_between_rigid_and_ringing, dampers_save_no_more_than_computed;
     wheelset: flexible_wheelset_receptance, flexible_wheelset_natural_frequencies;
     general_loop: loop_on_all_axes, several_wheels_on_one_rail, both_rails_and_flexible_wheelsets;
     time_domain: small_amplitudes, settled_harmonics, loss_of_contact;

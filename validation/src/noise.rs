@@ -6,7 +6,9 @@ use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_answers::noise::{NoiseAnswer, NoiseRequest, Part, PassByLevels, Train};
 use riffel_case::{Case, MAIN_LINE_CASE};
-use riffel_rail::{Limit, LimitTable, TransferPart, TransferTable, WheelRoughness};
+use riffel_rail::{
+    Limit, LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
+};
 
 use crate::Row;
 
@@ -20,10 +22,15 @@ const SOURCE: &str = "intercity trains at Niederwangen, `sbb-track-noise`: rough
 /// Mean speed of the intercity trains past B5 \[m/s\].
 const SPEED: f64 = 136.0 / 3.6;
 
+/// The wheel whose modes are taken, of which nothing is known but the diameter of 920 mm.
+const WHEEL: &str = "straight-web-920";
+
 /// A section of the site.
 struct Section {
-    /// Computed levels.
+    /// Computed levels with rigid wheels.
     computed: PassByLevels,
+    /// Computed levels with wheels that ring.
+    ringing: PassByLevels,
     /// Computed levels by the transfer functions of the directive.
     by_transfer: PassByLevels,
     /// Roughness spectra of both rails and all dates.
@@ -79,8 +86,9 @@ impl Section {
     fn new(name: &str) -> Self {
         let roughness = roughness(name);
         let decay = decay(name);
-        let request = NoiseRequest {
+        let request = |wheel_modes| NoiseRequest {
             speed: SPEED,
+            wheel_modes,
             roughness: Spectrum::energy_mean(&roughness).expect("spectra"),
             wheels: WheelRoughness::find("cnossos-disc-brakes")
                 .map(|wheels| (wheels.name, wheels.spectrum)),
@@ -112,8 +120,11 @@ impl Section {
         };
         let overrides = ["vehicle=passenger-coach".to_owned()];
         let case = Case::parse("main-line.toml", MAIN_LINE_CASE, &overrides).expect("a case");
-        let answer = NoiseAnswer::new(&case, request, &|_| ()).expect("levels");
+        let answer = |modes| NoiseAnswer::new(&case, request(modes), &|_| ()).expect("levels");
+        let ringing = WheelModesTable::find(WHEEL).expect("modes");
+        let (answer, ringing) = (answer(None), answer(Some(ringing)));
         Self {
+            ringing: ringing.levels,
             by_transfer: answer.by_transfer.expect("levels by transfer functions"),
             computed: answer.levels,
             roughness,
@@ -133,8 +144,8 @@ impl Section {
 
     /// Computed less measured A-weighted level of a band, with the standard deviation that trains, roughness spectra and
     /// decay rates have together \[dB\].
-    fn difference(&self, band: FrequencyBand) -> (f64, f64) {
-        let mut bands = self.computed.bands().iter();
+    fn difference(&self, computed: &PassByLevels, band: FrequencyBand) -> (f64, f64) {
+        let mut bands = computed.bands().iter();
         let computed = bands
             .find(|other| other.band == band)
             .and_then(|other| other.level(Part::Total))
@@ -263,7 +274,7 @@ const OF_THE_RAIL: std::ops::RangeInclusive<i32> = 25..=32;
 
 pub(crate) fn pass_by_bands_of_the_rail() -> Row {
     let bands = FrequencyBand::all().filter(|band| OF_THE_RAIL.contains(&band.index()));
-    let found: Vec<(f64, f64)> = bands.map(|band| B5.difference(band)).collect();
+    let found: Vec<(f64, f64)> = bands.map(|band| B5.difference(&B5.computed, band)).collect();
     let differences: Vec<String> = found
         .iter()
         .map(|(difference, _)| format!("{difference:+.1}"))
@@ -284,20 +295,24 @@ pub(crate) fn pass_by_bands_of_the_rail() -> Row {
     }
 }
 
-pub(crate) fn wheel_is_missing_above_the_rail() -> Row {
+pub(crate) fn wheel_between_rigid_and_ringing() -> Row {
     let above = FrequencyBand::all().filter(|band| band.index() > *OF_THE_RAIL.end());
-    let found: Vec<f64> = above.map(|band| B5.difference(band).0).collect();
+    let found: Vec<[f64; 2]> = above
+        .map(|band| [&B5.computed, &B5.ringing].map(|levels| B5.difference(levels, band).0))
+        .collect();
     let words: Vec<String> = found
         .iter()
-        .map(|difference| format!("{difference:+.1}"))
+        .map(|[rigid, ringing]| format!("{rigid:+.1} to {ringing:+.1}"))
         .collect();
     Row {
-        statement: "Bands 2–5 kHz are too quiet without the modes of the wheel",
+        statement: "Bands 2–5 kHz, computed less measured: a rigid wheel is too quiet, a plain one of 920 mm that rings too loud",
         source: SOURCE,
-        expected: "computed less measured below 0 dB".to_owned(),
+        expected: "0 dB within".to_owned(),
         got: format!("{} dB", words.join(", ")),
-        tolerance: "the sign",
-        holds: found.iter().all(|difference| *difference < 0.0),
+        tolerance: "the signs",
+        holds: found
+            .iter()
+            .all(|[rigid, ringing]| *rigid < 0.0 && *ringing > 0.0),
     }
 }
 

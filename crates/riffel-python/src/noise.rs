@@ -6,7 +6,9 @@ use pyo3::prelude::*;
 use riffel::noise::Surroundings;
 use riffel::roughness::Spectrum;
 use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest, Train};
-use riffel_rail::{TransferPart, TransferTable, WheelRoughness, read_decay_rates};
+use riffel_rail::{
+    TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates,
+};
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
@@ -61,6 +63,7 @@ pub(crate) fn noise<'py>(
     speed: f64,
     train: GivenTrain,
     wheel_roughness: Option<GivenWheels<'py>>,
+    wheel_modes: Option<String>,
     decay_rate: Option<PathBuf>,
     transfer: Option<(String, String)>,
     radiators: (f64, f64),
@@ -86,11 +89,13 @@ pub(crate) fn noise<'py>(
         }),
         None => None,
     };
+    let modes = wheel_modes.as_deref().map(WheelModesTable::find).transpose();
     let decay = decay_rate.as_deref().map(read_decay_rates).transpose();
     let request = NoiseRequest {
         speed,
         roughness: roughness_of(&spectrum)?,
         wheels: wheel_roughness.map(GivenWheels::read).transpose()?,
+        wheel_modes: modes.map_err(of_case)?,
         decay: decay.map_err(of_case)?,
         transfer,
         limit: level_limit(ground_to)?,

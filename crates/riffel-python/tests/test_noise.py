@@ -23,6 +23,7 @@ def test_noise_of_the_program(program: Callable[..., Any], tmp_path: Any) -> Non
     printed = program(
         *("noise", CASE, "--roughness", str(table), "--speed", "136 km/h", "--wheels", "8"),
         *("--wheel-roughness", "cnossos-disc-brakes", "--track-transfer", transfer[0], "--vehicle-transfer", transfer[1]),
+        *("--wheel-modes", "straight-web-920"),
         *("--distance", "25 m", "--height", "3.5 m", "--traffic", "cases/traffic.toml", "--months", "24", "--limit-dba", "90"),
         "--json",
     )
@@ -31,6 +32,7 @@ def test_noise_of_the_program(program: Callable[..., Any], tmp_path: Any) -> Non
         speed="136 km/h",
         wheels=8,
         wheel_roughness="cnossos-disc-brakes",
+        wheel_modes="straight-web-920",
         transfer=transfer,
         distance=25,
         height="3.5 m",

@@ -55,6 +55,7 @@ mod sniff;
 mod spectra;
 mod survey;
 mod transfer_table;
+mod wheel_modes_table;
 mod wheel_roughness;
 
 pub use axle_box_arrays::AxleBoxPlace;
@@ -76,4 +77,5 @@ pub use record::{Record, coarse_sampling};
 pub use roughness_file::RoughnessFile;
 pub use survey::Survey;
 pub use transfer_table::{TransferPart, TransferTable};
+pub use wheel_modes_table::WheelModesTable;
 pub use wheel_roughness::WheelRoughness;

@@ -16,6 +16,7 @@ pub struct NoiseDocument<'a> {
     distance_m: f64,
     height_m: f64,
     wheel_roughness: Option<&'a str>,
+    wheel_modes: Option<&'a str>,
     /// Nominal centres of the bands.
     frequency_hz: Vec<f64>,
     level: Levels,
@@ -97,6 +98,7 @@ pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {
         distance_m: request.train.distance,
         height_m: request.train.height,
         wheel_roughness: request.wheels.as_ref().map(|(name, _)| name.as_str()),
+        wheel_modes: request.wheel_modes.as_ref().map(|table| table.name.as_str()),
         frequency_hz: frequencies(levels),
         level: Levels {
             rail_db: by_band(levels, Part::Rail),

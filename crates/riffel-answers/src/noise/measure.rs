@@ -3,7 +3,7 @@
 use riffel::roughness::LevelLimit;
 use riffel_case::Case;
 
-use super::{NoiseRequest, Part, PassByLevels, levels_of};
+use super::{NoiseRequest, Part, PassByLevels, levels_of, levels_with_wheel_dampers};
 use crate::AnswerError;
 
 /// A measure with what it does.
@@ -20,6 +20,10 @@ pub struct Measure {
 
 /// Share of the level that the bands known before and after may lack \[dB(A)\].
 const LACKING: f64 = 0.5;
+
+/// Damping ratio of a wheel with dampers, a hundred times that of its steel alone: chosen. What rolls is damped by the rail
+/// already, so that the level hardly depends on it.
+const DAMPED: f64 = 0.01;
 
 /// Grinding, speed, pads and dampers, each alone.
 pub(super) fn measures(
@@ -53,6 +57,12 @@ pub(super) fn measures(
         "rail dampers that double the decay rate".to_owned(),
         now.with_track_at(0.5),
     );
+    if let Some(levels) = levels_with_wheel_dampers(case, request, DAMPED)? {
+        add(
+            format!("wheel dampers, modes of {:.0} % damping", 1e2 * DAMPED),
+            levels,
+        );
+    }
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
     // Measured decay rates are those of the pads that are there.
     if let (Some(stiffness), None) = (pad, &request.decay) {

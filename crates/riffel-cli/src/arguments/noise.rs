@@ -47,6 +47,10 @@ pub(crate) struct Noise {
     #[arg(long, value_name = "FILE")]
     pub(crate) wheel_roughness: Option<PathBuf>,
 
+    /// Modes of the web and tyre of the wheels by name, straight-web-920, or as a TOML file [default: none, rigid wheels].
+    #[arg(long, value_name = "MODES")]
+    pub(crate) wheel_modes: Option<String>,
+
     /// Measured decay rates of the track, in place of those of the case: a table with the columns frequency_hz and
     /// decay_rate_db_per_m.
     #[arg(long, value_name = "CSV")]

@@ -7,7 +7,9 @@ use riffel::roughness::Spectrum;
 use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest, Part, Train};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_rail::{TransferPart, TransferTable, WheelRoughness, read_decay_rates};
+use riffel_rail::{
+    TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates,
+};
 
 use super::forecast::level_limit;
 use super::roughness::survey;
@@ -77,6 +79,11 @@ fn request(arguments: &Noise, roughness: Spectrum) -> miette::Result<NoiseReques
             .wheel_roughness
             .as_deref()
             .map(wheel_roughness)
+            .transpose()?,
+        wheel_modes: arguments
+            .wheel_modes
+            .as_deref()
+            .map(WheelModesTable::find)
             .transpose()?,
         decay: arguments
             .decay_rate

@@ -170,3 +170,44 @@ fn a_rail_without_support_has_no_level_of_its_own() {
     let heard = sandbox.json(&format!("{command} --decay-rate decay.csv"));
     assert!(number(&heard["level"]["total_dba"]) > 50.0);
 }
+
+/// A wheel that rings is louder than a rigid one in every band that holds one of its modes, is listed with dampers, and changes
+/// nothing below the first of them by more than it is a spring there.
+#[test]
+fn wheels_that_ring_are_louder() {
+    let sandbox = sandbox();
+    let rigid = sandbox.json(&format!("{CASE} {MEASURED} --json"));
+    let ringing = sandbox.json(&format!(
+        "{CASE} {MEASURED} --wheel-modes straight-web-920 --json"
+    ));
+    assert_eq!(ringing["wheel_modes"], "straight-web-920");
+    let frequencies = numbers(&rigid["frequency_hz"]);
+    assert_eq!(frequencies, numbers(&ringing["frequency_hz"]));
+    let levels = [&rigid, &ringing].map(|document| numbers(&document["level"]["wheel_db"]));
+    for (place, frequency) in frequencies.iter().enumerate() {
+        let louder = levels[1][place] - levels[0][place];
+        if *frequency >= 1600.0 {
+            assert!(louder > 30.0, "{frequency} Hz: {louder} dB");
+        }
+        if *frequency <= 160.0 {
+            assert!(louder.abs() < 1.0, "{frequency} Hz: {louder} dB");
+        }
+    }
+    let measures = ringing["measures"].as_array().unwrap();
+    let saved = |title: &str| {
+        let mut found = measures.iter();
+        let measure = found.find(|measure| measure["title"].as_str().unwrap().contains(title));
+        number(&measure.unwrap()["saved_db"])
+    };
+    assert!(saved("wheel dampers") > 1.0);
+    // The wheel stays as loud as it was.
+    let before = number(&rigid["measures"][3]["saved_db"]);
+    assert!(saved("rail dampers") < before - 0.5);
+    let remarks = ringing["remarks"].to_string();
+    assert!(remarks.contains("wheel of 920 mm"), "{remarks}");
+
+    let refused = sandbox.riffel(&format!("{CASE} {MEASURED} --wheel-modes curved"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    let sentence = refused.sentence();
+    assert!(sentence.contains("straight-web-920"), "{sentence}");
+}

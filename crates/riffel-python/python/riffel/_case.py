@@ -1151,6 +1151,7 @@ class Case:
         wheels: int = 4,
         train_length: Quantity | None = None,
         wheel_roughness: str | xr.DataArray | None = None,
+        wheel_modes: str | os.PathLike[str] | None = None,
         decay_rate: str | os.PathLike[str] | None = None,
         transfer: tuple[str | os.PathLike[str], str | os.PathLike[str]] | None = None,
         distance: Quantity = 7.5,
@@ -1176,6 +1177,8 @@ class Case:
             Length of the train; by default 6.6 m for each wheel.
         wheel_roughness : str or DataArray, optional
             Roughness of the wheels: a table by name, such as ``"cnossos-disc-brakes"``, or levels; by default smooth.
+        wheel_modes : str or path, optional
+            Modes of the web and tyre of the wheels: ``"straight-web-920"``, or a TOML file; by default rigid wheels.
         decay_rate : path, optional
             Measured decay rates of the track, in place of those of the case.
         transfer : pair of str or path, optional
@@ -1234,6 +1237,7 @@ class Case:
             levels_of(wheel_roughness, "wheel_roughness")
             if isinstance(wheel_roughness, xr.DataArray)
             else wheel_roughness,
+            None if wheel_modes is None else os.fspath(wheel_modes),
             None if decay_rate is None else os.fspath(decay_rate),
             None if transfer is None else (os.fspath(transfer[0]), os.fspath(transfer[1])),
             rails,

@@ -199,6 +199,7 @@ def noise(
     speed: float,
     train: tuple[int, float | None, float, float],
     wheel_roughness: str | tuple[_Floats, _Floats] | None,
+    wheel_modes: str | None,
     decay_rate: str | None,
     transfer: tuple[str, str] | None,
     radiators: tuple[float, float],

@@ -1,6 +1,6 @@
 //! A wheel whose web and tyre ring.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use super::cylinder::efficiency;
 use super::{Air, VibratingDisc};
@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn a_wheel_below_its_modes_is_a_spring() -> Result<(), Error> {
         let wheel = wheel(&[mode(2000.0, 0.06)])?;
-        let expected = (0.06 / (2.0 * PI * 2000.0)).powi(2);
+        let expected = (0.06 / (TAU * 2000.0)).powi(2);
         assert!((wheel.receptance(1.0).re / expected - 1.0).abs() < 1e-6);
         assert!(wheel.receptance(1.0).im < 0.0);
         let damped = wheel.damped(0.01);
