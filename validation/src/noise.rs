@@ -274,7 +274,9 @@ const OF_THE_RAIL: std::ops::RangeInclusive<i32> = 25..=32;
 
 pub(crate) fn pass_by_bands_of_the_rail() -> Row {
     let bands = FrequencyBand::all().filter(|band| OF_THE_RAIL.contains(&band.index()));
-    let found: Vec<(f64, f64)> = bands.map(|band| B5.difference(&B5.computed, band)).collect();
+    let found: Vec<(f64, f64)> = bands
+        .map(|band| B5.difference(&B5.computed, band))
+        .collect();
     let differences: Vec<String> = found
         .iter()
         .map(|(difference, _)| format!("{difference:+.1}"))

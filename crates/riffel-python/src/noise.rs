@@ -6,9 +6,7 @@ use pyo3::prelude::*;
 use riffel::noise::Surroundings;
 use riffel::roughness::Spectrum;
 use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest, Train};
-use riffel_rail::{
-    TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates,
-};
+use riffel_rail::{TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates};
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
@@ -89,7 +87,10 @@ pub(crate) fn noise<'py>(
         }),
         None => None,
     };
-    let modes = wheel_modes.as_deref().map(WheelModesTable::find).transpose();
+    let modes = wheel_modes
+        .as_deref()
+        .map(WheelModesTable::find)
+        .transpose();
     let decay = decay_rate.as_deref().map(read_decay_rates).transpose();
     let request = NoiseRequest {
         speed,

@@ -71,7 +71,10 @@ impl WheelModesTable {
         {
             return Self::parse(file, text);
         }
-        if path.extension().is_some_and(|extension| extension == "toml") {
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
             return Self::parse(name, &read_keys(path, "table of wheel modes")?);
         }
         let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
@@ -152,7 +155,11 @@ mod tests {
         for (from, to, part) in [
             ("1e-4", "1.0", "damping ratio"),
             ("[0.0, 0.05]", "[0.0]", "finite displacement"),
-            ("\"200 mm\", \"460 mm\"", "\"460 mm\", \"200 mm\"", "increase"),
+            (
+                "\"200 mm\", \"460 mm\"",
+                "\"460 mm\", \"200 mm\"",
+                "increase",
+            ),
             ("2 kHz", "2 mm", "mm"),
             ("nodal_diameters = 2", "nodal_diameters = -2", "-2"),
             (mode, "mode = []\n", "does not ring"),

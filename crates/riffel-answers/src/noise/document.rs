@@ -98,7 +98,10 @@ pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {
         distance_m: request.train.distance,
         height_m: request.train.height,
         wheel_roughness: request.wheels.as_ref().map(|(name, _)| name.as_str()),
-        wheel_modes: request.wheel_modes.as_ref().map(|table| table.name.as_str()),
+        wheel_modes: request
+            .wheel_modes
+            .as_ref()
+            .map(|table| table.name.as_str()),
         frequency_hz: frequencies(levels),
         level: Levels {
             rail_db: by_band(levels, Part::Rail),

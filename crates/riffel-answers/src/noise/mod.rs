@@ -395,8 +395,8 @@ fn remarks(
         ),
         Some(table) => {
             remarks.push(
-                "the wheel rings as its modes and the rail let it: above 2 kHz such levels were 2 to 13 dB too loud where \
-                 they were measured, and those of a rigid wheel 3 to 7 dB too quiet"
+                "the wheel rings as its modes and the rail let it: above 2 kHz such levels were 5 to 13 dB too loud where \
+                 they were measured, and those of a rigid wheel 3 to 6 dB too quiet"
                     .to_owned(),
             );
             let radius = case.hertz.rolling_radius();

@@ -7,9 +7,7 @@ use riffel::roughness::Spectrum;
 use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest, Part, Train};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_rail::{
-    TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates,
-};
+use riffel_rail::{TransferPart, TransferTable, WheelModesTable, WheelRoughness, read_decay_rates};
 
 use super::forecast::level_limit;
 use super::roughness::survey;
