@@ -282,7 +282,7 @@ mod tests {
                 ..mode(2000.0, 0.06)
             },
         ] {
-            assert!(wheel(&[wrong.clone()]).is_err(), "{wrong:?}");
+            assert!(wheel(std::slice::from_ref(&wrong)).is_err(), "{wrong:?}");
         }
     }
 }
