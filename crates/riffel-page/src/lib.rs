@@ -34,6 +34,12 @@ pub use note::Note;
 pub use reply::Reply;
 pub use vocabulary::{VOCABULARY, vocabulary_of};
 
+/// What a module of the answers holds, so that the release it is of can be told: [`RELEASE_BEGINS`], a version and `;`.
+pub const RELEASE: &str = concat!("answers of riffel ", env!("CARGO_PKG_VERSION"), ";");
+
+/// How [`RELEASE`] begins.
+pub const RELEASE_BEGINS: &str = "answers of riffel ";
+
 /// Whether somebody still waits for the answer; work asks now and then, from any thread, and stops if not.
 pub type Wanted<'a> = &'a (dyn Fn() -> bool + Sync);
 

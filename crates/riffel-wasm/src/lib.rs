@@ -74,6 +74,13 @@ pub extern "C" fn reply_length() -> usize {
     exchange().reply.len()
 }
 
+/// Where the text begins that tells the release of the module: whoever packs the module looks for it.
+#[expect(unsafe_code, reason = "a name that keeps the text in the module")]
+#[unsafe(no_mangle)]
+pub extern "C" fn release() -> *const u8 {
+    riffel_page::RELEASE.as_ptr()
+}
+
 fn answer_to(path: &[u8], question: &[u8]) -> Result<Vec<u8>, Fault> {
     const NOT_FOUND: u16 = 404;
     let asked = std::str::from_utf8(path)

@@ -11,7 +11,7 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 use flate2::Compression;
 use flate2::read::GzDecoder;
 use flate2::write::GzEncoder;
-use riffel_page::{CaseText, VOCABULARY};
+use riffel_page::{CaseText, RELEASE, RELEASE_BEGINS, VOCABULARY};
 use serde_json::json;
 use thiserror::Error;
 
@@ -53,6 +53,15 @@ pub enum PageFileError {
     /// The bytes given are no module.
     #[error("this is no compressed WebAssembly module")]
     Module,
+
+    /// The module answers as another release does, or is not one of Riffel.
+    #[error("the WebAssembly module holds the {found}, the program the {own}")]
+    Release {
+        /// What the module says.
+        found: String,
+        /// What it must say.
+        own: String,
+    },
 }
 
 impl PageFileError {
@@ -60,7 +69,7 @@ impl PageFileError {
     pub fn help(&self) -> Option<&str> {
         match self {
             Self::Case { help, .. } => help.as_deref(),
-            Self::Module => Some("`cargo xtask page` builds it"),
+            Self::Module | Self::Release { .. } => Some("`cargo xtask page` builds it"),
         }
     }
 }
@@ -71,14 +80,10 @@ impl PageFileError {
 ///
 /// # Errors
 /// [`PageFileError`] for a case that the page would refuse, as one that names files or asks for a larger map than the
-/// page computes, and for bytes that are no module.
+/// page computes, and for bytes that are no module, or that of another release.
 pub fn page_file(case: &str, module: &[u8]) -> Result<String, PageFileError> {
     let keys = keys_of(case)?;
-    let mut start = [0; 4];
-    let begins = GzDecoder::new(module).read_exact(&mut start);
-    if begins.is_err() || start != *b"\0asm" {
-        return Err(PageFileError::Module);
-    }
+    of_this_release(module)?;
     let mut elements = String::new();
     let mut element = |attributes: &str, text: &str| {
         elements.push_str(&format!(
@@ -124,6 +129,31 @@ pub fn page_file(case: &str, module: &[u8]) -> Result<String, PageFileError> {
             debug_assert!(page.contains(from), "{from}");
             page.replacen(from, to, 1)
         }))
+}
+
+/// `Ok` for the module of this release.
+fn of_this_release(module: &[u8]) -> Result<(), PageFileError> {
+    let mut bytes = Vec::new();
+    let read = GzDecoder::new(module).read_to_end(&mut bytes);
+    if read.is_err() || !bytes.starts_with(b"\0asm") {
+        return Err(PageFileError::Module);
+    }
+    let begins = RELEASE_BEGINS.as_bytes();
+    let found = bytes.windows(begins.len()).position(|text| text == begins);
+    let words = |text: &[u8]| {
+        let end = text.iter().position(|&byte| byte == b';');
+        let text = &text[..end.unwrap_or(begins.len())];
+        String::from_utf8_lossy(text).into_owned()
+    };
+    let found = match found {
+        Some(place) => words(&bytes[place..]),
+        None => "answers of something else".to_owned(),
+    };
+    let own = words(RELEASE.as_bytes());
+    match found == own {
+        true => Ok(()),
+        false => Err(PageFileError::Release { found, own }),
+    }
 }
 
 /// The keys of a case that the page takes.
@@ -187,10 +217,30 @@ fn compressed(bytes: &[u8]) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    const EMPTY_MODULE: &[u8] = b"\0asm\x01\0\0\0";
+    fn module_of(release: &str) -> Vec<u8> {
+        compressed(format!("\0asm\x01\0\0\0 {release} and more").as_bytes())
+    }
 
     fn page_of(case: &str) -> Result<String, PageFileError> {
-        page_file(case, &compressed(EMPTY_MODULE))
+        page_file(case, &module_of(RELEASE))
+    }
+
+    #[test]
+    fn modules_of_another_release_are_refused() {
+        for (release, found) in [
+            ("answers of riffel 0.0.1;", "answers of riffel 0.0.1"),
+            ("", "answers of something else"),
+        ] {
+            let refused = page_file(riffel_case::NOMINAL_CASE, &module_of(release)).unwrap_err();
+            assert!(refused.help().is_some());
+            let sentence = refused.to_string();
+            assert!(
+                sentence.contains(&format!("holds the {found},")),
+                "{sentence}"
+            );
+            let own = RELEASE.trim_end_matches(';');
+            assert!(sentence.ends_with(own), "{sentence}");
+        }
     }
 
     #[test]

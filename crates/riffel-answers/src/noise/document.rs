@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{BandPressure, NoiseAnswer, Part, PassByLevels};
 
-/// What `riffel noise --json` prints; levels in dB re 20 µPa.
+/// What `riffel noise --json` prints; levels in dB re 20 µPa, those of sound power in dB re 1 pW.
 #[derive(Serialize)]
 pub struct NoiseDocument<'a> {
     riffel_version: &'static str,
@@ -20,6 +20,8 @@ pub struct NoiseDocument<'a> {
     /// Nominal centres of the bands.
     frequency_hz: Vec<f64>,
     level: Levels,
+    /// Of one wheel with the rail and the sleepers under it.
+    sound_power_level: Levels,
     /// Null without transfer functions.
     by_transfer_functions: Option<TransferLevels<'a>>,
     sound_exposure_level_dba: f64,
@@ -41,6 +43,22 @@ struct Levels {
     sleepers_dba: Option<f64>,
     wheel_dba: Option<f64>,
     total_dba: Option<f64>,
+}
+
+impl Levels {
+    fn new(by_band: impl Fn(Part) -> Vec<Option<f64>>, a_weighted: impl Fn(Part) -> f64) -> Self {
+        let a_weighted = |part| finite(a_weighted(part));
+        Self {
+            rail_db: by_band(Part::Rail),
+            sleepers_db: by_band(Part::Sleepers),
+            wheel_db: by_band(Part::Wheel),
+            total_db: by_band(Part::Total),
+            rail_dba: a_weighted(Part::Rail),
+            sleepers_dba: a_weighted(Part::Sleepers),
+            wheel_dba: a_weighted(Part::Wheel),
+            total_dba: a_weighted(Part::Total),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -82,9 +100,9 @@ fn frequencies(levels: &PassByLevels) -> Vec<f64> {
     bands.map(|band| band.band.nominal()).collect()
 }
 
-/// The A-weighted level; none where a part radiates nothing.
-fn a_weighted(levels: &PassByLevels, part: Part) -> Option<f64> {
-    Some(levels.a_weighted(part)).filter(|level| level.is_finite())
+/// A level; none where a part radiates nothing.
+fn finite(level: f64) -> Option<f64> {
+    Some(level).filter(|level| level.is_finite())
 }
 
 pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {
@@ -103,16 +121,11 @@ pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {
             .as_ref()
             .map(|table| table.name.as_str()),
         frequency_hz: frequencies(levels),
-        level: Levels {
-            rail_db: by_band(levels, Part::Rail),
-            sleepers_db: by_band(levels, Part::Sleepers),
-            wheel_db: by_band(levels, Part::Wheel),
-            total_db: by_band(levels, Part::Total),
-            rail_dba: a_weighted(levels, Part::Rail),
-            sleepers_dba: a_weighted(levels, Part::Sleepers),
-            wheel_dba: a_weighted(levels, Part::Wheel),
-            total_dba: a_weighted(levels, Part::Total),
-        },
+        level: Levels::new(|part| by_band(levels, part), |part| levels.a_weighted(part)),
+        sound_power_level: Levels::new(
+            |part| answer.powers.levels(part),
+            |part| answer.powers.a_weighted(part),
+        ),
         by_transfer_functions: transfer.map(|(levels, [track, vehicle])| TransferLevels {
             track: &track.name,
             vehicle: &vehicle.name,
@@ -120,7 +133,7 @@ pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {
             track_db: by_band(levels, Part::Rail),
             vehicle_db: by_band(levels, Part::Wheel),
             total_db: by_band(levels, Part::Total),
-            total_dba: a_weighted(levels, Part::Total),
+            total_dba: finite(levels.a_weighted(Part::Total)),
         }),
         sound_exposure_level_dba: answer.exposure_level(),
         measures: answer
@@ -148,18 +161,22 @@ pub(super) fn bands_csv(answer: &NoiseAnswer, file: &mut impl Write) -> io::Resu
     let mut writer = csv::Writer::from_writer(file);
     let mut header: Vec<String> = vec!["frequency_hz".to_owned()];
     header.extend(Part::ALL.map(|part| format!("{}_db", part.name())));
+    header.extend(Part::ALL.map(|part| format!("{}_power_db", part.name())));
     let transfer = answer.by_transfer.as_ref();
     if transfer.is_some() {
         header.extend(["track", "vehicle", "total"].map(|part| format!("transfer_{part}_db")));
     }
     writer.write_record(&header)?;
-    let cell = |band: Option<&BandPressure>, part: Part| {
-        let level = band.and_then(|band| band.level(part));
-        level.map_or_else(String::new, |level| format!("{level:.3}"))
-    };
-    for band in answer.levels.bands() {
+    let written =
+        |level: Option<f64>| level.map_or_else(String::new, |level| format!("{level:.3}"));
+    let cell =
+        |band: Option<&BandPressure>, part: Part| written(band.and_then(|band| band.level(part)));
+    let powers = Part::ALL.map(|part| answer.powers.levels(part));
+    for (place, band) in answer.levels.bands().iter().enumerate() {
         let mut row = vec![format!("{}", band.band.nominal())];
         row.extend(Part::ALL.map(|part| cell(Some(band), part)));
+        let power = |levels: &Vec<Option<f64>>| levels.get(place).copied().flatten();
+        row.extend(powers.iter().map(|levels| written(power(levels))));
         if let Some(levels) = transfer {
             let same = levels.bands().iter().find(|other| other.band == band.band);
             row.extend([Part::Rail, Part::Wheel, Part::Total].map(|part| cell(same, part)));

@@ -1,6 +1,6 @@
-//! Levels beside the track.
+//! Levels of what a train radiates, and of what is heard beside the track.
 
-use riffel::noise::{FrequencyBand, a_weighting, pressure_level};
+use riffel::noise::{FrequencyBand, SoundPower, a_weighting, power_level, pressure_level};
 
 /// What radiates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,6 +60,52 @@ impl BandPressure {
     }
 }
 
+/// Sound power levels of one wheel with the rail and the sleepers under it, by band.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PowerLevels {
+    bands: Vec<SoundPower>,
+}
+
+impl PowerLevels {
+    pub(super) fn new(bands: Vec<SoundPower>) -> Self {
+        Self { bands }
+    }
+
+    /// Level of a part in each band \[dB re 1 pW\], the lowest first; none where it radiates nothing.
+    pub fn levels(&self, part: Part) -> Vec<Option<f64>> {
+        let level = |power: &SoundPower| Some(power_level(of(power, part)));
+        let levels = self.bands.iter().map(level);
+        levels
+            .map(|level| level.filter(|level| level.is_finite()))
+            .collect()
+    }
+
+    /// A-weighted level of a part over all bands \[dB(A) re 1 pW\]; −∞ where it radiates nothing.
+    pub fn a_weighted(&self, part: Part) -> f64 {
+        let bands = self.bands.iter();
+        power_level(weighted_sum(
+            bands.map(|power| (power.band, of(power, part))),
+        ))
+    }
+}
+
+/// Sound power of a part \[W\].
+fn of(power: &SoundPower, part: Part) -> f64 {
+    match part {
+        Part::Rail => power.rail,
+        Part::Sleepers => power.sleepers,
+        Part::Wheel => power.wheel,
+        Part::Total => power.total(),
+    }
+}
+
+/// Sum of what bands hold, as the ear weighs them.
+fn weighted_sum(bands: impl Iterator<Item = (FrequencyBand, f64)>) -> f64 {
+    bands
+        .map(|(band, energy)| energy * 10f64.powf(0.1 * a_weighting(band.centre())))
+        .sum()
+}
+
 /// Equivalent levels over the passage of a train, by band.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PassByLevels {
@@ -79,10 +125,7 @@ impl PassByLevels {
     /// A-weighted level of a part over all bands \[dB(A)\]; −∞ where it radiates nothing.
     pub fn a_weighted(&self, part: Part) -> f64 {
         let bands = self.bands.iter();
-        let sum: f64 = bands
-            .map(|band| band.of(part) * 10f64.powf(0.1 * a_weighting(band.band.centre())))
-            .sum();
-        pressure_level(sum)
+        pressure_level(weighted_sum(bands.map(|band| (band.band, band.of(part)))))
     }
 
     /// The bands that others have, too.

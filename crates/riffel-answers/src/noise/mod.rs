@@ -22,7 +22,7 @@ use riffel_rail::{LimitTable, TransferTable, WheelModesTable};
 
 pub use course::Course;
 pub use document::NoiseDocument;
-pub use levels::{BandPressure, Part, PassByLevels};
+pub use levels::{BandPressure, Part, PassByLevels, PowerLevels};
 pub use measure::Measure;
 
 use crate::AnswerError;
@@ -129,6 +129,8 @@ pub struct NoiseAnswer {
     pub request: NoiseRequest,
     /// Levels now.
     pub levels: PassByLevels,
+    /// What a wheel with its rail radiates now.
+    pub powers: PowerLevels,
     /// Levels by the transfer functions of the directive.
     pub by_transfer: Option<PassByLevels>,
     /// What would help, each by itself.
@@ -186,6 +188,7 @@ impl NoiseAnswer {
         };
         Ok(Self {
             remarks: remarks(case, &request, &powers, &left_out),
+            powers: PowerLevels::new(powers),
             request,
             levels,
             by_transfer,

@@ -150,6 +150,14 @@ fn readable(case: &Case, answer: &NoiseAnswer) -> String {
         train.wheels,
         answer.exposure_level()
     );
+    let power = |part| weighted(answer.powers.a_weighted(part));
+    text += &format!(
+        "sound power of a wheel with its rail: {} dB(A) re 1 pW; rail {}, sleepers {}, wheel {} dB(A)\n",
+        power(Part::Total),
+        power(Part::Rail),
+        power(Part::Sleepers),
+        power(Part::Wheel)
+    );
     text += &measures(answer);
     if let Some(course) = &answer.course {
         text += &format!("{}\n", course.in_words());

@@ -30,6 +30,19 @@ fn levels_add_up_and_follow_the_roughness() {
         assert!((10.0 * sum.log10() - total).abs() < 1e-9);
     }
     assert_eq!(numbers(&document["left_out_hz"]), [100.0]);
+    // A wheel of the power W on either rail, one in 6.6 m of train: p² = 2ρc W/(4 · 6.6 m)(1/d₁ + 1/d₂), over hard ground.
+    let power = &document["sound_power_level"];
+    let distances = [6.75f64, 8.25].map(|across| across.hypot(1.2).recip());
+    let heard = 2.0 * 1.204 * 343.2 * 1e-12 / (4.0 * 6.6) * (distances[0] + distances[1]);
+    let apart = 10.0 * (heard / 4e-10).log10();
+    for part in ["rail", "sleepers", "wheel", "total"] {
+        let levels = [level, power].map(|levels| numbers(&levels[format!("{part}_db")]));
+        for (pressure, power) in levels[0].iter().zip(&levels[1]) {
+            assert!((pressure - power - apart).abs() < 1e-9, "{part}");
+        }
+        let [pressure, power] = [level, power].map(|levels| number(&levels[format!("{part}_dba")]));
+        assert!((pressure - power - apart).abs() < 1e-9, "{part}");
+    }
 
     let table = |level: f64| -> String {
         let rows: Vec<String> = (5..=25)
