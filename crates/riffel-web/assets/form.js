@@ -5,7 +5,7 @@ import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
 import * as lists from './lists.js';
 import { askWhich, readNumber } from './numbers.js';
-import { inWords } from './german.js';
+import { inWords, said } from './german.js';
 import { labelOf, nameOf, number, t, written as worded } from './words.js';
 
 /** A file cannot come over the page. */
@@ -55,6 +55,12 @@ const bare = (value) => (value === null || Array.isArray(value) || typeof value 
 
 /** What a key is, in the language of the page: shown beside the pointer. */
 const hint = (place) => (place.title = place.dataset.hint.split('\n').map((line) => inWords(line)).join('\n'));
+
+/** Words of the program as an element, in the language they are in: a citation stays as it is. */
+function spoken(name, english) {
+  const { text, language } = said(english);
+  return element(name, { textContent: text, lang: language });
+}
 
 export class Form {
   /** `onChange` is told the gesture that goes on, `onAsk` that a field asks what was meant, or no longer does. */
@@ -170,9 +176,9 @@ export class Form {
     button.popoverTargetElement = bubble;
     const show = () => {
       const preset = field.presets.find((preset) => preset.name === field.input.value);
-      bubble.replaceChildren(element('strong', { textContent: preset?.title ?? t('none'), lang: preset ? 'en' : '' }));
+      bubble.replaceChildren(preset ? spoken('strong', preset.title) : element('strong', { textContent: t('none') }));
       for (const value of preset?.values ?? []) {
-        bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${value.value}` }), ` ${t(value.badge)}. `, element('span', { textContent: value.source, lang: 'en' })));
+        bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${worded(value.value)}` }), ` ${t(value.badge)}. `, spoken('span', value.source)));
       }
       const { left, bottom } = button.getBoundingClientRect();
       bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - 372))}px`;

@@ -3,7 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use riffel_words::wordings;
+use riffel_case::{Badge, presets};
+use riffel_rail::LimitTable;
+use riffel_words::{in_german, wordings};
 
 /// Files of which every sentence must have its German: what the page says of a measured rail and of a case. Paths in
 /// `crates`; a folder stands for all of its files.
@@ -191,6 +193,15 @@ fn no_sentence_is_left_that_nobody_says() {
         }
     }
     said += &fs::read_to_string(crates().join("riffel-web/assets/faults.js")).unwrap();
+    for preset in presets() {
+        let sources = preset.values.iter().map(|value| value.source.as_str());
+        sources
+            .chain([preset.title.as_str()])
+            .for_each(|text| said.extend([text, "\n"]));
+    }
+    LimitTable::all()
+        .iter()
+        .for_each(|table| said.extend([table.title.as_str(), "\n"]));
     // What a key is stands in the comment on it.
     for source in sources.iter().filter(|source| {
         source
@@ -234,4 +245,23 @@ fn no_sentence_is_left_that_nobody_says() {
         .filter(|wording| !is_said(wording))
         .collect();
     assert!(unsaid.is_empty(), "nobody says\n{}", unsaid.join("\n"));
+}
+
+/// Values that others have published name who did, and stay as they are.
+#[test]
+fn presets_have_their_german() {
+    let mut missing = Vec::new();
+    for preset in presets() {
+        let own = preset
+            .values
+            .iter()
+            .filter(|value| value.badge == Badge::Assumed)
+            .map(|value| value.source.as_str());
+        let words = own.chain([preset.title.as_str()]);
+        missing.extend(words.filter(|words| in_german(words).is_none()));
+    }
+    let limits = LimitTable::all();
+    let titles = limits.iter().map(|table| table.title.as_str());
+    missing.extend(titles.filter(|title| in_german(title).is_none()));
+    assert!(missing.is_empty(), "no German of\n{}", missing.join("\n"));
 }
