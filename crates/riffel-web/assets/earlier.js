@@ -21,7 +21,7 @@ const isDay = (text) => /^\d{4}-\d\d-\d\d$/.test(text) && text >= FIRST_DATE;
 export class Earlier {
   /** `onChange` is told that there are other records or dates; `format` gives the columns that were chosen, `labels` puts words of the program into those of the form. */
   constructor({ onChange, format, complain, banner, labels }) {
-    Object.assign(this, { onChange, format, complain, banner, labels, records: [], date: '' });
+    Object.assign(this, { onChange, format, complain, banner, labels, records: [], date: '', rail: 0 });
     this.own = this.#dateField('record-date');
     this.ownRow = element('div', { className: 'earlier-record' }, worded('label', 'measured_on', { htmlFor: 'record-date' }), this.own.input, this.own.fault);
     this.list = element('ul', { className: 'earlier-records', id: 'earlier-records' });
@@ -42,16 +42,23 @@ export class Earlier {
     this.#show();
   }
 
-  /** Another record has taken the place of that to which these belong; true if there were any. */
+  /** Another record has taken the place of that to which these belong: what `bringBack` takes, null if there were none. */
   forget() {
-    const had = this.records.length > 0;
+    const gone = this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
     this.coming?.abort();
-    Object.assign(this, { records: [], date: '' });
+    // Files on their way belong to the rail before.
+    Object.assign(this, { records: [], date: '', rail: this.rail + 1 });
     this.own.input.value = '';
     this.own.fault.hidden = true;
     this.#keep();
     this.#show();
-    return had;
+    return gone;
+  }
+
+  /** The record to which these belonged is back: send them again, with their dates. */
+  bringBack({ date, files }) {
+    this.date = this.own.input.value = date;
+    return this.#sendAll(files);
   }
 
   /** Those that could be read, by date where all have one. */
@@ -74,19 +81,26 @@ export class Earlier {
     });
   }
 
-  /** Send files, one after the other. */
-  async add(files) {
-    for (const file of files) {
+  /** Take files whose dates are still to be told. */
+  add(files) {
+    return this.#sendAll(files.map((file) => ({ file, date: '' })));
+  }
+
+  /** Send files, one after the other, as long as the rail is the same. */
+  async #sendAll(files) {
+    const { rail } = this;
+    for (const { file, date } of files) {
+      if (this.rail !== rail) return;
       if (this.records.length >= MOST) {
         this.banner.say(() => t('most_earlier', { most: MOST, name: file.name }), { until: 'closed' });
         return;
       }
-      await this.#send(file);
+      await this.#send(file, date);
     }
   }
 
-  async #send(file) {
-    const record = this.#record({ name: file.name, size: file.size, date: '' });
+  async #send(file, date) {
+    const record = this.#record({ file, name: file.name, size: file.size, date });
     this.records.push(record);
     this.#show();
     this.coming = send('/api/earlier', file, (share) => (record.state.textContent = `${t('uploading')} ${number(100 * share, 3)} %`));
@@ -194,8 +208,9 @@ export class Earlier {
 
   // Showing them -----------------------------------------------------------------------------------------
 
-  #record({ name, size, date, number: own }) {
-    const record = { name, size, date, number: own, spectra: null, refused: null };
+  /** A record and its row; one that a reload found has no `file`. */
+  #record({ file, name, size, date, number: own }) {
+    const record = { file, name, size, date, number: own, spectra: null, refused: null };
     record.field = this.#dateField(`earlier-date-${++dateFields}`);
     record.field.input.value = date;
     record.state = element('span', { className: 'aside' });

@@ -73,11 +73,13 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   // The file -------------------------------------------------------------------------------------------
 
-  function take(chosen) {
+  /** Take a file; one that comes back has the columns and the earlier records that it had. */
+  function take(chosen, { columns: chosenColumns = null, earlierThen = null } = {}) {
     coming?.abort();
     const before = file;
+    const columnsBefore = format;
     file = chosen;
-    format = null;
+    format = chosenColumns;
     source.hidden = !chosen.isSample;
     columns.offer(chosen);
     answer = null;
@@ -93,10 +95,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     coming.done.then(() => {
       coming = null;
       keepRecord(chosen);
-      const withEarlier = earlier.forget();
+      const earlierBefore = earlier.forget();
       tellFile();
       // The file itself is at hand unless the page was loaded anew meanwhile.
-      if (before) banner.notice([t('record_taken', chosen.name), withEarlier && t('earlier_gone')].filter(Boolean).join(' '), before instanceof File ? () => take(before) : undefined);
+      const undo = before instanceof File ? () => take(before, { columns: columnsBefore, earlierThen: earlierBefore }) : undefined;
+      if (before) banner.notice([t('record_taken', chosen.name), earlierBefore && t('earlier_gone')].filter(Boolean).join(' '), undo);
+      if (earlierThen) earlier.bringBack(earlierThen);
       ask();
     }, (fault) => {
       coming = null;

@@ -207,6 +207,33 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
 
 
 @pytest.mark.without_curves
+def test_undo_brings_back_a_record_with_its_earlier_ones(page):
+    questions = []
+    page.page.on("request", lambda request: request.url.endswith("/api/measure") and questions.append(request.post_data_json))
+    rows = page.page.locator("#earlier-records > li")
+    asked = lambda: [(one["name"], one["date"]) for one in questions[-1].get("earlier", [])]
+    dated = [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")]
+    good = record(8, metres=3)
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=files(now=record(14, metres=3)))
+    page.until(page.page.locator("#earlier").is_visible)
+    page.page.set_input_files("#earlier-file", files=files(older=good, last=good))
+    page.until(lambda: rows.count() == 2 and page.page.locator(".course").count() > 0, seconds=60)
+    page.page.locator("#record-date").fill("2026-05-01")
+    for k, (_, day) in enumerate(dated):
+        rows.nth(k).locator("input").fill(day)
+    page.until(lambda: [one.get("date") for one in questions[-1].get("earlier", [])] == [day for _, day in dated], seconds=60)
+    page.page.set_input_files("#record", files=files(another=good))
+    page.until(lambda: questions[-1]["name"] == "another.csv" and "earlier" not in questions[-1], seconds=60)
+    page.page.locator("#notice button").first.click()
+    page.until(lambda: questions[-1]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2, seconds=60)
+    assert asked() == dated and questions[-1]["date"] == "2026-05-01"
+    assert page.page.locator("#record-date").input_value() == "2026-05-01"
+    assert [rows.nth(k).locator("input").input_value() for k in range(2)] == [day for _, day in dated]
+    page.until(lambda: page.page.locator(".course").count() > 0 and "a year" in page.page.locator(".course").first.inner_text(), seconds=60)
+
+
+@pytest.mark.without_curves
 def test_vehicles_make_a_traffic_or_say_why_not(page):
     growth = lambda: page.page.evaluate("() => window.riffel.state.head.highest.growth_rate_per_passage")
     add_vehicles(page, change)
