@@ -14,6 +14,8 @@ const LIMIT = 'riffel-limit-dba';
 const [LOWEST, HIGHEST] = [0, 200];
 /** What radiates, with the colour of its curve. */
 const PARTS = [['rail', 1], ['sleepers', 3], ['wheel', 2], ['total', 0]];
+/** What a wheel may be, with its word. */
+const WHEELS = [['rigid', 'noise_rigid'], ['straight-web-920', 'noise_straight_web']];
 /** Levels so far below the highest are not drawn [dB]. */
 const DEPTH = 50;
 /** Least height of the axis of the months ahead [dB]: less than that is not heard. */
@@ -38,11 +40,14 @@ export class Noise {
     this.line = new Line('/api/noise', json);
     this.line.onCancel = () => banner.say(() => t('stopped'), { ways: [['again', () => this.#ask()]] });
     this.verdict = element('p', { className: 'why', id: 'noise-verdict' });
+    this.wheel = element('select', { id: 'noise-wheel' }, ...WHEELS.map(([value, word]) => worded('option', word, { value })));
+    this.wheel.addEventListener('change', () => this.#ask());
+    const wheelChoice = element('label', { className: 'choice' }, worded('span', 'noise_wheel_is'), this.wheel);
     this.parts = element('table', { className: 'comparison', id: 'noise-parts' });
     this.bands = element('div', { className: 'curve tall', id: 'noise-bands' });
     this.remarks = element('ul', { className: 'fine', id: 'noise-remarks' });
     const head = element('header', {}, worded('h2', 'noise'));
-    this.panel = element('article', { className: 'panel half', hidden: true, id: 'noise-panel' }, head, this.verdict, element('div', { className: 'sideways' }, this.parts), this.bands, this.remarks);
+    this.panel = element('article', { className: 'panel half', hidden: true, id: 'noise-panel' }, head, wheelChoice, this.verdict, element('div', { className: 'sideways' }, this.parts), this.bands, this.remarks);
     offer(head, () => ({ name: 'noise', plot: this.bands }), save);
     this.save = head.querySelector('.take');
 
@@ -77,7 +82,7 @@ export class Noise {
 
   #ask() {
     this.#stale(true);
-    this.line.ask({ ...this.question(), ...(this.limit !== null && { limit_dba: this.limit }) }, (answer) => {
+    this.line.ask({ ...this.question(), wheel: this.wheel.value, ...(this.limit !== null && { limit_dba: this.limit }) }, (answer) => {
       // The record may be gone meanwhile.
       if (!this.of) return;
       this.answer = answer;

@@ -65,6 +65,23 @@ def test_the_level_is_that_of_the_program(page, tmp_path):
     page.keep("noise", whole=True)
 
 
+@pytest.mark.without_curves
+def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
+    answers = []
+    page.page.on("response", lambda response: response.url.endswith("/api/noise") and response.ok and answers.append(json.loads(response.text())))
+    heard(page)
+    page.until(lambda: answers and answers[-1]["wheel_modes"] is None)
+    page.page.select_option("#noise-wheel", "straight-web-920")
+    page.until(lambda: answers[-1]["wheel_modes"] == "straight-web-920" and not page.page.locator("#noise-panel.stale").count(), seconds=60)
+    own = by_the_program(tmp_path, "--wheel-modes", "straight-web-920")["level"]
+    assert answers[-1]["level"]["total_dba"] == pytest.approx(own["total_dba"], rel=0, abs=1e-9)
+    assert abs(own["wheel_dba"] - answers[0]["level"]["wheel_dba"]) > 0.5
+    [shown] = cells(page, "noise-parts")
+    assert shown[1:] == [f"{own[f'{part}_dba']:.1f}" for part in ("rail", "sleepers", "wheel", "total")]
+    page.page.select_option("#language", "de")
+    assert page.page.locator("#noise-wheel option").all_text_contents() == ["starr", "gerader Steg, 920 mm"]
+
+
 def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
     page = open_page(locale="de-DE", color_scheme="dark", viewport={"width": 360, "height": 780})
     heard(page, GROWING)

@@ -14,6 +14,28 @@ use crate::request::{Asked, Asker};
 /// Highest level that may be a limit \[dB(A)\].
 const LOUDEST: f64 = 200.0;
 
+/// What the wheels are.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Wheel {
+    /// A rigid body.
+    #[default]
+    Rigid,
+    /// A straight web and a tyre of 920 mm that ring.
+    #[serde(rename = "straight-web-920")]
+    StraightWeb920,
+}
+
+impl Wheel {
+    /// Arguments of the program for its modes.
+    fn arguments(self) -> &'static [&'static str] {
+        match self {
+            Self::Rigid => &[],
+            Self::StraightWeb920 => &["--wheel-modes", "straight-web-920"],
+        }
+    }
+}
+
 #[derive(Deserialize)]
 pub(crate) struct Question {
     #[serde(flatten)]
@@ -21,6 +43,8 @@ pub(crate) struct Question {
     /// Highest level that is allowed \[dB(A)\].
     #[serde(default)]
     limit_dba: Option<f64>,
+    #[serde(default)]
+    wheel: Wheel,
 }
 
 pub(crate) async fn post(
@@ -71,6 +95,7 @@ pub(crate) async fn post(
             if let Some(limit) = &limit {
                 arguments.extend(["--limit-dba", limit]);
             }
+            arguments.extend(question.wheel.arguments());
             arguments.extend(reading.format());
             run.document_or_fault(&arguments).map(Json)
         })
