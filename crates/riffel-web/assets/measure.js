@@ -337,6 +337,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   tellFile();
   return {
     saveReport,
+    /** Name of the record that is open, null where there is none. */
+    get recordName() {
+      return file?.name ?? null;
+    },
     /** Take a file from any view; one that is dropped on the earlier records is one of them. */
     take(chosen, target) {
       if (earlier.place.contains(target)) return void earlier.add([chosen]);

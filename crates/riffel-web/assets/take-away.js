@@ -16,6 +16,7 @@ export function startTakeAway({ state, banner, complain, replace, measure }) {
   const actions = {
     link: async (button) => {
       await navigator.clipboard.writeText(location.href);
+      if (measure.recordName) banner.notice(t('link_without_record', measure.recordName));
       button.textContent = t('copied');
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },
