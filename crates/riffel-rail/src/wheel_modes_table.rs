@@ -14,6 +14,11 @@ use crate::built_in::built_in;
 /// The tables, built into the program; beside them what computes them.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/wheel-modes");
 
+/// What is heard \[Hz\].
+const AUDIBLE: [f64; 2] = [20.0, 20_000.0];
+/// A wheel of which no part weighs less than a kilogram moves no more \[1/√kg\].
+const LARGEST: f64 = 1.0;
+
 /// Modes of the web and the tyre of a wheel with where they come from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WheelModesTable {
@@ -104,6 +109,36 @@ impl WheelModesTable {
             return Err(source.invalid("mode", "a wheel without a mode does not ring", ""));
         }
         let radii: Vec<f64> = written.radius.iter().map(Quantity::si).collect();
+        let rolling_radius = written.rolling_radius.si();
+        let width = written.tread_width.si();
+        let widest = radii.iter().copied().fold(0.0, f64::max);
+        let refused = |key: &str, value: f64, rule: &str| {
+            let sentence = format!("`{key}` is {value}, but must be {rule}");
+            Err(source.invalid(key, &sentence, ""))
+        };
+        if !(0.15..=1.0).contains(&rolling_radius) {
+            return refused("rolling_radius", rolling_radius, "between 0.15 and 1 m");
+        }
+        if !(0.03..=0.3).contains(&width) {
+            return refused("tread_width", width, "between 0.03 and 0.3 m");
+        }
+        if !(0.8..=1.2).contains(&(widest / rolling_radius)) {
+            let rule = "radii of which the largest is that of the tread, within a fifth";
+            return refused("radius", widest, rule);
+        }
+        for mode in &written.mode {
+            let [lowest, highest] = AUDIBLE;
+            let frequency = mode.frequency.si();
+            if !(lowest..=highest).contains(&frequency) {
+                return refused("mode", frequency, "of a frequency between 20 and 20000 Hz");
+            }
+            let displacements = [mode.radial_at_contact, mode.radial_of_tread];
+            let all = mode.axial.iter().chain(&displacements);
+            if let Some(value) = all.copied().find(|value| value.abs() > LARGEST) {
+                let rule = "of displacements up to 1/√kg, those of a generalised mass of 1 kg";
+                return refused("mode", value, rule);
+            }
+        }
         let modes = written.mode.into_iter().map(|mode| WheelMode {
             nodal_diameters: mode.nodal_diameters,
             frequency: mode.frequency.si(),
@@ -113,8 +148,6 @@ impl WheelModesTable {
             axial: mode.axial,
         });
         let modes: Vec<WheelMode> = modes.collect();
-        let rolling_radius = written.rolling_radius.si();
-        let width = written.tread_width.si();
         let modes = WheelModes::new(rolling_radius, width, &radii, &modes, &Air::default())
             .map_err(|error| source.invalid("mode", &error.to_string(), ""))?;
         Ok(Self {
@@ -161,6 +194,19 @@ mod tests {
                 "increase",
             ),
             ("2 kHz", "2 mm", "mm"),
+            ("2 kHz", "2 MHz", "between 20 and 20000 Hz"),
+            (
+                "\"460 mm\"\ntread",
+                "\"460\"\ntread",
+                "`rolling_radius` is 460, but",
+            ),
+            ("135 mm", "135 cm", "`tread_width` is 1.35, but"),
+            (
+                "\"200 mm\", \"460 mm\"",
+                "\"200 mm\", \"260 mm\"",
+                "`radius` is 0.26, but",
+            ),
+            ("contact = 0.05", "contact = 45.7", "`mode` is 45.7, but"),
             ("nodal_diameters = 2", "nodal_diameters = -2", "-2"),
             (mode, "mode = []\n", "does not ring"),
         ] {
