@@ -4,6 +4,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::levels::finite;
 use super::{BandPressure, NoiseAnswer, Part, PassByLevels};
 
 /// What `riffel noise --json` prints; levels in dB re 20 µPa, those of sound power in dB re 1 pW.
@@ -98,11 +99,6 @@ fn by_band(levels: &PassByLevels, part: Part) -> Vec<Option<f64>> {
 fn frequencies(levels: &PassByLevels) -> Vec<f64> {
     let bands = levels.bands().iter();
     bands.map(|band| band.band.nominal()).collect()
-}
-
-/// A level; none where a part radiates nothing.
-fn finite(level: f64) -> Option<f64> {
-    Some(level).filter(|level| level.is_finite())
 }
 
 pub(super) fn document(answer: &NoiseAnswer) -> NoiseDocument<'_> {

@@ -56,7 +56,7 @@ impl BandPressure {
 
     /// Level of a part \[dB\]; none where it radiates nothing.
     pub fn level(&self, part: Part) -> Option<f64> {
-        Some(pressure_level(self.of(part))).filter(|level| level.is_finite())
+        finite(pressure_level(self.of(part)))
     }
 }
 
@@ -73,10 +73,9 @@ impl PowerLevels {
 
     /// Level of a part in each band \[dB re 1 pW\], the lowest first; none where it radiates nothing.
     pub fn levels(&self, part: Part) -> Vec<Option<f64>> {
-        let level = |power: &SoundPower| Some(power_level(of(power, part)));
-        let levels = self.bands.iter().map(level);
-        levels
-            .map(|level| level.filter(|level| level.is_finite()))
+        let bands = self.bands.iter();
+        bands
+            .map(|power| finite(power_level(of(power, part))))
             .collect()
     }
 
@@ -87,6 +86,11 @@ impl PowerLevels {
             bands.map(|power| (power.band, of(power, part))),
         ))
     }
+}
+
+/// A level; none where a part radiates nothing.
+pub(super) fn finite(level: f64) -> Option<f64> {
+    Some(level).filter(|level| level.is_finite())
 }
 
 /// Sound power of a part \[W\].

@@ -21,8 +21,7 @@ pub struct Measure {
 /// Share of the level that the bands known before and after may lack \[dB(A)\].
 const LACKING: f64 = 0.5;
 
-/// Damping ratio of a wheel with dampers, a hundred times that of its steel alone: chosen. What rolls is damped by the rail
-/// already, so that the level hardly depends on it.
+/// Damping ratio of a wheel with dampers, a hundred times that of its steel alone: chosen.
 const DAMPED: f64 = 0.01;
 
 /// Grinding, speed, pads and dampers, each alone.

@@ -188,10 +188,10 @@ impl RollingSource<'_> {
             };
             for (frequency, part) in lines {
                 let w = TAU * frequency;
-                let modes = self
-                    .wheel_modes
-                    .map(|modes| [modes.receptance(w), modes.power(w).into()]);
-                let [given, radiated] = modes.unwrap_or_default();
+                let (given, radiated) = match self.wheel_modes {
+                    Some(modes) => (modes.receptance(w), modes.power(w)),
+                    None => (Complex64::ZERO, 0.0),
+                };
                 let force = part * share * roughness / (rest + given).norm_sqr();
                 power.force += force;
                 power.into_rail -= force * w * rail.direct.im;
@@ -204,7 +204,7 @@ impl RollingSource<'_> {
                     power.sleepers += moved * share.norm_sqr() * face;
                 }
                 let rigid = w * w * wheel.norm_sqr() * self.wheel.power(&self.air, frequency);
-                power.wheel += force * (rigid + radiated.re);
+                power.wheel += force * (rigid + radiated);
             }
         }
     }
