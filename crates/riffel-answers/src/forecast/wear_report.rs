@@ -17,7 +17,7 @@ pub struct WearReport {
     pub fit: WearFit,
     /// Axle passages between the measurements.
     pub passages: f64,
-    /// Wear coefficient of the case \[kg/J\].
+    /// Wear coefficient of the case that the fit began with \[kg/J\].
     coefficient: f64,
     /// Records of the earlier measurement and of the later.
     pub records: [usize; 2],
@@ -74,6 +74,33 @@ impl WearReport {
         })
     }
 
+    /// The wear coefficient of this rail \[kg/J\], where its interval lies above zero.
+    pub fn fitted_coefficient(&self) -> Option<f64> {
+        let is_sure = self.fit.verdict == WearVerdict::Fitted;
+        is_sure.then_some(self.fit.factor * self.coefficient)
+    }
+
+    /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
+    pub fn sentences_of_forecast(&self) -> Vec<String> {
+        let mut sentences = self.sentences();
+        if let (Some(coefficient), Some(bounds)) = (self.fitted_coefficient(), self.fit.interval) {
+            sentences[0] = format!(
+                "growth goes by the wear coefficient of this rail, {coefficient:.2e} kg/J, {}: it is fitted to what has \
+                 changed over {:.2e} axle passages, and the case says {:.2e} kg/J",
+                self.interval(bounds),
+                self.passages,
+                self.coefficient
+            );
+        }
+        sentences
+    }
+
+    /// Bounds of a factor as words on the coefficient.
+    fn interval(&self, (low, high): (f64, f64)) -> String {
+        let (low, high) = (low * self.coefficient, high * self.coefficient);
+        format!("95 % interval {low:.2e} to {high:.2e} kg/J")
+    }
+
     /// Whether a band that should grow has changed by as much as levels are printed to.
     fn moves(&self) -> bool {
         let bands = self.fit.bands.iter();
@@ -85,16 +112,12 @@ impl WearReport {
     /// What the fit says, and what it says of single bands.
     pub fn sentences(&self) -> Vec<String> {
         let fit = &self.fit;
-        let interval = |(low, high): (f64, f64)| {
-            let (low, high) = (low * self.coefficient, high * self.coefficient);
-            format!("95 % interval {low:.2e} to {high:.2e} kg/J")
-        };
         let coefficient = fit.factor * self.coefficient;
         let mut sentences = vec![match (fit.verdict, fit.interval) {
             (WearVerdict::Fitted, Some(bounds)) => format!(
                 "wear coefficient {coefficient:.2e} kg/J, {}: forecast with it by --set \
                  wear.coefficient={coefficient:.3e}",
-                interval(bounds)
+                self.interval(bounds)
             ),
             (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
                                                grows"
@@ -107,7 +130,7 @@ impl WearReport {
                 .to_owned(),
             (WearVerdict::Indistinct, Some(bounds)) => format!(
                 "no wear coefficient: growth cannot be told from none, {}",
-                interval(bounds)
+                self.interval(bounds)
             ),
             _ => format!(
                 "no wear coefficient is claimed: an interval takes three records of each date; the best fit is \

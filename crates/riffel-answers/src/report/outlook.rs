@@ -8,7 +8,7 @@ use riffel_plot::{LineFigure, PlotError};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::compare::{CompareAnswer, Effect, Outcome};
-use crate::forecast::{ForecastAnswer, number};
+use crate::forecast::{ForecastAnswer, WearReport, number};
 
 /// A section with a sentence for those in a hurry and what to warn of.
 pub(super) struct Outlook {
@@ -59,7 +59,9 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
     if report.names_rails() {
         header.insert(0, "rail");
     }
-    let findings = report.findings();
+    let mut findings = report.findings();
+    let wear = report.wear.as_ref();
+    findings.extend(wear.into_iter().flat_map(WearReport::sentences_of_forecast));
     let title = report
         .traffic
         .file
@@ -80,11 +82,13 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
     html += &table("", &header, &rows);
     let mut warnings = report.warnings.clone();
     warnings.extend(report.on.remarks.iter().cloned());
-    warnings.push(
-        "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two \
-         and more until it is fitted to two dated records (riffel forecast --earlier)"
-            .to_owned(),
-    );
+    if wear.and_then(WearReport::fitted_coefficient).is_none() {
+        warnings.push(
+            "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of \
+             two and more until it is fitted to two dated records (--earlier, --dates)"
+                .to_owned(),
+        );
+    }
     Ok(Outlook {
         section: Section::There("Forecast", html),
         brief: findings

@@ -290,7 +290,9 @@ pub(crate) struct Diagnose {
 #[derive(Args)]
 #[command(
     after_help = "Example: riffel report case.toml --roughness profile.csv --traffic traffic.toml --with soft-pads.toml --site site.toml -o report.html\n\n\
-        Without --roughness it is a report on the case alone: its growth map and, by --with, what would help."
+        Without --roughness it is a report on the case alone: its growth map and, by --with, what would help.\n\n\
+        With an earlier record and the traffic since then, the wear coefficient is fitted to the change, and where its 95 % \
+        interval lies above zero the whole report goes by it in place of that of the case."
 )]
 pub(crate) struct Report {
     /// Case file, for growth map and diagnosis [default: none, and the report goes without them].
@@ -338,6 +340,17 @@ pub(crate) struct Report {
         value_parser = plain_number
     )]
     pub(crate) months: Option<f64>,
+
+    /// Axle passages between the last --earlier and --roughness, to fit the wear coefficient to [default: from the dates
+    /// and the traffic file].
+    #[arg(
+        long,
+        value_name = "N",
+        requires = "traffic",
+        allow_negative_numbers = true,
+        value_parser = plain_number
+    )]
+    pub(crate) passages_between: Option<f64>,
 
     /// Highest level of a passing coach that is allowed, to say in how many months it is reached.
     #[arg(

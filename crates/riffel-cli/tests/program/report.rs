@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, number};
 
 const SECTIONS: [&str; 12] = [
     "Profile",
@@ -135,6 +135,72 @@ fn remedies_are_compared_after_grinding() {
     let (_, now) = brief("");
     assert!(now.contains("--from-limit says how long"), "{now}");
     assert!(now.contains("(held: ratio)"), "{now}");
+}
+
+/// The forecast of a rail measured twice goes by the coefficient that its change tells, as if the case had it.
+#[test]
+fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
+    let sandbox = Sandbox::new();
+    let shape = [(0.08, 4.0), (0.063, 6.0), (0.05, 9.0), (0.04, 7.0)];
+    let write = |name: &str, grown: f64| {
+        let mut text = "section,wavelength_m,level_db\n".to_owned();
+        for (section, more) in [("A", 0.4), ("B", -0.1), ("C", -0.2), ("D", 0.3)] {
+            for (wavelength, level) in shape {
+                // Two decibels more of the wavelength that the model says grows most.
+                let level = level + grown * (2.0 + more);
+                text += &format!("{section},{wavelength},{level}\n");
+            }
+        }
+        fs::write(sandbox.path(name), text).unwrap();
+    };
+    write("now.csv", 1.0);
+    write("before.csv", 0.0);
+    let report = |arguments: &str| {
+        let command = "report cases/nominal.toml --roughness now.csv --traffic cases/traffic.toml";
+        let outcome = sandbox.riffel(&format!("{command} {arguments}"));
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+        fs::read_to_string(sandbox.path("report.html")).unwrap()
+    };
+    let table = |page: &str| {
+        let (_, section) = page.split_once(" Forecast</h2>").unwrap();
+        let (_, table) = section.split_once("<table").unwrap();
+        table.split_once("</table>").unwrap().0.to_owned()
+    };
+    let uncertain = "uncertain by a factor of two";
+    let dated = report("--earlier before.csv --dates 2025-05-01,2026-05-01");
+    assert!(
+        dated.contains("growth goes by the wear coefficient of this rail"),
+        "{dated}"
+    );
+    assert!(!dated.contains(uncertain));
+    // 365 days of 6000 passages.
+    let counted = report("--earlier before.csv --passages-between 2.19e6");
+    assert_eq!(table(&dated), table(&counted));
+    let fit = sandbox.json(
+        "forecast cases/nominal.toml --spectrum now.csv --earlier before.csv --passages-between 2.19e6 \
+         --traffic cases/traffic.toml --json",
+    );
+    let coefficient = number(&fit["wear_fit"]["coefficient_kg_per_j"]);
+    let given = report(&format!("--set wear.coefficient={coefficient:.3e}"));
+    assert_eq!(table(&counted), table(&given));
+    let untouched = report("");
+    assert_ne!(table(&untouched), table(&given));
+    assert!(given.contains(uncertain) && untouched.contains(uncertain));
+    // Without the traffic since then there is no fit, and the report says why.
+    let undated = report("--earlier before.csv");
+    assert_eq!(table(&undated), table(&untouched));
+    assert!(undated.contains("the axle passages since then are not known"));
+    let outcome = sandbox.riffel(
+        "report cases/nominal.toml --roughness now.csv --traffic cases/traffic.toml --passages-between 1e6",
+    );
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    assert!(
+        outcome
+            .text
+            .contains("--passages-between is 1000000, but must be left out"),
+        "{}",
+        outcome.text
+    );
 }
 
 /// What has no input is one sentence at the end, and no empty section.

@@ -1,11 +1,13 @@
 //! `riffel report`
 
+mod fit;
+
 use std::path::Path;
 
 use jiff::civil::Date;
 use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
-use riffel_answers::forecast::ForecastAnswer;
+use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::MapAnswer;
 use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest};
 use riffel_answers::report::{
@@ -35,6 +37,7 @@ use crate::fingerprint::fingerprint;
 use crate::messages::language;
 use crate::output::{Progress, print};
 use crate::staging::{Existing, write_file};
+use fit::Before;
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
@@ -51,6 +54,8 @@ struct Measured {
     date: Option<Date>,
     /// The latest spectra, with what is to be said of them.
     survey: Survey,
+    /// The earliest of a table of several dates.
+    before: Option<Before>,
     diagnosis: Option<Diagnosis>,
 }
 
@@ -65,20 +70,50 @@ struct Now<'a> {
     speed: f64,
 }
 
+/// A case, as its file and the command line say it.
+struct GivenCase<'a> {
+    path: &'a Path,
+    overrides: Vec<String>,
+    case: Case,
+}
+
+impl<'a> GivenCase<'a> {
+    fn read(path: &'a Path, overrides: Vec<String>) -> miette::Result<Self> {
+        let case = CaseArguments::of(path, &overrides).read()?;
+        Ok(Self {
+            path,
+            overrides,
+            case,
+        })
+    }
+
+    /// The same case with another wear coefficient \[kg/J\], to the four digits that `riffel forecast` prints.
+    fn with_wear_coefficient(mut self, coefficient: f64) -> miette::Result<Self> {
+        self.overrides
+            .push(format!("wear.coefficient={coefficient:.3e}"));
+        Self::read(self.path, self.overrides)
+    }
+
+    fn arguments(&self) -> CaseArguments {
+        CaseArguments::of(self.path, &self.overrides)
+    }
+}
+
 pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let site = arguments.site.as_deref().map(Site::read).transpose()?;
     let site = site.unwrap_or_default();
-    let case = arguments
+    let mut given = arguments
         .case
         .as_deref()
-        .map(|path| CaseArguments::of(path, &arguments.overrides).read())
+        .map(|path| GivenCase::read(path, arguments.overrides.clone()))
         .transpose()?;
     let limits = limits(&arguments.limit)?;
     let mut inputs = Inputs::default();
     let record = &arguments.record;
     let rail = match &arguments.roughness {
         Some(path) => {
-            let rail = measured(path, case.as_ref(), record, &limits)?;
+            let case = given.as_ref().map(|given| &given.case);
+            let rail = measured(path, case, record, &limits)?;
             add(&mut inputs, "roughness", path, &rail.understood)?;
             for earlier in &record.earlier {
                 add(&mut inputs, "earlier record", earlier, "of the same rail")?;
@@ -90,24 +125,43 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             None
         }
     };
-    let map = case.as_ref().map(growth_map).transpose()?;
+    let now = rail
+        .as_ref()
+        .and_then(|(path, rail)| now(path, rail, record));
+    let before = match Before::of_arguments(arguments)? {
+        Some(before) => Some(before),
+        None => rail.as_ref().and_then(|(_, rail)| rail.before.clone()),
+    };
+    fit::check_passages(arguments, before.as_ref())?;
+    let mut wear = None;
+    if let (Some(case), Some(now), Some(before), Some(traffic)) =
+        (&given, &now, &before, &record.traffic)
+    {
+        wear = Some(fit::fit(arguments, &case.case, traffic, before, now)?);
+    }
+    // From here on the case has the coefficient of this rail.
+    if let Some(Ok(fit)) = &wear
+        && let Some(coefficient) = fit.fitted_coefficient()
+        && let Some(case) = given.take()
+    {
+        given = Some(case.with_wear_coefficient(coefficient)?);
+    }
+    let case = given.as_ref().map(|given| &given.case);
+    let map = case.map(growth_map).transpose()?;
     let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
     let mut noise = Err(NO_ROUGHNESS.to_owned());
-    if let Some(case) = &case {
-        let now = rail
-            .as_ref()
-            .and_then(|(path, rail)| now(path, rail, record));
+    if let Some(given) = &given {
         if let Some(now) = &now {
-            forecast = outlook(arguments, case, &limits, now)?;
-            noise = heard(arguments, case, &limits, now)?;
+            forecast = outlook(arguments, given, &limits, now, wear)?;
+            noise = heard(arguments, &given.case, &limits, now)?;
         }
-        compare = what_if(arguments, case, &limits, now.as_ref())?;
+        compare = what_if(arguments, given, &limits, now.as_ref())?;
     }
-    if let (Some(path), Some(case)) = (&arguments.case, &case) {
+    if let (Some(path), Some(case)) = (&arguments.case, case) {
         let title = case.file.title.as_deref().unwrap_or("a case");
-        let overrides = match &arguments.overrides[..] {
-            [] => String::new(),
-            overrides => format!(", with {}", overrides.join(", ")),
+        let overrides = match given.as_ref().map(|given| &given.overrides[..]) {
+            None | Some([]) => String::new(),
+            Some(overrides) => format!(", with {}", overrides.join(", ")),
         };
         add(&mut inputs, "case", path, &format!("{title}{overrides}"))?;
         if let Some(measurement) = &case.file.track.measurement {
@@ -156,7 +210,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             warnings: &rail_warnings,
             diagnosis: diagnosis.as_ref(),
         }),
-        case: case.as_ref().zip(map.as_ref()),
+        case: case.zip(map.as_ref()),
         forecast: forecast.as_ref().map_err(|why| *why),
         compare: compare.as_ref().map_err(|why| *why),
         noise: noise.as_ref().map_err(String::clone),
@@ -239,6 +293,7 @@ fn measured(
                 understood: answer.understood().trim().to_owned(),
                 date: None,
                 survey: answer.survey(path)?,
+                before: None,
                 roughness: MeasuredRoughness::Profile {
                     strips,
                     answer: Box::new(answer),
@@ -249,6 +304,7 @@ fn measured(
         RoughnessFile::Spectra(spectra) => {
             let survey = Survey::new(path, spectra, Vec::new())?.choose(&record.choose)?;
             let by = record.by.as_deref().or_else(|| survey.date_column());
+            let before = Before::of_table(&survey);
             let (latest, date) = survey.clone().latest();
             let answer = SpectraAnswer::new(&survey, limits, by)?;
             Measured {
@@ -262,6 +318,7 @@ fn measured(
                 ),
                 date,
                 survey: latest,
+                before,
                 roughness: MeasuredRoughness::Spectra(answer),
                 diagnosis,
             }
@@ -280,21 +337,22 @@ fn now<'a>(path: &'a Path, rail: &Measured, record: &DiagnosisArguments) -> Opti
     })
 }
 
-/// What becomes of the rail, or why that is left out.
+/// What becomes of the rail, or why that is left out; `wear` is the fit that the case goes by, or why there is none.
 fn outlook(
     arguments: &Report,
-    case: &Case,
+    given: &GivenCase<'_>,
     limits: &[LimitTable],
     now: &Now<'_>,
+    wear: Option<Result<WearReport, String>>,
 ) -> miette::Result<Result<ForecastAnswer, &'static str>> {
     let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(NO_LEVEL_LIMIT));
     };
-    let (Some(path), Some(traffic)) = (&arguments.case, &arguments.record.traffic) else {
+    let Some(traffic) = &arguments.record.traffic else {
         return Ok(Err("no traffic was given (--traffic)."));
     };
     let asked = Forecast {
-        case: CaseArguments::of(path, &arguments.overrides),
+        case: given.arguments(),
         spectra: Spectra {
             spectrum: Some(now.path.to_owned()),
             layout: Layout::default(),
@@ -316,7 +374,13 @@ fn outlook(
         output: None,
         json: false,
     };
-    Ok(Ok(forecast(case, &asked, Some(now.survey.clone()))?))
+    let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
+    match wear {
+        Some(Ok(fit)) => answer.wear = Some(fit),
+        Some(Err(why)) => answer.warnings.push(why),
+        None => (),
+    }
+    Ok(Ok(answer))
 }
 
 /// What a coach sounds like on the rail at the mean speed of the traffic, or why that is left out.
@@ -349,11 +413,11 @@ fn heard(
 /// What would help, with what is measured now if anything is, or why that is left out.
 fn what_if(
     arguments: &Report,
-    case: &Case,
+    given: &GivenCase<'_>,
     limits: &[LimitTable],
     now: Option<&Now<'_>>,
 ) -> miette::Result<Result<CompareAnswer, &'static str>> {
-    let (Some(path), Some(limit)) = (&arguments.case, level_limit(arguments, limits)) else {
+    let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(NO_LEVEL_LIMIT));
     };
     if arguments.variants.is_empty() {
@@ -361,7 +425,7 @@ fn what_if(
     }
     let traffic = now.and(arguments.record.traffic.clone());
     let asked = Compare {
-        case: CaseArguments::of(path, &arguments.overrides),
+        case: given.arguments(),
         variants: arguments.variants.clone(),
         models: None,
         speed: now
@@ -379,7 +443,7 @@ fn what_if(
         json: false,
     };
     let survey = now.map(|now| now.survey.clone());
-    Ok(Ok(compare(case, &asked, survey)?))
+    Ok(Ok(compare(&given.case, &asked, survey)?))
 }
 
 /// The limit of levels that forecast and what-if go by: the one asked for, or the first of all.

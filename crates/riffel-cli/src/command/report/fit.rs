@@ -1,0 +1,94 @@
+//! The wear coefficient that a report goes by, where an earlier record tells it.
+
+use std::path::Path;
+
+use jiff::civil::Date;
+use riffel_answers::forecast::WearReport;
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, Variant};
+use riffel_rail::Survey;
+
+use super::Now;
+use crate::arguments::Report;
+use crate::command::roughness::survey;
+use crate::error::CliError;
+use crate::output::Progress;
+
+/// The rail as it was before.
+#[derive(Clone)]
+pub(super) struct Before {
+    survey: Survey,
+    date: Option<Date>,
+}
+
+impl Before {
+    /// The last earlier record of the command line.
+    pub(super) fn of_arguments(arguments: &Report) -> miette::Result<Option<Self>> {
+        let record = &arguments.record;
+        let Some(path) = record.earlier.last() else {
+            return Ok(None);
+        };
+        let survey = survey(path, &record.layout)?.choose(&record.choose)?;
+        let (survey, written) = survey.latest();
+        // One for each record, that of now last.
+        let date = record.dates.iter().rev().nth(1).copied();
+        Ok(Some(Self {
+            survey,
+            date: date.or(written),
+        }))
+    }
+
+    /// The earliest records of a table of several dates, as `riffel forecast --date-column` takes them.
+    pub(super) fn of_table(survey: &Survey) -> Option<Self> {
+        let dates = survey.by_date(survey.column_of_several_dates()?).ok()?;
+        let (date, survey) = dates.into_iter().next()?;
+        Some(Self {
+            survey,
+            date: Some(date),
+        })
+    }
+}
+
+/// The fit of the change from before to now under the traffic, or why there is none.
+pub(super) fn fit(
+    arguments: &Report,
+    case: &Case,
+    traffic: &Path,
+    before: &Before,
+    now: &Now<'_>,
+) -> miette::Result<Result<WearReport, String>> {
+    let traffic = Traffic::read(traffic)?;
+    let progress = Progress::new("fit of the wear coefficient", traffic.file.vehicle.len());
+    let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|by| {
+        progress.advance(by);
+    })?;
+    let days = before.date.zip(now.date).and_then(|(before, now)| {
+        let days = now.since(before).ok()?.get_days();
+        (days > 0).then(|| f64::from(days))
+    });
+    let by_date = days
+        .zip(on.passages_per_day)
+        .map(|(days, a_day)| days * a_day);
+    let Some(passages) = arguments.passages_between.or(by_date) else {
+        return Ok(Err(
+            "the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: \
+             they follow from the dates of both records and from a traffic file that says how much traffic there is, or \
+             are given (--passages-between)"
+                .to_owned(),
+        ));
+    };
+    let report = WearReport::new(case, &on, &before.survey, &now.survey, passages);
+    Ok(report.map_err(|error| format!("the wear coefficient is not fitted: {error}")))
+}
+
+/// `Ok` if passages between two records are given only where there are two.
+pub(super) fn check_passages(arguments: &Report, before: Option<&Before>) -> Result<(), CliError> {
+    match (arguments.passages_between, before) {
+        (Some(passages), None) => Err(CliError::Argument {
+            argument: "--passages-between",
+            value: passages.to_string(),
+            rule: "left out, for there is no earlier record; give --earlier".to_owned(),
+        }),
+        _ => Ok(()),
+    }
+}
