@@ -168,13 +168,20 @@ function showPoint(at) {
   curves();
 }
 
-/** The curves are slower to draw than the map: the newest are drawn when there is time. */
+/** When what was drawn is on the screen; a page that is not shown has no screen to wait for. */
+const painted = () => new Promise((done) => {
+  if (document.hidden) setTimeout(done);
+  else requestAnimationFrame(() => setTimeout(done));
+});
+
+/** The curves are slower to draw than the map: the newest are drawn when it is on the screen. */
 let drawing = false;
 async function curves() {
   if (drawing) return;
   drawing = true;
   let drawn;
   while (drawn !== state.at && state.view === 'explore') {
+    await painted();
     drawn = state.at;
     for (const [draw, place] of [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']]) {
       await new Promise((done) => setTimeout(done));

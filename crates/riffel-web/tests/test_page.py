@@ -595,6 +595,30 @@ def test_the_map_follows_a_slider(open_page, size, capsys):
         print(f"\n# {size[0]} × {size[1]}: first map of 241 × 221 after {first:.0f} ms; 100 steps of a slider to the map on the screen, median {statistics.median(times):.0f} ms, nine of ten within {tenths[8]:.0f} ms")
 
 
+def test_curves_wait_until_the_map_is_on_the_screen(open_page):
+    page = open_page()
+    page.page.wait_for_function("() => document.getElementById('growth').data")
+    drawn = page.page.evaluate(
+        """async () => {
+          const pause = (wait) => new Promise((done) => setTimeout(done, wait));
+          let drawn = 0;
+          document.getElementById('growth').on('plotly_afterplot', () => drawn++);
+          // A screen that is late.
+          const frame = window.requestAnimationFrame.bind(window);
+          window.requestAnimationFrame = (draw) => setTimeout(() => frame(draw), 1500);
+          const slider = document.getElementById('slide-key-contact-friction');
+          slider.value = 0.405;
+          slider.dispatchEvent(new Event('input'));
+          await pause(1200);
+          const early = drawn;
+          await pause(1500);
+          return [early, drawn];
+        }"""
+    )
+    page.close()
+    assert drawn == [0, 1]
+
+
 @pytest.mark.without_curves
 def test_a_fast_hand_is_not_left_behind(open_page):
     page = open_page()
