@@ -54,12 +54,12 @@ export class Columns {
       element('div', { className: 'sideways' }, this.table), element('div', { className: 'buttons' }, this.step, use), this.fault);
   }
 
-  /** Offer the columns of a file; one that is not at hand any more, or is no table, has none. */
-  async offer(file) {
+  /** Offer the columns of a file, as they were `chosen` for it before; one that is not at hand any more, or is no table, has none. */
+  async offer(file, chosen) {
     this.layout = file instanceof Blob ? await layoutOf(file) : null;
     this.place.hidden = !this.layout;
     this.place.open = false;
-    if (this.layout) this.#show();
+    if (this.layout) this.#show(chosen);
   }
 
   /** The program could not read it as it stands. */
@@ -67,7 +67,7 @@ export class Columns {
     if (this.layout) this.place.open = true;
   }
 
-  #show() {
+  #show(chosen) {
     const { names, examples } = this.layout;
     const position = Math.max(names.findIndex((name) => POSITION_NAME.test(name)), 0);
     const kinds = ['none', 'position', 'height'];
@@ -87,7 +87,13 @@ export class Columns {
       kind.addEventListener('change', units);
       return { name: label, kind, unit, units };
     });
-    this.rows.forEach(({ units }) => units());
+    this.rows.forEach(({ kind, unit, units }, k) => {
+      const [position, height] = [chosen?.position, chosen?.rails.find(({ column }) => column === k + 1)];
+      const own = position?.column === k + 1 ? position : height;
+      if (chosen) kind.value = !own ? 'none' : own === position ? 'position' : 'height';
+      units();
+      if (own) unit.value = own.unit;
+    });
     const cells = (k) => examples.map((row) => element('td', { textContent: row[k] ?? '' }));
     this.table.replaceChildren(element('tbody', {}, ...this.rows.map(({ name, kind, unit }, k) =>
       element('tr', {}, element('th', { scope: 'row', textContent: name }), element('td', {}, kind), element('td', {}, unit), ...cells(k)))));

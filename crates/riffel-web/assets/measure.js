@@ -81,7 +81,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     file = chosen;
     format = chosenColumns;
     source.hidden = !chosen.isSample;
-    columns.offer(chosen);
+    columns.offer(chosen, chosenColumns);
     answer = null;
     show();
     earlier.offer(false);

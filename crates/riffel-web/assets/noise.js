@@ -9,8 +9,9 @@ import { askWhich, readNumber } from './numbers.js';
 import { Line, json } from './server.js';
 import { currentLanguage, number, speed, speedsIn, t, translate, written } from './words.js';
 
-/** Where a reload finds the limit that was written. */
+/** Where a reload finds the limit that was written, and the wheel that was chosen. */
 const LIMIT = 'riffel-limit-dba';
+const WHEEL = 'riffel-noise-wheel';
 const [LOWEST, HIGHEST] = [0, 200];
 /** What radiates, with the colour of its curve. */
 const PARTS = [['rail', 1], ['sleepers', 3], ['wheel', 2], ['total', 0]];
@@ -24,13 +25,28 @@ const LEAST_SPAN = 2;
 /** A level with one digit after the point. */
 const decibels = (value) => (value === null ? '–' : (Math.round(10 * value) / 10 + 0).toLocaleString(currentLanguage(), { minimumFractionDigits: 1, maximumFractionDigits: 1 }).replace('-', '−'));
 
-function keptLimit() {
+/** What a reload finds; null if there is nothing. */
+function kept(name) {
   try {
-    const kept = Number(localStorage.getItem(LIMIT) ?? NaN);
-    return kept >= LOWEST && kept <= HIGHEST ? kept : null;
+    return localStorage.getItem(name);
   } catch {
     return null;
   }
+}
+
+/** Keep a value over a reload; null is none. */
+function keep(name, value) {
+  try {
+    if (value === null) localStorage.removeItem(name);
+    else localStorage.setItem(name, value);
+  } catch {
+    // Then a reload asks for it again.
+  }
+}
+
+function keptLimit() {
+  const limit = Number(kept(LIMIT) ?? NaN);
+  return limit >= LOWEST && limit <= HIGHEST ? limit : null;
 }
 
 export class Noise {
@@ -41,7 +57,12 @@ export class Noise {
     this.line.onCancel = () => banner.say(() => t('stopped'), { ways: [['again', () => this.#ask()]] });
     this.verdict = element('p', { className: 'why', id: 'noise-verdict' });
     this.wheel = element('select', { id: 'noise-wheel' }, ...WHEELS.map(([value, word]) => worded('option', word, { value })));
-    this.wheel.addEventListener('change', () => this.#ask());
+    const wheel = kept(WHEEL);
+    if (WHEELS.some(([value]) => value === wheel)) this.wheel.value = wheel;
+    this.wheel.addEventListener('change', () => {
+      keep(WHEEL, this.wheel.value);
+      this.#ask();
+    });
     const wheelChoice = element('label', { className: 'choice' }, worded('span', 'noise_wheel_is'), this.wheel);
     this.parts = element('table', { className: 'comparison', id: 'noise-parts' });
     this.bands = element('div', { className: 'curve tall', id: 'noise-bands' });
@@ -101,12 +122,7 @@ export class Noise {
     const accept = (value) => {
       this.#refuse('');
       this.limit = value;
-      try {
-        if (value === null) localStorage.removeItem(LIMIT);
-        else localStorage.setItem(LIMIT, value);
-      } catch {
-        // Then a reload asks for it again.
-      }
+      keep(LIMIT, value);
       this.#ask();
     };
     if (text === '') return accept(null);

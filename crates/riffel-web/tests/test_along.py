@@ -92,14 +92,23 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
     # The program takes the gauge for a rail, and says so; the columns open by themselves.
     assert "gauge" in page.text("#trouble")
     page.until(page.page.locator("#columns-use").is_visible)
-    chosen = page.page.locator("#columns-table select").evaluate_all("(all) => all.filter(({ hidden }) => !hidden).map(({ value }) => value)")
-    assert chosen == ["position", "km", "none", "height", "um", "height", "um", "none"]
+    selects = lambda: page.page.locator("#columns-table select").evaluate_all("(all) => all.filter(({ hidden }) => !hidden).map(({ value }) => value)")
+    assert selects() == ["position", "km", "none", "height", "um", "height", "um", "none"]
     for k in (2, 3):
         page.page.locator("#columns-table tr").nth(k).locator("select").last.select_option("mm")
     page.page.click("#columns-use")
     curves = along(page)
     assert max(curves["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
     assert sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"]
+    # Another record takes its place; undo reads the first by its columns again.
+    refused = len(page.complaints)
+    measured(page, two_rails(80))
+    page.until(lambda: "rail left" in page.page.locator("#along-rail option").all_inner_texts(), seconds=60)
+    page.page.locator("#notice button").first.click()
+    page.until(lambda: sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"], seconds=60)
+    assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    assert selects() == ["position", "km", "none", "height", "mm", "height", "mm", "none"]
+    assert len(page.complaints) == refused
     # Nothing chosen is told, and asks nothing.
     page.page.evaluate("() => (document.getElementById('columns').open = true)")
     for k in (2, 3):

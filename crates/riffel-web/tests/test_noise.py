@@ -80,6 +80,9 @@ def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
     assert shown[1:] == [f"{own[f'{part}_dba']:.1f}" for part in ("rail", "sleepers", "wheel", "total")]
     page.page.select_option("#language", "de")
     assert page.page.locator("#noise-wheel option").all_text_contents() == ["starr", "gerader Steg, 920 mm"]
+    page.page.reload()
+    page.until(page.page.locator("#noise-panel").is_visible, seconds=60)
+    assert page.page.locator("#noise-wheel").input_value() == "straight-web-920" and answers[-1]["wheel_modes"] == "straight-web-920"
 
 
 def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
