@@ -19,7 +19,7 @@ use crate::arrays_of_rails::spectrum;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, of_physics, wrong};
-use crate::records::{GivenRoughness, survey};
+use crate::records::{GivenRoughness, places_of_both, survey};
 use crate::roughness::level_limit;
 use crate::tables;
 
@@ -187,8 +187,10 @@ pub(crate) fn fit_wear<'py>(
     traffic: GivenTraffic<'py>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let layout = Layout::default();
-    let earlier = survey(py, &earlier, &layout)?;
-    let later = survey(py, &later, &layout)?;
+    let [earlier, later] = match places_of_both(py, &earlier, &later, &layout)? {
+        Some(places) => places,
+        None => [survey(py, &earlier, &layout)?, survey(py, &later, &layout)?],
+    };
     let traffic = traffic.traffic()?;
     let on = case.compute(py, move |case| {
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())

@@ -129,6 +129,24 @@ fn labelled(spectra: &[LabelledLevels<'_>]) -> PyResult<Vec<LabelledSpectrum>> {
     labelled.collect()
 }
 
+/// The records of a rail whose profile was measured twice, place by place; `None` of others.
+pub(crate) fn places_of_both(
+    py: Python<'_>,
+    earlier: &(PathBuf, GivenRoughness<'_>),
+    later: &(PathBuf, GivenRoughness<'_>),
+    layout: &Layout,
+) -> PyResult<Option<[Survey; 2]>> {
+    let (GivenRoughness::File(before), GivenRoughness::File(now)) = (&earlier.1, &later.1) else {
+        return Ok(None);
+    };
+    let (before, now) = (read(py, before, layout)?, read(py, now, layout)?);
+    let names = (earlier.0.clone(), later.0.clone());
+    let places = interruptible(py, move || {
+        Survey::at_same_places((&names.0, &before), (&names.1, &now))
+    })?;
+    places.map_err(of_case)
+}
+
 /// The spectra of what was measured, those of a profile in a file computed.
 pub(crate) fn survey(
     py: Python<'_>,

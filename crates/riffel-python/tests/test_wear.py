@@ -61,7 +61,7 @@ def test_what_grows_twice_as_fast(nominal: riffel.Case, tmp_path: Path, program:
     assert printed["paired"] and not found["paired"]
 
 
-def test_profiles(nominal: riffel.Case, tmp_path: Path) -> None:
+def test_profiles(nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]) -> None:
     position = 1e-3 * np.arange(40_000)
     noise = np.random.default_rng(1).normal(scale=1e-6, size=position.size)
     for name, amplitude in (("now.csv", 5e-6), ("later.csv", 10e-6)):
@@ -70,8 +70,15 @@ def test_profiles(nominal: riffel.Case, tmp_path: Path) -> None:
         np.savetxt(tmp_path / name, table, delimiter=",", header="position [m],left [m]", comments="", fmt="%.17g")
     found = nominal.fit_wear(tmp_path / "now.csv", tmp_path / "later.csv", passages=1e6, speed=30.0)
     band = next(band for band in found["bands"] if abs(band["wavelength_m"] - 0.05) < 1e-3)
-    # Twice the amplitude.
+    # Twice the amplitude, at each place of 10 m.
     assert band["measured_change_db"] == pytest.approx(20.0 * np.log10(2.0), abs=0.05)
+    assert found["paired"] and found["records_earlier"] == found["records_later"] == 4
+    paths = [str(tmp_path / name) for name in ("now.csv", "later.csv")]
+    printed = program(
+        "forecast", "cases/nominal.toml", "--spectrum", paths[1], "--earlier", paths[0], "--passages-between", "1e6",
+        "--traffic", TRAFFIC, "--json",
+    )["wear_fit"]  # fmt: skip
+    assert nominal.fit_wear(*paths, passages=1e6, traffic=TRAFFIC) == printed
 
 
 @pytest.mark.parametrize(

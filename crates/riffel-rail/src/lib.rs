@@ -40,6 +40,7 @@ mod level_unit;
 mod limit;
 mod number;
 mod part;
+mod places;
 mod plausibility;
 mod rail;
 mod rail_record;

@@ -139,6 +139,48 @@ fn the_coefficient_of_two_dates_is_found() {
     );
 }
 
+/// Two profiles are as many records as they have places in common, whose growth tells the coefficient.
+#[test]
+fn profiles_are_fitted_place_by_place() {
+    let sandbox = sandbox();
+    // A wave of 63 mm, higher from place to place, on a rough floor that stays as it is.
+    let write = |name: &str, from: u32, to: u32, gain: f64| {
+        let mut text = "position_m,left_um\n".to_owned();
+        let mut floor = 1_u32;
+        for sample in from * 1000..to * 1000 {
+            let position = f64::from(sample) / 1000.0;
+            floor = floor.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let height = 2.0 + (position / 10.0).floor() % 7.0;
+            let wave = gain * height * (std::f64::consts::TAU * position / 0.063).cos();
+            let rough = f64::from(floor >> 8) / f64::from(1_u32 << 24) - 0.5;
+            text += &format!("{position:.3},{:.4}\n", wave + rough);
+        }
+        fs::write(sandbox.path(name), text).unwrap();
+    };
+    write("before.csv", 995, 1092, 1.0);
+    write("now.csv", 1000, 1100, 1.4);
+    let command = "forecast cases/nominal.toml --spectrum now.csv --earlier before.csv --passages-between 4e6 \
+                   --traffic cases/traffic.toml --json";
+    let document = sandbox.json(command);
+    let fit = &document["wear_fit"];
+    assert_eq!(fit["verdict"], "fitted", "{fit}");
+    assert_eq!(fit["paired"], true);
+    // 1000 to 1090 m.
+    assert_eq!(fit["records_earlier"], 9);
+    assert_eq!(fit["records_later"], 9);
+    let bands = fit["bands"].as_array().unwrap();
+    let band = |wavelength: f64| {
+        let is = |band: &&Value| (number(&band["wavelength_m"]) / wavelength - 1.0).abs() < 0.01;
+        bands.iter().find(is).unwrap()
+    };
+    let grown = number(&band(0.0631)["measured_change_db"]);
+    assert!((grown - 20.0 * 1.4_f64.log10()).abs() < 0.05, "{grown}");
+    // Two places are too few, and there is one record of each rail as before.
+    write("short.csv", 1000, 1022, 1.4);
+    let short = sandbox.json(&command.replace("now.csv", "short.csv"));
+    assert_eq!(short["wear_fit"]["records_later"], 1);
+}
+
 /// Passages, MGT and months that are the same amount give the same levels.
 #[test]
 fn the_amount_can_be_said_in_three_ways() {

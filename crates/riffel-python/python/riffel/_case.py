@@ -717,7 +717,8 @@ class Case:
         ----------
         earlier, later : DataArray, sequence of DataArray or path
             One-third-octave spectra of the same rail, or a file of spectra or of a profile. Three records or more of each
-            date give an interval. Records are paired by the texts among their attributes that are the same in both.
+            date give an interval. Records are paired by the texts among their attributes that are the same in both; those of
+            two profiles are every 10 m of rail that is in both.
         passages : number, optional
             Axle passages between the two.
         days : number, optional

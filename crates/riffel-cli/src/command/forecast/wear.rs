@@ -6,6 +6,7 @@ use riffel_case::traffic::TrafficOnCase;
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
+use crate::command::roughness::places_of_both;
 use crate::error::CliError;
 use crate::output::table;
 
@@ -41,7 +42,14 @@ pub(super) fn wear_report(
             .to_owned(),
     }
         })?;
-    let report = WearReport::new(case, on, earlier, &dated.now, passages)?;
+    let places = match (&spectra.earlier, &spectra.spectrum) {
+        (Some(before), Some(now)) => places_of_both(before, now, &spectra.layout)?,
+        _ => None,
+    };
+    let [earlier, now] = places
+        .as_ref()
+        .map_or([earlier, &dated.now], |[earlier, now]| [earlier, now]);
+    let report = WearReport::new(case, on, earlier, now, passages)?;
     Ok(Some(report))
 }
 

@@ -10,7 +10,7 @@ use riffel_rail::Survey;
 
 use super::Now;
 use crate::arguments::Report;
-use crate::command::roughness::survey;
+use crate::command::roughness::{places_of_both, survey};
 use crate::error::CliError;
 use crate::output::Progress;
 
@@ -77,7 +77,15 @@ pub(super) fn fit(
                 .to_owned(),
         ));
     };
-    let report = WearReport::new(case, &on, &before.survey, &now.survey, passages);
+    let layout = &arguments.record.layout;
+    let places = match arguments.record.earlier.last() {
+        Some(earlier) => places_of_both(earlier, now.path, layout)?,
+        None => None,
+    };
+    let [before, now] = places
+        .as_ref()
+        .map_or([&before.survey, &now.survey], |[before, now]| [before, now]);
+    let report = WearReport::new(case, &on, before, now, passages);
     Ok(report.map_err(|error| format!("the wear coefficient is not fitted: {error}")))
 }
 

@@ -8,6 +8,7 @@ mod synthesise;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
+use riffel_keys::text_file::is_standard_input;
 use riffel_rail::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, Roughness, positive, stem};
@@ -97,6 +98,24 @@ pub(crate) fn choose_nothing(
 /// The spectra of a file, those of a profile computed.
 pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
     Ok(Survey::of(path, read(path, layout)?)?)
+}
+
+/// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
+/// standard input and is gone.
+pub(crate) fn places_of_both(
+    earlier: &Path,
+    later: &Path,
+    layout: &Layout,
+) -> miette::Result<Option<[Survey; 2]>> {
+    if is_standard_input(earlier) || is_standard_input(later) {
+        return Ok(None);
+    }
+    let before = read(earlier, layout)?;
+    if !matches!(before, RoughnessFile::Profile(_)) {
+        return Ok(None);
+    }
+    let now = read(later, layout)?;
+    Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
 }
 
 /// The limit tables asked for, or all that come with Riffel.
