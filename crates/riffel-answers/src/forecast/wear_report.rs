@@ -133,7 +133,7 @@ impl WearReport {
                 self.interval(bounds)
             ),
             _ => format!(
-                "no wear coefficient is claimed: an interval takes three records of each date; the best fit is \
+                "no wear coefficient is claimed: an interval takes three records of each date, or 30 m of profile; the best fit is \
                  {coefficient:.2e} kg/J"
             ),
         }];
