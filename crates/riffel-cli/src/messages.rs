@@ -163,7 +163,14 @@ impl Diagnostic for Shown {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        self.0.labels()
+        let labels = self.0.labels()?;
+        // Keys stay: a key may be called as a word of the catalogue is.
+        Some(Box::new(labels.map(|label| match label.label() {
+            Some("here") => {
+                LabeledSpan::new_with_span(Some(in_language("here").into()), *label.inner())
+            }
+            _ => label,
+        })))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {

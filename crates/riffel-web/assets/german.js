@@ -32,6 +32,13 @@ function mayStand(name, value) {
   return value !== '' && !value.includes('; ') && !SENTENCE_END.test(value);
 }
 
+/** What stays as it is: paths and names of others, and what stands in quotation marks or code. */
+function stays(pieces, name) {
+  const at = pieces.findIndex((piece, k) => k % 2 === 1 && piece === name);
+  const isQuoted = ['"', '`'].some((mark) => pieces[at - 1].endsWith(mark) && pieces[at + 1].startsWith(mark));
+  return isQuoted || ['file', 'folder', 'names', 'path'].includes(name);
+}
+
 /** The values that make the sentence of a wording; none where it is another. */
 function valuesOf(pieces, sentence, at = 0) {
   if (!sentence.startsWith(pieces[at])) return null;
@@ -51,12 +58,12 @@ function valuesOf(pieces, sentence, at = 0) {
 function withComma(words) {
   let quoted = null;
   return words.split(/(?<= )/).map((word) => {
-    const stays = /\.[a-z]|_/i.test(word);
+    const isWhole = /\.[a-z]|[_/=]/i.test(word);
     return [...word].map((letter, k, all) => {
       if (!quoted && (letter === '"' || letter === '`')) quoted = letter;
       else if (letter === quoted) quoted = null;
       const isDigit = (other) => /^[0-9]$/.test(other ?? '');
-      return letter === '.' && !stays && !quoted && isDigit(all[k - 1]) && isDigit(all[k + 1]) ? ',' : letter;
+      return letter === '.' && !isWhole && !quoted && isDigit(all[k - 1]) && isDigit(all[k + 1]) ? ',' : letter;
     }).join('');
   }).join('');
 }
@@ -68,6 +75,10 @@ function exact(english, depth) {
     if (!values) continue;
     const found = new Map();
     for (const [name, value] of values) {
+      if (stays(pieces, name)) {
+        found.set(name, value);
+        continue;
+      }
       const known = sought(value.trim(), depth - 1);
       if (known !== null) found.set(name, value.replace(value.trim(), () => known));
       else if (name === SENTENCE) break;

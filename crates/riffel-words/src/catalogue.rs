@@ -105,6 +105,10 @@ fn exact(english: &str, depth: usize) -> Option<String> {
         let values = own.values(english)?;
         let mut found = Vec::new();
         for (name, value) in values {
+            if own.staying().any(|stays| stays == name) {
+                found.push((name, value.to_owned()));
+                continue;
+            }
             let known = sought(value.trim(), depth - 1)
                 .map(|german| value.replacen(value.trim(), &german, 1));
             found.push((
@@ -199,5 +203,26 @@ mod tests {
             "`contact.normal_load`: \"50 kg\" ist in kg, nicht eine Kraft in N; man schreibt es wie \"50 kN\""
         );
         assert_eq!(in_german("no sentence of Riffel"), None);
+    }
+
+    /// A key may be called as a word of the catalogue is, and a decimal point in code is no comma.
+    #[test]
+    fn what_is_quoted_stays() {
+        for (english, expected) in [
+            (
+                "`wheel` is not a table of keys, as it must be",
+                "`wheel` ist keine Tabelle, wie es sein muss",
+            ),
+            (
+                "unknown unit \"%%\" in \"0.3 %%\"; write a ratio as in \"0.4 %\"",
+                "unbekannte Einheit \"%%\" in \"0.3 %%\"; ein Verhältnis schreibt man wie \"0.4 %\"",
+            ),
+            (
+                "cannot read the case file left 0.5: No such file or directory (os error 2)",
+                "Falldatei left 0.5 ist nicht zu lesen: Datei oder Ordner nicht gefunden (os error 2)",
+            ),
+        ] {
+            assert_eq!(german(english), expected);
+        }
     }
 }

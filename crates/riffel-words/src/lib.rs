@@ -12,8 +12,9 @@
 //! {place} liegt vorn: {sentence}
 //! ```
 //!
-//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. Of several wordings that fit,
-//! the one with the most letters of its own is meant.
+//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. What stands in quotation marks
+//! or code, and files, folders, paths and names of others stay wholly. Of several wordings that fit, the one with the most
+//! letters of its own is meant.
 //!
 //! ```
 //! use riffel_words::in_german;

@@ -10,7 +10,7 @@ pub(crate) fn with_comma(words: &str) -> String {
             .as_bytes()
             .windows(2)
             .any(|pair| pair[0] == b'.' && pair[1].is_ascii_alphabetic());
-        let whole = letter_after_point || word.contains('_');
+        let whole = letter_after_point || word.contains(['_', '/', '=']);
         let mut before = None;
         let mut letters = word.chars().peekable();
         while let Some(letter) = letters.next() {
@@ -42,7 +42,7 @@ mod tests {
             with_comma("14.8 dB, 2.35e-5 m4, ±0.5"),
             "14,8 dB, 2,35e-5 m4, ±0,5"
         );
-        let kept = "u2.1.csv `a.1.2` \"5.0 kg, 1.5\" spacing_0.5";
+        let kept = "u2.1.csv net-0.5/a x=0.5 `a.1.2` \"5.0 kg, 1.5\" spacing_0.5";
         assert_eq!(with_comma(kept), kept);
         assert_eq!(with_comma("\"5.0 kg\" or 1.5"), "\"5.0 kg\" or 1,5");
     }

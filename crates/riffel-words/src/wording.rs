@@ -43,6 +43,23 @@ impl<'a> Wording<'a> {
         }
     }
 
+    /// The names of values that stay as they are.
+    pub(crate) fn staying(&self) -> impl Iterator<Item = &'a str> {
+        self.pieces.iter().enumerate().filter_map(|(k, piece)| {
+            let words = |piece: Option<&Piece<'a>>| match piece {
+                Some(Piece::Words(words)) => *words,
+                _ => "",
+            };
+            let before = words(k.checked_sub(1).and_then(|k| self.pieces.get(k)));
+            match piece {
+                Piece::Value(name) if stays(name, before, words(self.pieces.get(k + 1))) => {
+                    Some(*name)
+                }
+                _ => None,
+            }
+        })
+    }
+
     /// Its names, in their order.
     #[cfg(test)]
     pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> {
@@ -125,6 +142,15 @@ fn fits<'a, 's>(
             })
         }
     }
+}
+
+/// Whether the value of this name, or in this place of a wording, stays as it is: paths and names of others, and what
+/// stands in quotation marks or code.
+pub(crate) fn stays(name: &str, before: &str, after: &str) -> bool {
+    let quoted = ['"', '`']
+        .iter()
+        .any(|mark| before.ends_with(*mark) && after.starts_with(*mark));
+    quoted || matches!(name, "file" | "folder" | "names" | "path")
 }
 
 /// Whether a value may have this name; that a sentence is one is for the catalogue to tell.
