@@ -54,6 +54,13 @@ function valuesOf(pieces, sentence, at = 0) {
   return null;
 }
 
+/** Whether a value that begins the sentence swallows the file or the key before it, as in "a.toml: the radius is …". */
+function swallows(pieces, values) {
+  if (pieces[0] !== '' || pieces[2].startsWith(':')) return false;
+  const [name, value] = values[0];
+  return name !== 'edition' && name !== SENTENCE && value.includes(': ');
+}
+
 /** Numbers with the decimal comma; what is quoted, names of files and keys stay. */
 function withComma(words) {
   let quoted = null;
@@ -72,7 +79,7 @@ function exact(english, depth) {
   if (whole.has(english)) return whole.get(english);
   for (const { pieces, german } of entries) {
     const values = valuesOf(pieces, english);
-    if (!values) continue;
+    if (!values || swallows(pieces, values)) continue;
     const found = new Map();
     for (const [name, value] of values) {
       if (stays(pieces, name)) {

@@ -75,7 +75,15 @@ impl<'a> Wording<'a> {
             return None;
         }
         let mut values = Vec::new();
-        fits(&self.pieces, sentence, &mut values).then_some(values)
+        // A value that begins the sentence must not swallow the file or the key before it, as in `a.toml: the radius is …`.
+        let begins = match self.pieces[..] {
+            [Piece::Value(name), Piece::Words(words), ..] => {
+                !matches!(name, "edition" | "sentence") && !words.starts_with(':')
+            }
+            _ => false,
+        };
+        let swallows = |values: &[(&str, &str)]| begins && values[0].1.contains(": ");
+        (fits(&self.pieces, sentence, &mut values) && !swallows(&values)).then_some(values)
     }
 
     /// Whether its words stand in a sentence in their order: quick, and false of nearly all.
@@ -186,6 +194,7 @@ mod tests {
             Some(vec![("a", "3"), ("b", "4 of 5"), ("c", "x, y")])
         );
         assert_eq!(wording.values(" of 5 mm, x"), None);
+        assert_eq!(wording.values("file: 3 of 5 mm, x"), None);
         assert_eq!(wording.own, " of  mm, ".len());
         assert_eq!(wording.filled(|name| name.to_uppercase()), "A of B mm, C");
         assert_eq!(
