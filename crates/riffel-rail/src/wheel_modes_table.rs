@@ -113,8 +113,8 @@ impl WheelModesTable {
         let width = written.tread_width.si();
         let widest = radii.iter().copied().fold(0.0, f64::max);
         let refused = |key: &str, value: f64, rule: &str| {
-            let sentence = format!("`{key}` is {value}, but must be {rule}");
-            Err(source.invalid(key, &sentence, ""))
+            let rule = format!("is {value}, but must be {rule}");
+            Err(source.invalid(key, &rule, ""))
         };
         if !(0.15..=1.0).contains(&rolling_radius) {
             return refused("rolling_radius", rolling_radius, "between 0.15 and 1 m");

@@ -36,7 +36,7 @@ function mayStand(name, value) {
 function stays(pieces, name) {
   const at = pieces.findIndex((piece, k) => k % 2 === 1 && piece === name);
   const isQuoted = ['"', '`'].some((mark) => pieces[at - 1].endsWith(mark) && pieces[at + 1].startsWith(mark));
-  return isQuoted || ['file', 'folder', 'names', 'path'].includes(name);
+  return isQuoted || ['file', 'folder', 'key', 'names', 'path'].includes(name);
 }
 
 /** The values that make the sentence of a wording; none where it is another. */
@@ -54,11 +54,12 @@ function valuesOf(pieces, sentence, at = 0) {
   return null;
 }
 
-/** Whether a value that begins the sentence swallows the file or the key before it, as in "a.toml: the radius is …". */
+/** Whether a value has the file or the key before the sentence in it, as in "a.toml: the radius is …". */
 function swallows(pieces, values) {
+  if (values.some(([, value], k) => pieces[2 * k].endsWith('`') && value.includes('`'))) return true;
   if (pieces[0] !== '' || pieces[2].startsWith(':')) return false;
   const [name, value] = values[0];
-  return name !== 'edition' && name !== SENTENCE && value.includes(': ');
+  return name !== 'edition' && name !== SENTENCE && (value.includes(': ') || value.endsWith(':'));
 }
 
 /** Numbers with the decimal comma; what is quoted, names of files and keys stay. */

@@ -75,15 +75,27 @@ impl<'a> Wording<'a> {
             return None;
         }
         let mut values = Vec::new();
-        // A value that begins the sentence must not swallow the file or the key before it, as in `a.toml: the radius is …`.
+        let fits = fits(&self.pieces, sentence, &mut values) && !self.swallows(&values);
+        fits.then_some(values)
+    }
+
+    /// Whether a value has the file or the key before the sentence in it, as in `a.toml: the radius is …` or
+    /// `` `contact`: `contact.friction` is … ``.
+    fn swallows(&self, values: &[(&str, &str)]) -> bool {
         let begins = match self.pieces[..] {
             [Piece::Value(name), Piece::Words(words), ..] => {
                 !matches!(name, "edition" | "sentence") && !words.starts_with(':')
             }
             _ => false,
         };
-        let swallows = |values: &[(&str, &str)]| begins && values[0].1.contains(": ");
-        (fits(&self.pieces, sentence, &mut values) && !swallows(&values)).then_some(values)
+        let is_prefix = |value: &str| value.contains(": ") || value.ends_with(':');
+        let code = self.pieces.windows(2).any(|pair| match pair {
+            [Piece::Words(words), Piece::Value(name)] if words.ends_with('`') => values
+                .iter()
+                .any(|(own, value)| own == name && value.contains('`')),
+            _ => false,
+        });
+        code || (begins && values.first().is_some_and(|(_, value)| is_prefix(value)))
     }
 
     /// Whether its words stand in a sentence in their order: quick, and false of nearly all.
@@ -158,7 +170,7 @@ pub(crate) fn stays(name: &str, before: &str, after: &str) -> bool {
     let quoted = ['"', '`']
         .iter()
         .any(|mark| before.ends_with(*mark) && after.starts_with(*mark));
-    quoted || matches!(name, "file" | "folder" | "names" | "path")
+    quoted || matches!(name, "file" | "folder" | "key" | "names" | "path")
 }
 
 /// Whether a value may have this name; that a sentence is one is for the catalogue to tell.

@@ -48,6 +48,7 @@ const LEFT: &[&str] = &[
     "only the page itself may ask",
     "the header Origin",
     "this page is not served",
+    "there is nothing here",
     "open it by the address",
     "a request about a file must say",
     // Defects, told in English to those who mend them.
@@ -144,7 +145,7 @@ fn files(path: &Path, found: &mut Vec<PathBuf>) {
 
 /// The texts of a source file, its tests aside.
 fn texts(source: &str) -> Vec<String> {
-    let source = source.split("#[cfg(test)]\nmod tests").next().unwrap();
+    let source = source.split("#[cfg(test)]\nmod tests {").next().unwrap();
     let lines = source
         .lines()
         .filter(|line| !line.trim_start().starts_with("//"));
