@@ -57,7 +57,8 @@ function valuesOf(pieces, sentence, at = 0) {
 /** Whether a value has the file or the key before the sentence in it, as in "a.toml: the radius is …". */
 function swallows(pieces, values) {
   if (values.some(([, value], k) => pieces[2 * k].endsWith('`') && value.includes('`'))) return true;
-  if (pieces[0] !== '' || pieces[2].startsWith(':')) return false;
+  const isPrefix = pieces[2] === ': ' && pieces[4] === '' && pieces.length === 5;
+  if (pieces[0] !== '' || isPrefix) return false;
   const [name, value] = values[0];
   return name !== 'edition' && name !== SENTENCE && (value.includes(': ') || value.endsWith(':'));
 }

@@ -205,6 +205,47 @@ mod tests {
         assert_eq!(in_german("no sentence of Riffel"), None);
     }
 
+    /// No wording is taken for another one, whatever is said before it.
+    #[test]
+    fn each_wording_has_its_own_german() {
+        let filled = |wording: &str, sentence: &str| {
+            Wording::new(wording).filled(|name| {
+                let value = match name {
+                    "count" | "number" => "7",
+                    SENTENCE => sentence,
+                    _ => "qz",
+                };
+                value.to_owned()
+            })
+        };
+        for (english, expected) in wordings() {
+            // Where two values stand side by side, the first one is as short as it can be.
+            if english.contains("}{") {
+                continue;
+            }
+            let (said, german) = (
+                filled(english, "the file is empty"),
+                filled(expected, "die Datei ist leer"),
+            );
+            let places = [("", ""), ("a.toml, line 3: ", "a.toml, Zeile 3: ")];
+            for (place, ort) in places {
+                // A place before a place is not said.
+                if !place.is_empty()
+                    && ["{file}", "{what}: "]
+                        .iter()
+                        .any(|own| english.starts_with(own))
+                {
+                    continue;
+                }
+                assert_eq!(
+                    in_german(&format!("{place}{said}")),
+                    Some(format!("{ort}{german}")),
+                    "{place}{said}"
+                );
+            }
+        }
+    }
+
     /// A key may be called as a word of the catalogue is, and a decimal point in code is no comma.
     #[test]
     fn what_is_quoted_stays() {

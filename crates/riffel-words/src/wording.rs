@@ -83,9 +83,9 @@ impl<'a> Wording<'a> {
     /// `` `contact`: `contact.friction` is … ``.
     fn swallows(&self, values: &[(&str, &str)]) -> bool {
         let begins = match self.pieces[..] {
-            [Piece::Value(name), Piece::Words(words), ..] => {
-                !matches!(name, "edition" | "sentence") && !words.starts_with(':')
-            }
+            // The file or the key itself, whatever it is.
+            [Piece::Value(_), Piece::Words(": "), Piece::Value(_)] => false,
+            [Piece::Value(name), Piece::Words(_), ..] => !matches!(name, "edition" | "sentence"),
             _ => false,
         };
         let is_prefix = |value: &str| value.contains(": ") || value.ends_with(':');
