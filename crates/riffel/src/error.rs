@@ -7,7 +7,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum Error {
     /// A single quantity outside its physical range.
-    #[error("{quantity} is {value}{space}{unit}, but {rule}", space = if unit.is_empty() { "" } else { " " })]
+    #[error("{quantity} is {}{space}{unit}, but {rule}", readable(*value), space = if unit.is_empty() { "" } else { " " })]
     OutOfRange {
         /// The quantity, in the field's words.
         quantity: &'static str,
@@ -35,8 +35,9 @@ pub enum Error {
 
     /// The mean state lies beyond the maximum of adhesion, where the force falls with creepage.
     #[error(
-        "{quantity} is {value}, but must stay below the maximum of adhesion of the creep law at {maximum:.6}, \
-         beyond which the force falls"
+        "{quantity} is {}, but must stay below the maximum of adhesion of the creep law at {maximum:.6}, \
+         beyond which the force falls",
+        readable(*value)
     )]
     BeyondAdhesion {
         /// Tractive ratio or creepage.
@@ -82,8 +83,9 @@ pub enum Error {
 
     /// A patch that the grid of the contact does not hold.
     #[error(
-        "the patch reaches the rim of the grid of {length} m along and {width} m across the rail; make \
-         the grid larger"
+        "the patch reaches the rim of the grid of {} m along and {} m across the rail; make the grid larger",
+        readable(*length),
+        readable(*width)
     )]
     GridTooSmall {
         /// Length of the grid along the rail \[m\].
@@ -199,8 +201,10 @@ pub enum Error {
 
     /// The load outruns the bending waves that its own oscillation excites.
     #[error(
-        "a load of wavelength {wavelength} m outruns its bending waves at {speed} m/s; \
-         a moving load must stay below the critical speed of {critical_speed:.1} m/s"
+        "a load of wavelength {} m outruns its bending waves at {} m/s; \
+         a moving load must stay below the critical speed of {critical_speed:.1} m/s",
+        readable(*wavelength),
+        readable(*speed)
     )]
     Supercritical {
         /// Speed of the load \[m/s\].
@@ -245,5 +249,42 @@ impl Error {
             unit,
             rule: "must be finite and not negative",
         })
+    }
+}
+
+/// A value as it was typed, or to six digits where it was computed: what has more digits than anybody types.
+fn readable(value: f64) -> String {
+    const TYPED: usize = 9;
+    let exact = value.to_string();
+    let digits = exact
+        .trim_start_matches(['-', '0', '.'])
+        .trim_end_matches('0');
+    if digits.bytes().filter(u8::is_ascii_digit).count() <= TYPED {
+        return exact;
+    }
+    // The shortest number that is the same to six digits.
+    let rounded = format!("{value:.5e}").parse();
+    rounded.unwrap_or(value).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_told_as_they_were_typed_or_to_six_digits() {
+        for (value, told) in [
+            (350.0, "350"),
+            (-0.000_123, "-0.000123"),
+            (123_456.789, "123456.789"),
+            (60.0 / 3.6, "16.6667"),
+            (-105_682.186_933_103_25, "-105682"),
+            (2.0 / 3e7, "0.0000000666667"),
+            (0.1 + 0.2, "0.3"),
+            (f64::NAN, "NaN"),
+            (f64::NEG_INFINITY, "-inf"),
+        ] {
+            assert_eq!(readable(value), told);
+        }
     }
 }
