@@ -77,11 +77,14 @@ pub(crate) fn is_quiet() -> bool {
     VERBOSITY.load(Ordering::Relaxed) == Verbosity::Quiet as u8
 }
 
-/// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell.
-/// Control characters of a file or a command line are written out.
+/// A line on standard error in the language of the run, said also with `--quiet`. Where that is closed or full there is
+/// nobody left to tell. Control characters of a file or a command line are written out.
 pub(crate) fn complain(message: impl Display) {
-    let message = message.to_string();
-    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&message));
+    complain_as_written(&in_language(&message.to_string()));
+}
+
+fn complain_as_written(message: &str) {
+    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(message));
 }
 
 /// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
@@ -130,7 +133,7 @@ pub(crate) fn complain_of_usage<'a>(
     if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
         let _ = usage.print();
     } else {
-        complain(usage.render().to_string().trim_end());
+        complain_as_written(usage.render().to_string().trim_end());
     }
 }
 
@@ -163,7 +166,11 @@ impl Diagnostic for Shown {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        self.0.labels()
+        let labels = self.0.labels()?;
+        Some(Box::new(labels.map(|label| {
+            let words = label.label().map(|words| in_language(words).into_owned());
+            LabeledSpan::new_with_span(words, *label.inner())
+        })))
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -222,7 +229,9 @@ pub(crate) fn print_remarks(remarks: &[impl Note]) {
                 Language::English => "note",
                 Language::German => "Hinweis",
             };
-            say(format_args!("{word}: {note}"));
+            if !is_quiet() {
+                complain_as_written(&format!("{word}: {note}"));
+            }
             printed.push(note.into_owned());
         }
     }

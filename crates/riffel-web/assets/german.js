@@ -9,6 +9,8 @@ const DEEPEST = 5;
 const LONGEST = 2000;
 /** Name of a value that must be a sentence of the catalogue. */
 const SENTENCE = 'sentence';
+/** Names of values that stand as they are. */
+const AS_WRITTEN = ['path', 'file', 'folder', 'key', 'url'];
 
 /** Wordings without values, and those with them in pieces: words at even places, names at odd ones; the longest first. */
 const whole = new Map();
@@ -68,6 +70,10 @@ function exact(english, depth) {
     if (!values) continue;
     const found = new Map();
     for (const [name, value] of values) {
+      if (AS_WRITTEN.includes(name)) {
+        found.set(name, value);
+        continue;
+      }
       const known = sought(value.trim(), depth - 1);
       if (known !== null) found.set(name, value.replace(value.trim(), () => known));
       else if (name === SENTENCE) break;

@@ -28,6 +28,9 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// Name of a value that must be a sentence of the catalogue.
 const SENTENCE: &str = "sentence";
 
+/// Names of values that stand as they are: a file may be called as something is that the catalogue knows.
+const AS_WRITTEN: [&str; 5] = ["path", "file", "folder", "key", "url"];
+
 /// What is longer [bytes] is data and no sentence.
 const LONGEST: usize = 2000;
 
@@ -105,6 +108,10 @@ fn exact(english: &str, depth: usize) -> Option<String> {
         let values = own.values(english)?;
         let mut found = Vec::new();
         for (name, value) in values {
+            if AS_WRITTEN.contains(&name) {
+                found.push((name, value.to_owned()));
+                continue;
+            }
             let known = sought(value.trim(), depth - 1)
                 .map(|german| value.replacen(value.trim(), &german, 1));
             found.push((

@@ -138,7 +138,7 @@ impl CaseText {
                         rail.name()
                     ),
                     format!(
-                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Berührfläche der Profile unter Last: {reason}"
+                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Kontaktfläche der Profile unter Last: {reason}"
                     ),
                 ));
                 return Ok(());
@@ -263,7 +263,7 @@ impl CaseText {
                          ({turned:+.2}°)"
                     ),
                     format!(
-                        "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
+                        "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
                          wie eine Ellipse mit den Halbachsen {a:.1} mm längs ({longer:+.0} %) und {b:.1} mm quer ({wider:+.0} %), bei {angle:.2}° \
                          ({turned:+.2}°)"
                     ),
@@ -275,7 +275,7 @@ impl CaseText {
                      along and {b:.1} mm across, at {angle:.2}° ({turned:+.2}°); Hertz has none there"
                 ),
                 format!(
-                    "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
+                    "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
                      {a:.1} mm längs und {b:.1} mm quer, bei {angle:.2}° ({turned:+.2}°); Hertz hat dort keine"
                 ),
             ),
