@@ -29,13 +29,16 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 const SENTENCE: &str = "sentence";
 
 /// Names of values that stand as they are: a file may be called as something is that the catalogue knows.
-const AS_WRITTEN: [&str; 5] = ["path", "file", "folder", "key", "url"];
+const AS_WRITTEN: [&str; 7] = ["path", "file", "folder", "key", "url", "choices", "version"];
+
+/// Name of a value that somebody gave: a number, or a word that stands as it is.
+const GIVEN: &str = "value";
 
 /// What is longer [bytes] is data and no sentence.
 const LONGEST: usize = 2000;
 
 /// Sentences are sought in sentences so deep.
-const DEEPEST: usize = 5;
+const DEEPEST: usize = 8;
 
 pub(crate) struct Catalogue {
     /// Those with values, the longest first.
@@ -75,41 +78,61 @@ fn sought(english: &str, depth: usize) -> Option<String> {
     if english.is_empty() || depth == 0 {
         return None;
     }
-    let stopped = || {
-        let without = english.strip_suffix('.')?;
-        Some(exact(without, depth)? + ".")
+    // A value of the last sentence must not swallow those that follow.
+    let sentences = || parts(english, sentence_end(english)?, depth);
+    let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
+    sentences()
+        .or_else(|| one(english, depth, Own::Words))
+        .or_else(clauses)
+        .or_else(|| one(english, depth, Own::Marks))
+}
+
+/// What a wording has of its own beside its values.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Own {
+    Words,
+    /// As in "{what}: {sentence}", which fits nearly everything.
+    Marks,
+}
+
+/// The German of one wording, with or without a stop, in the middle of a sentence or at its beginning.
+fn one(english: &str, depth: usize, own: Own) -> Option<String> {
+    let stopped = |text: &str| {
+        let without = || Some(exact(text.strip_suffix('.')?, depth, own)? + ".");
+        exact(text, depth, own).or_else(without)
     };
     let small = || {
         let mut letters = english.chars();
         let first = letters.next().filter(|first| first.is_uppercase())?;
         let small: String = first.to_lowercase().chain(letters).collect();
-        let german =
-            exact(&small, depth).or_else(|| Some(exact(small.strip_suffix('.')?, depth)? + "."))?;
+        let german = stopped(&small)?;
         let mut letters = german.chars();
         Some(letters.next()?.to_uppercase().chain(letters).collect())
     };
-    // A value of the last sentence must not swallow those that follow.
-    let sentences = || parts(english, sentence_end(english)?, depth);
-    let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
-    sentences()
-        .or_else(|| exact(english, depth))
-        .or_else(stopped)
-        .or_else(small)
-        .or_else(clauses)
+    stopped(english).or_else(small)
 }
 
 /// The German of one wording.
-fn exact(english: &str, depth: usize) -> Option<String> {
+fn exact(english: &str, depth: usize, own: Own) -> Option<String> {
     if let Some(german) = READ.whole.get(english) {
         return Some((*german).to_owned());
     }
+    let entries = READ
+        .entries
+        .iter()
+        .filter(|(wording, _)| wording.has_words() == (own == Own::Words));
     // The one with the most words of its own first.
-    READ.entries.iter().find_map(|(own, german)| {
-        let values = own.values(english)?;
+    entries.into_iter().find_map(|(wording, german)| {
+        let values = wording.values(english)?;
         let mut found = Vec::new();
-        for (name, value) in values {
-            if AS_WRITTEN.contains(&name) {
+        for ((name, value), is_quoted) in values.into_iter().zip(wording.quoted()) {
+            // A word in quotation marks is one that somebody wrote.
+            if AS_WRITTEN.contains(&name) || is_quoted && !value.contains(' ') {
                 found.push((name, value.to_owned()));
+                continue;
+            }
+            if name == GIVEN {
+                found.push((name, with_comma(value)));
                 continue;
             }
             let known = sought(value.trim(), depth - 1)

@@ -32,4 +32,5 @@ mod page;
 mod wording;
 
 pub use catalogue::{in_german, wordings};
+pub use numbers::with_comma;
 pub use page::page_in_german;

@@ -43,6 +43,25 @@ impl<'a> Wording<'a> {
         }
     }
 
+    /// Whether it has words of its own, and not marks alone.
+    pub(crate) fn has_words(&self) -> bool {
+        self.pieces.iter().any(|piece| match piece {
+            Piece::Words(words) => words.contains(char::is_alphabetic),
+            Piece::Value(_) => false,
+        })
+    }
+
+    /// Of each value, whether it stands in quotation marks.
+    pub(crate) fn quoted(&self) -> impl Iterator<Item = bool> {
+        let before = std::iter::once(None).chain(self.pieces.iter().map(Some));
+        let pairs = before.zip(&self.pieces);
+        pairs.filter_map(|(before, piece)| match (before, piece) {
+            (_, Piece::Words(_)) => None,
+            (Some(Piece::Words(words)), _) => Some(words.ends_with(['"', '`', '\'', '“'])),
+            _ => Some(false),
+        })
+    }
+
     /// Its names, in their order.
     #[cfg(test)]
     pub(crate) fn names(&self) -> impl Iterator<Item = &'a str> {
@@ -161,6 +180,11 @@ mod tests {
         );
         assert_eq!(wording.values(" of 5 mm, x"), None);
         assert_eq!(wording.own, " of  mm, ".len());
+        assert!(
+            Wording::new("{a} \"{b}\" `{c}`")
+                .quoted()
+                .eq([false, true, true])
+        );
         assert_eq!(wording.filled(|name| name.to_uppercase()), "A of B mm, C");
         assert_eq!(
             Wording::new("é{a}é").values("éééé"),
