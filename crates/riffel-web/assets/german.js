@@ -10,7 +10,7 @@ const LONGEST = 2000;
 /** Name of a value that must be a sentence of the catalogue. */
 const SENTENCE = 'sentence';
 /** Names of values that stand as they are. */
-const AS_WRITTEN = ['path', 'file', 'folder', 'key', 'url', 'choices', 'version'];
+const AS_WRITTEN = ['path', 'file', 'folder', 'key', 'url', 'choices', 'version', 'assignment'];
 /** Name of a value that somebody gave: a number, or a word that stands as it is. */
 const GIVEN = 'value';
 
@@ -34,6 +34,7 @@ const SENTENCE_END = /\. (?=\p{Lu})/u;
 function mayStand(name, value) {
   if (name === 'edition' || name === 'sentence') return value !== '';
   if (name === 'name') return value !== '' && !value.includes(' ');
+  if (name === 'what' && value.includes(': ')) return false;
   if (name === 'count' || name === 'number') return /^[-+−.,e0-9]*[0-9][-+−.,e0-9]*$/.test(value);
   return value !== '' && !value.includes('; ') && !SENTENCE_END.test(value);
 }

@@ -29,7 +29,16 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 const SENTENCE: &str = "sentence";
 
 /// Names of values that stand as they are: a file may be called as something is that the catalogue knows.
-const AS_WRITTEN: [&str; 7] = ["path", "file", "folder", "key", "url", "choices", "version"];
+const AS_WRITTEN: [&str; 8] = [
+    "path",
+    "file",
+    "folder",
+    "key",
+    "url",
+    "choices",
+    "version",
+    "assignment",
+];
 
 /// Name of a value that somebody gave: a number, or a word that stands as it is.
 const GIVEN: &str = "value";

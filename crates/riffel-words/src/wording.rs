@@ -153,6 +153,8 @@ fn may_stand(name: &str, value: &str) -> bool {
     match name {
         "edition" | "sentence" => !value.is_empty(),
         "name" => !value.is_empty() && !value.contains(' '),
+        // What stands before a colon is another's.
+        "what" => !value.is_empty() && of_one_sentence() && !value.contains(": "),
         "count" | "number" => {
             value.chars().all(number) && value.contains(|c: char| c.is_ascii_digit())
         }
