@@ -12,8 +12,9 @@
 //! {place} liegt vorn: {sentence}
 //! ```
 //!
-//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. Of several wordings that fit,
-//! the one with the most letters of its own is meant.
+//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. What somebody wrote stays in
+//! any case: a path, a key, a single word in quotation marks. Of several wordings that fit, the one with the most letters
+//! of its own is meant.
 //!
 //! ```
 //! use riffel_words::in_german;
@@ -23,8 +24,8 @@
 //! assert_eq!(in_german("cannot be found in it"), None);
 //! ```
 //!
-//! A test holds the catalogue against the sources: no wording is left that nobody says any more, and the files that the
-//! page speaks with say nothing that the catalogue lacks.
+//! A test holds the catalogue against the sources: no wording is left that nobody says any more, and the crates that
+//! speak to people say nothing that the catalogue lacks, but for what is English in every language.
 
 mod catalogue;
 mod numbers;
