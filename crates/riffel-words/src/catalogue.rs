@@ -239,4 +239,28 @@ mod tests {
         );
         assert_eq!(in_german("no sentence of Riffel"), None);
     }
+
+    #[test]
+    fn what_somebody_wrote_stays_and_no_beginning_is_left_in_english() {
+        for (english, told) in [
+            (
+                "\"limit\" is not one of its choices",
+                "\"limit\" steht nicht zur Wahl",
+            ),
+            (
+                "--set a.b=[1.5, 2]: `a.b` is missing",
+                "--set a.b=[1.5, 2]: `a.b` fehlt",
+            ),
+            (
+                "cannot write to limit: there is no folder left",
+                "in limit lässt sich nicht schreiben: es gibt keinen Ordner left",
+            ),
+            (
+                "`profiles.wheel` is \"a\", but a cannot be read: b; nominal profiles: S1002",
+                "`profiles.wheel` ist \"a\", a ist aber nicht zu lesen: b; Sollprofile: S1002",
+            ),
+        ] {
+            assert_eq!(german(english), told);
+        }
+    }
 }
