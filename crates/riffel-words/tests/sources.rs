@@ -166,7 +166,7 @@ fn files(path: &Path, found: &mut Vec<PathBuf>) {
 
 /// The texts of a source file, its tests aside.
 fn texts(source: &str) -> Vec<String> {
-    let source = source.split("#[cfg(test)]\nmod tests").next().unwrap();
+    let source = source.split("#[cfg(test)]\nmod tests {").next().unwrap();
     let lines = source
         .lines()
         .filter(|line| !line.trim_start().starts_with("//"));
