@@ -18,7 +18,8 @@ use std::path::PathBuf;
 use arguments::{Arguments, Command};
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use error::CliError;
-use messages::{complain_of, complain_of_usage};
+use messages::{Verbosity, complain_of, complain_of_usage};
+use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
 
 /// Exit status after an error of the user.
@@ -41,6 +42,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
         Ok(parsed) => parsed,
         Err(usage) => {
             if usage.use_stderr() {
+                messages::begin(Verbosity::Normal, asked_language(&words));
                 complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
                 return BAD_INPUT;
             }
@@ -53,11 +55,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
             };
         }
     };
+    messages::begin(arguments.verbosity(), arguments.language());
     if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
         complain_of(CliError::StandardInput.into());
         return BAD_INPUT;
     }
-    messages::begin(arguments.verbosity(), arguments.language());
     staging::set_inputs(inputs);
     // The page ends its own work.
     if !matches!(arguments.command, Command::Serve(_)) {
@@ -69,6 +71,20 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
             complain_of(report);
             BAD_INPUT
         }
+    }
+}
+
+/// The language that a command line asks for which is wrong elsewhere.
+fn asked_language(words: &[OsString]) -> Language {
+    let words = words.iter().map(|word| word.to_string_lossy());
+    match words
+        .collect::<Vec<_>>()
+        .join(" ")
+        .replace('=', " ")
+        .contains("--language de")
+    {
+        true => Language::German,
+        false => Language::English,
     }
 }
 

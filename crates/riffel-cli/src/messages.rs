@@ -77,11 +77,14 @@ pub(crate) fn is_quiet() -> bool {
     VERBOSITY.load(Ordering::Relaxed) == Verbosity::Quiet as u8
 }
 
-/// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell.
-/// Control characters of a file or a command line are written out.
+/// A line on standard error in the language of the run, said also with `--quiet`. Where that is closed or full there is
+/// nobody left to tell. Control characters of a file or a command line are written out.
 pub(crate) fn complain(message: impl Display) {
-    let message = message.to_string();
-    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&message));
+    complain_as_written(&in_language(&message.to_string()));
+}
+
+fn complain_as_written(message: &str) {
+    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(message));
 }
 
 /// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
@@ -91,8 +94,13 @@ pub(crate) fn complain_of(report: Report) {
         let help = report.help().map(|help| help.to_string());
         return write_document(&report.to_string(), help.as_deref());
     }
-    let shown = Report::new(Shown(report));
-    let _ = writeln!(io::stderr().lock(), "{shown:?}");
+    let shown = format!("{:?}", Report::new(Shown(report)));
+    let shown = match language() {
+        Language::English => shown,
+        // A word of the same length, for what follows is set below it.
+        Language::German => shown.replace("  help: ", "  Tipp: "),
+    };
+    let _ = writeln!(io::stderr().lock(), "{shown}");
 }
 
 /// True if another program reads what ends the run.
@@ -127,11 +135,29 @@ pub(crate) fn complain_of_usage<'a>(
         };
         return write_document(message, help);
     }
-    if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
+    let shown = arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy()));
+    if language() == Language::German {
+        complain_as_written(&usage_in_german(&usage.render().to_string()));
+    } else if shown {
         let _ = usage.print();
     } else {
-        complain(usage.render().to_string().trim_end());
+        complain_as_written(usage.render().to_string().trim_end());
     }
+}
+
+/// What the reader of the command line says, line by line.
+fn usage_in_german(usage: &str) -> String {
+    const HEADS: [(&str, &str); 3] = [
+        ("error: ", "Fehler: "),
+        ("  tip: ", "  Tipp: "),
+        ("Usage: ", "Aufruf: "),
+    ];
+    let lines = usage.trim_end().lines().map(|line| {
+        let head = HEADS.iter().find(|(english, _)| line.starts_with(english));
+        let (english, german) = head.unwrap_or(&("", ""));
+        format!("{german}{}", in_language(&line[english.len()..]))
+    });
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 fn is_shown_as_it_is(text: &str) -> bool {
@@ -163,13 +189,15 @@ impl Diagnostic for Shown {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        // All others are keys.
+        const HERE: &str = "here";
         let labels = self.0.labels()?;
-        // Keys stay: a key may be called as a word of the catalogue is.
-        Some(Box::new(labels.map(|label| match label.label() {
-            Some("here") => {
-                LabeledSpan::new_with_span(Some(in_language("here").into()), *label.inner())
-            }
-            _ => label,
+        Some(Box::new(labels.map(|label| {
+            let words = label.label().map(|words| match words {
+                HERE => in_language(HERE).into_owned(),
+                key => key.to_owned(),
+            });
+            LabeledSpan::new_with_span(words, *label.inner())
         })))
     }
 
@@ -200,8 +228,16 @@ impl Note for Remark {
         }
     }
 
+    /// A reason that physics gave ends a remark in English.
     fn in_full(&self) -> Cow<'_, str> {
-        Cow::Borrowed(self.in_language(language()))
+        let words = self.in_language(language());
+        match (language(), words.rsplit_once(": ")) {
+            (Language::German, Some((head, reason))) => match in_german(reason) {
+                Some(reason) => format!("{head}: {reason}").into(),
+                None => words.into(),
+            },
+            _ => words.into(),
+        }
     }
 }
 
@@ -229,7 +265,9 @@ pub(crate) fn print_remarks(remarks: &[impl Note]) {
                 Language::English => "note",
                 Language::German => "Hinweis",
             };
-            say(format_args!("{word}: {note}"));
+            if !is_quiet() {
+                complain_as_written(&format!("{word}: {note}"));
+            }
             printed.push(note.into_owned());
         }
     }

@@ -1,15 +1,18 @@
 //! What is printed as the result, and how far the work is.
 
+use std::borrow::Cow;
+use std::fmt::{self, Display};
 use std::io::{self, Write};
 use std::time::{Duration, Instant};
 
-use comfy_table::{CellAlignment, ContentArrangement, Table, TableStyle, presets};
+use comfy_table::{CellAlignment, ContentArrangement, Row, TableStyle, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use crate::error::CliError;
 use crate::messages::{in_language, is_quiet, language};
 use riffel_keys::Language;
+use riffel_words::with_comma;
 
 /// Print to standard output, line by line in the language of the run.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
@@ -56,20 +59,50 @@ pub(crate) fn json(document: &impl Serialize) -> String {
 const STYLE: TableStyle =
     presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
 
+/// A table with its words and numbers in the language of the run.
+pub(crate) struct Table {
+    table: comfy_table::Table,
+    /// Texts have numbers as a file has them.
+    of_numbers: bool,
+}
+
+impl Table {
+    pub(crate) fn add_row(&mut self, row: impl Into<Row>) {
+        let row = row.into();
+        let cells = row.cell_iter().map(comfy_table::Cell::content);
+        self.table
+            .add_row(cells.map(|cell| match in_language(&cell) {
+                Cow::Borrowed(same) if self.of_numbers && language() == Language::German => {
+                    with_comma(same)
+                }
+                words => words.into_owned(),
+            }));
+    }
+}
+
+impl Display for Table {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.table.fmt(formatter)
+    }
+}
+
 /// A table with right-aligned columns but the first.
 pub(crate) fn table(header: &[&str]) -> Table {
-    let mut table = Table::new();
+    let mut table = comfy_table::Table::new();
     let header: Vec<_> = header.iter().map(|words| in_language(words)).collect();
     table.load_style(STYLE).set_header(header);
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    table
+    Table {
+        table,
+        of_numbers: true,
+    }
 }
 
 /// A table whose cells are all text, wrapped to the terminal or, where there is none, to 110 columns.
 pub(crate) fn text_table(header: &[&str]) -> Table {
-    let mut table = table(header);
+    let Table { mut table, .. } = table(header);
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Left);
     }
@@ -77,7 +110,10 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
     if table.width().is_none() {
         table.set_width(110);
     }
-    table
+    Table {
+        table,
+        of_numbers: false,
+    }
 }
 
 /// A progress bar on standard error that appears only where the work takes longer than a second,
@@ -93,7 +129,7 @@ impl Progress {
         if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {eta}") {
             bar.set_style(style);
         }
-        bar.set_message(what);
+        bar.set_message(in_language(what));
         Self {
             bar,
             begun: Instant::now(),

@@ -4,39 +4,39 @@ import WORDINGS from './catalogue.js';
 import { currentLanguage } from './words.js';
 
 /** A sentence in a sentence in a sentence … */
-const DEEPEST = 5;
+const DEEPEST = 8;
 /** What is longer is data and no sentence. */
 const LONGEST = 2000;
 /** Name of a value that must be a sentence of the catalogue. */
 const SENTENCE = 'sentence';
+/** Names of values that stand as they are. */
+const AS_WRITTEN = ['path', 'file', 'folder', 'key', 'names', 'url', 'choices', 'version', 'assignment'];
+/** Name of a value that somebody gave: a number, or a word that stands as it is. */
+const GIVEN = 'value';
 
-/** Wordings without values, and those with them in pieces: words at even places, names at odd ones; the longest first. */
+/** Wordings without values, and those with them in pieces: words at even places, names at odd ones; the longest first, and apart those whose own are marks alone. */
 const whole = new Map();
-const entries = [];
+const ofWords = [];
+const ofMarks = [];
 for (const [english, german] of WORDINGS) {
   if (!english.includes('{')) {
     if (!whole.has(english)) whole.set(english, german);
     continue;
   }
   const pieces = english.split(/[{}]/);
-  entries.push({ pieces, german: german.split(/[{}]/), own: pieces.filter((_, k) => k % 2 === 0).join('').length });
+  const own = pieces.filter((_, k) => k % 2 === 0).join('');
+  (/\p{L}/u.test(own) ? ofWords : ofMarks).push({ pieces, german: german.split(/[{}]/), own: own.length });
 }
-entries.sort((a, b) => b.own - a.own);
+for (const entries of [ofWords, ofMarks]) entries.sort((a, b) => b.own - a.own);
 
 const SENTENCE_END = /\. (?=\p{Lu})/u;
 /** What may stand at a name; that a sentence is one is told by the catalogue. */
 function mayStand(name, value) {
   if (name === 'edition' || name === 'sentence') return value !== '';
   if (name === 'name') return value !== '' && !value.includes(' ');
+  if (name === 'what' && value.includes(': ')) return false;
   if (name === 'count' || name === 'number') return /^[-+−.,e0-9]*[0-9][-+−.,e0-9]*$/.test(value);
   return value !== '' && !value.includes('; ') && !SENTENCE_END.test(value);
-}
-
-/** What stays as it is: paths and names of others, and what stands in quotation marks or code. */
-function stays(pieces, name) {
-  const at = pieces.findIndex((piece, k) => k % 2 === 1 && piece === name);
-  const isQuoted = ['"', '`'].some((mark) => pieces[at - 1].endsWith(mark) && pieces[at + 1].startsWith(mark));
-  return isQuoted || ['file', 'folder', 'key', 'names', 'path'].includes(name);
 }
 
 /** The values that make the sentence of a wording; none where it is another. */
@@ -77,20 +77,27 @@ function withComma(words) {
   }).join('');
 }
 
-function exact(english, depth) {
+function exact(english, depth, entries) {
   if (whole.has(english)) return whole.get(english);
   for (const { pieces, german } of entries) {
     const values = valuesOf(pieces, english);
     if (!values || swallows(pieces, values)) continue;
     const found = new Map();
-    for (const [name, value] of values) {
-      if (stays(pieces, name)) {
+    for (const [k, [name, value]] of values.entries()) {
+      // A word in quotation marks is one that somebody wrote.
+      const isQuoted = /["`'“]$/.test(pieces[2 * k]);
+      if (AS_WRITTEN.includes(name) || (isQuoted && !value.includes(' '))) {
         found.set(name, value);
+        continue;
+      }
+      if (name === GIVEN && !isQuoted) {
+        found.set(name, withComma(value));
         continue;
       }
       const known = sought(value.trim(), depth - 1);
       if (known !== null) found.set(name, value.replace(value.trim(), () => known));
       else if (name === SENTENCE) break;
+      else if (isQuoted) found.set(name, value);
       else found.set(name, value.split(', ').map((part) => sought(part, depth - 1) ?? withComma(part)).join(', '));
     }
     if (found.size === new Set(values.map(([name]) => name)).size) return german.map((piece, k) => (k % 2 ? found.get(piece) : piece)).join('');
@@ -109,14 +116,21 @@ function sought(english, depth) {
   const stop = english.search(SENTENCE_END);
   const sentences = stop < 0 ? null : both(english, [stop + 1, stop + 2], depth);
   if (sentences !== null) return sentences;
-  const stopped = (text) => exact(text, depth) ?? (text.endsWith('.') ? ((german) => german && `${german}.`)(exact(text.slice(0, -1), depth)) : null);
+  const words = one(english, depth, ofWords);
+  if (words !== null) return words;
+  const semicolon = english.indexOf('; ');
+  const clauses = semicolon < 0 ? null : both(english, [semicolon, semicolon + 2], depth);
+  return clauses ?? one(english, depth, ofMarks);
+}
+
+/** One wording, with or without a stop, in the middle of a sentence or at its beginning. */
+function one(english, depth, entries) {
+  const stopped = (text) => exact(text, depth, entries) ?? (text.endsWith('.') ? ((german) => german && `${german}.`)(exact(text.slice(0, -1), depth, entries)) : null);
   const german = stopped(english);
   if (german !== null) return german;
   const small = english[0].toLowerCase() + english.slice(1);
   const capital = small === english ? null : stopped(small);
-  if (capital !== null) return capital[0].toUpperCase() + capital.slice(1);
-  const semicolon = english.indexOf('; ');
-  return semicolon < 0 ? null : both(english, [semicolon, semicolon + 2], depth);
+  return capital === null ? null : capital[0].toUpperCase() + capital.slice(1);
 }
 
 /** The German of what the program says; null of what the catalogue does not have. */

@@ -28,11 +28,27 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 /// Name of a value that must be a sentence of the catalogue.
 const SENTENCE: &str = "sentence";
 
+/// Names of values that stand as they are: a file may be called as something is that the catalogue knows.
+const AS_WRITTEN: [&str; 9] = [
+    "path",
+    "file",
+    "folder",
+    "key",
+    "names",
+    "url",
+    "choices",
+    "version",
+    "assignment",
+];
+
+/// Name of a value that somebody gave: a number, or a word that stands as it is.
+const GIVEN: &str = "value";
+
 /// What is longer [bytes] is data and no sentence.
 const LONGEST: usize = 2000;
 
 /// Sentences are sought in sentences so deep.
-const DEEPEST: usize = 5;
+const DEEPEST: usize = 8;
 
 pub(crate) struct Catalogue {
     /// Those with values, the longest first.
@@ -72,41 +88,61 @@ fn sought(english: &str, depth: usize) -> Option<String> {
     if english.is_empty() || depth == 0 {
         return None;
     }
-    let stopped = || {
-        let without = english.strip_suffix('.')?;
-        Some(exact(without, depth)? + ".")
+    // A value of the last sentence must not swallow those that follow.
+    let sentences = || parts(english, sentence_end(english)?, depth);
+    let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
+    sentences()
+        .or_else(|| one(english, depth, Own::Words))
+        .or_else(clauses)
+        .or_else(|| one(english, depth, Own::Marks))
+}
+
+/// What a wording has of its own beside its values.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Own {
+    Words,
+    /// As in "{what}: {sentence}", which fits nearly everything.
+    Marks,
+}
+
+/// The German of one wording, with or without a stop, in the middle of a sentence or at its beginning.
+fn one(english: &str, depth: usize, own: Own) -> Option<String> {
+    let stopped = |text: &str| {
+        let without = || Some(exact(text.strip_suffix('.')?, depth, own)? + ".");
+        exact(text, depth, own).or_else(without)
     };
     let small = || {
         let mut letters = english.chars();
         let first = letters.next().filter(|first| first.is_uppercase())?;
         let small: String = first.to_lowercase().chain(letters).collect();
-        let german =
-            exact(&small, depth).or_else(|| Some(exact(small.strip_suffix('.')?, depth)? + "."))?;
+        let german = stopped(&small)?;
         let mut letters = german.chars();
         Some(letters.next()?.to_uppercase().chain(letters).collect())
     };
-    // A value of the last sentence must not swallow those that follow.
-    let sentences = || parts(english, sentence_end(english)?, depth);
-    let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
-    sentences()
-        .or_else(|| exact(english, depth))
-        .or_else(stopped)
-        .or_else(small)
-        .or_else(clauses)
+    stopped(english).or_else(small)
 }
 
 /// The German of one wording.
-fn exact(english: &str, depth: usize) -> Option<String> {
+fn exact(english: &str, depth: usize, own: Own) -> Option<String> {
     if let Some(german) = READ.whole.get(english) {
         return Some((*german).to_owned());
     }
+    let entries = READ
+        .entries
+        .iter()
+        .filter(|(wording, _)| wording.has_words() == (own == Own::Words));
     // The one with the most words of its own first.
-    READ.entries.iter().find_map(|(own, german)| {
-        let values = own.values(english)?;
+    entries.into_iter().find_map(|(wording, german)| {
+        let values = wording.values(english)?;
         let mut found = Vec::new();
-        for (name, value) in values {
-            if own.staying().any(|stays| stays == name) {
+        for ((name, value), is_quoted) in values.into_iter().zip(wording.quoted()) {
+            // A word in quotation marks is one that somebody wrote.
+            if AS_WRITTEN.contains(&name) || is_quoted && !value.contains(' ') {
                 found.push((name, value.to_owned()));
+                continue;
+            }
+            if name == GIVEN && !is_quoted {
+                found.push((name, with_comma(value)));
                 continue;
             }
             let known = sought(value.trim(), depth - 1)
@@ -116,6 +152,7 @@ fn exact(english: &str, depth: usize) -> Option<String> {
                 match (known, name) {
                     (Some(german), _) => german,
                     (None, SENTENCE) => return None,
+                    (None, _) if is_quoted => value.to_owned(),
                     (None, _) => of_value(value, depth - 1),
                 },
             ));
@@ -205,6 +242,30 @@ mod tests {
         assert_eq!(in_german("no sentence of Riffel"), None);
     }
 
+    #[test]
+    fn what_somebody_wrote_stays_and_no_beginning_is_left_in_english() {
+        for (english, told) in [
+            (
+                "\"limit\" is not one of its choices",
+                "\"limit\" steht nicht zur Wahl",
+            ),
+            (
+                "--set a.b=[1.5, 2]: `a.b` is missing",
+                "--set a.b=[1.5, 2]: `a.b` fehlt",
+            ),
+            (
+                "cannot write to limit: there is no folder left",
+                "in limit lässt sich nicht schreiben: es gibt keinen Ordner left",
+            ),
+            (
+                "`profiles.wheel` is \"a\", but a cannot be read: b; nominal profiles: S1002",
+                "`profiles.wheel` ist \"a\", a ist aber nicht zu lesen: b; Sollprofile: S1002",
+            ),
+        ] {
+            assert_eq!(german(english), told);
+        }
+    }
+
     /// No wording is taken for another one, whatever is said before it.
     #[test]
     fn each_wording_has_its_own_german() {
@@ -218,6 +279,7 @@ mod tests {
                 value.to_owned()
             })
         };
+        let mut others = Vec::new();
         for (english, expected) in wordings() {
             // Where two values stand side by side, the first one is as short as it can be.
             if english.contains("}{") {
@@ -230,20 +292,29 @@ mod tests {
             let places = [("", ""), ("a.toml, line 3: ", "a.toml, Zeile 3: ")];
             for (place, ort) in places {
                 // A place before a place is not said.
-                if !place.is_empty()
-                    && ["{file}", "{what}: "]
-                        .iter()
-                        .any(|own| english.starts_with(own))
-                {
+                let begins = english.split_once('}').map(|(_, rest)| rest);
+                let has_place =
+                    english.starts_with('{') && begins.is_some_and(|rest| rest.starts_with(": "));
+                let is_place = ["{file}", "{line}"]
+                    .iter()
+                    .any(|own| english.starts_with(own));
+                if !place.is_empty() && (has_place || is_place) {
                     continue;
                 }
-                assert_eq!(
+                let (told, expected) = (
                     in_german(&format!("{place}{said}")),
-                    Some(format!("{ort}{german}")),
-                    "{place}{said}"
+                    format!("{ort}{german}"),
                 );
+                if told.as_deref() != Some(&expected) {
+                    others.push(format!("{place}{said}\n  {expected}\n  {told:?}"));
+                }
             }
         }
+        assert!(
+            others.is_empty(),
+            "another German of\n{}",
+            others.join("\n")
+        );
     }
 
     /// A key may be called as a word of the catalogue is, and a decimal point in code is no comma.

@@ -12,9 +12,9 @@
 //! {place} liegt vorn: {sentence}
 //! ```
 //!
-//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. What stands in quotation marks
-//! or code, and files, folders, paths and names of others stay wholly. Of several wordings that fit, the one with the most
-//! letters of its own is meant.
+//! A value may be a sentence of the catalogue itself; else it stays, with the decimal comma. What somebody wrote stays in
+//! any case: a path, a key, a single word in quotation marks. Of several wordings that fit, the one with the most letters
+//! of its own is meant.
 //!
 //! ```
 //! use riffel_words::in_german;
@@ -24,8 +24,8 @@
 //! assert_eq!(in_german("cannot be found in it"), None);
 //! ```
 //!
-//! A test holds the catalogue against the sources: no wording is left that nobody says any more, and the files that the
-//! page speaks with say nothing that the catalogue lacks.
+//! A test holds the catalogue against the sources: no wording is left that nobody says any more, and the crates that
+//! speak to people say nothing that the catalogue lacks, but for what is English in every language.
 
 mod catalogue;
 mod numbers;
@@ -33,4 +33,5 @@ mod page;
 mod wording;
 
 pub use catalogue::{in_german, wordings};
+pub use numbers::with_comma;
 pub use page::page_in_german;

@@ -2,7 +2,7 @@
 
 /// Words with the decimal comma in their numbers. What stands in quotation marks or code, names of files and keys stay:
 /// only a point between digits, in a word without a point before a letter, is that of a number.
-pub(crate) fn with_comma(words: &str) -> String {
+pub fn with_comma(words: &str) -> String {
     let mut written = String::with_capacity(words.len());
     let mut quoted = None;
     for word in words.split_inclusive(' ') {

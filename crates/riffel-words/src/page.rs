@@ -1,6 +1,7 @@
 //! A report in German.
 
 use crate::catalogue::in_german;
+use crate::numbers::with_comma;
 
 /// An HTML page of ours with its words in German, as far as the catalogue has them; markup, styles and values stay.
 pub fn page_in_german(html: &str) -> String {
@@ -38,8 +39,22 @@ fn of_words(escaped: &str) -> String {
             .replace('<', "&lt;")
             .replace('>', "&gt;")
             .replace('"', "&quot;"),
+        None if is_of_numbers(inner) => with_comma(escaped),
         None => escaped.to_owned(),
     }
+}
+
+/// Whether words are numbers and units alone, as of a cell or an axis; a version or a date is none.
+fn is_of_numbers(words: &str) -> bool {
+    const UNITS: [&str; 6] = ["mm", "µm", "Hz", "km/h", "km/h:", "dB(A)"];
+    let is_number = |word: &str| {
+        word.chars()
+            .all(|c| c.is_ascii_digit() || "+-−±.e%".contains(c))
+            && word.matches('.').count() < 2
+    };
+    words
+        .split([' ', '–'])
+        .all(|word| UNITS.contains(&word) || is_number(word))
 }
 
 #[cfg(test)]
@@ -50,12 +65,12 @@ mod tests {
     fn words_are_german_and_markup_stays() {
         let page = page_in_german(
             "<html lang=\"en\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>EN 1: <span class=\"bad\">over the limit</span>, \
-             3 of 12 bands, at worst by 1.5 dB at 40 mm</li><p>&quot;a&quot; is not one of its choices</p>",
+             3 of 12 bands, at worst by 1.5 dB at 40 mm</li><td>-8.2 dB(A)</td><td>37.8–75.6</td><td>0.1.0</td><p>&quot;a&quot; is not one of its choices</p>",
         );
         assert_eq!(
             page,
             "<html lang=\"de\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>EN 1: <span class=\"bad\">über der Grenze</span>, \
-             3 von 12 Bändern, am meisten um 1,5 dB bei 40 mm</li><p>&quot;a&quot; steht nicht zur Wahl</p>"
+             3 von 12 Bändern, am meisten um 1,5 dB bei 40 mm</li><td>-8,2 dB(A)</td><td>37,8–75,6</td><td>0.1.0</td><p>&quot;a&quot; steht nicht zur Wahl</p>"
         );
     }
 }

@@ -43,20 +43,22 @@ impl<'a> Wording<'a> {
         }
     }
 
-    /// The names of values that stay as they are.
-    pub(crate) fn staying(&self) -> impl Iterator<Item = &'a str> {
-        self.pieces.iter().enumerate().filter_map(|(k, piece)| {
-            let words = |piece: Option<&Piece<'a>>| match piece {
-                Some(Piece::Words(words)) => *words,
-                _ => "",
-            };
-            let before = words(k.checked_sub(1).and_then(|k| self.pieces.get(k)));
-            match piece {
-                Piece::Value(name) if stays(name, before, words(self.pieces.get(k + 1))) => {
-                    Some(*name)
-                }
-                _ => None,
-            }
+    /// Whether it has words of its own, and not marks alone.
+    pub(crate) fn has_words(&self) -> bool {
+        self.pieces.iter().any(|piece| match piece {
+            Piece::Words(words) => words.contains(char::is_alphabetic),
+            Piece::Value(_) => false,
+        })
+    }
+
+    /// Of each value, whether it stands in quotation marks.
+    pub(crate) fn quoted(&self) -> impl Iterator<Item = bool> {
+        let before = std::iter::once(None).chain(self.pieces.iter().map(Some));
+        let pairs = before.zip(&self.pieces);
+        pairs.filter_map(|(before, piece)| match (before, piece) {
+            (_, Piece::Words(_)) => None,
+            (Some(Piece::Words(words)), _) => Some(words.ends_with(['"', '`', '\'', '“'])),
+            _ => Some(false),
         })
     }
 
@@ -164,15 +166,6 @@ fn fits<'a, 's>(
     }
 }
 
-/// Whether the value of this name, or in this place of a wording, stays as it is: paths and names of others, and what
-/// stands in quotation marks or code.
-pub(crate) fn stays(name: &str, before: &str, after: &str) -> bool {
-    let quoted = ['"', '`']
-        .iter()
-        .any(|mark| before.ends_with(*mark) && after.starts_with(*mark));
-    quoted || matches!(name, "file" | "folder" | "key" | "names" | "path")
-}
-
 /// Whether a value may have this name; that a sentence is one is for the catalogue to tell.
 fn may_stand(name: &str, value: &str) -> bool {
     let number = |c: char| c.is_ascii_digit() || "+-−.,e".contains(c);
@@ -180,6 +173,8 @@ fn may_stand(name: &str, value: &str) -> bool {
     match name {
         "edition" | "sentence" => !value.is_empty(),
         "name" => !value.is_empty() && !value.contains(' '),
+        // What stands before a colon is another's.
+        "what" => !value.is_empty() && of_one_sentence() && !value.contains(": "),
         "count" | "number" => {
             value.chars().all(number) && value.contains(|c: char| c.is_ascii_digit())
         }
@@ -208,6 +203,11 @@ mod tests {
         assert_eq!(wording.values(" of 5 mm, x"), None);
         assert_eq!(wording.values("file: 3 of 5 mm, x"), None);
         assert_eq!(wording.own, " of  mm, ".len());
+        assert!(
+            Wording::new("{a} \"{b}\" `{c}`")
+                .quoted()
+                .eq([false, true, true])
+        );
         assert_eq!(wording.filled(|name| name.to_uppercase()), "A of B mm, C");
         assert_eq!(
             Wording::new("é{a}é").values("éééé"),

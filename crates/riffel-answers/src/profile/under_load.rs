@@ -432,7 +432,7 @@ fn of_turn(rows: &[ContactDocument]) -> Option<Remark> {
                  take the conformal one beside it"
             ),
             format!(
-                "die Schiene dreht sich über eine Berührfläche um {degrees:.0}°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; \
+                "die Schiene dreht sich über eine Kontaktfläche um {degrees:.0}°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; \
                  darüber gilt die konforme daneben"
             ),
         )

@@ -213,7 +213,7 @@ fn months(report: &CompareAnswer) -> Option<String> {
     let times: Vec<String> = report.comparison.outcomes.iter().filter_map(when).collect();
     Some(format!(
         "{from} limit ({edition}) is reached {}.",
-        times.join(", ")
+        times.join("; ")
     ))
 }
 

@@ -132,7 +132,7 @@ pub(super) fn of_elements(contact: &TransientContact, settled: &Settled) -> Opti
             ),
             format!(
                 "die Last bewegt den Rand der Kontaktfläche um {moves:.2} Elemente: Harmonische der Schlupfkraft liegen bis zu einigen zehn \
-                 Prozent daneben; nehmen Sie eine größere Amplitude oder mehr als {across} Elemente (contact.grid), bis es {RESOLVED} sind"
+                 Prozent daneben; eine größere Amplitude oder mehr als {across} Elemente (contact.grid) nehmen, bis es {RESOLVED} sind"
             ),
         )
     })

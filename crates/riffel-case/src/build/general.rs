@@ -40,8 +40,8 @@ fn of_flatness(keys: &ContactKeys) -> Option<Remark> {
              contact.longitudinal_radius"
         ),
         format!(
-            "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, den die Ellipse nimmt: geben Sie \
-             contact.longitudinal_radius an"
+            "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, den die Ellipse nimmt: \
+             contact.longitudinal_radius angeben"
         ),
     ))
 }

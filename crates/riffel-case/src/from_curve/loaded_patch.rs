@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Language, Remark};
 
 use super::mean_contact::MeanContact;
 use crate::case_text::CaseText;
@@ -42,7 +42,7 @@ impl CurvingCase {
         contact_angle: f64,
         normal_force: f64,
         surface: ContactSurface,
-    ) -> Result<Result<LoadedPatch, String>, CaseError> {
+    ) -> Result<Result<LoadedPatch, Remark>, CaseError> {
         let wheelset = self.wheelset_on_track()?;
         let steel = self.steel()?;
         let Some(contact) = wheelset
@@ -51,20 +51,26 @@ impl CurvingCase {
             .filter(|contact| Self::is_under(contact, rail, contact_angle))
         else {
             let degrees = contact_angle.to_degrees();
-            return Ok(Err(format!(
-                "no rigid contact has the angle of the equilibrium, {degrees:.2}°"
+            return Ok(Err(Remark::new(
+                format!("no rigid contact has the angle of the equilibrium, {degrees:.2}°"),
+                format!("kein starrer Kontakt hat den Winkel des Gleichgewichts, {degrees:.2}°"),
             )));
         };
         let elements = Self::ELEMENTS_UNDER_LOAD;
         let loaded = wheelset.under_load(&contact, rail, steel, normal_force, surface, elements);
+        // Physics tells its reasons in English.
+        let in_english = |reason: String| Remark::new(reason.clone(), reason);
         Ok(loaded
             .map_err(|error| match error {
-                ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => {
-                    "the patch joins that of the place where the wheel touches next".to_owned()
-                }
-                error => error.to_string(),
+                ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => Remark::new(
+                    "the patch joins that of the place where the wheel touches next",
+                    "die Kontaktfläche geht in die des nächsten Berührpunkts über",
+                ),
+                error => in_english(error.to_string()),
             })
-            .and_then(|loaded| LoadedPatch::of(&loaded).map_err(|error| error.to_string())))
+            .and_then(|loaded| {
+                LoadedPatch::of(&loaded).map_err(|error| in_english(error.to_string()))
+            }))
     }
 }
 
@@ -118,9 +124,10 @@ impl CaseText {
             Rail::Right => "rechten",
         };
         let loaded = match contact.elsewhere > 0.0 {
-            true => Err(
-                "the wheel stands on two points, which a patch under load would join".to_owned(),
-            ),
+            true => Err(Remark::new(
+                "the wheel stands on two points, which a patch under load would join",
+                "das Rad steht auf zwei Punkten, die unter Last zu einer Kontaktfläche würden",
+            )),
             false => curving.loaded_patch(
                 rail,
                 contact.lateral_shift,
@@ -138,7 +145,8 @@ impl CaseText {
                         rail.name()
                     ),
                     format!(
-                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Berührfläche der Profile unter Last: {reason}"
+                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Kontaktfläche der Profile unter Last: {}",
+                        reason.in_language(Language::German)
                     ),
                 ));
                 return Ok(());
@@ -263,7 +271,7 @@ impl CaseText {
                          ({turned:+.2}°)"
                     ),
                     format!(
-                        "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
+                        "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
                          wie eine Ellipse mit den Halbachsen {a:.1} mm längs ({longer:+.0} %) und {b:.1} mm quer ({wider:+.0} %), bei {angle:.2}° \
                          ({turned:+.2}°)"
                     ),
@@ -275,7 +283,7 @@ impl CaseText {
                      along and {b:.1} mm across, at {angle:.2}° ({turned:+.2}°); Hertz has none there"
                 ),
                 format!(
-                    "auf der {german} Schiene gilt die Berührfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
+                    "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
                      {a:.1} mm längs und {b:.1} mm quer, bei {angle:.2}° ({turned:+.2}°); Hertz hat dort keine"
                 ),
             ),

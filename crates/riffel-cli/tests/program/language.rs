@@ -30,3 +30,29 @@ fn notes_are_german_and_json_is_not() {
     let german = sandbox.json(&format!("{POINT} --json --language de"));
     assert_eq!(english, german);
 }
+
+#[test]
+fn wrong_arguments_help_and_results_are_german() {
+    let sandbox = Sandbox::new();
+    let said = [
+        ("map", "Fehler: diese nötigen Argumente fehlen:"),
+        (
+            "map nominal.toml --foo",
+            "Fehler: unerwartetes Argument '--foo'",
+        ),
+        (
+            "map none.toml",
+            "die Falldatei none.toml ist nicht zu lesen: ",
+        ),
+        (
+            "map cases/nominal.toml --bay",
+            "Tipp: track.model = \"one-layer-periodic\" oder",
+        ),
+        (POINT, "40,0 mm bei 80,0 km/h: 555,6 Hz"),
+        (POINT, "Rezeptanz der Schiene"),
+    ];
+    for (command, words) in said {
+        let text = sandbox.riffel(&format!("{command} --language de")).text;
+        assert!(text.contains(words), "{command}: {text}");
+    }
+}

@@ -234,7 +234,7 @@ fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Remark> {
             ),
             format!(
                 "{name}: die Punkte streuen um {micrometres:.2} µm, so dass die Krümmung einer Kurve durch sie um etwa \
-                 {curvature:.0} 1/m daneben liegt; geben Sie diese Streuung an (profiles.scatter, --scatter), um zu glätten"
+                 {curvature:.0} 1/m daneben liegt; diese Streuung angeben (profiles.scatter, --scatter), um zu glätten"
             ),
         )
     })

@@ -127,7 +127,7 @@ fn tell(written: &mut WrittenProfile, kind: ProfileKind, [across, up]: [f64; 2])
         ProfileKind::Wheel => ("", ""),
         ProfileKind::Rail => (
             "; x below zero is taken as the gauge side, or give the orientation \"mirrored\"",
-            "; x unter null gilt als Fahrkantenseite, sonst geben Sie als Lage \"mirrored\" an",
+            "; x unter null gilt als Fahrkantenseite, sonst als Lage \"mirrored\" angeben",
         ),
     };
     let (name, german_name) = match kind {

@@ -139,7 +139,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     if value("spline.approx.smooth")?.is_some_and(|smooth| smooth > 0.0) {
         written.remarks.push(Remark::new(
             "the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points",
-            "die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: geben Sie die Streuung ihrer Punkte an",
+            "die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: die Streuung ihrer Punkte angeben",
         ));
     }
     Ok(written)
