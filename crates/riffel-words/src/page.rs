@@ -32,7 +32,15 @@ fn of_words(escaped: &str) -> String {
     if inner.is_empty() {
         return escaped.to_owned();
     }
-    let german = in_german(&plain).or_else(|| Some(plain.replacen(inner, &in_german(inner)?, 1)));
+    // As in "rail left: EN 1: <b>over the limit</b>": the rest is a name, which stays.
+    let place = || {
+        let (place, _) = inner.split_once(": ")?;
+        let divided = plain.trim_end().ends_with(':');
+        divided.then(|| Some(plain.replacen(place, &in_german(place)?, 1)))?
+    };
+    let german = in_german(&plain)
+        .or_else(|| Some(plain.replacen(inner, &in_german(inner)?, 1)))
+        .or_else(place);
     match german {
         Some(german) => german
             .replace('&', "&amp;")
@@ -64,12 +72,12 @@ mod tests {
     #[test]
     fn words_are_german_and_markup_stays() {
         let page = page_in_german(
-            "<html lang=\"en\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>EN 1: <span class=\"bad\">over the limit</span>, \
+            "<html lang=\"en\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>rail left: EN 1: <span class=\"bad\">over the limit</span>, \
              3 of 12 bands, at worst by 1.5 dB at 40 mm</li><td>-8.2 dB(A)</td><td>37.8–75.6</td><td>0.1.0</td><p>&quot;a&quot; is not one of its choices</p>",
         );
         assert_eq!(
             page,
-            "<html lang=\"de\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>EN 1: <span class=\"bad\">über der Grenze</span>, \
+            "<html lang=\"de\"><style>left {}</style><h2>3 Growth forecast of none</h2><li>Schiene links: EN 1: <span class=\"bad\">über der Grenze</span>, \
              3 von 12 Bändern, am meisten um 1,5 dB bei 40 mm</li><td>-8,2 dB(A)</td><td>37,8–75,6</td><td>0.1.0</td><p>&quot;a&quot; steht nicht zur Wahl</p>"
         );
     }
