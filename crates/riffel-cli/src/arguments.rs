@@ -58,7 +58,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, global = true)]
     verbose: bool,
 
-    /// Language of reports, findings, notes and errors, en or de; help and JSON are English.
+    /// Language of results, reports, notes and errors, en or de; help, files of data and JSON are English.
     #[arg(
         long,
         global = true,

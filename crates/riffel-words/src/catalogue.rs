@@ -331,7 +331,7 @@ mod tests {
             ),
             (
                 "cannot read the case file left 0.5: No such file or directory (os error 2)",
-                "Falldatei left 0.5 ist nicht zu lesen: Datei oder Ordner nicht gefunden (os error 2)",
+                "die Falldatei left 0.5 ist nicht zu lesen: Datei oder Ordner nicht gefunden (os error 2)",
             ),
         ] {
             assert_eq!(german(english), expected);

@@ -150,12 +150,16 @@ fn readable(case: &Case, answer: &NoiseAnswer) -> String {
         train.wheels,
         answer.exposure_level()
     );
-    let power = |part| weighted(answer.powers.a_weighted(part));
+    let power = |part| answer.powers.a_weighted(part);
+    // A track on direct fastenings has no sleepers.
+    let sleepers = match power(Part::Sleepers) {
+        level if level.is_finite() => format!("sleepers {level:.1}, "),
+        _ => String::new(),
+    };
     text += &format!(
-        "sound power of a wheel with its rail: {} dB(A) re 1 pW; rail {}, sleepers {}, wheel {} dB(A)\n",
+        "sound power of a wheel with its rail: {:.1} dB(A) re 1 pW; rail {:.1}, {sleepers}wheel {:.1} dB(A)\n",
         power(Part::Total),
         power(Part::Rail),
-        power(Part::Sleepers),
         power(Part::Wheel)
     );
     text += &measures(answer);

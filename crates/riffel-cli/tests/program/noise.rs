@@ -18,6 +18,27 @@ fn numbers(value: &Value) -> Vec<f64> {
     serde_json::from_value(value.clone()).unwrap()
 }
 
+/// A track on direct fastenings has no sleepers, and none are told of.
+#[test]
+fn sound_power_is_told_of_what_is_there() {
+    let sandbox = sandbox();
+    let told = |case: &str| {
+        let outcome = sandbox.riffel(&format!("noise {case} --speed \"80 km/h\" {MEASURED}"));
+        let line = outcome
+            .text
+            .lines()
+            .find(|line| line.starts_with("sound power"));
+        line.unwrap().to_owned()
+    };
+    let metro = told("cases/metro.toml");
+    assert!(
+        metro.contains("; rail ") && metro.contains(", wheel "),
+        "{metro}"
+    );
+    assert!(!metro.contains("sleepers"), "{metro}");
+    assert!(told("cases/main-line.toml").contains(", sleepers "));
+}
+
 /// Levels of the parts add up to the total, and a rail 10 dB rougher than its wheels is 10 dB louder.
 #[test]
 fn levels_add_up_and_follow_the_roughness() {
