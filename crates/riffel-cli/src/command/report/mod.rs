@@ -108,17 +108,11 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         .map(|path| GivenCase::read(path, arguments.overrides.clone()))
         .transpose()?;
     let limits = limits(&arguments.limit)?;
-    let mut inputs = Inputs::default();
     let record = &arguments.record;
     let rail = match &arguments.roughness {
         Some(path) => {
             let case = given.as_ref().map(|given| &given.case);
-            let rail = measured(path, case, record, &limits)?;
-            add(&mut inputs, "roughness", path, &rail.understood)?;
-            for earlier in &record.earlier {
-                add(&mut inputs, "earlier record", earlier, "of the same rail")?;
-            }
-            Some((path.as_path(), rail))
+            Some((path.as_path(), measured(path, case, record, &limits)?))
         }
         None => {
             check_without_roughness(arguments)?;
@@ -157,43 +151,8 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         }
         compare = what_if(arguments, given, &limits, now.as_ref())?;
     }
-    if let (Some(path), Some(case)) = (&arguments.case, case) {
-        let title = case.file.title.as_deref().unwrap_or("a case");
-        let overrides = match given.as_ref().map(|given| &given.overrides[..]) {
-            None | Some([]) => String::new(),
-            Some(overrides) => format!(", with {}", overrides.join(", ")),
-        };
-        add(&mut inputs, "case", path, &format!("{title}{overrides}"))?;
-        if let Some(measurement) = &case.file.track.measurement {
-            let folder = path.parent().unwrap_or_else(|| Path::new(""));
-            let file = folder.join(&measurement.file);
-            add(&mut inputs, "track receptance", &file, "measured")?;
-        }
-    }
-    if let Some(traffic) = &record.traffic {
-        add(&mut inputs, "traffic", traffic, "vehicles, speeds, loads")?;
-    }
-    for variant in &arguments.variants {
-        add(&mut inputs, "variant", variant, "changes to the case")?;
-    }
-    if let Some(format) = &record.layout.format {
-        add(
-            &mut inputs,
-            "reader profile",
-            format,
-            "how profiles are laid out",
-        )?;
-    }
-    for name in arguments
-        .limit
-        .iter()
-        .filter(|name| name.ends_with(".toml"))
-    {
-        add(&mut inputs, "limit table", name.as_ref(), "of your own")?;
-    }
-    if let Some(site) = &arguments.site {
-        add(&mut inputs, "site", site, "the words at the top")?;
-    }
+    let understood = rail.as_ref().map(|(_, rail)| rail.understood.as_str());
+    let inputs = inputs(arguments, given.as_ref(), understood)?;
     let rail_warnings = rail.as_ref().map(|(_, rail)| rail.survey.warnings.clone());
     let rail_warnings = rail_warnings.unwrap_or_default();
     let (rail, diagnosis) = match rail {
@@ -227,6 +186,62 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         arguments.output.display()
     ))?;
     Ok(())
+}
+
+/// The files that the report is made of; `understood` is what that of the rail was understood as.
+fn inputs(
+    arguments: &Report,
+    given: Option<&GivenCase<'_>>,
+    understood: Option<&str>,
+) -> Result<Inputs, CaseError> {
+    let mut inputs = Inputs::default();
+    let record = &arguments.record;
+    if let (Some(path), Some(understood)) = (&arguments.roughness, understood) {
+        add(&mut inputs, "roughness", path, understood)?;
+        for earlier in &record.earlier {
+            add(&mut inputs, "earlier record", earlier, "of the same rail")?;
+        }
+    }
+    if let Some(given) = given {
+        let file = &given.case.file;
+        let title = file.title.as_deref().unwrap_or("a case");
+        let overrides = match &given.overrides[..] {
+            [] => String::new(),
+            overrides => format!(", with {}", overrides.join(", ")),
+        };
+        let words = format!("{title}{overrides}");
+        add(&mut inputs, "case", given.path, &words)?;
+        if let Some(measurement) = &file.track.measurement {
+            let folder = given.path.parent().unwrap_or_else(|| Path::new(""));
+            let file = folder.join(&measurement.file);
+            add(&mut inputs, "track receptance", &file, "measured")?;
+        }
+    }
+    if let Some(traffic) = &record.traffic {
+        add(&mut inputs, "traffic", traffic, "vehicles, speeds, loads")?;
+    }
+    for variant in &arguments.variants {
+        add(&mut inputs, "variant", variant, "changes to the case")?;
+    }
+    if let Some(format) = &record.layout.format {
+        add(
+            &mut inputs,
+            "reader profile",
+            format,
+            "how profiles are laid out",
+        )?;
+    }
+    for name in arguments
+        .limit
+        .iter()
+        .filter(|name| name.ends_with(".toml"))
+    {
+        add(&mut inputs, "limit table", name.as_ref(), "of your own")?;
+    }
+    if let Some(site) = &arguments.site {
+        add(&mut inputs, "site", site, "the words at the top")?;
+    }
+    Ok(inputs)
 }
 
 /// Put a file among the inputs, with its fingerprint.
