@@ -72,12 +72,20 @@ impl Table {
         let cells = row.cell_iter().map(comfy_table::Cell::content);
         self.table
             .add_row(cells.map(|cell| match in_language(&cell) {
-                Cow::Borrowed(same) if self.of_numbers && language() == Language::German => {
+                Cow::Borrowed(same)
+                    if self.of_numbers && language() == Language::German && is_number(same) =>
+                {
                     with_comma(same)
                 }
                 words => words.into_owned(),
             }));
     }
+}
+
+/// Whether a cell begins with a number; others are names, whose points stay.
+fn is_number(cell: &str) -> bool {
+    cell.trim_start_matches(['+', '-', '−', '±'])
+        .starts_with(|c: char| c.is_ascii_digit())
 }
 
 impl Display for Table {

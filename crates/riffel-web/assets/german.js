@@ -10,7 +10,7 @@ const LONGEST = 2000;
 /** Name of a value that must be a sentence of the catalogue. */
 const SENTENCE = 'sentence';
 /** Names of values that stand as they are. */
-const AS_WRITTEN = ['path', 'file', 'folder', 'key', 'names', 'url', 'choices', 'version', 'assignment'];
+const AS_WRITTEN = ['case', 'title', 'path', 'file', 'folder', 'key', 'names', 'url', 'choices', 'version', 'assignment'];
 /** Name of a value that somebody gave: a number, or a word that stands as it is. */
 const GIVEN = 'value';
 

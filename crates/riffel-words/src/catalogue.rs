@@ -29,7 +29,9 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
 const SENTENCE: &str = "sentence";
 
 /// Names of values that stand as they are: a file may be called as something is that the catalogue knows.
-const AS_WRITTEN: [&str; 9] = [
+const AS_WRITTEN: [&str; 11] = [
+    "case",
+    "title",
     "path",
     "file",
     "folder",
