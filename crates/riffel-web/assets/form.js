@@ -4,6 +4,7 @@ import { element } from './elements.js';
 import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
 import * as lists from './lists.js';
+import { FAR } from './number-field.js';
 import { askWhich, readNumber } from './numbers.js';
 import { inWords, said } from './german.js';
 import { labelOf, nameOf, number, t, written as worded } from './words.js';
@@ -26,8 +27,6 @@ const ONE_OF = [['contact.tractive_ratio', 'contact.creepage']];
 /** A model needs supports: the preset that stands in until others are chosen. */
 const FIRST_PRESET = { 'one-layer': 'slab-direct', 'one-layer-periodic': 'slab-direct', 'two-layer': 'br-stiff', 'two-layer-periodic': 'br-stiff' };
 
-/** A value so many times what it was before may be a slip of the hand. */
-const FAR = 100;
 const idOf = (key) => `key-${key.replaceAll('.', '-')}`;
 
 /** What a schema says of a key, references and null left aside. */

@@ -3,7 +3,7 @@
 import { element, worded } from './elements.js';
 import { short } from './keys.js';
 import { askWhich, readNumber } from './numbers.js';
-import { SPEED_UNITS, currentLanguage, t, unitOfSpeed, written } from './words.js';
+import { SPEED_UNITS, currentLanguage, number, t, unitOfSpeed, written } from './words.js';
 
 /** Units of speed that are taken, in km/h. */
 const SPEEDS = { ...Object.fromEntries(Object.entries(SPEED_UNITS).map(([unit, size]) => [unit, 3.6 * size])), kph: 1, 'mi/h': 3.6 * SPEED_UNITS.mph };
@@ -17,6 +17,9 @@ export const UNITS = {
   daily: () => ({ unit: '1/d', sizes: { '1/d': 1 } }),
 };
 
+/** A value so many times what it was before may be a slip of the hand. */
+export const FAR = 100;
+
 /** A number as it may be typed again: without separators of thousands. */
 const plain = (value) => written(short(value));
 
@@ -29,19 +32,36 @@ export class NumberField {
     Object.assign(this, { units, low, high, label, accept, onTrouble });
     this.input = element('input', { type: 'text', inputMode: 'decimal', id, className: 'figure', autocomplete: 'off', spellcheck: false });
     this.fault = element('p', { className: 'fault', id: `${id}-fault`, hidden: true });
-    this.input.setAttribute('aria-describedby', this.fault.id);
+    this.echo = element('p', { className: 'echo', id: `${id}-echo`, hidden: true });
+    this.input.setAttribute('aria-describedby', `${this.fault.id} ${this.echo.id}`);
     this.beside = element('span', { className: 'unit' });
-    this.row = element('div', { className: 'row' }, worded('label', word, { htmlFor: id }), this.input, this.beside, this.fault);
+    this.row = element('div', { className: 'row' }, worded('label', word, { htmlFor: id }), this.input, this.beside, this.fault, this.echo);
     this.input.addEventListener('change', () => this.#read());
   }
 
-  /** Show a value, null for an empty field, and what stands in for none: a value or words. What is refused stays. */
+  /** Show a value, null for an empty field, and what stands in for none: a value or words. What is typed stays for its value, and what is refused. */
   show(value, otherwise) {
     this.unit = this.units().unit;
     this.beside.textContent = this.unit;
     if (this.isWrong) return;
-    this.input.value = value === null ? '' : plain(value / this.#size);
+    const { typed } = this;
+    if (typed && (typed.value !== value || typed.unit !== this.unit || typed.language !== currentLanguage())) this.typed = null;
+    this.input.value = this.typed?.text ?? (value === null ? '' : plain(value / this.#size));
     this.input.placeholder = typeof otherwise === 'number' ? plain(otherwise / this.#size) : (otherwise ?? '');
+    this.value = value ?? (typeof otherwise === 'number' ? otherwise : undefined);
+    this.#tell();
+  }
+
+  /** What was read, where it was not written in the unit of the field or is far from what it was. */
+  #tell() {
+    const { value, before, isOdd } = this.typed ?? {};
+    const inUnit = (value) => `${number(value / this.#size, 4)} ${this.unit}`.trim();
+    const times = Math.abs(value / before);
+    const far = times >= FAR || times <= 1 / FAR;
+    this.echo.hidden = !isOdd && !far;
+    if (this.echo.hidden) return;
+    Object.assign(this.echo, { textContent: far ? t('far_off', { now: inUnit(value), before: inUnit(before) }) : t('read_as', inUnit(value)), lang: currentLanguage() });
+    this.echo.classList.toggle('far', far);
   }
 
   get isWrong() {
@@ -56,11 +76,15 @@ export class NumberField {
   #read() {
     this.right();
     const text = this.input.value.trim();
-    const accept = (value) => {
+    const accept = (value, isOdd) => {
       this.right();
+      // A number that was asked for is shown as it was chosen.
+      this.typed = value === undefined || isOdd === undefined ? null : { text: this.input.value, value, isOdd, before: this.value, unit: this.unit, language: currentLanguage() };
       const refusal = this.accept(value);
       if (refusal) this.wrong(refusal);
     };
+    this.typed = null;
+    this.echo.hidden = true;
     if (text === '') return accept(undefined);
     const { sizes } = this.units();
     const read = readNumber(text);
@@ -68,13 +92,13 @@ export class NumberField {
     const factor = read.rest === '' ? this.#size : sizes[read.rest];
     const units = Object.keys(sizes).filter(Boolean).join(', ');
     if (factor === undefined) return this.wrong(units ? t('no_unit', { text, units }) : t('no_number', text));
-    const bounded = (digits) => {
+    const bounded = (digits, isOdd) => {
       const value = Number(digits) * factor;
-      if (value >= this.low && value <= this.high) return accept(value);
+      if (value >= this.low && value <= this.high) return accept(value, isOdd);
       this.wrong(t('must_lie', { label: this.label(), value: text, low: plain(this.low / this.#size), high: `${plain(this.high / this.#size)} ${this.unit}`.trim() }));
     };
-    if (!read.choices) return bounded(read.number);
-    askWhich(this.fault, text, read, this.unit, bounded);
+    if (!read.choices) return bounded(read.number, Boolean(read.odd) || (read.rest !== '' && read.rest !== this.unit));
+    askWhich(this.fault, text, read, this.unit, (choice) => bounded(choice));
     this.wrong();
   }
 

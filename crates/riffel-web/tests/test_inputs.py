@@ -120,6 +120,27 @@ def test_passages_of_six_thousand_are_not_six(page):
     page.until(lambda: not page.page.locator("#trouble").is_visible())
 
 
+def test_a_traffic_shows_what_it_was_read_as(page):
+    page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
+    # A point is no separator of thousands here, but it may have been meant as one.
+    page.page.fill("#traffic-daily", "6.000")
+    page.page.press("#traffic-daily", "Tab")
+    page.until(page.page.locator("#traffic-daily-echo").is_visible)
+    assert page.page.locator("#traffic-daily").input_value() == "6.000"
+    assert page.text("#traffic-daily-echo") == "= 6 1/d; before it was 6000 1/d. Is that meant?"
+    page.page.fill("#traffic-to", "120 mph")
+    page.page.press("#traffic-to", "Tab")
+    page.until(page.page.locator("#traffic-to-echo").is_visible)
+    assert page.page.locator("#traffic-to").input_value() == "120 mph" and page.text("#traffic-to-echo") == "= 193.1 km/h"
+    # What is typed stays for its value and its unit only.
+    page.page.select_option("#speed-unit", "m/s")
+    assert page.page.locator("#traffic-to").input_value() == "53.645"
+    assert not page.page.locator("#traffic-to-echo").is_visible()
+    page.page.fill("#traffic-daily", "5000")
+    page.page.press("#traffic-daily", "Tab")
+    page.until(lambda: "5000" in page.text("#traffic-group summary"))
+
+
 @pytest.mark.parametrize("locale", ["en-GB", pytest.param("de-DE", marks=pytest.mark.thorough)])
 def test_every_view_counts_and_leads_to_what_is_not_accepted(open_page, locale):
     page = open_page(locale=locale)
