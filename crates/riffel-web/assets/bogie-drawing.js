@@ -1,6 +1,6 @@
 // The bogie from above as it stands in its curve, travelling to the right: wheels coloured by wear, creep forces on the rail as arrows.
 
-import { t } from './words.js';
+import { number, t } from './words.js';
 
 const SVG = 'http://www.w3.org/2000/svg';
 /** Half the distance of the rails [m], length and breadth of a wheel, length of the longest arrow. */
@@ -82,6 +82,6 @@ export function drawBogie(place, curve, { radius, wheelbase, label }) {
   svg.append(node('path', { d: `M${reach - 0.42} 0 h0.24 m-0.09 -0.07 l0.09 0.07 l-0.09 0.07`, class: 'travel' }));
   const words = document.createElement('p');
   words.className = 'why';
-  words.textContent = t('bogie_drawn', { scale, force: (1e-3 * force).toFixed(1), wear: wear.toFixed(0) });
+  words.textContent = t('bogie_drawn', { scale, force: number(1e-3 * force), wear: number(wear) });
   place.replaceChildren(svg, words);
 }

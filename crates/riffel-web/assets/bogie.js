@@ -6,6 +6,7 @@ import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
+import { NumberField, UNITS } from './number-field.js';
 import { Fault, Line } from './server.js';
 import { currentLanguage, t, translate } from './words.js';
 
@@ -13,19 +14,21 @@ const NOMINAL = { wheel: ['S1002', 'cone-1:40'], rail: ['60E1', '60E2', '54E1', 
 /** Largest file [bytes]: some thousand points. */
 const LARGEST = 80_000;
 
-/** Place in the page, word, key of the question, value at first, least and most, and what a unit of the field is in SI. */
+/** Place in the page, word, key of the question, units, value at first, least and most. */
 const FIELDS = [
-  ['curve-radius', 'curve_radius', 'radius_m', '180', 5, 100000, 1],
-  ['curve-speed', 'curve_speed', 'speed_m_per_s', '45', 1, 400, 1 / 3.6],
-  ['curve-cant', 'curve_cant', 'cant_m', '100', 0, 300, 1e-3],
-  ['curve-gauge', 'curve_gauge', 'gauge_m', '1435', 900, 1800, 1e-3],
-  ['bogie-wheelbase', 'bogie_wheelbase', 'wheelbase_m', '2.1', 0.5, 6, 1],
-  ['bogie-axle-load', 'bogie_axle_load', 'mass_per_axle_kg', '10', 2, 50, 1e3],
-  ['bogie-longitudinal', 'bogie_longitudinal', 'longitudinal_stiffness_n_per_m', '8', 0.01, 1000, 1e6],
-  ['bogie-lateral', 'bogie_lateral', 'lateral_stiffness_n_per_m', '4', 0.01, 1000, 1e6],
-  ['friction-high', 'friction_high', 'friction_high', '0.4', 0.01, 1, 1],
-  ['friction-low', 'friction_low', 'friction_low', '0.4', 0.01, 1, 1],
+  ['curve-radius', 'curve_radius', 'radius_m', 'length', 180, -100000, 100000],
+  ['curve-speed', 'curve_speed', 'speed_m_per_s', 'speed', 45, 1, 400],
+  ['curve-cant', 'curve_cant', 'cant_m', 'millimetres', 0.1, 0, 0.3],
+  ['curve-gauge', 'curve_gauge', 'gauge_m', 'millimetres', 1.435, 0.9, 1.8],
+  ['bogie-wheelbase', 'bogie_wheelbase', 'wheelbase_m', 'length', 2.1, 0.5, 6],
+  ['bogie-axle-load', 'bogie_axle_load', 'mass_per_axle_kg', 'mass', 10e3, 2e3, 50e3],
+  ['bogie-longitudinal', 'bogie_longitudinal', 'longitudinal_stiffness_n_per_m', 'stiffness', 8e6, 0.01e6, 1000e6],
+  ['bogie-lateral', 'bogie_lateral', 'lateral_stiffness_n_per_m', 'stiffness', 4e6, 0.01e6, 1000e6],
+  ['friction-high', 'friction_high', 'friction_high', 'ratio', 0.4, 0.01, 1],
+  ['friction-low', 'friction_low', 'friction_low', 'ratio', 0.4, 0.01, 1],
 ];
+/** Narrowest curve to either side [m]. */
+const NARROWEST = 5;
 
 export function startBogie({ state, listen, complain, banner, save }) {
   const place = document.getElementById('view-curve');
@@ -55,12 +58,18 @@ export function startBogie({ state, listen, complain, banner, save }) {
       part: element('span', { className: 'choice' }, worded('label', `${kind}_profile`, { htmlFor: select.id }), select, worded('label', 'choose', { htmlFor: file.id, className: 'button plain' }), file),
     };
   });
-  const fields = FIELDS.map(([id, word, key, value, low, high, factor]) => {
-    const input = element('input', { id, type: 'number', value, min: key === 'radius_m' ? -high : low, max: high, step: 'any' });
-    input.addEventListener('change', ask);
-    return { input, word, key, low, high, factor, part: element('span', { className: 'choice' }, worded('label', word, { htmlFor: id }), input) };
-  });
-  const refused = element('p', { className: 'why', id: 'curve-refused', role: 'alert', hidden: true });
+  const values = Object.fromEntries(FIELDS.map(([, , key, , value]) => [key, value]));
+  const fields = FIELDS.map(([id, word, key, units, otherwise, low, high]) => Object.assign(new NumberField({
+    id, word, units: UNITS[units], low, high, onTrouble: settle,
+    accept: (value = otherwise) => {
+      if (key === 'radius_m' && Math.abs(value) < NARROWEST) return t('too_narrow', { label: t(word), narrowest: NARROWEST });
+      values[key] = value;
+      showFields();
+      ask();
+      return '';
+    },
+  }), { key, otherwise }));
+  const showFields = () => fields.forEach((field) => field.show(values[field.key], field.otherwise));
   const outlines = element('div', { className: 'curve tall', id: 'outlines' });
   const curvatures = element('div', { className: 'curve', id: 'curvatures' });
   const table = element('table', { className: 'comparison', id: 'wheels' });
@@ -73,7 +82,7 @@ export function startBogie({ state, listen, complain, banner, save }) {
   offer(heads.curvatures, () => shown && { name: 'curvatures', plot: curvatures }, save);
   offer(heads.wheels, () => shown && { name: 'bogie', drawing: above, table }, save);
   place.append(
-    element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...fields.map(({ part }) => part), refused, worded('p', 'bogie_intro', { className: 'why' })),
+    element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...fields.map(({ row }) => row), worded('p', 'bogie_intro', { className: 'why' })),
     element('article', { className: 'panel half' }, heads.outlines, outlines, heads.curvatures, curvatures),
     element('article', { className: 'panel half' }, heads.wheels, trouble, above, element('div', { className: 'sideways' }, table), remarks),
   );
@@ -93,17 +102,22 @@ export function startBogie({ state, listen, complain, banner, save }) {
 
   function ask() {
     if (state.view !== 'curve') return;
-    const wrong = fields.filter(({ input, low, high }) => !(Math.abs(input.valueAsNumber) >= low && input.valueAsNumber <= high));
-    for (const field of fields) field.input.setAttribute('aria-invalid', String(wrong.includes(field)));
-    refused.hidden = !wrong.length;
-    refused.textContent = wrong.map(({ word, low, high }) => t('bogie_value', { label: t(word), low, high })).join(' ');
-    if (wrong.length) return;
-    const asked = Object.fromEntries(fields.map(({ input, key, factor }) => [key, factor * input.valueAsNumber]));
+    if (fields.some(({ isWrong }) => isWrong)) return;
+    // Speeds are held in the unit that all of them have in the page.
+    const asked = { ...values, speed_m_per_s: values.speed_m_per_s / 3.6 };
+    settle(true);
     line.ask({ ...chosen, ...asked }, (answer) => {
       shown = { ...answer, asked };
       banner.clear();
+      settle();
       show();
     }, (fault) => complain(fault, { until: 'success' }));
+  }
+
+  /** What is shown is no longer, or again, that of the fields. */
+  function settle(asked = false) {
+    const is = asked || line.pending || fields.some(({ isWrong }) => isWrong);
+    for (const panel of place.querySelectorAll('.panel.half')) panel.classList.toggle('stale', is);
   }
 
   function show() {
@@ -141,9 +155,11 @@ export function startBogie({ state, listen, complain, banner, save }) {
       .map((words) => element('li', { textContent: words })));
   }
 
+  showFields();
   listen((what) => {
     if (what === 'words') {
       translate(place);
+      showFields();
       show();
     } else if (what === 'view' && state.view === 'curve' && !shown) ask();
   });

@@ -5,15 +5,15 @@ import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { said } from './german.js';
-import { askWhich, readNumber } from './numbers.js';
+import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';
-import { currentLanguage, number, speed, t, translate, written } from './words.js';
+import { currentLanguage, number, speed, t, translate } from './words.js';
 
 /** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
 const SWING = 1800;
-/** Amplitudes that are taken [µm]. */
-const [LOWEST, HIGHEST] = [0.01, 2000];
+/** Amplitudes that are taken [m]. */
+const [LOWEST, HIGHEST] = [0.01e-6, 2000e-6];
 
 export function startMotion({ state, listen, banner, labels, save }) {
   const place = document.getElementById('view-motion');
@@ -22,37 +22,28 @@ export function startMotion({ state, listen, banner, labels, save }) {
   // The wheel over a wave ------------------------------------------------------------------------------
 
   const passage = { line: new Line('/api/passage', json), answer: null, fault: null, asked: '' };
-  const amplitude = element('input', { type: 'text', id: 'wave-amplitude', inputMode: 'decimal', size: 6, autocomplete: 'off' });
-  const refused = element('p', { className: 'fault', id: 'wave-fault', hidden: true });
-  amplitude.setAttribute('aria-describedby', refused.id);
+  /** The amplitude [m] that was written; none, and it is that of the case. */
+  let written = null;
+  const amplitude = new NumberField({
+    id: 'wave-amplitude', word: 'wave_amplitude', units: UNITS.micrometres, low: LOWEST, high: HIGHEST, onTrouble: () => [waveWords, wave, waveNotes].forEach((part) => part.classList.toggle('pale', amplitude.isWrong)),
+    accept: (value = null) => {
+      written = value;
+      showAmplitude();
+      askPassage();
+      return '';
+    },
+  });
+  const showAmplitude = () => amplitude.show(written, state.at?.state.amplitude_m);
   const waveHead = element('header', {}, worded('h2', 'passage'), element('span', { className: 'aside', id: 'wave-at' }));
   const waveWords = element('p', { className: 'why', id: 'wave-words' });
   const wave = element('div', { className: 'curve strips', id: 'wave' });
   const waveNotes = element('ul', { className: 'fine', id: 'wave-notes' });
   offer(waveHead, () => passage.answer && { name: 'passage', plot: wave }, save);
 
-  /** The amplitude [m]: that of the case where none is written, none where what is written cannot be. */
-  function wanted() {
-    const read = amplitude.value === '' ? null : readNumber(amplitude.value) ?? { number: NaN };
-    if (read?.choices) {
-      askWhich(refused, amplitude.value, read, 'µm', (choice) => {
-        amplitude.value = written(choice);
-        askPassage();
-      });
-      return null;
-    }
-    const micro = read && Number(read.number);
-    const known = micro === null || (Number.isFinite(micro) && micro >= LOWEST && micro <= HIGHEST);
-    refused.hidden = known;
-    amplitude.setAttribute('aria-invalid', String(!known));
-    if (!known) refused.textContent = t('must_lie', { label: t('wave_amplitude'), value: amplitude.value, low: number(LOWEST), high: number(HIGHEST) });
-    return known ? (micro === null ? state.at?.state.amplitude_m : 1e-6 * micro) : null;
-  }
-
   function askPassage() {
     if (state.view !== 'motion' || !state.accepted || !state.point) return;
-    const amplitude_m = wanted();
-    if (!amplitude_m) return;
+    const amplitude_m = written ?? state.at?.state.amplitude_m;
+    if (amplitude.isWrong || !amplitude_m) return;
     const question = { case: { keys: state.accepted }, wavelength_m: state.point.wavelength, speed_m_per_s: state.point.speed, amplitude_m };
     const asked = JSON.stringify(question);
     if (asked === passage.asked) return;
@@ -74,7 +65,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
   function showPassage() {
     const { answer, fault } = passage;
     document.getElementById('wave-at').textContent = state.point ? `${number(1e3 * state.point.wavelength)} mm, ${speed(state.point.speed)}` : '';
-    if (state.at) amplitude.placeholder = number(1e6 * state.at.state.amplitude_m);
+    showAmplitude();
     wave.hidden = waveNotes.hidden = waveHead.querySelector('.take').hidden = !answer;
     if (!answer) {
       tell(waveWords, fault);
@@ -123,8 +114,6 @@ export function startMotion({ state, listen, banner, labels, save }) {
       xaxis: axis(t('wave_place'), { anchor: `y${strips.length}`, range: [0, x.at(-1)] }), ...axes, shapes, showlegend: true, margin: { l: 4.4 * letterSize(), r: 10, t: 2 * letterSize(), b: 3 * letterSize() },
     }));
   }
-
-  amplitude.addEventListener('change', askPassage);
 
   // The wheelset ---------------------------------------------------------------------------------------
 
@@ -215,7 +204,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
   }
 
   place.append(
-    element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, element('span', { className: 'choice' }, worded('label', 'wave_amplitude', { htmlFor: amplitude.id }), amplitude)), refused, waveWords, wave, waveNotes),
+    element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, amplitude.row), waveWords, wave, waveNotes),
     element('article', { className: 'panel half' }, wheelHead, wheelWords, picture, element('div', { className: 'settings' }, play), list),
   );
   listen((what) => {

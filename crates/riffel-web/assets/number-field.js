@@ -7,6 +7,8 @@ import { SPEED_UNITS, currentLanguage, number, t, unitOfSpeed, written } from '.
 
 /** Units of speed that are taken, in km/h. */
 const SPEEDS = { ...Object.fromEntries(Object.entries(SPEED_UNITS).map(([unit, size]) => [unit, 3.6 * size])), kph: 1, 'mi/h': 3.6 * SPEED_UNITS.mph };
+/** Units of length that are taken [m]: the micrometre with either of its two letters. */
+const LENGTHS = { m: 1, mm: 1e-3, µm: 1e-6, 'μm': 1e-6, um: 1e-6, cm: 1e-2, km: 1e3, in: 0.0254, ft: 0.3048 };
 /** Unit beside a field and sizes of the units that it takes, in that of its value. A pound-force is 0.45359237 kg under standard gravity. */
 export const UNITS = {
   speed: () => ({ unit: unitOfSpeed()[0], sizes: SPEEDS }),
@@ -14,6 +16,11 @@ export const UNITS = {
   percent: () => ({ unit: '%', sizes: { '%': 0.01 } }),
   ratio: () => ({ unit: '', sizes: { '': 1, '%': 0.01 } }),
   none: () => ({ unit: '', sizes: { '': 1 } }),
+  length: () => ({ unit: 'm', sizes: LENGTHS }),
+  millimetres: () => ({ unit: 'mm', sizes: LENGTHS }),
+  micrometres: () => ({ unit: 'µm', sizes: LENGTHS }),
+  mass: () => ({ unit: 't', sizes: { t: 1e3, kg: 1, lb: 0.45359237, lbs: 0.45359237 } }),
+  stiffness: () => ({ unit: 'MN/m', sizes: { 'MN/m': 1e6, 'kN/mm': 1e6, 'kN/m': 1e3, 'N/mm': 1e3, 'N/m': 1 } }),
   daily: () => ({ unit: '1/d', sizes: { '1/d': 1 } }),
 };
 

@@ -48,8 +48,14 @@ def test_a_small_wave_is_linear_and_a_large_one_parts(page, tmp_path):
     assert max(force["y"]) == pytest.approx(1e-3 * document["maximum_normal_force_n"], rel=1e-3)
     assert page.page.evaluate("() => document.getElementById('wave').layout.shapes.length") > 0
     page.keep("passage", whole=True)
+    # A unit with the number counts, and another quantity is none.
+    amplitude(page, "0.05 mm")
+    page.until(lambda: max(curves(page)[0]["y"]) == pytest.approx(50))
+    assert page.text("#wave-amplitude-echo") == "= 50 µm"
+    amplitude(page, "50 kN")
+    assert "no unit of this field" in page.text("#wave-amplitude-fault")
     amplitude(page, "3000")
-    assert page.page.locator("#wave-fault").is_visible() and "2000" in page.text("#wave-fault")
+    assert page.text("#wave-amplitude-fault") == "amplitude of the wave: 3000, but must be 0.01 to 2000 µm."
 
 
 def test_a_wheelset_moves_in_its_modes(open_page):

@@ -402,12 +402,14 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.until(lambda: attack() < 0.8 * stiff)
     page.page.fill("#curve-gauge", "14350")
     page.page.keyboard.press("Tab")
-    page.until(page.page.locator("#curve-refused").is_visible)
-    assert "gauge [mm]: 900 to 1800" in page.text("#curve-refused")
+    page.until(page.page.locator("#curve-gauge-fault").is_visible)
+    assert page.text("#curve-gauge-fault") == "gauge: 14350, but must be 900 to 1800 mm."
+    assert page.page.locator("#view-curve .panel.stale").count() == 2
     assert page.page.locator("#curve-gauge").get_attribute("aria-invalid") == "true"
     page.page.fill("#curve-gauge", "1435")
     page.page.keyboard.press("Tab")
-    page.until(lambda: not page.page.locator("#curve-refused").is_visible())
+    page.until(lambda: not page.page.locator("#curve-gauge-fault").is_visible())
+    page.until(lambda: page.page.locator("#view-curve .panel.stale").count() == 0)
     page.settle()
     page.page.wait_for_timeout(300)
     page.keep("curve", whole=True)
@@ -417,6 +419,42 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.until(page.page.locator("#trouble").is_visible)
     assert "scan.csv" in page.text("#trouble") and "line 3" in page.text("#trouble")
     page.complaints.clear()
+
+
+def test_fields_of_a_curve_read_the_separators_and_units_of_people(open_page):
+    page = open_page(locale="de-DE")
+    asked = []
+    page.page.on("request", lambda request: request.url.endswith("/api/curve") and asked.append(request.post_data_json))
+    page.page.click("#tab-curve")
+    page.until(lambda: page.page.locator("#wheels tbody tr").count() == 4)
+    assert page.page.locator("#bogie-wheelbase").input_value() == "2,1" and "Pfeile: Schlupfkraft auf die Schiene, der längste 19,2 kN" in page.text("#bogie-above")
+    first = asked[-1]
+    for field, text, key, value in [
+        ("#bogie-lateral", "8,5", "lateral_stiffness_n_per_m", 8.5e6), ("#bogie-axle-load", "10.500 kg", None, None), ("#bogie-axle-load", "10500 kg", "mass_per_axle_kg", 10500),
+        ("#curve-speed", "28 mph", "speed_m_per_s", 28 * 0.44704), ("#curve-radius", "−1000 ft", "radius_m", -304.8), ("#friction-low", "30 %", "friction_low", 0.3),
+        ("#bogie-wheelbase", "-2,1", None, None), ("#curve-radius", "3", None, None), ("#curve-gauge", "1435 kg", None, None),
+    ]:
+        count = len(asked)
+        page.page.fill(field, text)
+        page.page.press(field, "Tab")
+        if key:
+            page.until(lambda: len(asked) > count and asked[-1][key] == pytest.approx(value))
+            assert page.page.locator(field).input_value() == text
+        else:
+            page.until(page.page.locator(f"{field}-fault").is_visible)
+            page.page.wait_for_timeout(100)
+            assert len(asked) == count
+            assert "Was ist gemeint?" in page.text(f"{field}-fault") or field != "#bogie-axle-load"
+            page.page.fill(field, "")
+            page.page.press(field, "Tab")
+            page.until(lambda: len(asked) > count)
+    # An empty field stands for the value at first, which it shows.
+    assert asked[-1] == {**first, "lateral_stiffness_n_per_m": 8.5e6, "mass_per_axle_kg": 10500, "speed_m_per_s": pytest.approx(12.51712), "friction_low": 0.3}
+    assert page.page.locator("#bogie-wheelbase").get_attribute("placeholder") == "2,1"
+    page.settle()
+    page.page.select_option("#speed-unit", "m/s")
+    assert page.page.locator("#curve-speed").input_value() == "12,517"
+    page.close()
 
 
 @pytest.mark.without_curves
