@@ -54,7 +54,7 @@ export function wording(fault, form) {
     return inLabels(spoken, form);
   };
   // What the program would have one write on its command line helps nobody here.
-  const help = fault.help && fault.help.search(OPTION) < 0 ? words(fault.help) : fault.help && 'The page reads a table whose head names position and height with their units: position [m], height [µm].';
+  const help = fault.help && fault.help.search(OPTION) < 0 ? words(fault.help) : fault.help && t('page_reads');
   const text = [words(fault.message), help && `(${help})`].filter(Boolean).join(' ');
   return { text, language };
 }

@@ -14,6 +14,9 @@ import { inWords, said } from './german.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { currentLanguage, number, power, t, translate } from './words.js';
 
+/** The name of a file before a sentence that does not begin with it. */
+const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
+
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';
 
@@ -105,7 +108,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     }, (fault) => {
       coming = null;
       forgetFile();
-      if (fault instanceof Fault) complain(fault, { what: `${chosen.name}: ` });
+      if (fault instanceof Fault) complain(fault, { what: named(fault, chosen.name) });
     }).finally(() => (bar.hidden = stop.hidden = true));
   }
 
@@ -186,7 +189,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       // After a restart the program has no record of this page.
       // The columns may be others than those that were guessed.
       if (fault.status === 422) columns.open();
-      if (fault.status !== 410) return complain(fault, { what: `${name}: ` });
+      if (fault.status !== 410) return complain(fault, { what: named(fault, name) });
       answer = null;
       forgetFile();
       show();

@@ -41,7 +41,7 @@ const WORDS = {
     computing: 'computing…', skip: 'Skip to the map',
     map_label: (p) => `Growth map over wavelength and speed. Cursor at ${p}. Arrow keys move it, Home goes to the highest growth, plus and minus zoom, 0 shows the whole map.`,
 
-    drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
+    page_reads: 'The page reads a table whose head names position and height with their units: position [m], height [µm].', drop_file: 'Drop a roughness file here, or choose one', choose: 'Choose a file…', uploading: 'sending', cancel: 'Cancel',
     over: 'over', spectrum: 'Roughness spectrum', dominant: 'Dominant wavelengths', forecast: 'Forecast',
 
     speed_from: 'speeds from', speed_to: 'speeds to', passages_daily: 'axle passages a day', months_ahead: 'forecast, months ahead', in_months: (n) => `in ${n} months`, excess: 'above the trend',
@@ -55,7 +55,7 @@ const WORDS = {
     noise_ahead: 'Level in the months ahead', noise_limit: 'highest level allowed', noise_wheel_is: 'wheel:', noise_rigid: 'rigid', noise_straight_web: 'straight web, 920 mm', noise_becomes: (p) => `Under the traffic it becomes ${p.level} dB(A) in ${p.months} months.`, noise_cut: 'There roughness leaves the linear range.',
     noise_never: (p) => `${p.limit} dB(A) are not reached in this time.`, noise_now: (p) => `${p.limit} dB(A) are reached now.`, noise_then: (p) => `${p.limit} dB(A) are reached in ${p.months} months.`,
     columns: 'Columns of the table', columns_help: 'Of a table of many columns say which is the position and which are heights of a rail.', columns_use: 'Read it so', columns_spacing: 'step between samples', column_n: (n) => `column ${n}`, column_is: 'what it is', column_unit: 'unit',
-    column_none: 'left out', column_position: 'position', column_height: 'height of a rail', columns_one_position: 'One column is the position, not several.', columns_no_height: 'At least one column must be the height of a rail.', columns_no_spacing: 'Without positions the step between samples must be above zero.',
+    column_none: 'left out', column_position: 'position', column_height: 'height of a rail', columns_one_position: 'One column is the position, not several.', columns_no_height: 'At least one column must be the height of a rail.',
     nothing_dominant: 'No wavelength stands out.', all_along: 'all along', level_axis: 'level [dB re 1 µm]',
 
     two_ways: (text) => `“${text}” can be read two ways. Which is meant?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; before it was ${p.before}. Is that meant?`,
@@ -128,7 +128,7 @@ const WORDS = {
     computing: 'rechnet…', skip: 'Zur Karte springen',
     map_label: (p) => `Wachstumskarte über Wellenlänge und Geschwindigkeit. Zeiger bei ${p}. Pfeiltasten bewegen ihn, Pos1 geht zum stärksten Wachstum, Plus und Minus vergrößern und verkleinern, 0 zeigt die ganze Karte.`,
 
-    drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
+    page_reads: 'Die Seite liest eine Tabelle, deren Kopf Ort und Höhe mit ihren Einheiten nennt: Ort [m], Höhe [µm].', drop_file: 'Eine Rauheitsdatei hier ablegen oder wählen', choose: 'Datei wählen…', uploading: 'sende', cancel: 'Abbrechen',
     over: 'darüber', spectrum: 'Rauheitsspektrum', dominant: 'Vorherrschende Wellenlängen', forecast: 'Prognose',
 
     speed_from: 'Geschwindigkeiten von', speed_to: 'Geschwindigkeiten bis', passages_daily: 'Achsüberrollungen am Tag', months_ahead: 'Prognose, Monate voraus', in_months: (n) => `in ${n} Monaten`, excess: 'über dem Trend',
@@ -142,7 +142,7 @@ const WORDS = {
     noise_ahead: 'Pegel in den kommenden Monaten', noise_limit: 'höchster erlaubter Pegel', noise_wheel_is: 'Rad:', noise_rigid: 'starr', noise_straight_web: 'gerader Steg, 920 mm', noise_becomes: (p) => `Unter dem Verkehr werden es ${p.level} dB(A) in ${p.months} Monaten.`, noise_cut: 'Dort verlässt die Rauheit den linearen Bereich.',
     noise_never: (p) => `${p.limit} dB(A) werden in dieser Zeit nicht erreicht.`, noise_now: (p) => `${p.limit} dB(A) sind jetzt erreicht.`, noise_then: (p) => `${p.limit} dB(A) sind in ${p.months} Monaten erreicht.`,
     columns: 'Spalten der Tabelle', columns_help: 'Bei einer Tabelle mit vielen Spalten: welche ist der Ort, welche sind Höhen einer Schiene?', columns_use: 'So lesen', columns_spacing: 'Schritt der Messpunkte', column_n: (n) => `Spalte ${n}`, column_is: 'was sie ist', column_unit: 'Einheit',
-    column_none: 'ausgelassen', column_position: 'Ort', column_height: 'Höhe einer Schiene', columns_one_position: 'Der Ort steht in einer Spalte, nicht in mehreren.', columns_no_height: 'Mindestens eine Spalte muss die Höhe einer Schiene sein.', columns_no_spacing: 'Ohne Ort muss der Schritt der Messpunkte über null liegen.',
+    column_none: 'ausgelassen', column_position: 'Ort', column_height: 'Höhe einer Schiene', columns_one_position: 'Der Ort steht in einer Spalte, nicht in mehreren.', columns_no_height: 'Mindestens eine Spalte muss die Höhe einer Schiene sein.',
     nothing_dominant: 'Keine Wellenlänge ragt heraus.', all_along: 'durchgehend', level_axis: 'Pegel [dB re 1 µm]',
 
     two_ways: (text) => `„${text}“ lässt sich auf zwei Arten lesen. Was ist gemeint?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; vorher waren es ${p.before}. Ist das gemeint?`,

@@ -114,7 +114,7 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
     for k in (2, 3):
         page.page.locator("#columns-table tr").nth(k).locator("select").first.select_option("none")
     page.page.click("#columns-use")
-    assert "at least one column" in page.text("#columns .fault").lower()
+    assert "at least one column" in page.text("#columns > .fault").lower()
     page.close(complaints=len(page.complaints))
 
 
@@ -133,3 +133,44 @@ def test_the_sample_says_what_it_is(open_page, locale):
     page.page.wait_for_timeout(500)
     page.keep(f"along-{locale}", whole=True)
     page.close()
+
+
+def test_one_column_of_heights_has_a_step_of_its_own(open_page):
+    page = open_page(locale="de-DE")
+    heights = [20e-3 * math.sin(2 * math.pi * k / 100) for k in range(40_000)]
+    measured(page, "".join(f"{height:.7f}\n".replace(".", ",") for height in heights), name="alone.txt")
+    page.until(page.page.locator("#columns-use").is_visible)
+    assert "eine Spalte" in page.text("#trouble") and "Die Seite liest" in page.text("#trouble")
+    page.page.locator("#columns-table select").last.select_option("mm")
+    step = page.page.locator("#columns-spacing")
+    for text, refused in [("1.000", "Was ist gemeint?"), ("0", "erlaubt ist")]:
+        step.fill(text)
+        step.press("Tab")
+        assert refused in page.text("#columns-spacing-fault")
+        page.page.click("#columns-use")
+        page.page.wait_for_timeout(200)
+        assert not page.page.locator("#report").is_visible()
+    step.fill("0,5")
+    step.press("Tab")
+    page.page.click("#columns-use")
+    # 100 samples of half a millimetre are a wave of 50 mm; half of 40 m of rail is none.
+    curves = along(page)
+    assert max(curves["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    assert max(curves["30–100 mm"]["x"]) == pytest.approx(20, abs=1)
+    page.close(complaints=len(page.complaints))
+
+
+def test_columns_in_feet_and_inches_stay_in_them(page):
+    rows = "".join(f"{k * 1e-3 / 0.3048:.7f},{20e-6 / 0.0254 * math.sin(2 * math.pi * k / 50):.9f}\n" for k in range(40_000))
+    measured(page, "distance [ft],height [in]\n" + rows)
+    read = max(along(page)["30–100 mm"]["y"])
+    assert read == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    page.page.evaluate("() => (document.getElementById('columns').open = true)")
+    units = page.page.locator("#columns-table tr").evaluate_all("(rows) => rows.map((row) => [...row.querySelectorAll('select')].at(-1).value)")
+    assert units == ["ft", "in"]
+    asked = []
+    page.page.on("request", lambda request: request.url.endswith("/api/measure") and asked.append(request))
+    page.page.click("#columns-use")
+    page.until(lambda: asked)
+    page.settle()
+    assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(read)
