@@ -8,14 +8,19 @@ const NUMBER = /^([+\-−]?)((?:[\d.,'’_\u00a0\u2009\u202f]|(?<=\d) (?=\d{3}(?
 const GROUPED = /^\d{1,3}(?:[^\d.,]\d{3})+(?:[.,]\d*)?$/;
 const proper = (text, mark) => text.split(mark).every((group, k) => (k ? group.length === 3 : group.length >= 1 && group.length <= 3) && /^\d+$/.test(group));
 
+const RAISED = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+/** Powers of ten as the page and papers write them, 2.5·10⁻⁹ or 2.5 x 10^-9, as the exponent of a program. */
+const withExponent = (text) => text.replace(/(\d)\s*[·×x*]\s*10(?:\^([+\-−]?\d+)|([⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+))/, (_, digit, plain, raised) =>
+  `${digit}e${plain ?? raised.replace('⁻', '-').replace('⁺', '').replace(/[^-]/g, (sign) => RAISED.indexOf(sign))}`);
+
 /**
  * Read a number with what follows it. The answer holds `number`, as a program writes it, and `rest`; `odd` where
  * it was not written as a program would. One that can be read two ways has `choices` in place of the number. Null where no
  * number begins.
  */
 export function readNumber(text, language = currentLanguage()) {
-  const [, sign, body, exponent = '', rest] = NUMBER.exec(text.trim()) ?? [];
-  if (body === undefined) return null;
+  const [, sign, body, exponent = '', rest] = NUMBER.exec(withExponent(text.trim())) ?? [];
+  if (body === undefined || !Number.isFinite(Number(`1${exponent.replace('−', '-')}`))) return null;
   const whole = (digits) => `${sign.replace('−', '-').replace('+', '')}${digits.replace(/\.$/, '')}${exponent.replace('−', '-')}`;
   const read = (digits, odd) => ({ number: whole(digits), rest, odd });
   const spaced = /[^\d.,]/.test(body);

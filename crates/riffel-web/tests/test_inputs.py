@@ -120,6 +120,31 @@ def test_passages_of_six_thousand_are_not_six(page):
     page.until(lambda: not page.page.locator("#trouble").is_visible())
 
 
+@pytest.mark.parametrize(("text", "value"), [("2.5·10⁻⁹", 2.5e-9), ("2,5 × 10^-9 kg/J", 2.5e-9), ("1.5·10⁻⁸", 1.5e-8), ("3x10-9", None)])
+def test_a_number_copied_from_the_page_is_one(page, text, value):
+    page.set("wear.coefficient", text)
+    page.settle()
+    fault = page.page.locator("#key-wear-coefficient-fault")
+    assert fault.is_visible() == (value is None)
+    if value:
+        assert complete(page, "wear.coefficient") == pytest.approx(value)
+        assert page.page.locator("#key-wear-coefficient").input_value() == text
+    page.complaints.clear()
+
+
+def test_a_number_beyond_all_numbers_is_refused_at_its_field(page):
+    for key in ["contact.friction", "wheel.mass", "map.wavelength.points"]:
+        page.set(key, "1e400")
+        page.settle()
+        place = f"#key-{key.replace('.', '-')}"
+        page.until(page.page.locator(f"{place}-fault").is_visible)
+        assert "understand" not in page.text("#trouble") and "nfinity" not in page.text(f"{place}-fault")
+        assert page.page.locator(place).input_value() == "1e400"
+        page.page.keyboard.press("Control+z")
+        page.until(lambda: not page.page.locator("#trouble").is_visible())
+    page.complaints.clear()
+
+
 def test_a_traffic_shows_what_it_was_read_as(page):
     page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
     # A point is no separator of thousands here, but it may have been meant as one.
