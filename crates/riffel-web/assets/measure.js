@@ -28,6 +28,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   let answer = null;
   /** How the record is laid out, where its columns were chosen. */
   let format = file?.format ?? null;
+  /** The record that the program has, with its columns. */
+  let held = file && { file, format };
 
   // What is asked --------------------------------------------------------------------------------------
 
@@ -39,6 +41,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   const source = worded('p', 'sample_source', { className: 'fine', id: 'sample-source', hidden: true });
   const columns = new Columns({ onChoose: (chosen) => {
     format = chosen;
+    held = { file, format };
     keepRecord(file);
     earlier.reread().then(ask);
   } });
@@ -79,8 +82,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   /** Take a file; one that comes back has the columns and the earlier records that it had. */
   function take(chosen, { columns: chosenColumns = null, earlierThen = null } = {}) {
     coming?.abort();
-    const before = file;
-    const columnsBefore = format;
+    const { file: before = null, format: columnsBefore = null } = held ?? {};
+    const answerBefore = file === before ? answer : null;
+    let sent = 0;
+    banner.clear('success');
     file = chosen;
     format = chosenColumns;
     source.hidden = !chosen.isSample;
@@ -92,11 +97,13 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     hint.hidden = true;
     status.textContent = chosen.name;
     coming = send('/api/roughness', chosen, (share) => {
-      bar.value = share;
+      bar.value = sent = share;
       status.textContent = `${chosen.name}, ${t('uploading')} ${number(100 * share, 3)} %`;
     });
     coming.done.then(() => {
+      if (file !== chosen) return;
       coming = null;
+      held = { file, format };
       keepRecord(chosen);
       const earlierBefore = earlier.forget();
       tellFile();
@@ -106,10 +113,23 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       if (earlierThen) earlier.bringBack(earlierThen);
       ask();
     }, (fault) => {
+      // Another file is already on its way.
+      if (file !== chosen) return;
       coming = null;
-      forgetFile();
+      // What is refused or breaks off takes no place: the program still has the record before.
+      if (before && (fault.status >= 400 || sent < 1)) {
+        [file, format, answer] = [before, columnsBefore, answerBefore];
+        source.hidden = !before.isSample;
+        columns.offer(before, format);
+        tellFile();
+        show();
+        ask();
+      } else if (before instanceof File) {
+        file = held = null;
+        take(before, { columns: columnsBefore, earlierThen: earlier.forget() });
+      } else forgetFile();
       if (fault instanceof Fault) complain(fault, { what: named(fault, chosen.name) });
-    }).finally(() => (bar.hidden = stop.hidden = true));
+    }).finally(() => (bar.hidden = stop.hidden = !coming));
   }
 
   /** The profile that the program makes to its own recipe. */
@@ -127,7 +147,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   }
 
   function forgetFile() {
-    file = null;
+    file = held = null;
     keepRecord(null);
     earlier.forget();
     tellFile();

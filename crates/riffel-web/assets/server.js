@@ -172,6 +172,7 @@ export function send(path, file, progress) {
   const request = new XMLHttpRequest();
   const done = new Promise((resolve, reject) => {
     request.upload.onprogress = (event) => event.lengthComputable && progress(event.loaded / event.total);
+    request.upload.onload = () => progress(1);
     request.onload = () => {
       let answer;
       try {

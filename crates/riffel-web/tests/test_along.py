@@ -174,3 +174,45 @@ def test_columns_in_feet_and_inches_stay_in_them(page):
     page.until(lambda: asked)
     page.settle()
     assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(read)
+
+
+def test_a_record_stays_where_the_next_one_does_not_arrive(page):
+    answers = []
+
+    def roughness(route):
+        answer = answers.pop(0) if answers else None
+        if answer == "refuse":
+            route.fulfill(status=413, json={"message": "the file is larger than 2048 MiB"})
+        elif answer != "wait":
+            route.fallback()
+
+    page.page.route("**/api/roughness", roughness)
+    state = lambda: page.text("#record-state")
+    measured(page, two_rails(40), name="first.csv")
+    page.until(lambda: page.page.locator("#report").is_visible() and state().startswith("first.csv"), seconds=60)
+    levels = page.text("#along-panel")
+    answers.append("refuse")
+    measured(page, two_rails(20), name="huge.csv")
+    page.until(lambda: "larger than" in page.text("#trouble"))
+    page.settle()
+    assert state().startswith("first.csv, ") and page.page.locator("#report").is_visible() and page.text("#along-panel") == levels
+    # A file that breaks off on its way, by hand.
+    answers.append("wait")
+    measured(page, two_rails(20), name="slow.csv")
+    page.until(lambda: state().startswith("slow.csv"))
+    # What went wrong with another file is over.
+    assert not page.page.locator("#trouble").is_visible()
+    page.page.locator("#drop .buttons").get_by_text("Cancel").click()
+    page.until(lambda: state().startswith("first.csv, ") and page.page.locator("#report").is_visible())
+    # One that is overtaken by another leaves it alone.
+    answers.append("wait")
+    measured(page, two_rails(20), name="slow.csv")
+    page.until(lambda: state().startswith("slow.csv"))
+    measured(page, two_rails(30), name="last.csv")
+    page.until(lambda: state().startswith("last.csv, ") and page.page.locator("#report").is_visible(), seconds=60)
+    page.settle()
+    assert state().startswith("last.csv, ")
+    # Undo leads to the record that was there before.
+    page.page.locator("#notice button").first.click()
+    page.until(lambda: state().startswith("first.csv, ") and page.page.locator("#report").is_visible(), seconds=60)
+    page.complaints.clear()
