@@ -11,9 +11,9 @@ export class Banner {
     Object.assign(this, { place, notices, fields: [], said: null, shown: '' });
   }
 
-  /** The fields that are not accepted: `label` and `go`, which leads to it. */
-  setFields(fields) {
-    this.fields = fields;
+  /** The fields that are not accepted: `label` and `go`, which leads to it; and whether there was a case before, which is still shown. */
+  setFields(fields, isShown) {
+    Object.assign(this, { fields, isShown });
     this.render();
   }
 
@@ -34,9 +34,9 @@ export class Banner {
   }
 
   render() {
-    const { fields, said } = this;
+    const { fields, isShown, said } = this;
     const text = said?.words();
-    const state = JSON.stringify([currentLanguage(), fields.map(({ label }) => label), text]);
+    const state = JSON.stringify([currentLanguage(), fields.map(({ label }) => label), isShown, text]);
     // Told again only when it has changed: a screen reader reads all of it.
     if (state === this.shown) {
       this.place.querySelectorAll('[data-field]').forEach((button, k) => (button.onclick = fields[k].go));
@@ -50,7 +50,7 @@ export class Banner {
         button.dataset.field = '';
         return button;
       });
-      lines.push(element('p', {}, element('span', { textContent: t('not_accepted', fields.length) }), ...buttons));
+      lines.push(element('p', {}, element('span', { textContent: t('not_accepted', { count: fields.length, isShown }) }), ...buttons));
     }
     if (said) {
       const ways = said.ways.map(([word, act]) => element('button', { type: 'button', className: 'plain small', textContent: t(word), onclick: () => (this.clear(), act()) }));

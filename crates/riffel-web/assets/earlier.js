@@ -3,7 +3,7 @@
 import { element, worded } from './elements.js';
 import { said } from './german.js';
 import { Fault, askOnce, cancelled, json, send } from './server.js';
-import { currentLanguage, number, t, translate } from './words.js';
+import { currentLanguage, fileSize, number, t, translate } from './words.js';
 
 /** Where a reload finds names and dates of the records that the program keeps for this page. */
 const EARLIER = 'riffel-earlier';
@@ -231,7 +231,7 @@ export class Earlier {
     this.input.disabled = this.records.length >= MOST;
     for (const record of this.records) {
       record.reword();
-      if (record.spectra || record.refused) record.state.textContent = record.refused ? t('left_out') : `${number(record.size / 1e6, 3)} MB`;
+      if (record.spectra || record.refused) record.state.textContent = record.refused ? t('left_out') : fileSize(record.size);
       record.trouble.hidden = !record.refused;
       if (!record.refused) continue;
       const { text, language } = said(record.refused.message);

@@ -296,7 +296,7 @@ function complain(fault, { what = '', until = 'success' } = {}) {
 
 /** The fields that are not accepted, with the way to each. */
 function showTroubles() {
-  banner.setFields([...form.troubles, ...traffic.troubles].map(({ label, input }) => ({ label, go: () => leadTo(input) })));
+  banner.setFields([...form.troubles, ...traffic.troubles].map(({ label, input }) => ({ label, go: () => leadTo(input) })), Boolean(state.map));
 }
 
 /** Show a field and put the cursor into it, from any view. */
@@ -438,6 +438,8 @@ addEventListener('hashchange', () => {
     return;
   }
   saved = location.hash;
+  // What was said of another link, or of the case before, is over.
+  banner.clear();
   open(given, { asStep: false });
 });
 

@@ -12,11 +12,13 @@ import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
 import { inWords, said } from './german.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
-import { currentLanguage, number, power, t, translate } from './words.js';
+import { currentLanguage, fileSize, number, power, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
 const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
 
+/** Name of the vehicle of a traffic that has none. */
+const OWN_WHEEL = 'the wheel of the case';
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';
 
@@ -156,7 +158,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   function tellFile(more = '') {
     earlier.offer(Boolean(file) && !coming);
     hint.hidden = Boolean(file);
-    status.textContent = file ? `${file.name}, ${more || `${number(file.size / 1e6, 3)} MB`}` : '';
+    status.textContent = file ? `${file.name}, ${more || fileSize(file.size)}` : '';
   }
 
   function keptRecord() {
@@ -242,7 +244,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   /** Words of the program as an element of the page. */
   const spoken = (name, english, more = {}) => {
     const { text, language } = said(english);
-    return element(name, { textContent: labels(text), lang: language, ...more });
+    // Names of vehicles stay as they are written, but this one is the page's own.
+    const words = language === 'de' ? text.replace(`"${OWN_WHEEL}"`, `„${inWords(OWN_WHEEL)}“`) : text;
+    return element(name, { textContent: labels(words), lang: language, ...more });
   };
   const item = (text, className = '') => spoken('li', text, { className });
 

@@ -59,7 +59,7 @@ const WORDS = {
     nothing_dominant: 'No wavelength stands out.', all_along: 'all along', level_axis: 'level [dB re 1 µm]',
 
     two_ways: (text) => `“${text}” can be read two ways. Which is meant?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; before it was ${p.before}. Is that meant?`,
-    not_accepted: (n) => `${n === 1 ? 'One field is' : `${n} fields are`} not accepted; what is shown is the last case without an error. Go to:`,
+    not_accepted: ({ count, isShown }) => `${count === 1 ? 'One field is' : `${count} fields are`} not accepted; ${isShown ? 'what is shown is the last case without an error' : 'nothing can be shown before'}. Go to:`,
     no_number: (text) => `“${text}” is not a number.`, must_lie: (p) => `${p.label}: ${p.value}, but must be ${p.low} to ${p.high}.`, must_rise: 'The highest speed must not be below the lowest.',
     undo: 'Undo', redo: 'Redo', undo_keys: 'Undo (Ctrl+Z)', redo_keys: 'Redo (Ctrl+Shift+Z)', close: 'Close', again: 'Try again', reload: 'Reload the page',
     stopped: 'Stopped. What is shown belongs to an earlier case.', stopped_once: 'Stopped: nothing was saved.', not_done: (what) => `${what}: not done.`,
@@ -146,7 +146,7 @@ const WORDS = {
     nothing_dominant: 'Keine Wellenlänge ragt heraus.', all_along: 'durchgehend', level_axis: 'Pegel [dB re 1 µm]',
 
     two_ways: (text) => `„${text}“ lässt sich auf zwei Arten lesen. Was ist gemeint?`, read_as: (value) => `= ${value}`, far_off: (p) => `= ${p.now}; vorher waren es ${p.before}. Ist das gemeint?`,
-    not_accepted: (n) => `${n === 1 ? 'Ein Feld gilt' : `${n} Felder gelten`} nicht; gezeigt ist der letzte Fall ohne Fehler. Hin zu:`,
+    not_accepted: ({ count, isShown }) => `${count === 1 ? 'Ein Feld gilt' : `${count} Felder gelten`} nicht; ${isShown ? 'gezeigt ist der letzte Fall ohne Fehler' : 'vorher lässt sich nichts zeigen'}. Hin zu:`,
     no_number: (text) => `„${text}“ ist keine Zahl.`, must_lie: (p) => `${p.label}: ${p.value}, aber erlaubt ist ${p.low} bis ${p.high}.`, must_rise: 'Die höchste Geschwindigkeit darf nicht unter der niedrigsten liegen.',
     undo: 'Rückgängig', redo: 'Wiederholen', undo_keys: 'Rückgängig (Strg+Z)', redo_keys: 'Wiederholen (Strg+Umschalt+Z)', close: 'Schließen', again: 'Noch einmal', reload: 'Seite neu laden',
     stopped: 'Abgebrochen. Was zu sehen ist, gehört zu einem früheren Fall.', stopped_once: 'Abgebrochen: nichts wurde gesichert.', not_done: (what) => `${what}: nicht geschehen.`,
@@ -330,6 +330,9 @@ export function power(value, digits = 2) {
   const raised = [...String(Number(exponent))].map((c) => RAISED[c]).join('');
   return `${Number(mantissa).toLocaleString(language, { minimumFractionDigits: digits - 1 }).replace('-', '−')}·10${raised}`;
 }
+
+/** Size of a file. */
+export const fileSize = (bytes) => (bytes < 1000 ? `${bytes} B` : bytes < 100_000 ? `${number(bytes / 1e3)} kB` : `${number(bytes / 1e6)} MB`);
 
 /** A count of passages in words: 4.6 million. */
 export function passages(count) {

@@ -216,3 +216,10 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
     page.page.locator("#notice button").first.click()
     page.until(lambda: state().startswith("first.csv, ") and page.page.locator("#report").is_visible(), seconds=60)
     page.complaints.clear()
+
+
+def test_sizes_of_files_are_readable(page):
+    for size, words in [(0, "0 B"), (28, "28 B"), (2850, "2.85 kB")]:
+        measured(page, ("position_m,left_um\n" + " " * 3000)[:size], name="small.csv")
+        page.until(lambda: page.text("#record-state") == f"small.csv, {words}")
+    page.complaints.clear()

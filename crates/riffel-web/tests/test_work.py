@@ -100,11 +100,34 @@ def test_a_damaged_link_says_so_and_keeps_what_is_open(page, open_page, damage):
     assert "damaged" in page.text("#trouble")
     assert friction(page) == 0.27
     assert page.page.url.split("#")[1] == link
+    # A good one that follows takes the words away.
+    page.set("contact.friction", "0.3")
+    page.page.evaluate("(link) => (location.hash = link)", damage(link))
+    page.until(page.page.locator("#trouble .said").is_visible)
+    page.page.evaluate("(link) => (location.hash = link)", link)
+    page.until(lambda: friction(page) == 0.27)
+    assert not page.page.locator("#trouble").is_visible()
     # In a window of its own the nominal case opens, with the same words.
     other = open_page(f"#{damage(link)}")
     assert "damaged" in other.text("#trouble")
     assert friction(other) == 0.4
     other.close()
+
+
+def test_a_case_that_never_had_an_answer_is_not_said_to_be_shown(page):
+    page.set("wheel.mass", "350 stones")
+    page.until(page.page.locator("#trouble [data-field]").is_visible)
+    assert "is the last case without an error" in page.text("#trouble")
+    page.page.wait_for_timeout(400)
+    page.page.reload()
+    page.until(page.page.locator("#trouble [data-field]").is_visible)
+    assert "nothing can be shown before" in page.text("#trouble")
+    page.page.locator("#trouble [data-field]").click()
+    assert page.page.locator("#key-wheel-mass").input_value() == "350 stones"
+    page.set("wheel.mass", "350")
+    page.settle()
+    assert not page.page.locator("#trouble").is_visible()
+    page.complaints.clear()
 
 
 def test_without_the_program_the_page_says_what_to_do(browser, served):
