@@ -58,8 +58,13 @@ impl CaseText {
         let map = &case.file.map;
         let points = map.wavelength.points * map.speed.points;
         if points > MOST_MAP_POINTS {
+            let larger = if map.wavelength.points < map.speed.points {
+                "map.speed.points"
+            } else {
+                "map.wavelength.points"
+            };
             return Err(Fault::of_key(
-                "map",
+                larger,
                 format!(
                     "`map`: {points} points are more than the {MOST_MAP_POINTS} that the page computes"
                 ),

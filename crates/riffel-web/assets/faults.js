@@ -13,6 +13,7 @@ function factorOf(unit, si, [shown, factor]) {
   const [own, base] = [plain(unit), plain(si)];
   if (own === plain(shown)) return factor;
   if (own === base) return 1;
+  if (own === 'deg' && base === 'rad') return Math.PI / 180;
   return own.slice(1) === base ? PREFIXES[own[0]] : undefined;
 }
 

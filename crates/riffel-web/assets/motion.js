@@ -200,7 +200,8 @@ export function startMotion({ state, listen, banner, labels, save }) {
     const { text, language } = fault ? said(fault.message) : { text: '', language: currentLanguage() };
     // The program tells a speed with all of its digits.
     const short = text.replace(/\d+[.,]\d{5,}/g, (digits) => number(Number(digits.replace(',', '.')), 4));
-    Object.assign(words, { textContent: labels(short), lang: language });
+    // An option of the program is none here, and um is no unit of the page.
+    Object.assign(words, { textContent: labels(short.replace(/^--sinusoid: /, '').replace(/(?<=\d) um\b/g, ' µm')), lang: language });
   }
 
   place.append(

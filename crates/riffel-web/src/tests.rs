@@ -372,7 +372,7 @@ async fn limits_of_size_are_told_in_sentences() {
     ]);
     let answer = ask("/api/map", &map).await;
     assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY);
-    assert_eq!(answer.json()["key"], "map");
+    assert_eq!(answer.json()["key"], "map.wavelength.points");
     let fine = nominal(&[(
         "friction = 0.4",
         "response = \"non-steady\"\ngrid = 200\nfriction = 0.4",

@@ -52,6 +52,10 @@ def test_a_small_wave_is_linear_and_a_large_one_parts(page, tmp_path):
     amplitude(page, "0.05 mm")
     page.until(lambda: max(curves(page)[0]["y"]) == pytest.approx(50))
     assert page.text("#wave-amplitude-echo") == "= 50 µm"
+    amplitude(page, "1000")
+    page.until(lambda: "choose a smaller amplitude" in page.text("#wave-words"))
+    assert page.text("#wave-words").startswith("a sinusoid of 1000.0 µm and ")
+    page.complaints.clear()
     amplitude(page, "50 kN")
     assert "no unit of this field" in page.text("#wave-amplitude-fault")
     amplitude(page, "3000")
