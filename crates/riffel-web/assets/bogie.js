@@ -29,12 +29,28 @@ const FIELDS = [
 ];
 /** Narrowest curve to either side [m]. */
 const NARROWEST = 5;
+/** Where a reload finds the fields and the profiles. */
+const KEPT = 'riffel-curve';
 
-export function startBogie({ state, listen, complain, banner, save }) {
+/** Fields and profiles as they were before a reload, as far as they are such. */
+function kept() {
+  try {
+    const { values = {}, chosen = {} } = JSON.parse(sessionStorage.getItem(KEPT)) ?? {};
+    const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
+    const isProfile = ([kind, { name, text }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string');
+    return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
+  } catch {
+    return { values: {}, chosen: [] };
+  }
+}
+
+export function startBogie({ state, listen, complain, banner, labels, save }) {
   const place = document.getElementById('view-curve');
   const line = new Line('/api/curve', (answer) => answer.json());
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
   let shown = null;
+  /** Whether the last question had no answer: it is asked again as soon as a map has one. */
+  let failed = false;
 
   const choices = Object.entries(NOMINAL).map(([kind, names]) => {
     const select = element('select', { id: `profile-${kind}` }, ...names.map((name) => element('option', { value: name, textContent: name })));
@@ -58,12 +74,14 @@ export function startBogie({ state, listen, complain, banner, save }) {
       part: element('span', { className: 'choice' }, worded('label', `${kind}_profile`, { htmlFor: select.id }), select, worded('label', 'choose', { htmlFor: file.id, className: 'button plain' }), file),
     };
   });
-  const values = Object.fromEntries(FIELDS.map(([, , key, , value]) => [key, value]));
+  const before = kept();
+  const values = { ...Object.fromEntries(FIELDS.map(([, , key, , value]) => [key, value])), ...before.values };
   const fields = FIELDS.map(([id, word, key, units, otherwise, low, high]) => Object.assign(new NumberField({
     id, word, units: UNITS[units], low, high, onTrouble: settle,
     accept: (value = otherwise) => {
       if (key === 'radius_m' && Math.abs(value) < NARROWEST) return t('too_narrow', { label: t(word), narrowest: NARROWEST });
       values[key] = value;
+      keep();
       showFields();
       ask();
       return '';
@@ -97,7 +115,16 @@ export function startBogie({ state, listen, complain, banner, save }) {
       select.append(option);
     }
     select.value = profile.name;
+    keep();
     ask();
+  }
+
+  function keep() {
+    try {
+      sessionStorage.setItem(KEPT, JSON.stringify({ values, chosen }));
+    } catch {
+      // Then a reload begins anew.
+    }
   }
 
   function ask() {
@@ -108,10 +135,14 @@ export function startBogie({ state, listen, complain, banner, save }) {
     settle(true);
     line.ask({ ...chosen, ...asked }, (answer) => {
       shown = { ...answer, asked };
+      failed = false;
       banner.clear();
       settle();
       show();
-    }, (fault) => complain(fault, { until: 'success' }));
+    }, (fault) => {
+      failed = true;
+      complain(fault, { until: 'success' });
+    });
   }
 
   /** What is shown is no longer, or again, that of the fields. */
@@ -137,7 +168,7 @@ export function startBogie({ state, listen, complain, banner, save }) {
     draw(curvatures, trace((profile) => profile.curvature_1_per_m.map(visible)), layout({ xaxis: across(), yaxis: axis(t('curvature_profile')) }));
     const { fault, wheels = [], wheelsets = [] } = shown.curve;
     trouble.hidden = !fault;
-    trouble.textContent = fault ? `${t('no_equilibrium')} ${inWords(fault.message)}` : '';
+    trouble.textContent = fault ? `${t('no_equilibrium')} ${labels(inWords(fault.message))}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
     if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
@@ -156,11 +187,12 @@ export function startBogie({ state, listen, complain, banner, save }) {
   }
 
   showFields();
+  for (const [kind, profile] of before.chosen) choose(kind, profile);
   listen((what) => {
     if (what === 'words') {
       translate(place);
       showFields();
       show();
-    } else if (what === 'view' && state.view === 'curve' && !shown) ask();
+    } else if ((what === 'view' && !shown) || (what === 'map' && failed)) ask();
   });
 }

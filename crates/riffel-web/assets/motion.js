@@ -197,7 +197,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
   // ----------------------------------------------------------------------------------------------------
 
   function tell(words, fault) {
-    const { text, language } = fault ? said(fault.message) : { text: '', language: currentLanguage() };
+    const { text, language } = fault?.status === 0 ? { text: t('gone'), language: currentLanguage() } : fault ? said(fault.message) : { text: '', language: currentLanguage() };
     // The program tells a speed with all of its digits.
     const short = text.replace(/\d+[.,]\d{5,}/g, (digits) => number(Number(digits.replace(',', '.')), 4));
     // An option of the program is none here, and um is no unit of the page.

@@ -458,6 +458,44 @@ def test_fields_of_a_curve_read_the_separators_and_units_of_people(open_page):
 
 
 @pytest.mark.without_curves
+def test_a_curve_survives_a_reload_and_a_program_that_does_not_answer(page):
+    page.page.click("#tab-curve")
+    rows = page.page.locator("#wheels tbody tr")
+    page.until(lambda: rows.count() == 4)
+    page.page.set_input_files("#profile-file-wheel", str(PROFILES / "wheel.whl"))
+    page.until(lambda: "wheel.whl: read as a wheel" in page.text("#profile-remarks"))
+    page.page.select_option("#profile-rail", "60E2")
+    page.page.fill("#bogie-wheelbase", "6 ft")
+    page.page.press("#bogie-wheelbase", "Tab")
+    page.settle()
+    page.until(lambda: page.page.locator("#view-curve .panel.stale").count() == 0)
+    told = page.text("#wheels")
+    page.page.wait_for_timeout(400)
+    page.page.reload()
+    page.until(lambda: rows.count() == 4 and page.text("#wheels") == told)
+    assert page.page.locator("#profile-wheel").input_value() == "wheel.whl" and page.page.locator("#profile-rail").input_value() == "60E2"
+    assert page.page.locator("#bogie-wheelbase").input_value() == "1.8288"
+    # No equilibrium: in the words of the page.
+    page.page.fill("#curve-radius", "20")
+    page.page.press("#curve-radius", "Tab")
+    page.until(page.page.locator("#no-equilibrium").is_visible)
+    assert "`" not in page.text("#no-equilibrium")
+    # Without an answer the figures pale, until there is one again.
+    page.page.route("**/api/**", lambda route: route.abort())
+    page.page.fill("#curve-radius", "180")
+    page.page.press("#curve-radius", "Tab")
+    page.until(page.page.locator("#trouble .said").is_visible)
+    assert page.page.locator("#view-curve .panel.stale").count() == 2
+    page.page.click("#tab-motion")
+    page.until(lambda: "does not answer" in page.text("#wave-words"))
+    page.page.click("#tab-curve")
+    page.page.unroute("**/api/**")
+    page.page.locator("#trouble").get_by_text("Try again").click()
+    page.until(lambda: page.page.locator("#view-curve .panel.stale").count() == 0 and not page.page.locator("#no-equilibrium").is_visible())
+    page.complaints.clear()
+
+
+@pytest.mark.without_curves
 def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     page.page.get_by_text("Take away").click()
     with page.page.expect_download(timeout=60_000) as download:
