@@ -115,10 +115,12 @@ export class Sweep {
     drawCurves(this.plot, answer.curves.map((one, k) => ({ ...one, name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
     const cell = (textContent) => element('td', { textContent });
     const head = element('thead', {}, element('tr', {}, element('td'), ...t('sweep_columns').map((textContent) => element('th', { scope: 'col', textContent }))));
-    const rows = answer.curves.map(({ lines }, k) => {
+    const rows = answer.curves.map(({ lines, wavelength_m: wavelengths }, k) => {
       const high = lines.filter(({ growth_rate_per_passage: rate }) => rate > 0).reduce((best, one) => (best && best.growth_rate_per_passage >= one.growth_rate_per_passage ? best : one), null);
+      // There growth may go on rising: the window hides the crest.
+      const edge = high && [wavelengths[0], wavelengths.at(-1)].includes(high.wavelength_m) ? `, ${t('at_edge')}` : '';
       const cells = high
-        ? [power(high.growth_rate_per_passage, 3), `${number(1e3 * high.wavelength_m)} mm`, `${number(high.frequency_hz)} Hz`, this.#doubling(high, answer.load)]
+        ? [power(high.growth_rate_per_passage, 3), `${number(1e3 * high.wavelength_m)} mm${edge}`, `${number(high.frequency_hz)} Hz`, this.#doubling(high, answer.load)]
         : [t('nothing_grows_here'), '–', '–', '–'];
       return element('tr', {}, element('th', { scope: 'row', textContent: name(k) }), ...cells.map(cell));
     });

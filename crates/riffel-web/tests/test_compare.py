@@ -156,6 +156,12 @@ def test_sweeps_make_curves_and_variants(page):
     page.until(lambda: "320 MN/m" in page.text("#sweep-table"))
     highest = [max(curve["y"]) for curve in page.page.evaluate(CURVES, "sweep-curves")]
     assert len(set(highest)) == 6, "each stiffness has its own growth"
+    # Where growth still rises at the end of the curve, the table says so.
+    page.set("track.preset", "ballasted-soft-pads")
+    page.settle()
+    page.until(lambda: any("at the edge" in row[2] for row in rows(page, "#sweep-table")))
+    for curve, row in zip(page.page.evaluate(CURVES, "sweep-curves"), rows(page, "#sweep-table")[1:], strict=True):
+        assert ("at the edge of the window" in row[2]) == (curve["y"].index(max(curve["y"])) in (0, len(curve["y"]) - 1)), row
     keep_with(page)
     page.page.click("#sweep-keep")
     page.until(lambda: len(variants(page)) == 6)
