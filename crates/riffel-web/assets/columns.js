@@ -17,9 +17,20 @@ const [SHORTEST_STEP, LONGEST_STEP] = [0.001, 1000];
 const isNumber = (cell) => /^[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?$/.test(cell.trim());
 const cellsOf = (line, mark) => (mark === ' ' ? line.trim().split(/\s+/) : line.split(mark)).map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'));
 
+/** The text of a file, as the program takes it: UTF-16 by its mark, else UTF-8 and, where it is none, Windows-1252. The end may be within a letter. */
+function decoded(bytes) {
+  const mark = { '255 254': 'utf-16le', '254 255': 'utf-16be' }[bytes.subarray(0, 2).join(' ')];
+  if (mark) return new TextDecoder(mark).decode(bytes, { stream: true });
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(bytes, { stream: true });
+  } catch {
+    return new TextDecoder('windows-1252').decode(bytes);
+  }
+}
+
 /** Layout of a file from its first lines: delimiter, lines of the head, names and first numbers of the columns. Null where there is no table of numbers. */
 export async function layoutOf(file) {
-  const text = await file.slice(0, BEGIN).text();
+  const text = decoded(new Uint8Array(await file.slice(0, BEGIN).arrayBuffer()));
   const lines = text.replace(/^\uFEFF/, '').split(/\r?\n/).slice(0, -1);
   const alone = oneColumn(lines);
   if (alone) return alone;

@@ -263,7 +263,8 @@ export class Form {
     const plain = parts?.unit === shown[0];
     // The unit beside the field is that of a bare number: another one stands with its number, in the field.
     input.value = field.typed?.text ?? worded(written === undefined ? '' : plain ? parts.text : parts && typeof written === 'number' ? `${parts.text} ${parts.unit}` : written);
-    const inherited = whole === undefined || whole === null ? null : Number.parseFloat(whole) / shown[1];
+    // What is missing has no default that could stand in.
+    const inherited = whole === undefined || whole === null || !field.fault.hidden ? null : Number.parseFloat(whole) / shown[1];
     input.placeholder = written === undefined && inherited !== null ? worded(short(inherited)) : '';
     if (input.placeholder) input.title = t('from_preset');
     else input.removeAttribute('title');
@@ -401,6 +402,7 @@ export class Form {
 
   #wrong({ input, fault }) {
     fault.hidden = false;
+    input.placeholder = '';
     input.setAttribute('aria-invalid', 'true');
     input.closest('.row').classList.add('wrong');
   }

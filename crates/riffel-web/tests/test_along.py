@@ -223,3 +223,20 @@ def test_sizes_of_files_are_readable(page):
         measured(page, ("position_m,left_um\n" + " " * 3000)[:size], name="small.csv")
         page.until(lambda: page.text("#record-state") == f"small.csv, {words}")
     page.complaints.clear()
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "cp1252", "utf-8-sig"])
+def test_columns_of_other_encodings_are_offered(page, encoding):
+    rows = "".join(f"{k * 1e-3:.3f};{20e-3 * math.sin(2 * math.pi * k / 50):.5f};{20 * math.sin(2 * math.pi * k / 50):.3f}\n".replace(".", ",") for k in range(4000))
+    text = "Weg [m];Höhe links [mm];Höhe rechts [µm]\n" + rows
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=[{"name": "umlaut.csv", "mimeType": "text/csv", "buffer": text.encode(encoding)}])
+    along(page)
+    page.page.evaluate("() => (document.getElementById('columns').open = true)")
+    assert page.page.locator("#columns-table th").all_inner_texts() == ["Weg [m]", "Höhe links [mm]", "Höhe rechts [µm]"]
+    units = page.page.locator("#columns-table tr").evaluate_all("(rows) => rows.map((row) => [...row.querySelectorAll('select')].at(-1).value)")
+    assert units == ["m", "mm", "um"]
+    page.page.click("#columns-use")
+    page.settle()
+    assert not page.page.locator("#trouble").is_visible()
+    assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)

@@ -126,6 +126,14 @@ def test_a_case_that_never_had_an_answer_is_not_said_to_be_shown(page):
     assert page.page.locator("#key-wheel-mass").input_value() == "350 stones"
     page.set("wheel.mass", "350")
     page.settle()
+    # A value that is missing is not shown as one that stands in for it.
+    page.set("wheel.mass", "")
+    page.until(lambda: "is missing" in page.text("#key-wheel-mass-fault"))
+    page.settle()
+    assert page.page.locator("#key-wheel-mass").get_attribute("placeholder") == ""
+    page.set("wheel.mass", "350")
+    page.settle()
+    assert page.page.locator("#key-wheel-inertia").get_attribute("placeholder") != ""
     assert not page.page.locator("#trouble").is_visible()
     page.complaints.clear()
 
