@@ -33,6 +33,8 @@ pub(crate) struct Head {
     derived: Derived,
     /// Every key, with presets and defaults.
     complete: riffel_case::file::CaseFile,
+    /// Keys and tables that this case does not use.
+    idle: Vec<&'static str>,
     remarks: Vec<Note>,
 }
 
@@ -171,6 +173,7 @@ impl Computed {
                 ),
                 derived: Derived::of(case),
                 complete: case.file.clone(),
+                idle: idle(case),
                 remarks: case.remarks.iter().map(Note::from).collect(),
             },
             values: map
@@ -180,6 +183,43 @@ impl Computed {
                 .collect(),
         }
     }
+}
+
+/// Keys and tables that a model may leave aside; those of the window and of the amplitude have their use in the page.
+const MAY_BE_IDLE: [&str; 25] = [
+    "track.preset",
+    "track.pad",
+    "track.sleeper",
+    "track.ballast",
+    "track.support_spacing",
+    "track.position",
+    "rail.polar_second_moment",
+    "rail.warping_constant",
+    "rail.centroid_height",
+    "rail.head_height",
+    "rail.foot_depth",
+    "rail.foot_width",
+    "contact.polach",
+    "contact.grid",
+    "contact.conformity",
+    "contact.dissipation_phase",
+    "wheelset.mass",
+    "wheelset.roll_inertia",
+    "wheelset.spin_inertia",
+    "wheelset.axle",
+    "wheelset.discs",
+    "curve",
+    "bogie",
+    "body",
+    "profiles",
+];
+
+fn idle(case: &Case) -> Vec<&'static str> {
+    // The map is that of one place of the bay.
+    let of_a_place = |key: &str| key == "track.position" && case.file.track.model.is_periodic();
+    let idle = MAY_BE_IDLE.into_iter();
+    idle.filter(|key| case.idle_because(key).is_some() && !of_a_place(key))
+        .collect()
 }
 
 impl crate::Question for Question {

@@ -1,9 +1,19 @@
-//! `GET /api/vocabulary`: the keys of a case, the presets with their sources, and the case to begin with.
+//! `GET /api/vocabulary`: the keys of a case, the presets with their sources, the nominal case and lines to begin with.
 
 use std::sync::LazyLock;
 
-use riffel_case::{NOMINAL_CASE, json_schema, presets};
+use riffel_case::{
+    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, json_schema, presets,
+};
 use serde_json::{Value, json};
+
+/// Lines to begin with, each on a supported track.
+const LINES: [(&str, &str); 4] = [
+    ("main-line", MAIN_LINE_CASE),
+    ("freight", FREIGHT_CASE),
+    ("metro", METRO_CASE),
+    ("tram", TRAM_CASE),
+];
 
 /// The vocabulary with the nominal case to begin with, in JSON.
 pub static VOCABULARY: LazyLock<String> =
@@ -25,11 +35,17 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
             json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title, "values": values })
         })
         .collect();
+    let keys = |text: &str| text.parse::<toml::Table>().unwrap_or_default();
+    let lines: Vec<Value> = LINES
+        .iter()
+        .map(|&(name, text)| json!({ "name": name, "case": keys(text) }))
+        .collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "schema": json_schema(),
         "presets": presets,
         "nominal": case,
+        "lines": lines,
     })
     .to_string()
 }

@@ -52,8 +52,13 @@ function tableOf(schema, node) {
 /** What a field shows of a value: not the table in its place. */
 const bare = (value) => (value === null || Array.isArray(value) || typeof value !== 'object' ? value : undefined);
 
-/** What a key is, in the language of the page: shown beside the pointer. */
-const hint = (place) => (place.title = place.dataset.hint.split('\n').map((line) => inWords(line)).join('\n'));
+/** What a key is, in the language of the page: shown beside the pointer, and in a menu before the name of a choice. */
+function hint(place) {
+  place.title = place.dataset.hint.split('\n').map((line) => inWords(line)).join('\n');
+  if (place.tagName !== 'OPTION') return;
+  const [first] = place.title.split(/[.:;](?= |$)/);
+  place.textContent = first ? `${first} · ${place.value}` : place.value;
+}
 
 /** Words of the program as an element, in the language they are in: a citation stays as it is. */
 function spoken(name, english) {
@@ -85,6 +90,13 @@ export class Form {
       }
     }
     for (const key of Object.keys(SLIDERS)) this.#slider(key);
+    this.all = element('button', { type: 'button', className: 'plain small', id: 'all-keys', ariaPressed: 'false', hidden: true });
+    this.all.addEventListener('click', () => {
+      const is = this.place.classList.toggle('all-keys');
+      this.all.setAttribute('aria-pressed', String(is));
+      this.#tellIdle();
+    });
+    this.place.append(this.all);
   }
 
   #section(key, open) {
@@ -158,7 +170,7 @@ export class Form {
     const menu = element('select', {});
     if (empty) menu.append(element('option', { value: '', textContent: '—' }));
     for (const [name, title] of choices) {
-      const option = element('option', { value: name, textContent: name });
+      const option = element('option', { value: name });
       option.dataset.hint = (title ?? '').replaceAll('\n', ' ');
       hint(option);
       menu.append(option);
@@ -229,6 +241,25 @@ export class Form {
     this.current = current;
     for (const field of this.fields.values()) this.#showField(field);
     for (const [key, slider] of this.sliders) this.#showSlider(key, slider);
+  }
+
+  /** Fold the keys that the models of the case do not use: those named, and all in tables named. One that is written stays. */
+  fold(idle) {
+    this.idle = 0;
+    for (const { key, input } of this.fields.values()) {
+      const is = get(this.keys, key) === undefined && idle.some((name) => key === name || key.startsWith(`${name}.`));
+      input.closest('.row').classList.toggle('idle', is);
+      this.idle += is;
+    }
+    for (const group of this.place.querySelectorAll('.subgroup, .group')) {
+      group.classList.toggle('idle', ![...group.querySelectorAll('.row')].some((row) => !row.classList.contains('idle')));
+    }
+    this.#tellIdle();
+  }
+
+  #tellIdle() {
+    this.all.hidden = !this.idle;
+    this.all.textContent = t(this.place.classList.contains('all-keys') ? 'fold_keys' : 'all_keys', this.idle);
   }
 
   #showField(field) {
@@ -444,6 +475,7 @@ export class Form {
 
   /** Words of another language: what was typed is shown as the program has it. */
   reword() {
+    this.#tellIdle();
     for (const field of this.fields.values()) {
       if (field.fault.hidden) field.typed = null;
       else if (!field.asks) this.#tell(field);

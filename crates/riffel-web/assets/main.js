@@ -17,7 +17,9 @@ import { startPrinting } from './printing.js';
 import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
+import { Start } from './start.js';
 import { save, startTakeAway } from './take-away.js';
+import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
 import { readVariants } from './variants.js';
@@ -99,6 +101,7 @@ function showMap({ head, values }, keys) {
   state.current = !maps.pending;
   if (maps.pending) stale('map');
   form.show(state.keys, head.complete, state.current);
+  form.fold(head.idle);
   const { wavelength, speed, highest } = state.map;
   const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
   if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
@@ -504,6 +507,24 @@ const shared = {
   state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
+const tour = new Tour();
+const start = new Start({
+  vocabulary, done: () => tour.begin(),
+  open: (keys) => open({ case: keys, point: null, tab: 'explore' }),
+});
+$('view-explore').prepend(start.panel);
+shared.listen((what) => what === 'words' && (start.reword(), tour.reword()));
+$('version').textContent = `Riffel ${vocabulary.version}`;
+$('help-start').addEventListener('click', () => {
+  $('help').hidePopover();
+  showView('explore');
+  start.show();
+});
+$('help-tour').addEventListener('click', () => {
+  $('help').hidePopover();
+  showView('explore');
+  tour.begin();
+});
 startCompare(shared);
 const measure = startMeasure(shared);
 startBogie(shared);
@@ -519,11 +540,13 @@ translate();
 
 const link = location.hash.length > 1 ? readLink(location.hash) : null;
 const last = inside ? { ...nominal(), case: structuredClone(inside) } : lastState();
-const first = link ?? last ?? nominal();
+const isNew = !link && !last && location.hash.length <= 1;
+const first = link ?? last ?? (isNew ? { ...nominal(), case: start.first } : nominal());
 Object.assign(state, { keys: first.case, variants: first.variants });
 traffic.show(first.traffic);
 steps.begin(snapshot());
 open(first, { asStep: false });
+start.panel.hidden = !isNew;
 if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 

@@ -4,6 +4,8 @@ RIFFEL is the program, CHROMIUM the browser of the system; `cargo xtask test` se
 in SCREENSHOTS.
 """
 
+import base64
+import json
 import os
 import pathlib
 import re
@@ -11,6 +13,7 @@ import shutil
 import signal
 import subprocess
 import time
+import urllib.request
 
 import pytest
 from playwright.sync_api import sync_playwright
@@ -37,6 +40,10 @@ class Served:
         )
         self.url = self.process.stdout.readline().strip()
         assert re.fullmatch(r"http://127\.0\.0\.1:\d+/", self.url), self.url
+        with urllib.request.urlopen(self.url + "api/vocabulary") as answer:
+            nominal = json.load(answer)["nominal"]
+        # What a page keeps of a visit before, on which the nominal case was open.
+        self.visited = "#" + base64.urlsafe_b64encode(json.dumps({"case": nominal}).encode()).decode().rstrip("=")
 
     def end(self, signal_=signal.SIGTERM):
         self.process.send_signal(signal_)
@@ -64,13 +71,15 @@ class Page:
     Without curves nothing is drawn in place of them, which takes most of the time of a page.
     """
 
-    def __init__(self, browser, url, curves=True, **context):
+    def __init__(self, browser, url, curves=True, visited=None, **context):
         self.context = browser.new_context(
             **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, **context}
         )
         if not curves:
             script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
             self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
+        if visited:
+            self.context.add_init_script(f"localStorage.getItem('riffel-last') ?? localStorage.setItem('riffel-last', '{visited}')")
         self.page = self.context.new_page()
         self.complaints = []
         self.foreign = []
@@ -141,15 +150,16 @@ class Page:
 
 @pytest.fixture
 def page(browser, served, request):
-    page = Page(browser, served.url, curves=draws_curves(request))
+    page = Page(browser, served.url, curves=draws_curves(request), visited=served.visited)
     yield page
     page.close()
 
 
 @pytest.fixture
 def open_page(browser, served, request):
-    """Pages with other settings, which the test closes itself."""
-    return lambda path="", **context: Page(browser, served.url + path, curves=draws_curves(request), **context)
+    """Pages with other settings, which the test closes itself; of somebody who was here before, if not told otherwise."""
+    settings = {"curves": draws_curves(request), "visited": served.visited}
+    return lambda path="", **context: Page(browser, served.url + path, **{**settings, **context})
 
 
 def draws_curves(request):
