@@ -22,6 +22,8 @@ const SLIDERS = {
   'contact.normal_load': [10e3, 150e3, 500], 'wheel.inertia': [2, 300, 'log'], 'track.pad.stiffness': [10e6, 3e9, 'log'],
 };
 const LOG_STEPS = 400;
+/** Where a reload finds whether all keys are shown. */
+const ALL_KEYS = 'riffel-all-keys';
 /** Two keys of which a case gives one. */
 const ONE_OF = [['contact.tractive_ratio', 'contact.creepage']];
 /** A model needs supports: the preset that stands in until others are chosen. */
@@ -91,11 +93,17 @@ export class Form {
     }
     for (const key of Object.keys(SLIDERS)) this.#slider(key);
     this.all = element('button', { type: 'button', className: 'plain small', id: 'all-keys', ariaPressed: 'false', hidden: true });
-    this.all.addEventListener('click', () => {
-      const is = this.place.classList.toggle('all-keys');
+    const show = (is) => {
+      this.place.classList.toggle('all-keys', is);
       this.all.setAttribute('aria-pressed', String(is));
       this.#tellIdle();
+    };
+    this.all.addEventListener('click', () => {
+      const is = !this.place.classList.contains('all-keys');
+      show(is);
+      localStorage.setItem(ALL_KEYS, is);
     });
+    show(localStorage.getItem(ALL_KEYS) === 'true');
     this.place.append(this.all);
   }
 

@@ -17,8 +17,6 @@ import { currentLanguage, fileSize, number, power, t, translate } from './words.
 /** The name of a file before a sentence that does not begin with it. */
 const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
 
-/** Name of the vehicle of a traffic that has none. */
-const OWN_WHEEL = 'the wheel of the case';
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';
 
@@ -244,9 +242,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   /** Words of the program as an element of the page. */
   const spoken = (name, english, more = {}) => {
     const { text, language } = said(english);
-    // Names of vehicles stay as they are written, but this one is the page's own.
-    const words = language === 'de' ? text.replace(`"${OWN_WHEEL}"`, `„${inWords(OWN_WHEEL)}“`) : text;
-    return element(name, { textContent: labels(words), lang: language, ...more });
+    return element(name, { textContent: labels(text), lang: language, ...more });
   };
   const item = (text, className = '') => spoken('li', text, { className });
 

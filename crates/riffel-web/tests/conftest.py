@@ -79,7 +79,8 @@ class Page:
             script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
             self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
         if visited:
-            self.context.add_init_script(f"localStorage.getItem('riffel-last') ?? localStorage.setItem('riffel-last', '{visited}')")
+            kept = {"riffel-last": visited, "riffel-all-keys": "true"}
+            self.context.add_init_script(f"for (const [name, value] of Object.entries({json.dumps(kept)})) localStorage.getItem(name) ?? localStorage.setItem(name, value)")
         self.page = self.context.new_page()
         self.complaints = []
         self.foreign = []

@@ -45,7 +45,7 @@ def test_a_measured_rail_is_judged_in_german(open_page, tmp_path):
     assert "über der Grenze, 1 von 22 Bändern" in told and "führt mit einem Anteil von 0," in told
     assert "Höhen fehlen" in told and "Schiene rechts liegt vorn: jetzt über der Grenze" in told
     assert english(told) == []
-    assert "„das Rad des Falls“" in told and "the wheel of the case" not in told
+    assert '"das Rad des Falls"' in told and "the wheel of the case" not in told
     reasons = page.page.locator(".share").evaluate_all("(all) => all.map(({ title }) => title)")
     assert any("gemessen 40,0 mm" in reason for reason in reasons)
     assert english("\n".join(reasons)) == []
