@@ -69,10 +69,16 @@ impl fmt::Display for Exponents {
                 _ => format!("{symbol}{exponent}"),
             })
             .collect();
-        if parts.is_empty() {
-            f.write_str("a plain number")
-        } else {
-            f.write_str(&parts.join(" "))
+        f.write_str(&parts.join(" "))
+    }
+}
+
+impl Exponents {
+    /// What a value with them is, as in "3 kg is in kg".
+    pub(crate) fn in_words(self) -> String {
+        match self.to_string() {
+            units if units.is_empty() => "a plain number".to_owned(),
+            units => format!("in {units}"),
         }
     }
 }

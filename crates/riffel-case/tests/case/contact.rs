@@ -160,7 +160,7 @@ fn unlike_radii_are_worth_a_remark() {
 #[case(&["contact.creep_law=half-space", "contact.grid=14"], "`contact.grid` is 14, but must be an even number from 16 to 200")]
 #[case(&["contact.response=non-steady", "map.wavelength.min=2 mm"], "`map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements")]
 #[case(&["contact.creep_law=half-space", "contact.creepage=0.64 %"], "here 0.99")]
-#[case(&["contact.transverse_radius=10 km"], "`contact.transverse_radius`: ratio of the combined curvatures is 21739.1304347826")]
+#[case(&["contact.transverse_radius=10 km"], "`contact.transverse_radius`: ratio of the combined curvatures is 21739.1, ")]
 #[case(&["contact.hertz=exact", "contact.transverse_radius=10 km"], "beyond that the contact is a line contact")]
 #[case(&["contact.transverse_radius=10 um"], "`contact.transverse_radius` is 10 um, but must be between 1 mm and 10000 m")]
 #[case(&["contact.creep_law=fastsim", "steel.poisson_ratio=-0.2"], "`steel.poisson_ratio`: Poisson's ratio is -0.2, but must lie between 0 and 0.5")]

@@ -113,7 +113,7 @@ fn a_completed_case_reads_back(#[case] text: &str) -> Result<(), CaseError> {
 #[case::angle_of_another_kind(
     RIGID,
     "contact.contact_angle=5 %",
-    "`contact.contact_angle`: \"5 %\" is in a plain number, not an angle in rad"
+    "`contact.contact_angle`: \"5 %\" is a plain number, not an angle in rad"
 )]
 #[case::offset_in_millimetres(
     RIGID,

@@ -59,11 +59,11 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// The unit of another kind of quantity.
-    #[error("\"{text}\" is in {got}, not {name}{in_unit}; write it as in \"{example}\"")]
+    #[error("\"{text}\" is {got}, not {name}{in_unit}; write it as in \"{example}\"")]
     WrongUnit {
         /// What was written.
         text: String,
-        /// Its unit in SI base units.
+        /// What it is: in its unit in SI base units, or a plain number.
         got: String,
         /// What is needed, with its article.
         name: &'static str,

@@ -142,7 +142,7 @@ impl Kind {
             if !read.exponents.measure(own) {
                 return Err(QuantityError::WrongUnit {
                     text: text.to_owned(),
-                    got: read.exponents.to_string(),
+                    got: read.exponents.in_words(),
                     name,
                     in_unit: match unit {
                         "" => String::new(),

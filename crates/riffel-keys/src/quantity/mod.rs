@@ -185,7 +185,7 @@ mod tests {
         );
         assert_eq!(
             si::<Angle>("3 %").unwrap_err(),
-            "\"3 %\" is in a plain number, not an angle in rad; write it as in \"3 deg\""
+            "\"3 %\" is a plain number, not an angle in rad; write it as in \"3 deg\""
         );
         assert!(si::<Spin>("0,3 1/m").unwrap_err().contains("a comma"));
     }
