@@ -253,12 +253,12 @@ export class Form {
 
   /** Fold the keys that the models of the case do not use: those named, and all in tables named. One that is written stays. */
   fold(idle) {
-    this.idle = 0;
-    for (const { key, input } of this.fields.values()) {
-      const is = get(this.keys, key) === undefined && idle.some((name) => key === name || key.startsWith(`${name}.`));
-      input.closest('.row').classList.toggle('idle', is);
-      this.idle += is;
-    }
+    const folded = [...this.fields.values()].map(({ key }) => get(this.keys, key) === undefined && idle.some((name) => key === name || key.startsWith(`${name}.`)));
+    // With most steps of a slider nothing changes here.
+    if (folded.join() === this.folded?.join()) return;
+    this.folded = folded;
+    this.idle = folded.filter(Boolean).length;
+    [...this.fields.values()].forEach(({ input }, k) => input.closest('.row').classList.toggle('idle', folded[k]));
     for (const group of this.place.querySelectorAll('.subgroup, .group')) {
       group.classList.toggle('idle', ![...group.querySelectorAll('.row')].some((row) => !row.classList.contains('idle')));
     }
