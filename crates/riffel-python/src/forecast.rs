@@ -196,9 +196,7 @@ pub(crate) fn fit_wear<'py>(
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
     })?;
     let on = on.map_err(of_case)?;
-    let by_days = days
-        .zip(on.passages_per_day)
-        .map(|(days, a_day)| days * a_day);
+    let by_days = days.and_then(|days| on.passages_in(days));
     let passages = passages.or(by_days).ok_or_else(|| {
         wrong(
             "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis};
+use riffel::roughness::Profile;
 use riffel_keys::CaseError;
 
+use crate::survey::spectrum;
 use crate::{LabelledSpectrum, Rail, Record, RoughnessFile, Survey};
 
 /// Length of a place \[m\]: long enough for third octaves up to 0.25 m, and that of which the page shows a spectrum.
@@ -72,22 +73,15 @@ fn at_places(
     rail: &Rail,
     wanted: &BTreeSet<(&str, i64)>,
 ) -> Result<Vec<LabelledSpectrum>, CaseError> {
-    // Levels alone.
-    let settings = AnalysisSettings {
-        bands: Vec::new(),
-        ..AnalysisSettings::default()
-    };
     let mut records = Vec::new();
     for stretch in &rail.stretches {
         let places =
             numbers(stretch).filter(|&number| wanted.contains(&(rail.name.as_str(), number)));
         for number in places {
             let from = number as f64 * PLACE;
-            let part: Vec<Profile> = stretch.between(from, from + PLACE).into_iter().collect();
-            let analysis = RailAnalysis::new(part, &settings, &|| {}).map_err(|error| {
-                CaseError::data(path, format!("{} at {from} m: {error}", rail.name))
-            })?;
-            let mut record = LabelledSpectrum::of_rail(&rail.name, analysis.spectrum);
+            let part = stretch.between(from, from + PLACE).into_iter().collect();
+            let spectrum = spectrum(path, &format!("{} at {from} m", rail.name), part)?;
+            let mut record = LabelledSpectrum::of_rail(&rail.name, spectrum);
             record.labels.push(("place_m".to_owned(), from.to_string()));
             records.push(record);
         }

@@ -5,13 +5,28 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
-use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum};
+use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
 use riffel_keys::CaseError;
 
 use crate::date::{read_date, read_dates};
 use crate::heading::is_date;
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, RoughnessFile};
+
+/// The spectrum of stretches after EN 15610, levels alone; `place` is where they lie in words.
+pub(crate) fn spectrum(
+    path: &Path,
+    place: &str,
+    stretches: Vec<Profile>,
+) -> Result<Spectrum, CaseError> {
+    let settings = AnalysisSettings {
+        bands: Vec::new(),
+        ..AnalysisSettings::default()
+    };
+    let analysis = RailAnalysis::new(stretches, &settings, &|| {})
+        .map_err(|error| CaseError::data(path, format!("{place}: {error}")))?;
+    Ok(analysis.spectrum)
+}
 
 /// Spectra of a file: those of a table, or one for each rail of a profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,17 +67,11 @@ impl Survey {
             RoughnessFile::Spectra(records) => return Self::new(path, records, Vec::new()),
             RoughnessFile::Profile(record) => record,
         };
-        // Levels alone.
-        let settings = AnalysisSettings {
-            bands: Vec::new(),
-            ..AnalysisSettings::default()
-        };
-        let mut rails = Vec::new();
-        for rail in record.rails {
-            let analysis = RailAnalysis::new(rail.stretches, &settings, &|| {})
-                .map_err(|error| CaseError::data(path, format!("{}: {error}", rail.name)))?;
-            rails.push(LabelledSpectrum::of_rail(&rail.name, analysis.spectrum));
-        }
+        let rails = record.rails.into_iter().map(|rail| {
+            let spectrum = spectrum(path, &rail.name, rail.stretches)?;
+            Ok(LabelledSpectrum::of_rail(&rail.name, spectrum))
+        });
+        let rails = rails.collect::<Result<_, CaseError>>()?;
         Self::new(path, rails, record.warnings)
     }
 

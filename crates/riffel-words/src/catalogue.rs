@@ -52,14 +52,19 @@ const LONGEST: usize = 2000;
 /// Sentences are sought in sentences so deep.
 const DEEPEST: usize = 8;
 
-pub(crate) struct Catalogue {
-    /// Those with values, the longest first.
-    pub(crate) entries: Vec<(Wording<'static>, Wording<'static>)>,
+/// An English wording with the German one.
+type Entry = (Wording<'static>, Wording<'static>);
+
+struct Catalogue {
+    /// Those with values and words of their own, the longest first.
+    of_words: Vec<Entry>,
+    /// Those whose own are marks alone, as in "{what}: {sentence}", which fits nearly everything.
+    of_marks: Vec<Entry>,
     /// Those without values, by their English wording.
     whole: HashMap<&'static str, &'static str>,
 }
 
-pub(crate) static READ: LazyLock<Catalogue> = LazyLock::new(|| {
+static READ: LazyLock<Catalogue> = LazyLock::new(|| {
     let (mut entries, mut whole) = (Vec::new(), HashMap::new());
     for (english, german) in wordings() {
         if english.contains('{') {
@@ -69,7 +74,14 @@ pub(crate) static READ: LazyLock<Catalogue> = LazyLock::new(|| {
         }
     }
     entries.sort_by_key(|(english, _)| std::cmp::Reverse(english.own));
-    Catalogue { entries, whole }
+    let (of_words, of_marks) = entries
+        .into_iter()
+        .partition(|(english, _)| english.has_words());
+    Catalogue {
+        of_words,
+        of_marks,
+        whole,
+    }
 });
 
 /// The German of a sentence or of words that the program says; none of what the catalogue does not have.
@@ -94,24 +106,16 @@ fn sought(english: &str, depth: usize) -> Option<String> {
     let sentences = || parts(english, sentence_end(english)?, depth);
     let clauses = || parts(english, english.find("; ").map(|at| [at, at + 2])?, depth);
     sentences()
-        .or_else(|| one(english, depth, Own::Words))
+        .or_else(|| one(english, depth, &READ.of_words))
         .or_else(clauses)
-        .or_else(|| one(english, depth, Own::Marks))
-}
-
-/// What a wording has of its own beside its values.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Own {
-    Words,
-    /// As in "{what}: {sentence}", which fits nearly everything.
-    Marks,
+        .or_else(|| one(english, depth, &READ.of_marks))
 }
 
 /// The German of one wording, with or without a stop, in the middle of a sentence or at its beginning.
-fn one(english: &str, depth: usize, own: Own) -> Option<String> {
+fn one(english: &str, depth: usize, entries: &[Entry]) -> Option<String> {
     let stopped = |text: &str| {
-        let without = || Some(exact(text.strip_suffix('.')?, depth, own)? + ".");
-        exact(text, depth, own).or_else(without)
+        let without = || Some(exact(text.strip_suffix('.')?, depth, entries)? + ".");
+        exact(text, depth, entries).or_else(without)
     };
     let small = || {
         let mut letters = english.chars();
@@ -125,16 +129,12 @@ fn one(english: &str, depth: usize, own: Own) -> Option<String> {
 }
 
 /// The German of one wording.
-fn exact(english: &str, depth: usize, own: Own) -> Option<String> {
+fn exact(english: &str, depth: usize, entries: &[Entry]) -> Option<String> {
     if let Some(german) = READ.whole.get(english) {
         return Some((*german).to_owned());
     }
-    let entries = READ
-        .entries
-        .iter()
-        .filter(|(wording, _)| wording.has_words() == (own == Own::Words));
     // The one with the most words of its own first.
-    entries.into_iter().find_map(|(wording, german)| {
+    entries.iter().find_map(|(wording, german)| {
         let values = wording.values(english)?;
         let mut found = Vec::new();
         for ((name, value), is_quoted) in values.into_iter().zip(wording.quoted()) {

@@ -42,7 +42,12 @@ pub(super) struct WheelOnCase {
 impl TrafficOnCase {
     /// Axle passages in a month of the mean calendar, if the file says how much traffic there is.
     pub fn passages_per_month(&self) -> Option<f64> {
-        Some(self.passages_per_day? * DAYS_PER_MONTH)
+        self.passages_in(DAYS_PER_MONTH)
+    }
+
+    /// Axle passages in so many days, if the file says how much traffic there is.
+    pub fn passages_in(&self, days: f64) -> Option<f64> {
+        Some(self.passages_per_day? * days)
     }
 }
 

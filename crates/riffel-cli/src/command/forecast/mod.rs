@@ -21,6 +21,7 @@ use crate::output::{Progress, json, table};
 use crate::results::Results;
 
 pub(crate) use ground::ground_rail;
+pub(crate) use wear::Measured;
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let spectra = &arguments.spectra;

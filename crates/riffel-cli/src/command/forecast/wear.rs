@@ -3,6 +3,8 @@
 use riffel_answers::forecast::WearReport;
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
+use riffel_keys::CaseError;
+use riffel_rail::Survey;
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
@@ -29,10 +31,7 @@ pub(super) fn wear_report(
         }
         return Ok(None);
     };
-    let by_date = dated
-        .days
-        .zip(on.passages_per_day)
-        .map(|(days, a_day)| days * a_day);
+    let by_date = dated.days.and_then(|days| on.passages_in(days));
     let passages =
         spectra.passages_between.or(by_date).ok_or_else(|| {
             CliError::Argument {
@@ -42,15 +41,36 @@ pub(super) fn wear_report(
             .to_owned(),
     }
         })?;
-    let places = match (&spectra.earlier, &spectra.spectrum) {
-        (Some(before), Some(now)) => places_of_both(before, now, &spectra.layout)?,
-        _ => None,
+    let files = spectra.earlier.as_deref().zip(spectra.spectrum.as_deref());
+    let measured = Measured {
+        surveys: [earlier, &dated.now],
+        places: match files {
+            Some((earlier, now)) => places_of_both(earlier, now, &spectra.layout)?,
+            None => None,
+        },
     };
-    let [earlier, now] = places
-        .as_ref()
-        .map_or([earlier, &dated.now], |[earlier, now]| [earlier, now]);
-    let report = WearReport::new(case, on, earlier, now, passages)?;
-    Ok(Some(report))
+    Ok(Some(measured.fit(case, on, passages)?))
+}
+
+/// A rail as it was measured before and now.
+pub(crate) struct Measured<'a> {
+    pub(crate) surveys: [&'a Survey; 2],
+    /// The same place by place, where both are profiles: more of them tell how sure a change is.
+    pub(crate) places: Option<[Survey; 2]>,
+}
+
+impl Measured<'_> {
+    /// The fit of the change under so many passages.
+    pub(crate) fn fit(
+        &self,
+        case: &Case,
+        on: &TrafficOnCase,
+        passages: f64,
+    ) -> Result<WearReport, CaseError> {
+        let places = self.places.as_ref();
+        let [earlier, now] = places.map_or(self.surveys, |[earlier, now]| [earlier, now]);
+        WearReport::new(case, on, earlier, now, passages)
+    }
 }
 
 /// A fit as a table and in words.

@@ -10,6 +10,7 @@ use riffel_rail::Survey;
 
 use super::Now;
 use crate::arguments::Report;
+use crate::command::forecast::Measured;
 use crate::command::roughness::{places_of_both, survey};
 use crate::error::CliError;
 use crate::output::Progress;
@@ -66,9 +67,7 @@ pub(super) fn fit(
         let days = now.since(before).ok()?.get_days();
         (days > 0).then(|| f64::from(days))
     });
-    let by_date = days
-        .zip(on.passages_per_day)
-        .map(|(days, a_day)| days * a_day);
+    let by_date = days.and_then(|days| on.passages_in(days));
     let Some(passages) = arguments.passages_between.or(by_date) else {
         return Ok(Err(
             "the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: \
@@ -77,15 +76,15 @@ pub(super) fn fit(
                 .to_owned(),
         ));
     };
-    let layout = &arguments.record.layout;
-    let places = match arguments.record.earlier.last() {
-        Some(earlier) => places_of_both(earlier, now.path, layout)?,
-        None => None,
+    let record = &arguments.record;
+    let measured = Measured {
+        surveys: [&before.survey, &now.survey],
+        places: match record.earlier.last() {
+            Some(earlier) => places_of_both(earlier, now.path, &record.layout)?,
+            None => None,
+        },
     };
-    let [before, now] = places
-        .as_ref()
-        .map_or([&before.survey, &now.survey], |[before, now]| [before, now]);
-    let report = WearReport::new(case, &on, before, now, passages);
+    let report = measured.fit(case, &on, passages);
     Ok(report.map_err(|error| format!("the wear coefficient is not fitted: {error}")))
 }
 
