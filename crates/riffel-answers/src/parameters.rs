@@ -3,7 +3,7 @@
 use riffel::contact::Creepages;
 use riffel_case::Case;
 use riffel_case::file::{CaseFile, ContactDynamics, CreepLawName, DissipationPhase, Rotation};
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 
 use crate::track_in_words::{rail, track};
 
@@ -56,42 +56,40 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
             "I_w = {:.2} kg m²",
             si(file.wheel.inertia.map(|inertia| inertia.si()))
         ),
-        Rotation::ConstantTangentialForce => {
-            language.say(Sentence::ConstantTangentialForce).to_owned()
-        }
-        Rotation::ConstantCreepage => language.say(Sentence::ConstantCreepage).to_owned(),
+        Rotation::ConstantTangentialForce => say!(constant_tangential_force).text(language),
+        Rotation::ConstantCreepage => say!(constant_creepage).text(language),
     };
     let wheel = match (&file.wheelset, file.wheel.mass) {
         (Some(wheelset), _) => {
-            let name = language.say(Sentence::Wheelset);
+            let name = say!(wheelset).text(language);
             format!("{name} {}", wheelset.model.name())
         }
         (None, mass) => format!("m_w = {:.0} kg, {rotation}", si(mass.map(|mass| mass.si()))),
     };
     let phase = match file.contact.dissipation_phase {
         _ if file.contact.response == ContactDynamics::NonSteady => {
-            language.say(Sentence::NonSteadyContact)
+            say!(non_steady_contact).text(language)
         }
-        DissipationPhase::Lag => language.say(Sentence::PhaseLag),
-        DissipationPhase::Lead => language.say(Sentence::PhaseLead),
-        DissipationPhase::None => language.say(Sentence::PhaseNone),
+        DissipationPhase::Lag => say!(phase_lag).text(language),
+        DissipationPhase::Lead => say!(phase_lead).text(language),
+        DissipationPhase::None => say!(phase_none).text(language),
     };
-    let law = language.say(Sentence::CreepLaw);
+    let law = say!(creep_law).text(language);
     let law = match case.creep_law() {
         CreepLawName::CARTER_3D => String::new(),
         CreepLawName::POLACH => format!("{law} polach{}; ", polach(&case.file)),
         name => format!("{law} {}; ", name.name()),
     };
     let dynamics = match file.contact.response {
-        ContactDynamics::SpringDashpot => language.say(Sentence::SpringAndDashpot),
-        _ => "",
+        ContactDynamics::SpringDashpot => say!(spring_and_dashpot).text(language),
+        _ => String::new(),
     };
     let amplitude = amplitude.map_or(String::new(), |amplitude| {
         format!("Δ = {:.1} µm; ", 1e6 * amplitude)
     });
     format!(
         "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; {amplitude}{law}{dynamics}{phase}.",
-        language.say(Sentence::Track),
+        say!(track).text(language),
         track(case, language),
         1e-9 * file.steel.youngs_modulus.si(),
         file.steel.poisson_ratio,

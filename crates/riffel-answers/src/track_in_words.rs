@@ -3,7 +3,7 @@
 use riffel_case::Case;
 use riffel_case::file::{BeamModel, Support, TrackModel};
 use riffel_keys::quantity::{Dimension, Quantity};
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 
 /// A value in a unit of the given size, or "?" where the case has none.
 fn value<D: Dimension>(quantity: Option<Quantity<D>>, unit: f64, decimals: usize) -> String {
@@ -22,7 +22,7 @@ pub(crate) fn rail(case: &Case, language: Language) -> String {
     let moment = rail.second_moment.map_or(f64::NAN, |moment| moment.si());
     let mut words = format!(
         "{} {} kg/m, I = {:.0} cm⁴",
-        language.say(Sentence::RailWord),
+        say!(rail_word).text(language),
         value(rail.mass_per_length, 1.0, 1),
         1e8 * moment // m⁴ in cm⁴, as the catalogues of rails have it
     );
@@ -55,42 +55,36 @@ pub(crate) fn track(case: &Case, language: Language) -> String {
         BeamModel::Timoshenko => "Timoshenko",
     };
     let moving = if track.model == TrackModel::MovingBeam {
-        language.say(Sentence::UnderMovingLoad)
+        say!(under_moving_load).text(language)
     } else {
-        ""
+        String::new()
     };
     if let (TrackModel::Measured, Some(measurement)) = (track.model, &track.measurement) {
         let file = &measurement.file;
-        return language.fill(Sentence::ReceptanceFromFile, &[("file", &file)]);
+        return say!(receptance_from_file, file = file).text(language);
     }
     if case.track.support.is_none() {
-        return language.fill(Sentence::FreeBeam, &[("beam", &beam), ("moving", &moving)]);
+        return say!(free_beam, beam = beam, moving = moving).text(language);
     }
     let pad = layer(track.pad.as_ref());
-    let mut words = language.fill(
-        Sentence::RailOnPads,
-        &[("beam", &beam), ("moving", &moving), ("pad", &pad)],
-    );
+    let mut words = say!(rail_on_pads, beam = beam, moving = moving, pad = pad).text(language);
     if matches!(
         case.track.support,
         Some(riffel::receptance::Support::TwoLayer { .. })
     ) {
         let mass = track.sleeper.as_ref().and_then(|sleeper| sleeper.mass);
         let (mass, ballast) = (value(mass, 1.0, 0), layer(track.ballast.as_ref()));
-        words += &language.fill(
-            Sentence::SleepersAndBallast,
-            &[("mass", &mass), ("ballast", &ballast)],
-        );
+        words += &say!(sleepers_and_ballast, mass = mass, ballast = ballast).text(language);
     }
     let spacing = value(track.support_spacing, 1.0, 2);
-    words += &language.fill(Sentence::Spacing, &[("spacing", &spacing)]);
-    words += if track.model.is_periodic() {
-        language.say(Sentence::Discrete)
+    words += &say!(spacing, spacing = spacing).text(language);
+    words += &if track.model.is_periodic() {
+        say!(discrete).text(language)
     } else {
-        language.say(Sentence::SpreadEvenly)
+        say!(spread_evenly).text(language)
     };
     if let Some(name) = &track.preset {
-        words += &language.fill(Sentence::FromPreset, &[("name", &name)]);
+        words += &say!(from_preset, name = name).text(language);
     }
     words
 }

@@ -8,7 +8,7 @@ use riffel::growth::Bay;
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
-use riffel_keys::{CaseError, PhysicalRange, Remark, text_file};
+use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 
 use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
@@ -51,7 +51,7 @@ pub struct Case {
     /// Speeds of the map \[m/s\].
     pub speed: Axis,
     /// What the reader should know about the validity of the model in the window of the map.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl Case {
@@ -141,20 +141,18 @@ impl Case {
     }
 
     /// That the law of the loop makes other forces of the creepages of a curve than the equilibrium has, if so.
-    fn of_other_forces(keys: &CheckedKeys, steady: &MeanRolling) -> Option<Remark> {
+    fn of_other_forces(keys: &CheckedKeys, steady: &MeanRolling) -> Option<Message> {
         /// Of |Q|/μP.
         const WORTH_A_REMARK: f64 = 0.05;
         let in_curve = keys.text.curve_tractive_ratio?;
         let here = steady.tractive_ratio();
         ((here - in_curve).abs() > WORTH_A_REMARK).then(|| {
             let law = keys.creep_law_name().name();
-            Remark::new(
-                format!(
-                    "contact.creep_law = \"{law}\" makes |Q| = {here:.2} μP of creepages at which the equilibrium of the curve has {in_curve:.2}"
-                ),
-                format!(
-                    "contact.creep_law = \"{law}\" macht |Q| = {here:.2} μP aus Schlüpfen, bei denen das Gleichgewicht im Bogen {in_curve:.2} hat"
-                ),
+            say!(
+                creep_law_unlike_equilibrium,
+                law = law,
+                here = fixed(here, 2),
+                in_curve = fixed(in_curve, 2)
             )
         })
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use riffel_keys::quantity::{Kind, Length, Speed};
-use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
+use riffel_keys::{CaseError, KeyFile, Message, overridden_key};
 use toml::{Table, Value};
 
 use crate::CaseKey;
@@ -23,11 +23,11 @@ const PROFILES: [&str; 4] = [
 #[derive(Clone)]
 pub(crate) struct CaseText {
     pub(crate) keys: KeyFile,
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
     /// Keys whose values are those of presets.
     pub(crate) filled_in: BTreeSet<String>,
     /// What there is to say of the curve that the mean state comes from.
-    pub(crate) curve_remarks: Vec<Remark>,
+    pub(crate) curve_remarks: Vec<Message>,
     /// |Q|/μP of the contact that a curve gave the case, where the case has no value of its own.
     pub(crate) curve_tractive_ratio: Option<f64>,
 }

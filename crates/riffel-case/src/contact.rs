@@ -7,7 +7,7 @@ use riffel::contact::{
     CreepLaw, Creepages, HalfSpace, HalfSpaceRolling, MeanRolling, MeanState, QuasiStatic,
 };
 use riffel::{HertzContact, RollingContact};
-use riffel_keys::{CaseError, Remark, text_file};
+use riffel_keys::{CaseError, Message, text_file};
 
 use crate::build::{CreepLaws, mean_key, validity};
 use crate::case::Case;
@@ -31,7 +31,7 @@ pub struct CaseContact {
     /// The creep law of the case; none where that is Kalker's exact theory.
     pub law: Option<Arc<dyn CreepLaw>>,
     /// What the reader should know about the validity of the models of the contact.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 /// Steady rolling by the creep law of a case.

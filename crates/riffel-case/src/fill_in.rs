@@ -1,6 +1,6 @@
 //! Presets in the place of keys left out.
 
-use riffel_keys::{CaseError, Remark, Sentence};
+use riffel_keys::{CaseError, say};
 
 use crate::case_text::CaseText;
 use crate::general_keys::REPLACED_BY_WHEELSET;
@@ -56,10 +56,11 @@ impl CaseText {
             .collect();
         if missing.is_empty() {
             let (key, name) = (preset.kind.key(), &preset.name);
-            self.remarks
-                .push(Remark::of(Sentence::PresetChangesNothing, |_| {
-                    vec![("key", key.to_string()), ("name", name.to_string())]
-                }));
+            self.remarks.push(say!(
+                preset_changes_nothing,
+                key = key.to_string(),
+                name = name.to_string()
+            ));
         }
         for value in missing {
             self.keys.put(&value.key, value.value.as_str());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use riffel::Receptance;
 use riffel::receptance::MeasuredReceptance;
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 
 use crate::contact_tables::ContactTables;
 use crate::measurement::{self, UniversalFunction};
@@ -17,7 +17,7 @@ pub struct GivenReceptance {
     pub(crate) receptance: Arc<dyn Receptance>,
     /// The same where it is a table.
     pub(crate) table: Option<Arc<MeasuredReceptance>>,
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
 }
 
 impl GivenReceptance {
@@ -51,7 +51,7 @@ impl GivenReceptance {
         Self::of_table(receptance, remarks.into_iter().collect())
     }
 
-    fn of_table(receptance: MeasuredReceptance, remarks: Vec<Remark>) -> Self {
+    fn of_table(receptance: MeasuredReceptance, remarks: Vec<Message>) -> Self {
         let table = Arc::new(receptance);
         Self {
             receptance: table.clone(),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use riffel::Receptance;
 use riffel::receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support};
-use riffel_keys::Remark;
+use riffel_keys::Message;
 
 /// Where the receptance of a track comes from.
 #[derive(Clone)]
@@ -35,7 +35,7 @@ pub struct Track {
     /// model does not know it: without discrete supports, or without the shear of the rail.
     pub pinned_pinned: Option<f64>,
     /// What the reader of the case should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl Track {

@@ -5,7 +5,7 @@ use std::path::Path;
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Quantity, Ratio, Speed};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile, Remark, overridden_key};
+use riffel_keys::{CaseError, KeyFile, Message, overridden_key};
 use serde::Deserialize;
 use toml::{Table, Value};
 
@@ -29,7 +29,7 @@ pub struct Variant {
     /// that, else the tractive ratio.
     pub hold: Option<Hold>,
     /// What is to be asked about speeds that are not usual.
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
     /// The file, where it was read from one.
     source: Option<KeyFile>,
 }

@@ -6,7 +6,7 @@ use riffel::wheelset::{
     ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode,
     RigidWheelset, Wheelset,
 };
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message, fixed, say};
 
 use crate::Case;
 
@@ -47,7 +47,7 @@ impl CaseWheelset {
     }
 
     /// A sentence where frequencies up to one \[Hz\] leave those that the modes of a file describe.
-    pub(crate) fn beyond_its_modes(&self, highest: f64) -> Option<Remark> {
+    pub(crate) fn beyond_its_modes(&self, highest: f64) -> Option<Message> {
         let Self::Modal(modal, _) = self else {
             return None;
         };
@@ -63,15 +63,10 @@ impl CaseWheelset {
             0.5 * last
         };
         (highest > up_to).then(|| {
-            Remark::new(
-                format!(
-                    "the modes of the wheelset describe it up to some {up_to:.0} Hz, and the window reaches {highest:.0} Hz: \
-                     add modes or rows `residual`"
-                ),
-                format!(
-                    "die Eigenformen beschreiben den Radsatz bis etwa {up_to:.0} Hz, und das Fenster reicht bis {highest:.0} Hz: \
-                     Eigenformen oder Zeilen `residual` ergänzen"
-                ),
+            say!(
+                modes_of_wheelset_end,
+                up_to = fixed(up_to, 0),
+                highest = fixed(highest, 0)
             )
         })
     }

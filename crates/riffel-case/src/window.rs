@@ -1,6 +1,6 @@
 //! What wavelengths and speeds of a case are a window of.
 
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Message, say};
 
 /// What the window of wavelengths and speeds of a case is, which sentences name.
 #[derive(Clone, Copy)]
@@ -12,11 +12,11 @@ pub(crate) enum Window {
 }
 
 impl Window {
-    /// Its name, for sentences.
-    pub(crate) fn name(self, language: Language) -> &'static str {
+    /// Its name, for messages.
+    pub(crate) fn name(self) -> Message {
         match self {
-            Self::Map => language.say(Sentence::MapWindow),
-            Self::Traffic => language.say(Sentence::TrafficWindow),
+            Self::Map => say!(map_window),
+            Self::Traffic => say!(traffic_window),
         }
     }
 }

@@ -9,7 +9,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{Language, Remark};
+use riffel_keys::{Language, Message};
 use riffel_web::{ERRORS_AS_JSON, ErrorDocument};
 use riffel_words::in_german;
 
@@ -219,23 +219,18 @@ pub(crate) trait Note {
     fn in_full(&self) -> Cow<'_, str>;
 }
 
-impl Note for Remark {
-    /// German has no short wordings.
+impl Note for Message {
     fn in_a_line(&self) -> Cow<'_, str> {
-        match language() {
-            Language::English => Cow::Borrowed(self.short()),
-            Language::German => self.in_full(),
+        match self.id() {
+            "verbatim" => self.in_full(),
+            _ => self.short(language()).into(),
         }
     }
 
-    /// A reason that physics gave ends a remark in English.
     fn in_full(&self) -> Cow<'_, str> {
-        let words = self.in_language(language());
-        match (language(), words.rsplit_once(": ")) {
-            (Language::German, Some((head, reason))) => match in_german(reason) {
-                Some(reason) => format!("{head}: {reason}").into(),
-                None => words.into(),
-            },
+        let words = self.text(language());
+        match self.id() {
+            "verbatim" => in_language(&words).into_owned().into(),
             _ => words.into(),
         }
     }

@@ -13,7 +13,7 @@ use crate::excerpt::{clipped, excerpt};
 use crate::quantity::WrittenQuantity;
 use crate::range::Judgement;
 use crate::text_file::{command_in, in_a_message};
-use crate::{CaseError, PhysicalRange, Remark};
+use crate::{CaseError, Message, PhysicalRange};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
 const DEEPEST: usize = 16;
@@ -239,7 +239,7 @@ impl KeyFile {
     ///
     /// # Errors
     /// [`CaseError`] for a value outside its physical range.
-    pub fn judge(&self, key: &str) -> Result<Option<Remark>, CaseError> {
+    pub fn judge(&self, key: &str) -> Result<Option<Message>, CaseError> {
         let Some(range) = PhysicalRange::of(key) else {
             return Ok(None);
         };

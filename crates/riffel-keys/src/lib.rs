@@ -1,11 +1,11 @@
 //! # Files of keys
 //!
 //! What reading any of Riffel's TOML files needs, whatever its keys are: quantities with units and physical ranges,
-//! the text with the place of each key, errors that show the line, remarks in English and German.
+//! the text with the place of each key, errors that show the line, messages in several languages.
 //!
 //! ```
 //! use riffel_keys::quantity::{Length, Quantity};
-//! use riffel_keys::KeyFile;
+//! use riffel_keys::{KeyFile};
 //!
 //! #[derive(serde::Deserialize)]
 //! struct Wheel {
@@ -23,10 +23,9 @@ mod error;
 mod excerpt;
 mod key_file;
 mod language;
+pub mod message;
 pub mod quantity;
 mod range;
-mod remark;
-mod sentence;
 pub mod text_file;
 mod unit;
 pub mod universal_file;
@@ -35,7 +34,6 @@ pub use error::CaseError;
 pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
+pub use message::{Message, Value, fixed, number};
 pub use range::{PhysicalRange, RANGES, bound};
-pub use remark::Remark;
-pub use sentence::Sentence;
 pub use unit::{Exponents, Unit};

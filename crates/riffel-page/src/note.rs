@@ -1,6 +1,6 @@
 //! A remark on a case, as the page shows it.
 
-use riffel_keys::{Language, Remark};
+use riffel_keys::{Language, Message};
 use serde::Serialize;
 
 /// A remark in every language of the page, which changes its language without asking anew.
@@ -10,9 +10,9 @@ pub struct Note {
     de: String,
 }
 
-impl From<&Remark> for Note {
-    fn from(remark: &Remark) -> Self {
-        let wording = |language| remark.in_language(language).to_owned();
+impl From<&Message> for Note {
+    fn from(remark: &Message) -> Self {
+        let wording = |language| remark.text(language);
         Self {
             en: wording(Language::English),
             de: wording(Language::German),

@@ -11,7 +11,7 @@ use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::WearReport;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Hold, Variant};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_rail::{GroundRail, Layout};
 
 use crate::array::owned;
@@ -78,6 +78,11 @@ fn begins(
             ));
         }
     })
+}
+
+/// Messages as English sentences.
+fn in_words(remarks: &[Message]) -> Vec<String> {
+    remarks.iter().map(ToString::to_string).collect()
 }
 
 /// The bands of a forecast with all that is said of them.
@@ -171,7 +176,7 @@ pub(crate) fn forecast<'py>(
     result.set_item("passages_per_day", on.passages_per_day)?;
     result.set_item("linear_force_ratio", linear.force_ratio)?;
     result.set_item("linear_passages", linear.passages)?;
-    result.set_item("remarks", on.remarks)?;
+    result.set_item("remarks", in_words(&on.remarks))?;
     Ok(result)
 }
 
@@ -272,7 +277,7 @@ pub(crate) fn compare<'py>(
         )?;
         result.set_item("no_effect", outcome.effect.sentence())?;
         result.set_item("title", outcome.title)?;
-        result.set_item("remarks", outcome.remarks)?;
+        result.set_item("remarks", in_words(&outcome.remarks))?;
         Ok(result)
     });
     let outcomes = outcomes.collect::<PyResult<Vec<_>>>()?;

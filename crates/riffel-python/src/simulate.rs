@@ -9,7 +9,7 @@ use riffel_answers::simulate::{
     Course, EvolutionRequest, EvolutionRun, PassageAnswer, PassageRequest, SinusoidAnswer,
     SinusoidRequest, SmoothRailAnswer, Surface,
 };
-use riffel_keys::Remark;
+use riffel_keys::Message;
 
 use crate::array::owned;
 use crate::case::Case;
@@ -79,7 +79,7 @@ fn arrays<'py>(py: Python<'py>, courses: Vec<Course>) -> PyResult<Bound<'py, PyD
     Ok(arrays)
 }
 
-fn words(remarks: &[Remark]) -> Vec<String> {
+fn words(remarks: &[Message]) -> Vec<String> {
     remarks.iter().map(ToString::to_string).collect()
 }
 

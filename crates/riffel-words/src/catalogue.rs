@@ -10,8 +10,12 @@ use crate::wording::{Wording, sentence_end};
 /// `#` are headings.
 const FILE: &str = include_str!("german.txt");
 
+/// Those of messages.
+static OF_MESSAGES: LazyLock<Vec<(String, String)>> =
+    LazyLock::new(|| riffel_keys::message::wordings().collect());
+
 /// All wordings, each English one with the German one: those of the file, and those that have both languages where they
-/// are made ([`riffel_keys::Sentence`]).
+/// are made ([`riffel_keys::Message`]).
 pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
     let is_wording = |line: &&str| !line.is_empty() && !line.starts_with('#');
     let english = FILE.lines().filter(is_wording).step_by(2);
@@ -20,9 +24,10 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
     let whole = |wording: &(&str, &str)| {
         !wording.0.starts_with([' ', ',', ';']) && !wording.0.ends_with(' ')
     };
-    english
-        .zip(german)
-        .chain(riffel_keys::Sentence::wordings().filter(whole))
+    let of_messages = OF_MESSAGES
+        .iter()
+        .map(|(english, german)| (&**english, &**german));
+    english.zip(german).chain(of_messages.filter(whole))
 }
 
 /// Name of a value that must be a sentence of the catalogue.

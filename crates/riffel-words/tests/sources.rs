@@ -225,8 +225,6 @@ const LEFT: &[(&str, &[&str])] = &[
 const IN_ENGLISH: &[&str] = &[
     // Where the ends of ranges come from: for the documentation.
     "riffel-keys/src/range/table.rs",
-    // Has the German of its sentences itself, and short wordings that German does without.
-    "riffel-keys/src/sentence.rs",
     // Help with its examples.
     "riffel-cli/src/arguments",
     "riffel-cli/src/arguments.rs",
@@ -500,6 +498,7 @@ fn no_sentence_is_left_that_nobody_says() {
             .filter_map(|line| line.trim_start().strip_prefix("/// "));
         said.extend(comments.map(|line| line.replace('\\', "") + " "));
     }
+    said += &fs::read_to_string(crates().join("riffel-keys/messages/en.ftl")).unwrap();
     // What others say is no concern of the sources.
     let others = FILE
         .split("\n# ")

@@ -6,7 +6,7 @@ use riffel::growth::RidgePoint;
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
@@ -44,7 +44,7 @@ pub struct Outcome {
     /// What it does to growth.
     pub effect: Effect,
     /// What the reader should know about the validity of the models.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
 }
 
 /// What a variant does to growth.

@@ -1,5 +1,6 @@
 //! A comparison as data and as tables.
 
+use riffel_keys::Message;
 use std::io::{self, Write};
 
 use riffel::forecast::Reach;
@@ -56,7 +57,7 @@ struct OutcomeDocument<'a> {
     /// Passages to the limit over those of the case as it is; null where either never is there.
     change_of_time_to_limit: Option<f64>,
     linear_range_passages: Option<f64>,
-    remarks: &'a [String],
+    remarks: &'a [Message],
 }
 
 #[derive(Serialize)]

@@ -3,7 +3,7 @@
 use riffel::curving::{
     BodyState, FrameState, SecondContact, VehicleState, WheelState, WheelsetState,
 };
-use riffel_keys::Remark;
+use riffel_keys::Message;
 use serde::Serialize;
 
 use super::CurveAnswer;
@@ -15,7 +15,7 @@ pub struct CurveDocument {
     equilibrium: Equilibrium,
     continuation: Vec<Step>,
     other_equilibria: Vec<Other>,
-    remarks: Vec<Remark>,
+    remarks: Vec<Message>,
     #[serde(skip_serializing_if = "Option::is_none")]
     over_radius: Option<Vec<AtRadius>>,
 }

@@ -6,7 +6,7 @@ mod remarks;
 
 use riffel::curving::{VehicleInCurve, VehicleState};
 use riffel_case::CurvingCase;
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 
 pub use document::CurveDocument;
 pub use over_radius::OverRadius;
@@ -19,7 +19,7 @@ pub struct CurveAnswer {
     /// Further ones that were found.
     pub others: Vec<VehicleState>,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl CurveAnswer {

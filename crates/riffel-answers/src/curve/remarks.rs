@@ -4,7 +4,7 @@ use riffel::Rail;
 use riffel::contact::EllipticContact;
 use riffel::curving::{Creep, VehicleInCurve, VehicleState, WheelState};
 use riffel_case::CurvingCase;
-use riffel_keys::Remark;
+use riffel_keys::{Message, fixed, say};
 
 /// Lateral shift \[m\] beyond the play that wheelsets have to their flanges.
 const PLAY: f64 = 0.01;
@@ -17,7 +17,7 @@ pub(super) fn of(
     case: &CurvingCase,
     vehicle: &VehicleInCurve,
     state: &VehicleState,
-) -> Vec<Remark> {
+) -> Vec<Message> {
     let mut remarks = Vec::new();
     let profiles = case.file.profiles.as_ref();
     let without_flange =
@@ -35,10 +35,7 @@ pub(super) fn of(
         });
     if without_flange && farthest.abs() > PLAY {
         let shift = 1e3 * farthest;
-        remarks.push(Remark::new(
-            format!("a wheelset is shifted by {shift:.1} mm: flanges leave 5 to 10 mm of play, and this case has none"),
-            format!("ein Radsatz ist um {shift:.1} mm verschoben: Spurkränze lassen 5 bis 10 mm Spiel, dieser Fall hat keine"),
-        ));
+        remarks.push(say!(wheelset_beyond_flange, shift = fixed(shift, 1)));
     }
     let linear = vehicle
         .creep
@@ -54,10 +51,7 @@ pub(super) fn of(
         .flatten()
         .fold(0.0, f64::max);
     if linear && most > 1.0 {
-        remarks.push(Remark::new(
-            format!("creep_law = \"linear\" knows no friction: creep forces reach {most:.2} of μP"),
-            format!("creep_law = \"linear\" kennt keine Reibung: Schlupfkräfte erreichen {most:.2} von μP"),
-        ));
+        remarks.push(say!(linear_creep_beyond_friction, most = fixed(most, 2)));
     }
     let wear_of = |wheel: &WheelState| {
         let second = wheel.second_contact.map_or(0.0, |second| second.t_gamma);
@@ -68,17 +62,11 @@ pub(super) fn of(
         .iter()
         .min_by(|one, other| wear_of(one).total_cmp(&wear_of(other)));
     if let Some(wheel) = least.filter(|wheel| wear_of(wheel) < 0.0) {
-        let (wheelset, rail, wear) = (wheel.wheelset, wheel.rail.name(), wear_of(wheel));
-        remarks.push(Remark::new(
-            format!(
-                "Tγ of wheel {wheelset} {rail} is {wear:.3} N: it is Qx ξx + Qy ξy without the moment of spin, and spin, not \
-                 creepage, makes the lateral force there"
-            ),
-            format!(
-                "Tγ von Rad {wheelset} {} ist {wear:.3} N: es ist Qx ξx + Qy ξy ohne das Bohrmoment, und die Querkraft kommt \
-                 dort vom Bohren, nicht vom Schlupf",
-                if rail == "left" { "links" } else { "rechts" }
-            ),
+        remarks.push(say!(
+            t_gamma_below_zero,
+            wheelset = wheel.wheelset,
+            rail = side(wheel.rail),
+            wear = fixed(wear_of(wheel), 3)
         ));
     }
     remarks.extend(wide_ellipse(case, state));
@@ -86,8 +74,15 @@ pub(super) fn of(
     remarks
 }
 
+fn side(rail: Rail) -> Message {
+    match rail {
+        Rail::Left => say!(left),
+        Rail::Right => say!(right),
+    }
+}
+
 /// The widest ellipse, where it is wider than a profile keeps its curvature.
-fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
+fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
     let material = case.steel().ok()?;
     let width = |wheel: &WheelState| -> Option<f64> {
         let along = wheel.contact_angle.cos() / wheel.rolling_radius;
@@ -102,23 +97,17 @@ fn wide_ellipse(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
         .filter_map(|wheel| Some((wheel, width(wheel)?)));
     let (wheel, width) = widths.max_by(|one, other| one.1.total_cmp(&other.1))?;
     (width > EllipticContact::WIDEST).then(|| {
-        let (number, rail, width) = (wheel.wheelset, wheel.rail.name(), 1e3 * width);
-        Remark::new(
-            format!(
-                "the ellipse of wheel {number} {rail} is {width:.0} mm wide: over that no profile has one curvature, Hertz's theory ends, and \
-                 creep laws differ most"
-            ),
-            format!(
-                "die Ellipse von Rad {number} {} ist {width:.0} mm breit: darüber hat kein Profil eine einzige Krümmung, die Theorie von Hertz \
-                 endet, und Schlupfgesetze weichen am meisten voneinander ab",
-                if rail == "left" { "links" } else { "rechts" }
-            ),
+        say!(
+            ellipse_of_wheel_too_wide,
+            wheelset = wheel.wheelset,
+            rail = side(wheel.rail),
+            width = fixed(1e3 * width, 0)
         )
     })
 }
 
 /// The geometry of the contacts is that without yaw: what yaw does to the play of the most yawed wheelset.
-fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Remark> {
+fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Message> {
     let wheelset_on_track = case.wheelset_on_track().ok()?;
     let (index, wheelset) = state
         .wheelsets
@@ -134,15 +123,12 @@ fn flange_under_yaw(case: &CurvingCase, state: &VehicleState) -> Option<Remark> 
     (straight - yawed > EARLIER).then(|| {
         let (number, yaw) = (index + 1, 1e3 * wheelset.yaw.abs());
         let (straight, yawed) = (1e3 * straight, 1e3 * yawed);
-        Remark::new(
-            format!(
-                "with its yaw of {yaw:.0} mrad wheelset {number} has {yawed:.1} mm to its flange, not the {straight:.1} mm of the tables: \
-                 contacts are placed as without yaw"
-            ),
-            format!(
-                "mit seinem Gierwinkel von {yaw:.0} mrad hat Radsatz {number} {yawed:.1} mm bis zum Spurkranz, nicht die {straight:.1} mm \
-                 der Tabellen: Kontakte liegen, wo sie ohne Gieren liegen"
-            ),
+        say!(
+            yaw_takes_play,
+            yaw = fixed(yaw, 0),
+            number = number,
+            yawed = fixed(yawed, 1),
+            straight = fixed(straight, 1)
         )
     })
 }

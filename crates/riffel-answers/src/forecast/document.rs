@@ -1,5 +1,6 @@
 //! A forecast as data and as tables.
 
+use riffel_keys::Message;
 use std::io::{self, Write};
 
 use riffel::forecast::{Reach, VehicleGrowth};
@@ -47,7 +48,7 @@ pub struct ForecastDocument<'a> {
     traffic: TrafficDocument<'a>,
     wear_fit: Option<WearDocument>,
     findings: Vec<String>,
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -172,7 +173,8 @@ pub(super) fn document<'a>(
         growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
     };
     let valid_to = linear.passages;
-    let mut remarks = answer.warnings.clone();
+    let warnings = answer.warnings.iter();
+    let mut remarks: Vec<Message> = warnings.map(Message::verbatim).collect();
     remarks.extend(answer.on.remarks.iter().cloned());
     ForecastDocument {
         riffel_version: env!("CARGO_PKG_VERSION"),

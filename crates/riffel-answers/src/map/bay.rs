@@ -6,7 +6,7 @@ use riffel::feedback::State;
 use riffel::growth::{Bay, BayMaps};
 use riffel::{Axis, GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::say;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, MapFigure, Mark, Series};
 use serde::Serialize;
 
@@ -148,11 +148,7 @@ impl BayGrowth {
         let panels = maps.into_iter().zip(&self.ridges).zip(names);
         MapFigure {
             title: "Growth over a sleeper bay".to_owned(),
-            caption: format!(
-                "{} {}",
-                parameters(case),
-                Language::English.say(Sentence::SignOfGrowth)
-            ),
+            caption: format!("{} {}", parameters(case), say!(sign_of_growth).to_string()),
             panels: panels
                 .map(|((map, ridge), name)| {
                     let mut panel = panel(case, map, ridge, Shown::Normalized);

@@ -8,7 +8,7 @@ use riffel::growth::RidgePoint;
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
 use riffel_case::file::CaseFile;
-use riffel_keys::Remark;
+use riffel_keys::Message;
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
@@ -85,7 +85,7 @@ pub struct MapDocument<'a> {
     bay: Option<BayDocument>,
     #[serde(skip_serializing_if = "Option::is_none")]
     observations: Option<ObservationCount>,
-    remarks: &'a [Remark],
+    remarks: &'a [Message],
 }
 
 /// What follows from a case, whatever the window of its map.

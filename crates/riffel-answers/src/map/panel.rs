@@ -2,7 +2,7 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::say;
 use riffel_plot::{
     BranchLine, MapFigure, MapPanel, Observation, RidgeMark, constant_frequency_rays,
 };
@@ -119,7 +119,7 @@ pub fn map_figure(
             "{}{} {}",
             parameters(case),
             place(case),
-            Language::English.say(Sentence::SignOfGrowth)
+            say!(sign_of_growth).to_string()
         ),
         panels: vec![panel],
     }

@@ -4,6 +4,7 @@ use riffel::forecast::Forecast;
 use riffel::roughness::Spectrum;
 use riffel_case::traffic::bands_of;
 use riffel_case::{Case, Variant};
+use riffel_keys::Message;
 
 use super::{Future, NoiseRequest, Part, levels_of};
 use crate::AnswerError;
@@ -25,7 +26,7 @@ pub struct Course {
     /// The time looked ahead goes beyond the linear range of growth, where the course ends.
     pub cut: bool,
     /// What the reader should know about the growth.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
 }
 
 impl Course {

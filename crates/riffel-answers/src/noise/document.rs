@@ -1,5 +1,6 @@
 //! Rolling noise as data and as a table.
 
+use riffel_keys::Message;
 use std::io::{self, Write};
 
 use serde::Serialize;
@@ -31,7 +32,7 @@ pub struct NoiseDocument<'a> {
     course: Option<CourseDocument<'a>>,
     /// Nominal centres of the bands that are not known.
     left_out_hz: Vec<f64>,
-    remarks: &'a [String],
+    remarks: &'a [Message],
 }
 
 #[derive(Serialize)]

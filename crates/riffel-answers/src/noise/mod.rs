@@ -7,6 +7,7 @@ mod levels;
 mod measure;
 mod range;
 
+use riffel_keys::{Message, Value, fixed, number, say};
 use std::io::{self, Write};
 
 use riffel::contact::ContactFilter;
@@ -140,7 +141,7 @@ pub struct NoiseAnswer {
     /// Bands of 100–5000 Hz in which roughness, decay or receptance is not known.
     pub left_out: Vec<FrequencyBand>,
     /// What the reader should know.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
 }
 
 impl NoiseAnswer {
@@ -388,52 +389,33 @@ fn remarks(
     request: &NoiseRequest,
     powers: &[SoundPower],
     left_out: &[FrequencyBand],
-) -> Vec<String> {
+) -> Vec<Message> {
     let mut remarks = Vec::new();
     match &request.wheel_modes {
-        None => remarks.push(
-            "the wheel is a rigid body here: above some 1.6 kHz the modes of its web and tyre, which are left out, \
-             radiate as much as the rail and more"
-                .to_owned(),
-        ),
+        None => remarks.push(say!(rigid_wheel)),
         Some(table) => {
-            remarks.push(
-                "the wheel rings as its modes and the rail let it: above 2 kHz such levels were 5 to 13 dB too loud where \
-                 they were measured, and those of a rigid wheel 3 to 6 dB too quiet"
-                    .to_owned(),
-            );
+            remarks.push(say!(ringing_wheel));
             let radius = case.hertz.rolling_radius();
             if (table.rolling_radius / radius - 1.0).abs() > LARGEST_DIFFERENCE {
-                remarks.push(format!(
-                    "the modes are those of a wheel of {:.0} mm, the wheel of the case has {:.0} mm: a smaller wheel \
-                     rings higher",
-                    2e3 * table.rolling_radius,
-                    2e3 * radius
+                remarks.push(say!(
+                    modes_of_other_wheel,
+                    of_modes = fixed(2e3 * table.rolling_radius, 0),
+                    of_case = fixed(2e3 * radius, 0)
                 ));
             }
         }
     }
     if request.train.distance > FAR {
-        remarks.push(format!(
-            "{} m away ground and air take some of it, which are left out: levels beyond {FAR} m are too high",
-            request.train.distance
-        ));
+        remarks.push(say!(far_away, distance = request.train.distance, far = FAR));
     }
     if request.wheels.is_none() {
-        remarks.push(
-            "the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what \
-             grinding saves"
-                .to_owned(),
-        );
+        remarks.push(say!(smooth_wheels));
     }
     // The amplitude of a sinusoid of the same mean square, as in the forecast.
     let force = powers.iter().map(|power| 2.0 * power.force).sum::<f64>();
     let ratio = force.sqrt() / case.hertz.normal_force();
     if ratio >= 1.0 {
-        remarks.push(format!(
-            "beyond the linear range: |P₁| is {ratio:.2} P₀, so that wheel and rail part, which bounds the force; the \
-             levels are those of a contact that holds"
-        ));
+        remarks.push(say!(noise_beyond_linear_range, ratio = fixed(ratio, 2)));
     }
     if let (None, Some(track)) = (&request.decay, case.track.structure.as_deref()) {
         let bands = powers.iter().map(|power| power.band);
@@ -441,27 +423,16 @@ fn remarks(
             .filter(|band| RailDecay::runs_on(track, band.centre()))
             .collect();
         if !far.is_empty() {
-            remarks.push(format!(
-                "the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level \
-                 is too low at {} Hz",
-                nominal(&far)
-            ));
+            remarks.push(say!(rail_cut_short, frequencies = nominal(&far)));
         }
     }
     if !left_out.is_empty() {
-        remarks.push(format!(
-            "left out of every level, for want of roughness, decay or receptance there: {} Hz",
-            nominal(left_out)
-        ));
+        remarks.push(say!(bands_left_out, frequencies = nominal(left_out)));
     }
     remarks
 }
 
 /// Nominal frequencies in a row.
-fn nominal(bands: &[FrequencyBand]) -> String {
-    let names: Vec<String> = bands
-        .iter()
-        .map(|band| format!("{}", band.nominal()))
-        .collect();
-    names.join(", ")
+fn nominal(bands: &[FrequencyBand]) -> Value {
+    bands.iter().map(|band| number(band.nominal())).collect()
 }

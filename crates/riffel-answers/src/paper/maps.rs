@@ -2,7 +2,7 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 use riffel_plot::{MapFigure, MapPanel};
 
 use super::{Drawing, Model, PaperFigure};
@@ -21,15 +21,15 @@ const WINDOW: [&str; 3] = [
 ];
 
 pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let title = language.say(Sentence::Figure4);
-    maps(language, model.title(title, language), |overrides| {
+    let title = say!(figure_4).text(language);
+    maps(language, model.title(&title, language), |overrides| {
         model.nominal(overrides)
     })
 }
 
 pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let title = language.say(Sentence::Figure5);
-    maps(language, model.title(title, language), |overrides| {
+    let title = say!(figure_5).text(language);
+    maps(language, model.title(&title, language), |overrides| {
         model.bhaskar_track(overrides)
     })
 }
@@ -54,14 +54,15 @@ fn maps(
         });
         if caption.is_empty() {
             let parameters = parameters_in(&case, language);
-            caption = language.numbers(&language.fill(
-                Sentence::ParametersOf,
-                &[
-                    ("letter", &letter),
-                    ("parameters", &parameters),
-                    ("sign", &language.say(Sentence::SignOfGrowth)),
-                ],
-            ));
+            caption = language.numbers(
+                &say!(
+                    parameters_of,
+                    letter = letter,
+                    parameters = parameters,
+                    sign = say!(sign_of_growth).text(language)
+                )
+                .text(language),
+            );
         }
         rows(&case, ratio, &map, &mut writer)
             .map_err(|error| AnswerError::Table(error.to_string()))?;

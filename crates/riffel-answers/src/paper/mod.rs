@@ -6,7 +6,7 @@ mod ridges;
 mod vertical;
 
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::PlotError;
 use riffel_plot::{LineFigure, MapFigure};
@@ -90,9 +90,9 @@ impl Model {
     /// The title of a figure, with the contact where it is not the paper's.
     fn title(self, title: &str, language: Language) -> String {
         let contact = match self {
-            Self::QuasiStatic => "",
-            Self::SpringDashpot => language.say(Sentence::PlusSpringAndDashpot),
-            Self::NonSteady => language.say(Sentence::PlusNonSteady),
+            Self::QuasiStatic => String::new(),
+            Self::SpringDashpot => say!(plus_spring_and_dashpot).text(language),
+            Self::NonSteady => say!(plus_non_steady).text(language),
         };
         format!("{title}{contact}")
     }

@@ -4,7 +4,7 @@ use riffel::growth::RidgePoint;
 use riffel::wheelset::{Motion, RigidInertia};
 use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
@@ -92,7 +92,7 @@ fn curve(
 fn over_speed(language: Language, subtitle: &str, y_label: &str, series: Vec<Series>) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: language.say(Sentence::SpeedAxis).to_owned(),
+        x_label: say!(speed_axis).text(language),
         y_label: y_label.to_owned(),
         series,
         ..LinePanel::default()
@@ -111,8 +111,8 @@ fn over_inertia(nominal: &Case, value: fn(&RidgePoint) -> f64) -> Result<Vec<Ser
 }
 
 /// Over what the minima are taken.
-fn minima(language: Language) -> &'static str {
-    language.say(Sentence::MinimaOverWavelengths)
+fn minima(language: Language) -> String {
+    say!(minima_over_wavelengths).text(language)
 }
 
 pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
@@ -132,24 +132,24 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
         true => f64::NAN,
         false => 1e3 * point.wavelength,
     })?;
-    let title = language.say(Sentence::Figure6);
-    let minima = language.say(Sentence::MinimaInsideWindow);
+    let title = say!(figure_6).text(language);
+    let minima = say!(minima_inside_window).text(language);
     lines(
         language,
         LineFigure {
-            title: model.title(title, language),
+            title: model.title(&title, language),
             caption: format!("{minima} {}", parameters_in(&nominal, language)),
             panels: vec![
                 over_speed(
                     language,
-                    language.say(Sentence::PanelOfTractiveRatio),
+                    &say!(panel_of_tractive_ratio).text(language),
                     MINIMUM_LABEL,
                     by_ratio,
                 ),
                 over_speed(
                     language,
-                    language.say(Sentence::PanelOfInertia),
-                    language.say(Sentence::WavelengthAxis),
+                    &say!(panel_of_inertia).text(language),
+                    &say!(wavelength_axis).text(language),
                     wavelengths,
                 ),
             ],
@@ -160,11 +160,11 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
 
 pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let nominal = model.nominal(&[])?;
-    let title = language.say(Sentence::Figure7);
+    let title = say!(figure_7).text(language);
     lines(
         language,
         LineFigure {
-            title: model.title(title, language),
+            title: model.title(&title, language),
             caption: format!("{} {}", minima(language), parameters_in(&nominal, language)),
             panels: vec![over_speed(
                 language,
@@ -203,10 +203,10 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
         series: vec![series],
         ..LinePanel::default()
     };
-    let title = language.fill(Sentence::Figure8, &[("speed", &SPEED)]);
+    let title = say!(figure_8, speed = SPEED).text(language);
     let falls = match model.is_the_papers() {
-        true => language.say(Sentence::FallsInPart),
-        false => "",
+        true => say!(falls_in_part).text(language),
+        false => String::new(),
     };
     let caption = format!(
         "{} {falls}{}",
@@ -221,13 +221,13 @@ pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, 
             panels: vec![
                 panel(
                     "(a)",
-                    language.say(Sentence::TractiveRatioAxis),
+                    &say!(tractive_ratio_axis).text(language),
                     Scale::Linear,
                     sweep(ratios, &|ratio| at_tractive_ratio(model, ratio))?,
                 ),
                 panel(
                     "(b) τ = 0.1",
-                    language.say(Sentence::InertiaAxis),
+                    &say!(inertia_axis).text(language),
                     Scale::Log,
                     sweep(inertias, &|inertia| {
                         turning(&nominal, Turning::Inertia(inertia))

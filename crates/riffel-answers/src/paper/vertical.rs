@@ -3,7 +3,7 @@
 use riffel::Complex64;
 use riffel::feedback::State;
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
 use super::{Model, PaperFigure, lines};
@@ -43,7 +43,7 @@ fn panel(
 ) -> LinePanel {
     LinePanel {
         subtitle: subtitle.to_owned(),
-        x_label: language.say(Sentence::FrequencyAxis).to_owned(),
+        x_label: say!(frequency_axis).text(language),
         y_label: y_label.to_owned(),
         x_scale: Scale::Log,
         y_scale,
@@ -59,39 +59,42 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
         vec![
             series(
                 &moving,
-                language.say(Sentence::BeamUnderMovingLoad),
+                &say!(beam_under_moving_load).text(language),
                 LineStyle::Solid,
                 |state| value(state.track_receptance()),
             ),
             series(
                 &bhaskar,
-                language.say(Sentence::TrackOfBhaskar),
+                &say!(track_of_bhaskar).text(language),
                 LineStyle::Dashed,
                 |state| value(state.track_receptance()),
             ),
         ]
     };
     let (solid, dashed) = (track(&moving, language), track(&bhaskar, language));
-    let title = language.say(Sentence::Figure2);
+    let title = say!(figure_2).text(language);
     lines(
         language,
         LineFigure {
-            title: model.title(title, language),
-            caption: language.fill(
-                Sentence::CaptionOfFigure2,
-                &[("speed", &SPEED), ("solid", &solid), ("dashed", &dashed)],
-            ),
+            title: model.title(&title, language),
+            caption: say!(
+                caption_of_figure_2,
+                speed = SPEED,
+                solid = solid,
+                dashed = dashed
+            )
+            .text(language),
             panels: vec![
                 panel(
                     language,
-                    language.say(Sentence::Modulus),
+                    &say!(modulus).text(language),
                     "|H| [m/N]",
                     Scale::Log,
                     curves(|h| h.norm()),
                 ),
                 panel(
                     language,
-                    language.say(Sentence::Phase),
+                    &say!(phase).text(language),
                     "arg H [°]",
                     Scale::Linear,
                     curves(|h| h.arg().to_degrees()),
@@ -107,34 +110,32 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude() / mean;
     let spring = per_mean * case.feedback.contact_stiffness();
-    let title = language.say(Sentence::Figure3);
+    let title = say!(figure_3).text(language);
     let parameters = parameters_in(&case, language);
     lines(
         language,
         LineFigure {
-            title: model.title(title, language),
-            caption: language.fill(
-                Sentence::CaptionOfFigure3,
-                &[("speed", &SPEED), ("parameters", &parameters)],
-            ),
+            title: model.title(&title, language),
+            caption: say!(caption_of_figure_3, speed = SPEED, parameters = parameters)
+                .text(language),
             panels: vec![
                 LinePanel {
                     y_range: Some((1e-2, 1e1)),
                     ..panel(
                         language,
-                        language.say(Sentence::Amplitude),
+                        &say!(amplitude).text(language),
                         "|P₁/P₀| [-]",
                         Scale::Log,
                         vec![
                             series(
                                 &case,
-                                language.say(Sentence::ProfileOverRail),
+                                &say!(profile_over_rail).text(language),
                                 LineStyle::Dashed,
                                 |state| per_mean / state.track_receptance().norm(),
                             ),
                             series(
                                 &case,
-                                language.say(Sentence::ProfileOverWheel),
+                                &say!(profile_over_wheel).text(language),
                                 LineStyle::Dashed,
                                 |state| {
                                     let w = state.angular_frequency();
@@ -151,7 +152,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                 },
                 panel(
                     language,
-                    language.say(Sentence::Phase),
+                    &say!(phase).text(language),
                     "arg P₁ [°]",
                     Scale::Linear,
                     vec![series(&case, "", LineStyle::Solid, |state| {

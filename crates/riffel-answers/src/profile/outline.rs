@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use riffel::profile::{Profile, ProfilePoint};
 use riffel_case::{ProfileReading, profile_of};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, Scale, Series};
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ const MOST_CURVATURE: f64 = 200.0;
 pub struct OutlineAnswer {
     profiles: Vec<(String, Profile)>,
     /// Of points that scatter.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 /// What `riffel profile FILE… --json` prints.

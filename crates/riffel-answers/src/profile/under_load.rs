@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use riffel::profile::{ContactSurface, LoadedContact, WheelsetContact};
 use riffel::{ElasticMaterial, Rail};
 use riffel_case::CurvingCase;
-use riffel_keys::Remark;
+use riffel_keys::{Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ pub struct UnderLoadAnswer {
     contacts: Vec<(WheelsetContact, [Pressed; 2])>,
     document: UnderLoadDocument,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 /// A contact on the contact plane and on the rail's own surface, which may have none where a profile ends.
@@ -419,22 +419,13 @@ fn of_patch(rail: Rail, pressed: &Pressed) -> [LinePanel; 2] {
 }
 
 /// That a patch is curved.
-fn of_turn(rows: &[ContactDocument]) -> Option<Remark> {
+fn of_turn(rows: &[ContactDocument]) -> Option<Message> {
     /// \[rad\]: half a width over the radius of 0.2, from which on the half-space is no longer a good neighbour of the bodies.
     const FLAT: f64 = 0.4;
     let turns = rows.iter().filter_map(|row| row.turn_of_rail_rad);
     let most = turns.map(f64::abs).fold(0.0, f64::max);
     (most > FLAT).then(|| {
         let degrees = most.to_degrees();
-        Remark::new(
-            format!(
-                "the rail turns by {degrees:.0}° across a patch: the flat one holds to some 23°, half a width over the radius of 0.2; beyond, \
-                 take the conformal one beside it"
-            ),
-            format!(
-                "die Schiene dreht sich über eine Kontaktfläche um {degrees:.0}°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; \
-                 darüber gilt die konforme daneben"
-            ),
-        )
+        say!(flat_patch_beyond_range, degrees = fixed(degrees, 0))
     })
 }

@@ -8,7 +8,7 @@ use riffel::profile::{
 };
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
@@ -48,7 +48,7 @@ pub struct WearAnswer {
     gauge_height: f64,
     worn: Vec<Worn>,
     /// Of files, and of what is laid on what.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 /// One of them.
@@ -81,7 +81,7 @@ pub struct WearDocument {
     kind: &'static str,
     alignment: &'static str,
     profiles: Vec<WornDocument>,
-    remarks: Vec<Remark>,
+    remarks: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -382,19 +382,14 @@ impl WearAnswer {
 }
 
 /// That a rail does not lie on its field side.
-fn of_misfit(name: &str, wear: &ProfileWear) -> Option<Remark> {
+fn of_misfit(name: &str, wear: &ProfileWear) -> Option<Message> {
     /// \[m\]; devices measure to some hundredths of a millimetre.
     const WORTH_A_REMARK: f64 = 1e-4;
     let misfit = wear.misfit.filter(|misfit| *misfit > WORTH_A_REMARK)?;
     let millimetres = 1e3 * misfit;
-    Some(Remark::new(
-        format!(
-            "{name}: {millimetres:.2} mm are left on the field side by which it is laid: it is worn there, or inclined (--inclination), or \
-             another rail"
-        ),
-        format!(
-            "{name}: auf der Außenseite, an der es ausgerichtet ist, bleiben {millimetres:.2} mm: sie ist dort verschlissen, oder geneigt \
-             (--inclination), oder eine andere Schiene"
-        ),
+    Some(say!(
+        rail_worn_on_field_side,
+        name = name,
+        millimetres = fixed(millimetres, 2)
     ))
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
-use riffel_keys::{Language, Sentence};
+use riffel_keys::say;
 use riffel_plot::{LineFigure, MapFigure, Observation, PlotError};
 
 use super::outlook::Outlook;
@@ -37,7 +37,7 @@ pub(super) fn growth_map(
     let caption = format!(
         "{}{measured} {}",
         parameters(case),
-        Language::English.say(Sentence::SignOfGrowth)
+        say!(sign_of_growth).to_string()
     );
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));

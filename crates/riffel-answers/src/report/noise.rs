@@ -64,7 +64,7 @@ pub(super) fn heard(case: &Case, answer: &NoiseAnswer) -> Result<Outlook, PlotEr
         [] => String::new(),
         savings => format!(" Each alone would save: {}.", savings.join(", ")),
     };
-    let mut warnings: Vec<String> = answer.remarks.clone();
+    let mut warnings = answer.remarks.clone();
     warnings.extend(
         answer
             .course

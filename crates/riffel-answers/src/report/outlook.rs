@@ -81,7 +81,7 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
     html += &drawing(report.figure(case))?;
     html += &table("", &header, &rows);
     let mut warnings = report.warnings.clone();
-    warnings.extend(report.on.remarks.iter().cloned());
+    warnings.extend(report.on.remarks.iter().map(ToString::to_string));
     if wear.and_then(WearReport::fitted_coefficient).is_none() {
         warnings.push(
             "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of \
@@ -130,10 +130,16 @@ pub(super) fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, Pl
     html += &list(report.effects());
     html += &drawing(report.figure(case))?;
     let brief = best(report).into_iter().chain(months(report));
+    let remarks = report
+        .comparison
+        .base()
+        .remarks
+        .iter()
+        .map(ToString::to_string);
     Ok(Outlook {
         section: Section::There("What-if", html),
         brief: brief.collect(),
-        warnings: [&report.warnings[..], &report.comparison.base().remarks].concat(),
+        warnings: report.warnings.iter().cloned().chain(remarks).collect(),
     })
 }
 

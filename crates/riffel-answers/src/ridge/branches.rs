@@ -7,7 +7,7 @@ use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
 use riffel_case::Case;
-use riffel_keys::{Language, Remark, Sentence};
+use riffel_keys::{Message, Value, fixed, number, say};
 use serde::Serialize;
 
 /// A branch is named by a resonance of the case within this share of its frequency.
@@ -83,7 +83,7 @@ impl BranchDocument {
     }
 
     /// Frequency, mechanism if known, speeds and wavelengths, as in "225 Hz (20–87 km/h, 25–109 mm)".
-    fn words(&self, language: Language) -> String {
+    fn in_words(&self) -> Message {
         let range = |[least, most]: [f64; 2], unit: f64| {
             let [least, most] = [least, most].map(|value| format!("{:.0}", unit * value));
             match least == most {
@@ -91,78 +91,62 @@ impl BranchDocument {
                 false => format!("{least}–{most}"),
             }
         };
-        let mechanism = self
-            .kind
-            .map_or_else(String::new, |kind| format!("{}, ", name(kind, language)));
-        let edge = match self.only_at_edge {
-            true => language.say(Sentence::AtEdgeOfWindow),
-            false => "",
-        };
-        format!(
-            "{:.0} Hz ({mechanism}{} km/h, {} mm{edge})",
-            self.frequency_hz,
-            range(self.speed_m_per_s, 3.6),
-            range(self.wavelength_m, 1e3),
+        let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
+        let mechanism = self.kind.map(|kind| say!(before_comma, words = name(kind)));
+        let edge = self.only_at_edge.then(|| say!(at_edge_of_window));
+        say!(
+            branch,
+            frequency = fixed(self.frequency_hz, 0),
+            mechanism = or_nothing(mechanism),
+            speeds = range(self.speed_m_per_s, 3.6),
+            wavelengths = range(self.wavelength_m, 1e3),
+            edge = or_nothing(edge)
         )
     }
 
     /// The branches of a ridge in one sentence, the strongest first.
-    pub fn sentence(branches: &[Self]) -> Remark {
-        let in_language = |language: Language| {
-            let Some((strongest, weaker)) = branches.split_first() else {
-                return language.say(Sentence::NothingGrows).to_owned();
-            };
-            if branches.iter().all(|branch| branch.only_at_edge) {
-                let ends: BTreeSet<String> = branches
-                    .iter()
-                    .flat_map(|branch| branch.wavelength_m)
-                    .map(|wavelength| format!("{:.0}", 1e3 * wavelength))
-                    .collect();
-                let ends: Vec<String> = ends.into_iter().collect();
-                let and = language.say(Sentence::AndBetween);
-                return language.fill(Sentence::NoCrest, &[("ends", &ends.join(and))]);
-            }
-            let words = strongest.words(language);
-            if weaker.is_empty() {
-                return language.fill(Sentence::OneBranch, &[("words", &words)]);
-            }
-            let highest = strongest.highest_growth_rate_per_passage;
-            let named = weaker.iter().take(NAMED).map(|branch| {
-                let words = branch.words(language);
-                let share = share(branch.highest_growth_rate_per_passage / highest);
-                language.fill(
-                    Sentence::BranchWithShare,
-                    &[("words", &words), ("share", &share)],
-                )
-            });
-            let mut named: Vec<String> = named.collect();
-            if let Some(more) = weaker.len().checked_sub(NAMED + 1) {
-                named.push(language.fill(Sentence::MoreBranches, &[("count", &(more + 1))]));
-            }
-            let named = named.join("; ");
-            let count = weaker.len();
-            let noun = match count {
-                1 => language.say(Sentence::OneWeakerBranch).to_owned(),
-                _ => language.fill(Sentence::WeakerBranches, &[("count", &count)]),
-            };
-            language.fill(
-                Sentence::StrongestBranch,
-                &[("words", &words), ("noun", &noun), ("named", &named)],
-            )
+    pub fn sentence(branches: &[Self]) -> Message {
+        let Some((strongest, weaker)) = branches.split_first() else {
+            return say!(nothing_grows);
         };
-        Remark::new(
-            in_language(Language::English),
-            in_language(Language::German),
+        if branches.iter().all(|branch| branch.only_at_edge) {
+            let ends: BTreeSet<String> = branches
+                .iter()
+                .flat_map(|branch| branch.wavelength_m)
+                .map(|wavelength| format!("{:.0}", 1e3 * wavelength))
+                .collect();
+            let ends = ends.into_iter().map(Value::from);
+            let ends = ends.reduce(|one, other| say!(both, one = one, other = other).into());
+            return say!(no_crest, ends = ends.unwrap_or("".into()));
+        }
+        let words = strongest.in_words();
+        if weaker.is_empty() {
+            return say!(one_branch, words = words);
+        }
+        let highest = strongest.highest_growth_rate_per_passage;
+        let named = weaker.iter().take(NAMED).map(|branch| {
+            let share = share(branch.highest_growth_rate_per_passage / highest);
+            say!(branch_with_share, words = branch.in_words(), share = share)
+        });
+        let more = weaker.len().checked_sub(NAMED + 1);
+        let more = more.map(|more| say!(more_branches, count = more + 1));
+        let named = named.chain(more);
+        let named = named.reduce(|one, other| say!(one_after_other, one = one, other = other));
+        say!(
+            strongest_branch,
+            words = words,
+            noun = say!(weaker_branches, count = weaker.len()),
+            named = named.map_or("".into(), Value::from)
         )
     }
 }
 
 /// A ratio in per cent, with one significant digit below one.
-fn share(ratio: f64) -> String {
+fn share(ratio: f64) -> Value {
     let percent = 100.0 * ratio;
     match percent {
-        percent if percent >= 0.95 => format!("{percent:.0} %"),
-        _ => format!("{percent:.1} %"),
+        percent if percent >= 0.95 => number(format_args!("{percent:.0} %")),
+        _ => number(format_args!("{percent:.1} %")),
     }
 }
 
@@ -199,27 +183,28 @@ fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     of_track.chain(of_wheelset).collect()
 }
 
-/// The name of a mechanism; in English where the catalogue has none.
-fn name(kind: MechanismKind, language: Language) -> &'static str {
-    let sentence = match kind {
-        MechanismKind::P2 => Sentence::MechanismP2,
-        MechanismKind::WheelsetTorsion => Sentence::MechanismWheelsetTorsion,
-        MechanismKind::WheelsetBending => Sentence::MechanismWheelsetBending,
-        MechanismKind::FullTrack => Sentence::MechanismFullTrack,
-        MechanismKind::SleeperAntiresonance => Sentence::MechanismSleeperAntiresonance,
-        MechanismKind::RailOnPad => Sentence::MechanismRailOnPad,
-        MechanismKind::PinnedPinned => Sentence::MechanismPinnedPinned,
-        MechanismKind::MeasuredPeak => Sentence::MechanismMeasuredPeak,
-        MechanismKind::MeasuredDip => Sentence::MechanismMeasuredDip,
-        MechanismKind::GivenPeak => Sentence::MechanismGivenPeak,
-        MechanismKind::GivenDip => Sentence::MechanismGivenDip,
-        kind => return kind.name(),
-    };
-    language.say(sentence)
+/// The name of a mechanism; in English alone where it has no other.
+fn name(kind: MechanismKind) -> Message {
+    match kind {
+        MechanismKind::P2 => say!(mechanism_p2),
+        MechanismKind::WheelsetTorsion => say!(mechanism_wheelset_torsion),
+        MechanismKind::WheelsetBending => say!(mechanism_wheelset_bending),
+        MechanismKind::FullTrack => say!(mechanism_full_track),
+        MechanismKind::SleeperAntiresonance => say!(mechanism_sleeper_antiresonance),
+        MechanismKind::RailOnPad => say!(mechanism_rail_on_pad),
+        MechanismKind::PinnedPinned => say!(mechanism_pinned_pinned),
+        MechanismKind::MeasuredPeak => say!(mechanism_measured_peak),
+        MechanismKind::MeasuredDip => say!(mechanism_measured_dip),
+        MechanismKind::GivenPeak => say!(mechanism_given_peak),
+        MechanismKind::GivenDip => say!(mechanism_given_dip),
+        kind => Message::verbatim(kind.name()),
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use riffel_keys::Language;
+
     use super::*;
 
     /// The catalogue names mechanisms in English as the diagnosis does.
@@ -238,8 +223,8 @@ mod tests {
             MechanismKind::GivenPeak,
             MechanismKind::GivenDip,
         ] {
-            assert_eq!(name(kind, Language::English), kind.name());
-            assert_ne!(name(kind, Language::German), kind.name());
+            assert_eq!(name(kind).text(Language::English), kind.name());
+            assert_ne!(name(kind).text(Language::German), kind.name());
         }
     }
 }

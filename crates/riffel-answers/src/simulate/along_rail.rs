@@ -4,7 +4,7 @@ use riffel::contact::ContactFilter;
 use riffel::passage::{ContactInstant, LoopInTime, Passage};
 use riffel::roughness::Profile;
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
 
 use super::{ContactCourseDocument, Course, PassageDocument, remarks};
@@ -41,7 +41,7 @@ pub struct PassageAnswer {
     /// one wheel and one axis.
     pub contacts: Vec<(ContactName, f64)>,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl PassageAnswer {

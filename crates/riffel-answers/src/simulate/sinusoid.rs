@@ -6,7 +6,7 @@ use riffel::Complex64;
 use riffel::contact::ContactFilter;
 use riffel::passage::{LoopInTime, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
 
 use super::{ContactOverSinusoidDocument, Course, HarmonicDocument, SinusoidDocument, remarks};
@@ -43,7 +43,7 @@ pub struct SinusoidAnswer {
     /// Harmonics of the energy that a place of the rail receives \[J/m\], of a transient contact.
     pub energy_at_rail: Option<[Complex64; 6]>,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl SinusoidRequest {

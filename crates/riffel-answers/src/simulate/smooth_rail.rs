@@ -3,7 +3,7 @@
 use riffel::feedback::Stability;
 use riffel::passage::{GeneralPassage, LoopInTime, Outcome, SmoothRail};
 use riffel_case::{Case, ContactName};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
 
 use super::along_rail::check_step;
@@ -23,7 +23,7 @@ pub struct SmoothRailAnswer {
     pub contacts: Vec<ContactName>,
     share_cut: f64,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl SmoothRailAnswer {

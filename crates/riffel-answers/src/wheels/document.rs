@@ -2,7 +2,7 @@
 
 use riffel_case::Case;
 use riffel_case::file::CaseFile;
-use riffel_keys::Remark;
+use riffel_keys::Message;
 use serde::Serialize;
 
 use super::{WheelAnswer, WheelsAnswer};
@@ -52,7 +52,7 @@ struct WheelDocument<'a> {
     branches: &'a [BranchDocument],
     /// At which it oscillates without any profile at the speed of the curve; null where it does not.
     unstable_frequency_hz: Option<f64>,
-    remarks: &'a [Remark],
+    remarks: &'a [Message],
 }
 
 pub(super) fn document<'a>(answer: &'a WheelsAnswer, case: &'a Case) -> WheelsDocument<'a> {

@@ -111,7 +111,7 @@ fn the_nominal_ridge_is_one_branch() {
     assert_eq!(mechanism, None);
     let sentence = BranchDocument::sentence(&branches);
     assert_eq!(
-        sentence.in_language(Language::English),
+        sentence.text(Language::English),
         "the ridge is one branch, which grows at 537 Hz (35–154 km/h, 20–80 mm)"
     );
 }
@@ -138,7 +138,7 @@ fn a_branch_is_named_by_a_resonance_near_its_frequency() {
         );
     }
     let sentence = BranchDocument::sentence(&branches);
-    let german = sentence.in_language(Language::German);
+    let german = sentence.text(Language::German);
     assert!(
         german.starts_with("der stärkste Ast wächst bei 11"),
         "{german}"

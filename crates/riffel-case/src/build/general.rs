@@ -9,7 +9,7 @@ use riffel::receptance::{
 };
 use riffel::wheelset::{Motion, RigidInertia};
 use riffel::{Carter3d, Direction, ElasticMaterial, HertzContact, Rail, Receptance};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message, Value, fixed, say};
 
 use super::ClosedLoop;
 use super::track::RAIL_DENSITY;
@@ -26,7 +26,7 @@ struct Side {
 }
 
 /// That the ellipse takes the rolling radius where the wheel is much flatter.
-fn of_flatness(keys: &ContactKeys) -> Option<Remark> {
+fn of_flatness(keys: &ContactKeys) -> Option<Message> {
     /// Share by which the radius along the rail may differ from the rolling radius without a word.
     const WORTH_A_REMARK: f64 = 0.05;
     let flatter = keys.contact_angle.cos().recip();
@@ -34,15 +34,10 @@ fn of_flatness(keys: &ContactKeys) -> Option<Remark> {
         return None;
     }
     let angle = keys.contact_angle.to_degrees();
-    Some(Remark::new(
-        format!(
-            "at {angle:.0}° the wheel is {flatter:.2} times as flat along the rail as its rolling radius, which the ellipse takes: give \
-             contact.longitudinal_radius"
-        ),
-        format!(
-            "bei {angle:.0}° ist das Rad längs der Schiene {flatter:.2} mal so flach wie sein Rollradius, den die Ellipse nimmt: \
-             contact.longitudinal_radius angeben"
-        ),
+    Some(say!(
+        wheel_flatter_than_radius,
+        angle = fixed(angle, 0),
+        flatter = fixed(flatter, 2)
     ))
 }
 
@@ -206,7 +201,7 @@ impl CheckedKeys {
     fn lone_wheels(
         &self,
         hertz: HertzContact,
-        remarks: &mut Vec<Remark>,
+        remarks: &mut Vec<Message>,
     ) -> Result<Arc<dyn Structure>, CaseError> {
         let (vertical, of_wheel) = self.wheel()?;
         remarks.extend(of_wheel);
@@ -235,7 +230,7 @@ impl CheckedKeys {
         keys: &GeneralKeys,
         steel: ElasticMaterial,
         points: &[(Rail, f64)],
-        remarks: &mut Vec<Remark>,
+        remarks: &mut Vec<Message>,
     ) -> Result<Option<SpatialTrack>, CaseError> {
         let model = self.file.track.model;
         let modelled = self.given.track.is_none()
@@ -252,10 +247,7 @@ impl CheckedKeys {
                 ));
             }
             if keys.wheelset.is_some() {
-                remarks.push(Remark::new(
-                    "this track moves downward alone; along and across the rail it is taken as rigid",
-                    "dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr",
-                ));
+                remarks.push(say!(track_moves_downward_only));
             }
             return Ok(None);
         }
@@ -273,34 +265,29 @@ impl CheckedKeys {
             pad.is_some_and(|pad| pad.longitudinal_stiffness.is_some()),
         );
         if all_axes {
-            for (has, key, pad, [english, german]) in [
+            for (has, key, pad, direction) in [
                 (
                     across,
                     "rail.lateral_second_moment",
                     "track.pad.lateral_stiffness",
-                    ["across the track", "quer zum Gleis"],
+                    say!(across_track),
                 ),
                 (
                     along,
                     "rail.area",
                     "track.pad.longitudinal_stiffness",
-                    ["along itself", "in ihrer Richtung"],
+                    say!(along_itself),
                 ),
             ] {
                 if !has {
-                    let and = |word: &str| match on_supports {
-                        true => format!(" {word} {pad}"),
-                        false => String::new(),
+                    let keys = match on_supports {
+                        true => Value::from(say!(both, one = key, other = pad)),
+                        false => Value::from(key),
                     };
-                    remarks.push(Remark::new(
-                        format!(
-                            "the rail is taken as rigid {english}: give {key}{} to let it move",
-                            and("and")
-                        ),
-                        format!(
-                            "die Schiene gilt {german} als starr: {key}{} lässt sie sich bewegen",
-                            and("und")
-                        ),
+                    remarks.push(say!(
+                        rail_taken_as_rigid,
+                        direction = direction,
+                        keys = keys
                     ));
                 }
             }

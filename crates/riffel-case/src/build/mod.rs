@@ -16,7 +16,7 @@ use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact, Loop,
     PlaceOfWear, Receptance,
 };
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 
 pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
@@ -38,7 +38,7 @@ pub(crate) struct BuiltCase {
     pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
 }
 
 /// A loop of either kind with its contact under study.
@@ -50,7 +50,7 @@ struct ClosedLoop {
     wheelset: Option<Arc<CaseWheelset>>,
     spatial_track: Option<SpatialTrack>,
     lateral_resonances: Vec<(ResonanceKind, f64)>,
-    remarks: Vec<Remark>,
+    remarks: Vec<Message>,
 }
 
 impl CheckedKeys {
@@ -134,7 +134,7 @@ impl CheckedKeys {
     }
 
     /// A wheel alone, downward, and what should be known of it.
-    fn wheel(&self) -> Result<(Arc<dyn Receptance>, Vec<Remark>), CaseError> {
+    fn wheel(&self) -> Result<(Arc<dyn Receptance>, Vec<Message>), CaseError> {
         let mass = self.required("wheel.mass", self.file.wheel.mass)?;
         let rigid = self.physics("wheel.mass", RigidMass::new(mass.si()))?;
         Ok(match &self.given.wheel {

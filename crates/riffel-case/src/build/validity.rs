@@ -2,7 +2,7 @@
 
 use riffel::contact::EllipticContact;
 use riffel::{Axis, Direction, HertzContact, Loop};
-use riffel_keys::{Remark, Sentence};
+use riffel_keys::{Message, fixed, number, say};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
@@ -42,44 +42,41 @@ pub(crate) fn remarks(
     feedback: &Loop,
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
-) -> Vec<Remark> {
+) -> Vec<Message> {
     let mut remarks = Vec::new();
     let file = &keys.file;
     let lowest = speed.min() / wavelength.max();
     let highest = speed.max() / wavelength.min();
     let measured = keys.given.track.is_some() || file.track.model == TrackModel::Measured;
     if !measured && track.support.is_none() && lowest < FREE_BEAM_FROM_HZ {
-        remarks.push(Remark::of(Sentence::RailWithoutSupport, |language| {
-            vec![
-                ("free_beam_from_hz", FREE_BEAM_FROM_HZ.to_string()),
-                ("window", keys.window.name(language).to_owned()),
-                ("lowest", format!("{lowest:.0}")),
-            ]
-        }));
+        remarks.push(say!(
+            rail_without_support,
+            free_beam_from_hz = number(FREE_BEAM_FROM_HZ),
+            window = keys.window.name(),
+            lowest = fixed(lowest, 0)
+        ));
     }
     let bends_only = keys.beam_model() == BeamModel::EulerBernoulli;
     if !measured && bends_only && highest > EULER_BEAM_UP_TO_HZ {
-        remarks.push(Remark::of(Sentence::RailWithoutShear, |language| {
-            vec![
-                ("euler_beam_up_to_hz", EULER_BEAM_UP_TO_HZ.to_string()),
-                ("window", keys.window.name(language).to_owned()),
-                ("highest", format!("{highest:.0}")),
-            ]
-        }));
+        remarks.push(say!(
+            rail_without_shear,
+            euler_beam_up_to_hz = number(EULER_BEAM_UP_TO_HZ),
+            window = keys.window.name(),
+            highest = fixed(highest, 0)
+        ));
     }
     if !measured && bends_only && file.track.model.is_periodic() {
-        remarks.push(Remark::of(Sentence::PinnedPinnedWithoutShear, |_| vec![]));
+        remarks.push(say!(pinned_pinned_without_shear));
     }
     if let Some(pinned) = evenly_supported_pinned_pinned(keys).filter(|_| !measured)
         && highest > EVEN_SUPPORT_UP_TO * pinned
     {
-        remarks.push(Remark::of(Sentence::SupportsSpreadEvenly, |language| {
-            vec![
-                ("pinned", format!("{pinned:.0}")),
-                ("window", keys.window.name(language).to_owned()),
-                ("highest", format!("{highest:.0}")),
-            ]
-        }));
+        remarks.push(say!(
+            supports_spread_evenly,
+            pinned = fixed(pinned, 0),
+            window = keys.window.name(),
+            highest = fixed(highest, 0)
+        ));
     }
     remarks.extend(of_contact(keys, hertz, wavelength.min()));
     remarks.extend(unstable(feedback, speed));
@@ -107,13 +104,12 @@ pub(crate) fn remarks(
     if worst > 1.0 {
         let limit = 1e6 * feedback.amplitude() / worst;
         let amplitude = 1e6 * feedback.amplitude();
-        remarks.push(Remark::of(Sentence::WheelAndRailPart, |_| {
-            vec![
-                ("amplitude", format!("{amplitude:.1}")),
-                ("worst", format!("{worst:.2}")),
-                ("limit", format!("{limit:.1}")),
-            ]
-        }));
+        remarks.push(say!(
+            wheel_and_rail_part,
+            amplitude = fixed(amplitude, 1),
+            worst = fixed(worst, 2),
+            limit = fixed(limit, 1)
+        ));
     }
     remarks
 }
@@ -123,24 +119,19 @@ pub(crate) fn of_contact(
     keys: &CheckedKeys,
     hertz: HertzContact,
     shortest_asked: f64,
-) -> Vec<Remark> {
+) -> Vec<Message> {
     let mut remarks = Vec::new();
     let file = &keys.file;
     let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
     let resolved = file.contact.response == ContactDynamics::NonSteady;
     if !resolved && shortest_asked < shortest {
         let shortest = 1e3 * shortest;
-        remarks.push(Remark::of(Sentence::NoAverageOverPatch, |_| {
-            vec![("shortest", format!("{shortest:.0}"))]
-        }));
+        remarks.push(say!(no_average_over_patch, shortest = fixed(shortest, 0)));
     }
     let width = 2.0 * hertz.semi_axis_lateral();
     if width > EllipticContact::WIDEST {
         let width = 1e3 * width;
-        remarks.push(Remark::new(
-            format!("the ellipse of the contact is {width:.0} mm wide: over that no profile has one curvature, and Hertz's theory ends"),
-            format!("die Kontaktellipse ist {width:.0} mm breit: darüber hat kein Profil eine einzige Krümmung, und die Theorie von Hertz endet"),
-        ));
+        remarks.push(say!(ellipse_too_wide, width = fixed(width, 0)));
     }
     if keys.hertz_theory() == HertzTheory::Paper
         && let Ok(exact) = HertzContact::exact(
@@ -154,23 +145,17 @@ pub(crate) fn of_contact(
         let error = hertz.semi_axis_lateral() / exact.semi_axis_lateral() - 1.0;
         if error.abs() > CLOSED_FORM_UP_TO {
             let percent = 100.0 * error.abs();
-            remarks.push(Remark::of(Sentence::ClosedFormOfEllipse, |_| {
-                vec![("percent", format!("{percent:.0}"))]
-            }));
+            remarks.push(say!(closed_form_of_ellipse, percent = fixed(percent, 0)));
         }
     }
     let polach = file.contact.polach.as_ref();
     if keys.creep_law_name() == CreepLawName::POLACH
         && let Some(rolling) = polach.and_then(|polach| polach.speed)
     {
-        remarks.push(Remark::of(
-            Sentence::FallingFrictionAtOneSpeed,
-            |language| {
-                vec![
-                    ("rolling", rolling.to_string()),
-                    ("window", keys.window.name(language).to_owned()),
-                ]
-            },
+        remarks.push(say!(
+            falling_friction_at_one_speed,
+            rolling = rolling.to_string(),
+            window = keys.window.name()
         ));
     }
     remarks
@@ -179,20 +164,13 @@ pub(crate) fn of_contact(
 /// A loop on all axes that oscillates by itself at a speed of the window; only they can.
 ///
 /// A loop whose phase cannot be followed, for want of any loss or of measured frequencies, is not judged.
-fn unstable(feedback: &Loop, speed: Axis) -> Option<Remark> {
+fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
     let (speed, frequency) = stability::over(feedback, speed)
         .find_map(|(speed, stability)| Some((speed, stability.frequency?)))?;
-    let values = [format!("{:.0}", 3.6 * speed), format!("{frequency:.0}")];
-    let [speed, frequency] = values;
-    Some(Remark::new(
-        format!(
-            "the loop is unstable at {speed} km/h: near {frequency} Hz it oscillates without any profile (squeal, stick and \
-             slip), and growth rates mean nothing there"
-        ),
-        format!(
-            "der Kreis ist bei {speed} km/h instabil: um {frequency} Hz schwingt er ohne jedes Profil (Quietschen, \
-             Haften und Gleiten), und Wachstumsraten bedeuten dort nichts"
-        ),
+    Some(say!(
+        loop_unstable,
+        speed = fixed(3.6 * speed, 0),
+        frequency = fixed(frequency, 0)
     ))
 }
 

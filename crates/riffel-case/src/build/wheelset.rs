@@ -5,7 +5,7 @@ use riffel::wheelset::{
     Segment, Suspension,
 };
 use riffel::{ElasticMaterial, Rail};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file;
@@ -20,7 +20,7 @@ impl CheckedKeys {
         keys: &WheelsetKeys,
         rolling_radius: f64,
         rail: Rail,
-        remarks: &mut Vec<Remark>,
+        remarks: &mut Vec<Message>,
     ) -> Result<CaseWheelset, CaseError> {
         let contacts = ContactGeometry {
             contact_spacing: keys.contact_spacing,

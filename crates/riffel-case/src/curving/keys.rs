@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use riffel_keys::{CaseError, KeyFile, Remark};
+use riffel_keys::{CaseError, KeyFile, Message};
 use toml::{Table, Value};
 
 use crate::CaseKey;
@@ -58,7 +58,7 @@ fn refuse_unknown_in(keys: &KeyFile, parent: &str, table: &Table) -> Result<(), 
 ///
 /// # Errors
 /// [`CaseError`] for a value outside its physical range.
-pub(super) fn judge(keys: &KeyFile) -> Result<Vec<Remark>, CaseError> {
+pub(super) fn judge(keys: &KeyFile) -> Result<Vec<Message>, CaseError> {
     let mut remarks = Vec::new();
     for known in KEYS.iter() {
         match known.key.split_once("[]") {

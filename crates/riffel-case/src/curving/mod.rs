@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use riffel::curving::{VehicleInCurve, VehicleState};
 use riffel::profile::NominalProfile;
-use riffel_keys::{CaseError, Remark, text_file};
+use riffel_keys::{CaseError, Message, say, text_file};
 
 use self::build::is_cone;
 use crate::Case;
@@ -31,7 +31,7 @@ pub struct CurvingCase {
     /// The keys with their values.
     pub file: CurvingFile,
     /// What is to be asked about values that are not usual.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 impl CurvingCase {
@@ -115,14 +115,7 @@ impl CurvingCase {
             && CreepLawName::named(law).is_some()
             && CurvingLaw::named(law).is_none()
         {
-            of_loop = Some(Remark::new(
-                format!(
-                    "contact.creep_law = \"{law}\" is that of growth: in the curve creep is of Shen, Hedrick and Elkins"
-                ),
-                format!(
-                    "contact.creep_law = \"{law}\" ist das des Wachstums: im Bogen rollt das Rad nach Shen, Hedrick und Elkins"
-                ),
-            ));
+            of_loop = Some(say!(creep_law_of_growth_only, law = law));
             text.keys.remove(KEY);
         }
         let file = text.keys.deserialize()?;

@@ -8,7 +8,7 @@ use riffel::profile::{
     WheelDimensions, Wheels, WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use std::sync::Arc;
 
 use super::CurvingCase;
@@ -127,7 +127,7 @@ impl CurvingCase {
     ///
     /// # Errors
     /// [`CaseError`] for profiles that cannot be read.
-    pub fn remarks_of_profiles(&self) -> Result<Vec<Remark>, CaseError> {
+    pub fn remarks_of_profiles(&self) -> Result<Vec<Message>, CaseError> {
         let Some(profiles) = self.file.profiles.as_ref().filter(|one| !is_cone(one)) else {
             return Ok(Vec::new());
         };

@@ -2,7 +2,7 @@
 
 use riffel::Rail;
 use riffel::contact::Creepages;
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, fixed, say};
 use toml::Value;
 
 use super::mean_contact::MeanContact;
@@ -92,9 +92,10 @@ impl CaseText {
             return angle;
         }
         let degrees = angle.to_degrees();
-        self.curve_remarks.push(Remark::new(
-            format!("the wheel stands past the crown of its rail, at {degrees:.2}°: {key} is 0"),
-            format!("das Rad steht jenseits der höchsten Stelle der Schiene, bei {degrees:.2}°: {key} ist 0"),
+        self.curve_remarks.push(say!(
+            wheel_past_crown,
+            degrees = fixed(degrees, 2),
+            key = key
         ));
         0.0
     }
@@ -138,9 +139,11 @@ impl CaseText {
         };
         if !self.is_written(key) {
             let name = law.name;
-            self.curve_remarks.push(Remark::new(
-                format!("contact.creep_law = \"{name}\" knows no spin: the {spin:.3} 1/m of the curve are left out ({key})"),
-                format!("contact.creep_law = \"{name}\" kennt keinen Bohrschlupf: die {spin:.3} 1/m des Bogens bleiben weg ({key})"),
+            self.curve_remarks.push(say!(
+                creep_law_without_spin,
+                name = name,
+                spin = fixed(spin, 3),
+                key = key
             ));
         }
     }

@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
-use riffel_keys::{CaseError, Language, Remark};
+use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 
 use super::mean_contact::MeanContact;
+use super::told::on_rail;
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
 use crate::file::Patch;
@@ -42,7 +43,7 @@ impl CurvingCase {
         contact_angle: f64,
         normal_force: f64,
         surface: ContactSurface,
-    ) -> Result<Result<LoadedPatch, Remark>, CaseError> {
+    ) -> Result<Result<LoadedPatch, Message>, CaseError> {
         let wheelset = self.wheelset_on_track()?;
         let steel = self.steel()?;
         let Some(contact) = wheelset
@@ -51,25 +52,20 @@ impl CurvingCase {
             .filter(|contact| Self::is_under(contact, rail, contact_angle))
         else {
             let degrees = contact_angle.to_degrees();
-            return Ok(Err(Remark::new(
-                format!("no rigid contact has the angle of the equilibrium, {degrees:.2}°"),
-                format!("kein starrer Kontakt hat den Winkel des Gleichgewichts, {degrees:.2}°"),
+            return Ok(Err(say!(
+                no_rigid_contact_at_angle,
+                degrees = fixed(degrees, 2)
             )));
         };
         let elements = Self::ELEMENTS_UNDER_LOAD;
         let loaded = wheelset.under_load(&contact, rail, steel, normal_force, surface, elements);
-        // Physics tells its reasons in English.
-        let in_english = |reason: String| Remark::new(reason.clone(), reason);
         Ok(loaded
             .map_err(|error| match error {
-                ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => Remark::new(
-                    "the patch joins that of the place where the wheel touches next",
-                    "die Kontaktfläche geht in die des nächsten Berührpunkts über",
-                ),
-                error => in_english(error.to_string()),
+                ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => say!(patches_join),
+                error => Message::verbatim(error.to_string()),
             })
             .and_then(|loaded| {
-                LoadedPatch::of(&loaded).map_err(|error| in_english(error.to_string()))
+                LoadedPatch::of(&loaded).map_err(|error| Message::verbatim(error.to_string()))
             }))
     }
 }
@@ -85,6 +81,11 @@ impl LoadedPatch {
             on_track: [across, below],
         })
     }
+}
+
+/// A difference in per cent, with its sign.
+fn signed(percent: f64) -> Value {
+    number(format_args!("{percent:+.0}"))
 }
 
 /// Semi-axes of the ellipse like a patch.
@@ -119,15 +120,8 @@ impl CaseText {
             let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
             return Err(self.keys.invalid("contact.from.patch", &rule, help));
         }
-        let german = match rail {
-            Rail::Left => "linken",
-            Rail::Right => "rechten",
-        };
         let loaded = match contact.elsewhere > 0.0 {
-            true => Err(Remark::new(
-                "the wheel stands on two points, which a patch under load would join",
-                "das Rad steht auf zwei Punkten, die unter Last zu einer Kontaktfläche würden",
-            )),
+            true => Err(say!(two_points_join_under_load)),
             false => curving.loaded_patch(
                 rail,
                 contact.lateral_shift,
@@ -139,15 +133,10 @@ impl CaseText {
         let loaded = match loaded {
             Ok(loaded) => loaded,
             Err(reason) => {
-                self.curve_remarks.push(Remark::new(
-                    format!(
-                        "on the {} rail the loop takes the ellipse of Hertz and no patch of the profiles under load: {reason}",
-                        rail.name()
-                    ),
-                    format!(
-                        "auf der {german} Schiene nimmt der Kreis die Ellipse von Hertz und keine Kontaktfläche der Profile unter Last: {}",
-                        reason.in_language(Language::German)
-                    ),
+                self.curve_remarks.push(say!(
+                    ellipse_in_place_of_patch,
+                    rail = on_rail(rail),
+                    reason = reason
                 ));
                 return Ok(());
             }
@@ -158,7 +147,7 @@ impl CaseText {
         let radii = HertzContact::radii_of_ellipse(steel, loaded.semi_axes, contact.normal_force);
         let radii = radii.map_err(refused)?;
         let hertz = contact.hertz(curving)?;
-        self.tell_of_patch(rail, german, contact, &loaded, hertz.as_ref());
+        self.tell_of_patch(rail, contact, &loaded, hertz.as_ref());
         let sine = loaded.contact_angle.sin() - contact.contact_angle.sin();
         // φ = ∓ sin γ/r, upper sign on the right rail.
         contact.creepages.spin -= rail.sign() * sine / contact.rolling_radius;
@@ -213,34 +202,24 @@ impl CaseText {
             ]
             .map(|ratio| 100.0 * (ratio - 1.0))
         });
-        let (english, german) = match percent {
-            Some([stiffer, longer, wider]) => (
-                format!(
-                    "; the profiles under load, on the curved rail, are stiffer by {stiffer:+.0} %, {longer:+.0} % as long and {wider:+.0} % as wide \
-                     (contact.from.patch = \"conformal\" takes them)"
-                ),
-                format!(
-                    "; die Profile unter Last auf der gekrümmten Schiene sind um {stiffer:+.0} % steifer, {longer:+.0} % so lang und {wider:+.0} % so breit \
-                     (contact.from.patch = \"conformal\" nimmt sie)"
-                ),
-            ),
-            None => (String::new(), String::new()),
+        let under_load = match percent {
+            Some([stiffer, longer, wider]) => Value::from(say!(
+                patch_under_load_against_hertz,
+                stiffer = signed(stiffer),
+                longer = signed(longer),
+                wider = signed(wider)
+            )),
+            None => Value::from(""),
         };
-        let side = match rail {
-            Rail::Left => "linken",
-            Rail::Right => "rechten",
-        };
-        let b = 1e3 * hertz.semi_axis_lateral();
-        self.curve_remarks.push(Remark::new(
-            format!(
-                "the semi-axis across is {b:.1} mm, {share:.2} of the radius of the {} rail there, and Hertz's theory is for patches up to \
-                 0.2 to 0.3: beyond, the contact is conformal{english}",
-                rail.name()
-            ),
-            format!(
-                "die Halbachse quer ist {b:.1} mm, {share:.2} des Radius der {side} Schiene dort, und die Theorie von Hertz gilt bis 0,2 bis \
-                 0,3: darüber ist der Kontakt konform{german}"
-            ),
+        self.curve_remarks.push(say!(
+            contact_is_conformal,
+            semi_axis = fixed(1e3 * hertz.semi_axis_lateral(), 1),
+            share = fixed(share, 2),
+            rail = match rail {
+                Rail::Left => say!(of_left),
+                Rail::Right => say!(of_right),
+            },
+            under_load = under_load
         ));
         Ok(())
     }
@@ -248,46 +227,38 @@ impl CaseText {
     fn tell_of_patch(
         &mut self,
         rail: Rail,
-        german: &str,
         contact: &MeanContact,
         loaded: &LoadedPatch,
         hertz: Option<&HertzContact>,
     ) {
-        let name = rail.name();
         let [a, b] = loaded.semi_axes.map(|axis| 1e3 * axis);
         let stiffness = 1e-6 * loaded.stiffness;
         let angle = loaded.contact_angle.to_degrees();
         let turned = (loaded.contact_angle - contact.contact_angle).to_degrees();
-        let remark = match hertz {
-            Some(hertz) => {
-                let over = |value: f64, other: f64| 100.0 * (value / other - 1.0);
-                let stiffer = over(loaded.stiffness, hertz.stiffness());
-                let longer = over(loaded.semi_axes[0], hertz.semi_axis_longitudinal());
-                let wider = over(loaded.semi_axes[1], hertz.semi_axis_lateral());
-                Remark::new(
-                    format!(
-                        "on the {name} rail the patch is that of the profiles under load: {stiffness:.0} MN/m ({stiffer:+.0} % against Hertz), \
-                         like an ellipse of semi-axes {a:.1} mm along ({longer:+.0} %) and {b:.1} mm across ({wider:+.0} %), at {angle:.2}° \
-                         ({turned:+.2}°)"
-                    ),
-                    format!(
-                        "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m ({stiffer:+.0} % gegen Hertz), \
-                         wie eine Ellipse mit den Halbachsen {a:.1} mm längs ({longer:+.0} %) und {b:.1} mm quer ({wider:+.0} %), bei {angle:.2}° \
-                         ({turned:+.2}°)"
-                    ),
-                )
-            }
-            None => Remark::new(
-                format!(
-                    "on the {name} rail the patch is that of the profiles under load: {stiffness:.0} MN/m, like an ellipse of semi-axes {a:.1} mm \
-                     along and {b:.1} mm across, at {angle:.2}° ({turned:+.2}°); Hertz has none there"
-                ),
-                format!(
-                    "auf der {german} Schiene gilt die Kontaktfläche der Profile unter Last: {stiffness:.0} MN/m, wie eine Ellipse mit den Halbachsen \
-                     {a:.1} mm längs und {b:.1} mm quer, bei {angle:.2}° ({turned:+.2}°); Hertz hat dort keine"
-                ),
+        let over_hertz = |value: f64, of_hertz: f64| signed(100.0 * (value / of_hertz - 1.0));
+        let turned = number(format_args!("{turned:+.2}"));
+        self.curve_remarks.push(match hertz {
+            Some(hertz) => say!(
+                patch_of_profiles,
+                rail = on_rail(rail),
+                stiffness = fixed(stiffness, 0),
+                stiffer = over_hertz(loaded.stiffness, hertz.stiffness()),
+                along = fixed(a, 1),
+                longer = over_hertz(loaded.semi_axes[0], hertz.semi_axis_longitudinal()),
+                across = fixed(b, 1),
+                wider = over_hertz(loaded.semi_axes[1], hertz.semi_axis_lateral()),
+                angle = fixed(angle, 2),
+                turned = turned
             ),
-        };
-        self.curve_remarks.push(remark);
+            None => say!(
+                patch_of_profiles_alone,
+                rail = on_rail(rail),
+                stiffness = fixed(stiffness, 0),
+                along = fixed(a, 1),
+                across = fixed(b, 1),
+                angle = fixed(angle, 2),
+                turned = turned
+            ),
+        });
     }
 }

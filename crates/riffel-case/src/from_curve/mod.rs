@@ -11,7 +11,7 @@ mod tests;
 use std::path::Path;
 
 use riffel::Rail;
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, say};
 use serde::Deserialize;
 
 use crate::case_text::CaseText;
@@ -74,25 +74,14 @@ impl CaseText {
         let radius = vehicle.curve.radius;
         let rail = from.rail.in_curve(radius);
         if states.len() > 1 {
-            let (which, german) = match states[0].continuation.is_empty() {
-                false => (
-                    "that which straight track leads to",
-                    "der, zu dem gerades Gleis führt",
-                ),
-                true => (
-                    "of the first found, to which straight track does not lead",
-                    "aus dem zuerst gefundenen, zu dem gerades Gleis nicht führt",
-                ),
+            let which = match states[0].continuation.is_empty() {
+                false => say!(equilibrium_from_straight_track),
+                true => say!(equilibrium_found_first),
             };
-            self.curve_remarks.push(Remark::new(
-                format!(
-                    "the vehicle has {} equilibria in this curve; the contact is {which}",
-                    states.len()
-                ),
-                format!(
-                    "das Fahrzeug hat {} Gleichgewichte in diesem Bogen; der Kontakt ist {german}",
-                    states.len()
-                ),
+            self.curve_remarks.push(say!(
+                several_equilibria,
+                count = states.len(),
+                which = which
             ));
         }
         let file = &curving.file;
@@ -158,10 +147,8 @@ impl CaseText {
             self.curve_tractive_ratio = Some(study.tractive_ratio);
         } else {
             let instead = instead.join(", ");
-            self.curve_remarks.push(Remark::new(
-                format!("in place of what that curve says the case has its own {instead}"),
-                format!("statt dessen, was der Bogen sagt, hat der Fall eigene Werte: {instead}"),
-            ));
+            self.curve_remarks
+                .push(say!(case_has_own_values, instead = instead));
         }
         Ok(())
     }

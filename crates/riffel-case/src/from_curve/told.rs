@@ -3,11 +3,19 @@
 use riffel::Rail;
 use riffel::contact::Creepages;
 use riffel::curving::Curve;
-use riffel_keys::Remark;
+use riffel_keys::{Message, fixed, say};
 
 use super::mean_contact::MeanContact;
 use crate::case_text::CaseText;
 use crate::file::{CurveRail, FromCurve};
+
+/// A rail, as in "on the left rail".
+pub(super) fn on_rail(rail: Rail) -> Message {
+    match rail {
+        Rail::Left => say!(on_left),
+        Rail::Right => say!(on_right),
+    }
+}
 
 impl CaseText {
     /// That a wheel stands on another point as well, which the loop leaves out.
@@ -16,18 +24,10 @@ impl CaseText {
             return;
         }
         let percent = 100.0 * share;
-        let german = match rail {
-            Rail::Left => "linken",
-            Rail::Right => "rechten",
-        };
-        self.curve_remarks.push(Remark::new(
-            format!(
-                "on the {} rail the wheel stands on two points; the other one, with {percent:.0} % of its normal forces, is left out of the loop",
-                rail.name()
-            ),
-            format!(
-                "auf der {german} Schiene steht das Rad auf zwei Punkten; der andere, mit {percent:.0} % seiner Normalkräfte, fehlt im Kreis"
-            ),
+        self.curve_remarks.push(say!(
+            second_point_left_out,
+            rail = on_rail(rail),
+            percent = fixed(percent, 0)
         ));
     }
 
@@ -48,22 +48,23 @@ impl CaseText {
         let angle = contact.contact_angle.to_degrees();
         let load = 1e-3 * contact.normal_force;
         let low = rail == CurveRail::Low.in_curve(curve.radius);
-        let (name, german) = match (low, rail) {
-            (true, Rail::Left) => ("low, left", "inneren, linken"),
-            (true, Rail::Right) => ("low, right", "inneren, rechten"),
-            (false, Rail::Left) => ("high, left", "äußeren, linken"),
-            (false, Rail::Right) => ("high, right", "äußeren, rechten"),
+        let rail = match (low, rail) {
+            (true, Rail::Left) => say!(on_low_left),
+            (true, Rail::Right) => say!(on_low_right),
+            (false, Rail::Left) => say!(on_high_left),
+            (false, Rail::Right) => say!(on_high_right),
         };
-        let wheelset = from.wheelset;
-        self.curve_remarks.push(Remark::new(
-            format!(
-                "mean state from the curve of {radius:.0} m at {speed:.0} km/h: wheelset {wheelset} on the {name} rail creeps {along:.3} % along, \
-                 {across:.3} % across, spin {spin:.3} 1/m, under {load:.1} kN at {angle:.1}°"
-            ),
-            format!(
-                "mittlerer Zustand aus dem Bogen von {radius:.0} m bei {speed:.0} km/h: Radsatz {wheelset} auf der {german} Schiene schlüpft \
-                 {along:.3} % längs, {across:.3} % quer, Bohrschlupf {spin:.3} 1/m, unter {load:.1} kN bei {angle:.1}°"
-            ),
+        self.curve_remarks.push(say!(
+            mean_state_from_curve,
+            radius = fixed(radius, 0),
+            speed = fixed(speed, 0),
+            wheelset = from.wheelset,
+            rail = rail,
+            along = fixed(along, 3),
+            across = fixed(across, 3),
+            spin = fixed(spin, 3),
+            load = fixed(load, 1),
+            angle = fixed(angle, 1)
         ));
     }
 }

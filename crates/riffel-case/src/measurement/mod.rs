@@ -14,7 +14,7 @@ use std::path::Path;
 
 use riffel::receptance::MeasuredReceptance;
 use riffel::{Complex64, Receptance};
-use riffel_keys::{Exponents, Language, Remark, Sentence, text_file};
+use riffel_keys::{Exponents, Message, fixed, number, say, text_file};
 
 use crate::file::{Measurement, Response};
 pub use universal_function::UniversalFunction;
@@ -69,7 +69,7 @@ struct FrequencyResponse {
 /// A receptance, and what the reader of the case should know of it.
 pub(crate) struct Measured {
     pub(crate) receptance: MeasuredReceptance,
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
 }
 
 /// Read the measurement; file names are relative to `folder`.
@@ -143,7 +143,7 @@ impl FrequencyResponse {
 
     /// A Fourier transform begins at 0 Hz, where mobility and accelerance are zero whatever the receptance is, and
     /// which has no place on a logarithmic axis.
-    fn leave_out_zero(&mut self) -> Option<Remark> {
+    fn leave_out_zero(&mut self) -> Option<Message> {
         if self.frequencies.first() != Some(&0.0) {
             return None;
         }
@@ -153,7 +153,7 @@ impl FrequencyResponse {
         if let Some(coherence) = &mut self.coherence {
             coherence.remove(0);
         }
-        Some(Remark::of(Sentence::ValueAtZeroLeftOut, |_| vec![]))
+        Some(say!(value_at_zero_left_out))
     }
 
     /// Frequencies positive, rising and without gaps, values finite.
@@ -218,7 +218,7 @@ impl FrequencyResponse {
 impl Measured {
     /// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
     /// that rails do have.
-    fn check_size(&self) -> Result<Option<Remark>, MeasurementError> {
+    fn check_size(&self) -> Result<Option<Message>, MeasurementError> {
         let mut moduli: Vec<f64> = self.receptance.lines().map(|(_, h)| h.norm()).collect();
         let middle = moduli.len() / 2;
         let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
@@ -227,12 +227,11 @@ impl Measured {
             let most = moduli.iter().copied().fold(0.0, f64::max);
             let unusual = least > USUAL.1 || most < USUAL.0;
             return Ok(unusual.then(|| {
-                Remark::of(Sentence::ReceptanceUnlikeRail, |_| {
-                    vec![
-                        ("least", format!("{least:.0e}")),
-                        ("most", format!("{most:.0e}")),
-                    ]
-                })
+                say!(
+                    receptance_unlike_rail,
+                    least = number(format_args!("{least:.0e}")),
+                    most = number(format_args!("{most:.0e}"))
+                )
             }));
         }
         Err(MeasurementError::file(format!(
@@ -252,31 +251,30 @@ pub(crate) enum Remedy {
 }
 
 impl Remedy {
-    fn words(self, language: Language) -> &'static str {
+    fn message(self) -> Message {
         match self {
-            Self::SetKey => language.say(Sentence::SetConjugate),
-            Self::Conjugate => language.say(Sentence::ConjugateIt),
+            Self::SetKey => say!(set_conjugate),
+            Self::Conjugate => say!(conjugate_it),
         }
     }
 }
 
 /// Where a receptance is not passive, in one sentence.
-pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Option<Remark> {
+pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Option<Message> {
     let active: Vec<f64> = receptance
         .active()
         .map(|w| w / std::f64::consts::TAU)
         .collect();
     let (first, last) = (active.first()?, active.last()?);
     let (count, points) = (active.len(), receptance.points());
-    Some(Remark::of(Sentence::ReceptanceGivesEnergy, |language| {
-        vec![
-            ("count", count.to_string()),
-            ("points", points.to_string()),
-            ("first", format!("{first:.0}")),
-            ("last", format!("{last:.0}")),
-            ("remedy", remedy.words(language).to_string()),
-        ]
-    }))
+    Some(say!(
+        receptance_gives_energy,
+        count = count,
+        points = points,
+        first = fixed(*first, 0),
+        last = fixed(*last, 0),
+        remedy = remedy.message()
+    ))
 }
 
 impl Response {

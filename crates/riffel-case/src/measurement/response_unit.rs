@@ -1,7 +1,7 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
 use riffel::forecast::STANDARD_GRAVITY;
-use riffel_keys::{Remark, Sentence, Unit};
+use riffel_keys::{Message, Unit, say};
 
 use super::MeasurementError;
 use crate::file::Response;
@@ -25,7 +25,7 @@ pub(super) struct Decoded {
     pub(super) response: Response,
     scale: Scale,
     /// What was taken for granted.
-    pub(super) remarks: Vec<Remark>,
+    pub(super) remarks: Vec<Message>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,11 +147,10 @@ impl ValueUnit<'_> {
     /// SI, with a remark where nobody says what was measured.
     fn taken_for_granted(&self, response: Response) -> Decoded {
         let column = self.column;
-        let remark = self.quantity.is_none().then(|| {
-            Remark::of(Sentence::ColumnWithoutUnit, |_| {
-                vec![("column", column.to_owned())]
-            })
-        });
+        let remark = self
+            .quantity
+            .is_none()
+            .then(|| say!(column_without_unit, column = column.to_owned()));
         Decoded {
             response,
             scale: Scale::Linear(1.0),

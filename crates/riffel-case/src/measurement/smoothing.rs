@@ -1,7 +1,7 @@
 //! What becomes of lines with little coherence.
 
 use riffel::Complex64;
-use riffel_keys::{Remark, Sentence};
+use riffel_keys::{Message, fixed, number, say};
 
 /// Coherence γ² from which a line is taken as it is; the usual limit of hammer tests.
 const GOOD: f64 = 0.8;
@@ -19,7 +19,7 @@ pub(super) fn smooth(
     angular: &[f64],
     receptances: &mut [Complex64],
     coherence: &[f64],
-) -> Option<Remark> {
+) -> Option<Message> {
     let measured = receptances.to_vec();
     let widest = OCTAVES.exp2();
     let mut poor = Vec::new();
@@ -42,15 +42,14 @@ pub(super) fn smooth(
     }
     let (count, points) = (poor.len(), angular.len());
     let (first, last) = (poor.first()?, poor.last()?);
-    Some(Remark::of(Sentence::PoorCoherence, |_| {
-        vec![
-            ("good", GOOD.to_string()),
-            ("count", count.to_string()),
-            ("points", points.to_string()),
-            ("first", format!("{first:.0}")),
-            ("last", format!("{last:.0}")),
-        ]
-    }))
+    Some(say!(
+        poor_coherence,
+        good = number(GOOD),
+        count = count,
+        points = points,
+        first = fixed(*first, 0),
+        last = fixed(*last, 0)
+    ))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A frequency response in a table of text.
 
 use riffel::Complex64;
-use riffel_keys::{Exponents, Remark, Unit};
+use riffel_keys::{Exponents, Message, Unit};
 
 use super::columns::{Columns, Parts};
 use super::layout::{Chosen, Layout};
@@ -12,7 +12,7 @@ use crate::file::{AngleUnit, Measurement};
 /// A table as it was read, and what was taken for granted.
 pub(super) struct Table {
     pub(super) response: FrequencyResponse,
-    pub(super) remarks: Vec<Remark>,
+    pub(super) remarks: Vec<Message>,
 }
 
 impl Chosen for Columns {

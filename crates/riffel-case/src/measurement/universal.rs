@@ -3,7 +3,7 @@
 use riffel_keys::universal_file::{
     self, ACCELERATION, Axis, DISPLACEMENT, Freedom, Function, Units, VELOCITY, unit_size,
 };
-use riffel_keys::{Exponents, Remark, Sentence};
+use riffel_keys::{Exponents, Message, say};
 
 use super::{FrequencyResponse, MeasurementError};
 use crate::UniversalFunction;
@@ -18,7 +18,7 @@ const EXCITATION_FORCE: i32 = 13;
 /// The response of a file, and what its reader should know.
 pub(super) struct Chosen {
     pub(super) response: FrequencyResponse,
-    pub(super) remarks: Vec<Remark>,
+    pub(super) remarks: Vec<Message>,
 }
 
 /// The function that the case asks for, or the only vertical frequency response of the file.
@@ -48,15 +48,14 @@ pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, Me
 }
 
 /// A point receptance has response and force at one node; on a rail head they stand side by side.
-fn between_nodes(function: &Function) -> Option<Remark> {
+fn between_nodes(function: &Function) -> Option<Message> {
     let (response, reference) = (function.response.node, function.reference.node);
     (response != reference).then(|| {
-        Remark::of(Sentence::ResponseAtOtherNode, |_| {
-            vec![
-                ("response", response.to_string()),
-                ("reference", reference.to_string()),
-            ]
-        })
+        say!(
+            response_at_other_node,
+            response = response.to_string(),
+            reference = reference.to_string()
+        )
     })
 }
 

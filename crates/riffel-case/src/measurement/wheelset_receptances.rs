@@ -5,7 +5,7 @@ use std::path::Path;
 
 use riffel::wheelset::{MeasuredEntry, MeasuredWheelset, Port, Violation};
 use riffel::{Complex64, Direction, Rail};
-use riffel_keys::Remark;
+use riffel_keys::{Message, fixed, say};
 
 use super::columns::{Parts, Role, without_unit};
 use super::layout::{Chosen, Layout, Row};
@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-3;
 /// A measured wheelset, and what the reader of the case should know of it.
 pub(crate) struct WheelsetReceptances {
     pub(crate) wheelset: MeasuredWheelset,
-    pub(crate) remarks: Vec<Remark>,
+    pub(crate) remarks: Vec<Message>,
 }
 
 impl WheelsetReceptances {
@@ -50,10 +50,7 @@ impl WheelsetReceptances {
             // Once for all.
             if remarks.is_empty() && layout.unit(entry.values.first()).is_none() {
                 let column = &layout.header[entry.values.first()];
-                remarks.push(Remark::new(
-                    format!("column `{column}` names no unit: taken as a receptance in m/N (else write it, as in `{column} [m/s2/N]`)"),
-                    format!("Spalte `{column}` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst dazuschreiben, wie in `{column} [m/s2/N]`)"),
-                ));
+                remarks.push(say!(column_of_wheelset_without_unit, column = column));
             }
             let response = FrequencyResponse {
                 response: units.decoded.response,
@@ -110,36 +107,29 @@ impl WheelsetReceptances {
 }
 
 /// What no wheelset can have.
-fn violations(wheelset: &MeasuredWheelset) -> impl Iterator<Item = Remark> {
+fn violations(wheelset: &MeasuredWheelset) -> impl Iterator<Item = Message> {
     let beyond_rounding = |violation: &Violation| violation.size > ROUNDING;
     let reciprocity = wheelset.reciprocity_violation().filter(beyond_rounding);
     let reciprocity = reciprocity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let [at, from] = violation.ports.map(name);
-        Remark::new(
-            format!(
-                "the measured wheelset is not reciprocal: {at} by a force at {from} and the reverse differ by up to \
-                 {percent:.2} %, at {hertz:.1} Hz; their mean is taken: check accelerometer, hammer and the sign of the axes"
-            ),
-            format!(
-                "der gemessene Radsatz ist nicht reziprok: {at} bei Kraft an {from} und umgekehrt unterscheiden sich um bis \
-                 zu {percent:.2} %, bei {hertz:.1} Hz; es gilt ihr Mittel: Aufnehmer, Hammer und Vorzeichen der Achsen prüfen"
-            ),
+        say!(
+            wheelset_not_reciprocal,
+            at = at,
+            from = from,
+            percent = fixed(percent, 2),
+            hertz = fixed(hertz, 1)
         )
     });
     let passivity = wheelset.passivity_violation().filter(beyond_rounding);
     let passivity = passivity.map(|violation| {
         let (percent, hertz) = (1e2 * violation.size, violation.angular_frequency / TAU);
         let port = name(violation.ports[0]);
-        Remark::new(
-            format!(
-                "the measured wheelset gives energy away, by up to {percent:.2} % of its largest receptance, at \
-                 {hertz:.1} Hz, most at {port}: check phases, noise, missing entries, and whether it follows exp(+iωt)"
-            ),
-            format!(
-                "der gemessene Radsatz gibt Energie ab, bis zu {percent:.2} % seiner größten Rezeptanz, bei {hertz:.1} Hz, am \
-                 meisten an {port}: Phasen, Rauschen und fehlende Einträge prüfen, und ob er exp(+iωt) folgt"
-            ),
+        say!(
+            wheelset_gives_energy,
+            percent = fixed(percent, 2),
+            hertz = fixed(hertz, 1),
+            port = port
         )
     });
     reciprocity.into_iter().chain(passivity)
@@ -297,7 +287,7 @@ impl EntryColumns {
     }
 
     /// Axes along which no wheel was measured.
-    fn not_measured(&self) -> Option<Remark> {
+    fn not_measured(&self) -> Option<Message> {
         let measured = |axis: Direction| {
             self.entries.iter().any(|entry| match entry.ports {
                 Ports::OneWheel(at, from) => at == axis && from == axis,
@@ -315,12 +305,7 @@ impl EntryColumns {
         .collect();
         (!missing.is_empty()).then(|| {
             let axes = missing.join(", ");
-            Remark::new(
-                format!("the wheelset was not measured along {axes}: there it is taken as rigid"),
-                format!(
-                    "der Radsatz ist nicht gemessen in Richtung {axes}: dort gilt er als starr"
-                ),
-            )
+            say!(wheelset_not_measured_along, axes = axes)
         })
     }
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use riffel::forecast::SpeedDistribution;
 use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 
 use super::on_case::overrides;
 use super::{Traffic, bands_of};
@@ -100,7 +100,7 @@ impl Traffic {
     }
 
     /// What is to be asked about values of the file that are not usual.
-    pub fn remarks(&self) -> &[Remark] {
+    pub fn remarks(&self) -> &[Message] {
         &self.remarks
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Dimension, Force, Kind, Quantity, Ratio};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile, Remark};
+use riffel_keys::{CaseError, KeyFile, Message};
 use toml::Value;
 
 use super::{Line, TrafficFile, Vehicle};
@@ -21,7 +21,7 @@ pub struct Traffic {
     /// Speeds of each vehicle.
     pub(super) speeds: Vec<SpeedDistribution>,
     /// What is to be asked about values that are not usual.
-    pub(super) remarks: Vec<Remark>,
+    pub(super) remarks: Vec<Message>,
 }
 
 impl Traffic {
@@ -69,7 +69,7 @@ impl Traffic {
         let amounts = ["line.passages_per_day", "line.mgt_per_year"].into_iter();
         let mut remarks = amounts
             .filter_map(|key| source.judge(key).transpose())
-            .collect::<Result<Vec<Remark>, CaseError>>()?;
+            .collect::<Result<Vec<Message>, CaseError>>()?;
         for (index, vehicle) in file.vehicle.iter().enumerate() {
             remarks.extend(judged(&source, index, vehicle)?);
             let key = |name: &str| format!("vehicle[{index}].{name}");
@@ -173,7 +173,7 @@ fn no_forces_as_axle_loads(source: &KeyFile) -> Result<(), CaseError> {
 }
 
 /// What is to be asked about the values of a vehicle that are not usual.
-fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Remark>, CaseError> {
+fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Message>, CaseError> {
     let speeds = 0..vehicle.speeds.as_ref().map_or(0, Vec::len);
     let speeds = speeds.map(|place| format!("speeds[{place}].speed"));
     let keys = [

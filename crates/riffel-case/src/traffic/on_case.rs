@@ -1,11 +1,13 @@
 //! Traffic on a case: the wheel of each vehicle, and growth under all of them.
 
+use std::collections::BTreeSet;
+
 use riffel::forecast::{
     STANDARD_GRAVITY, SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines,
 };
 use riffel::roughness::ThirdOctave;
 use riffel_keys::quantity::{Force, Quantity};
-use riffel_keys::{CaseError, Remark, overridden_key};
+use riffel_keys::{CaseError, Message, overridden_key, say};
 
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
 use crate::held::Held;
@@ -22,14 +24,14 @@ pub struct TrafficOnCase {
     /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
     pub held: Vec<Hold>,
     /// What the reader should know about the validity of the models.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
 }
 
 /// One kind of vehicle on a case.
 struct VehicleOnCase {
     growth: VehicleGrowth,
     held: Option<Hold>,
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
 }
 
 /// The wheel of a vehicle, and how fast it runs.
@@ -78,9 +80,8 @@ impl Traffic {
             progress(1);
         }
         let own = self.remarks.iter().chain(&variant.remarks);
-        let own: Vec<String> = own.map(Remark::to_string).collect();
         let mut remarks = self.merged(remarks);
-        remarks.splice(0..0, own);
+        remarks.splice(0..0, own.cloned());
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
         let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
         let line = self.file.line;
@@ -98,28 +99,23 @@ impl Traffic {
         })
     }
 
-    /// The remarks on the vehicles, the one with most passages first. A remark that differs from an earlier
-    /// one by its numbers alone is left out.
-    fn merged(&self, remarks: Vec<Vec<String>>) -> Vec<String> {
-        let words =
-            |remark: &str| -> String { remark.chars().filter(|c| !c.is_ascii_digit()).collect() };
-        let mut of_vehicles: Vec<(&Vehicle, Vec<String>)> =
+    /// The remarks on the vehicles, the one with most passages first. Of several that say the same with other values the
+    /// first is kept.
+    fn merged(&self, remarks: Vec<Vec<Message>>) -> Vec<Message> {
+        let mut of_vehicles: Vec<(&Vehicle, Vec<Message>)> =
             self.file.vehicle.iter().zip(remarks).collect();
         of_vehicles.sort_by(|a, b| b.0.share.si().total_cmp(&a.0.share.si()));
         let alone = of_vehicles.len() == 1;
+        let mut said = BTreeSet::new();
         let mut merged = Vec::new();
-        let mut known = Vec::new();
         for (vehicle, remarks) in of_vehicles {
-            for remark in remarks {
-                let words = words(&remark);
-                if !known.contains(&words) {
-                    known.push(words);
-                    merged.push(match alone {
-                        true => remark,
-                        false => format!("{}: {remark}", vehicle.name),
-                    });
-                }
-            }
+            let new = remarks
+                .into_iter()
+                .filter(|remark| said.insert(remark.id()));
+            merged.extend(new.map(|remark| match alone {
+                true => remark,
+                false => say!(about, subject = &vehicle.name, remark = remark),
+            }));
         }
         merged
     }
@@ -233,10 +229,7 @@ impl Traffic {
         Ok(VehicleOnCase {
             growth,
             held: held.map(|held| held.hold),
-            remarks: remarks
-                .filter(|remark| !presets.contains(remark))
-                .map(|remark| remark.to_string())
-                .collect(),
+            remarks: remarks.filter(|remark| !presets.contains(remark)).collect(),
         })
     }
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::LN_2;
 
 use riffel::forecast::TrafficGrowth;
+use riffel_keys::{Message, fixed, number, say};
 
 /// Days in which the amplitude of the fastest growth known here from a railway doubled: +10.1 dB in the 161 days
 /// between the 139th and the 300th after grinding, wavelengths of 4 to 14 cm on the low rail of a metro curve of
@@ -10,18 +11,18 @@ use riffel::forecast::TrafficGrowth;
 const FASTEST_DOUBLING: f64 = 161.0 * 6.020_599_913 / 10.1;
 
 /// A remark where a band grows faster than that, of axle passages a day.
-pub(super) fn remark(growth: &TrafficGrowth, passages_per_day: f64) -> Option<String> {
+pub(super) fn remark(growth: &TrafficGrowth, passages_per_day: f64) -> Option<Message> {
     let bands = growth.bands().iter().enumerate();
     let (band, rate) = bands
         .map(|(place, band)| (band, growth.band_rate(place)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
     let days = LN_2 / (rate * passages_per_day);
     (rate > 0.0 && days < FASTEST_DOUBLING).then(|| {
-        format!(
-            "the amplitude at {} mm doubles in {days:.1} days, faster than any growth known here from a railway: \
-             {FASTEST_DOUBLING:.0} days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check \
-             tractive_ratio, traction_share (the share of axles under it) and wear.coefficient",
-            band.nominal_millimetres()
+        say!(
+            growth_faster_than_any_seen,
+            wavelength = number(band.nominal_millimetres()),
+            days = fixed(days, 1),
+            known = fixed(FASTEST_DOUBLING, 0)
         )
     })
 }

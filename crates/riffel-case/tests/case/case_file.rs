@@ -474,7 +474,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
         );
     }
     let nominal = Case::parse("case.toml", NOMINAL_CASE, &[])?;
-    let said = |remark: &riffel_keys::Remark| remark.to_string().contains("usual values");
+    let said = |remark: &riffel_keys::Message| remark.to_string().contains("usual values");
     assert!(!nominal.remarks.iter().any(said));
     Ok(())
 }

@@ -1,9 +1,9 @@
 //! What the reader of a case is told, in both languages.
 
 use riffel_case::{Case, NOMINAL_CASE};
-use riffel_keys::{Language, Remark};
+use riffel_keys::{Language, Message};
 
-fn remarks(overrides: &[&str]) -> Vec<Remark> {
+fn remarks(overrides: &[&str]) -> Vec<Message> {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
     Case::parse("case.toml", NOMINAL_CASE, &overrides)
         .unwrap()
@@ -43,12 +43,12 @@ fn every_remark_says_the_same_in_german() {
             "rail.beam=euler-bernoulli",
         ],
     ];
-    let mut seen: Vec<Remark> = Vec::new();
+    let mut seen: Vec<Message> = Vec::new();
     for remark in cases.into_iter().flat_map(remarks) {
-        let english = remark.in_language(Language::English);
-        let german = remark.in_language(Language::German);
+        let english = remark.text(Language::English);
+        let german = remark.text(Language::German);
         assert_eq!(english, remark.to_string());
-        assert_eq!(numbers(english), numbers(german), "{german}");
+        assert_eq!(numbers(&english), numbers(&german), "{german}");
         for word in [" the ", " of ", " is "] {
             assert!(!german.contains(word), "{german}");
         }

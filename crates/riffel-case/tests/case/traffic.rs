@@ -24,7 +24,7 @@ fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
     assert_eq!(on.growth.vehicles()[1].wheel_load, 0.5 * 21e3 * 9.80665);
     assert_eq!(on.growth.bands().len(), 7);
     assert!(
-        on.remarks[0].starts_with("multiple unit: "),
+        on.remarks[0].to_string().starts_with("multiple unit: "),
         "{:?}",
         on.remarks
     );
@@ -94,6 +94,7 @@ fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
         let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
         let remarks = on.remarks.into_iter();
         Ok(remarks
+            .map(|remark| remark.to_string())
             .filter(|remark| remark.contains("did you mean"))
             .collect())
     };

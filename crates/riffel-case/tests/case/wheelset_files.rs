@@ -227,7 +227,7 @@ fn rounding_raises_no_doubt() {
                 right_x_right_x_re [m/N],right_x_right_x_im\n\
                 20,-1.235e-8,0,-1.234e-8,0.001e-8,-1.235e-8,0\n40,-1.235e-8,0,-1.234e-8,0,-1.235e-8,0\n";
     let measured = case(MEASURED, file).unwrap();
-    let doubts = |remark: &riffel_keys::Remark| remark.to_string().contains("gives energy");
+    let doubts = |remark: &riffel_keys::Message| remark.to_string().contains("gives energy");
     assert!(!measured.remarks.iter().any(doubts));
 }
 
@@ -372,7 +372,7 @@ fn modes_are_read_in_their_units(#[case] file: String, #[case] residual: Option<
     assert_eq!(modes.len(), 1);
     assert!((modes[0].frequency - 78.6).abs() < 1e-6);
     assert_eq!(modes[0].name.to_string(), "first elastic mode");
-    let ends = |remark: &riffel_keys::Remark| {
+    let ends = |remark: &riffel_keys::Message| {
         let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
         remark.to_string().contains(&format!(
             "up to some {up_to}, and the window reaches 500 Hz"

@@ -2,7 +2,7 @@
 
 use crate::quantity::{Kind, WrittenQuantity};
 use crate::unit::Unit;
-use crate::{Language, PhysicalRange, Remark, Sentence};
+use crate::{Message, PhysicalRange, Value, number, say};
 
 /// What is said of a value.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,7 +10,7 @@ pub(crate) enum Judgement {
     /// Nothing.
     Usual,
     /// It is computed, but the reader is asked; the sentence begins with the key.
-    Unusual(Remark),
+    Unusual(Message),
     /// It is refused.
     Impossible {
         /// Value and rule, after the key: "is 460 m, but must be between …".
@@ -33,25 +33,26 @@ impl PhysicalRange {
                     amount(kind, low),
                     amount(kind, high)
                 ),
-                help: self.question(written, Language::English),
+                help: self
+                    .question(written)
+                    .map_or_else(String::new, |question| question.to_string()),
             };
         }
         let [from, to] = self.usual;
-        let question = |language| match self.question(written, language) {
-            none if none.is_empty() => none,
-            question => format!(" ({question})"),
+        let question = || match self.question(written) {
+            Some(question) => Value::from(say!(in_brackets, words = question)),
+            None => Value::from(""),
         };
         if !(from..=to).contains(&written.si) {
             let (from, to) = (amount(kind, from), amount(kind, to));
-            return Judgement::Unusual(Remark::of(Sentence::UnusualValue, |language| {
-                vec![
-                    ("key", key.to_string()),
-                    ("value", value.to_string()),
-                    ("from", from.to_string()),
-                    ("to", to.to_string()),
-                    ("question", question(language).to_string()),
-                ]
-            }));
+            return Judgement::Unusual(say!(
+                unusual_value,
+                key = key,
+                value = number(value),
+                from = number(from),
+                to = number(to),
+                question = question()
+            ));
         }
         if written.unit.is_empty() && written.si > self.bare_up_to {
             let in_engineers_unit = kind.in_engineers_unit(written.si);
@@ -60,41 +61,36 @@ impl PhysicalRange {
                 significant(in_engineers_unit.0),
                 in_engineers_unit.1
             );
-            return Judgement::Unusual(Remark::of(Sentence::NumberWithoutUnit, |language| {
-                vec![
-                    ("key", key.to_string()),
-                    ("read", read.to_string()),
-                    ("question", question(language).to_string()),
-                ]
-            }));
+            return Judgement::Unusual(say!(
+                number_without_unit,
+                key = key,
+                read = number(read),
+                question = question()
+            ));
         }
         Judgement::Usual
     }
 
     /// The number with other units with which it would be usual, at most two of them, as a question.
-    fn question(&self, written: &WrittenQuantity, language: Language) -> String {
+    fn question(&self, written: &WrittenQuantity) -> Option<Message> {
         let kind = &self.kind;
-        const MOST: usize = 2;
         let [from, to] = self.usual;
-        let meant: Vec<String> = units(kind)
+        let is_usual = |unit: Unit| (from..=to).contains(&(written.number * unit.factor));
+        let mut meant = units(kind)
             .iter()
             .filter(|&&unit| {
                 unit != written.unit && (unit != kind.unit || !written.unit.is_empty())
             })
-            .filter(|unit| {
-                Unit::parse(unit)
-                    .is_ok_and(|unit| (from..=to).contains(&(written.number * unit.factor)))
-            })
-            .take(MOST)
-            .map(|unit| match language {
-                Language::English => format!("\"{} {unit}\"", written.number),
-                Language::German => format!("„{} {unit}“", written.number),
-            })
-            .collect();
-        match (meant.is_empty(), language) {
-            (true, _) => String::new(),
-            (_, Language::English) => format!("did you mean {}?", meant.join(" or ")),
-            (_, Language::German) => format!("gemeint: {}?", meant.join(" oder ")),
+            .filter(|unit| Unit::parse(unit).is_ok_and(is_usual))
+            .map(|unit| {
+                say!(
+                    quoted,
+                    words = number(format_args!("{} {unit}", written.number))
+                )
+            });
+        match (meant.next()?, meant.next()) {
+            (one, None) => Some(say!(did_you_mean, meant = one)),
+            (one, Some(other)) => Some(say!(did_you_mean_either, one = one, other = other)),
         }
     }
 }
@@ -178,6 +174,7 @@ fn significant(number: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Language;
     use rstest::rstest;
 
     fn judged(key: &str, text: &str) -> Judgement {
@@ -266,8 +263,8 @@ mod tests {
         let Judgement::Unusual(remark) = judged(key, text) else {
             panic!("{key} = {text} is usual");
         };
-        assert_eq!(remark.in_language(Language::English), english);
-        assert_eq!(remark.in_language(Language::German), german);
+        assert_eq!(remark.text(Language::English), english);
+        assert_eq!(remark.text(Language::German), german);
     }
 
     #[rstest]

@@ -7,7 +7,7 @@ use schemars::Schema;
 use serde_json::json;
 
 use crate::quantity::{Dimension, Kind, WrittenQuantity};
-use crate::{CaseError, Remark};
+use crate::{CaseError, Message};
 
 pub(crate) use judgement::Judgement;
 pub use table::RANGES;
@@ -54,7 +54,10 @@ impl PhysicalRange {
     ///
     /// # Errors
     /// The sentence after the name of the argument, for a value outside its range: "is 55 m, but must be …".
-    pub fn read<D: Dimension>(argument: &str, text: &str) -> Result<(f64, Option<Remark>), String> {
+    pub fn read<D: Dimension>(
+        argument: &str,
+        text: &str,
+    ) -> Result<(f64, Option<Message>), String> {
         let written = Kind::of::<D>()
             .read_written(text)
             .map_err(|error| error.to_string())?;

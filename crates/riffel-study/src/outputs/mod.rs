@@ -6,7 +6,7 @@ mod wave;
 use riffel::growth::{RidgeRow, RowEvaluator};
 use riffel::{Complex64, Ridge};
 use riffel_case::Case;
-use riffel_keys::{CaseError, KeyFile, Remark};
+use riffel_keys::{CaseError, KeyFile, Message};
 
 use crate::case_sentence::case_sentence;
 use crate::file::{MapQuantity, OutputsFile};
@@ -75,7 +75,7 @@ impl Outputs {
         source: &KeyFile,
         file: &OutputsFile,
         case: &Case,
-    ) -> Result<(Self, Vec<Remark>), CaseError> {
+    ) -> Result<(Self, Vec<Message>), CaseError> {
         let mut remarks = Vec::new();
         let mut outputs = Self {
             file: file.clone(),

@@ -5,7 +5,7 @@ use axum::extract::State;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -139,7 +139,7 @@ impl Question {
         ))
     }
 
-    fn told(&self, remarks: &[Remark], paths: &[String]) -> Vec<Note> {
+    fn told(&self, remarks: &[Message], paths: &[String]) -> Vec<Note> {
         let told = remarks.iter().map(Note::from);
         told.map(|note| note.in_words(|words| self.named(words, paths)))
             .collect()

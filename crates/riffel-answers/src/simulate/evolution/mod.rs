@@ -13,7 +13,7 @@ use riffel::passage::{Evolution, EvolutionStep, PassingWheel, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::Case;
 use riffel_case::traffic::{Traffic, VehicleInTime};
-use riffel_keys::{CaseError, Remark};
+use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 
 use super::along_rail::{check_sampling, check_step, refused};
@@ -340,7 +340,7 @@ pub struct EvolutionAnswer {
     /// From before any wheel to the last.
     pub profiles: Vec<WornProfile>,
     /// What the reader should know.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
     share_cut: f64,
     linear: Linear,
 }

@@ -5,7 +5,7 @@
 //! set up: it is found. Sources: the manual of Gensys' converter of such files, and the files of the Manchester contact benchmark that
 //! CONTACT ships.
 
-use riffel_keys::{Remark, clipped};
+use riffel_keys::{clipped, say};
 
 use super::table::{number, without_comment};
 use super::written::{Fault, WrittenProfile};
@@ -106,16 +106,16 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
     }
     let count = written.points.len();
     if let Some(announced) = announced.filter(|&announced| announced != count + masked) {
-        written.remarks.push(Remark::new(
-            format!("the head announces {announced} points (XYPoints), but {} follow: the file may be cut short", count + masked),
-            format!("der Kopf kündigt {announced} Punkte an (XYPoints), es folgen {}: vielleicht fehlt ein Stück der Datei", count + masked),
+        written.remarks.push(say!(
+            points_missing,
+            announced = announced,
+            count = count + masked
         ));
     }
     if masked > 0 {
-        written.remarks.push(Remark::new(
-            format!("{masked} points that were masked at the device are left out"),
-            format!("{masked} am Gerät ausgeblendete Punkte sind weggelassen"),
-        ));
+        written
+            .remarks
+            .push(say!(masked_points_left_out, masked = masked));
     }
     match extension {
         "whl" => written.kind = Some(ProfileKind::Wheel),

@@ -13,7 +13,7 @@ use std::path::Path;
 
 use riffel::Rail;
 use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
-use riffel_keys::{CaseError, Language, Remark, text_file};
+use riffel_keys::{CaseError, Message, fixed, say, text_file};
 
 use self::written::{Fault, NARROWEST, WIDEST_IN_METRES, WrittenProfile};
 use crate::file::{ProfileKind, ProfileOrientation};
@@ -31,7 +31,7 @@ pub struct ProfileOfName {
     /// Wheel or rail, as the file or the case says, or by its width.
     pub kind: ProfileKind,
     /// Of a file whose points scatter, or whose coordinates were turned.
-    pub remarks: Vec<Remark>,
+    pub remarks: Vec<Message>,
 }
 
 /// How a file of a profile is read.
@@ -146,16 +146,12 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         }
         _ => at_fault(None, error.to_string()),
     };
-    let name = path.display();
-    let named = |remark: &Remark| {
-        let [english, german] =
-            [Language::English, Language::German].map(|language| remark.in_language(language));
-        Remark::new(format!("{name}: {english}"), format!("{name}: {german}"))
-    };
-    let mut remarks: Vec<Remark> = of_format.iter().map(named).collect();
+    let name = path.display().to_string();
+    let named = |remark: &Message| say!(about, subject = &name, remark = remark.clone());
+    let mut remarks: Vec<Message> = of_format.iter().map(named).collect();
     let Some(scatter) = reading.scatter else {
         let profile = Profile::through(&points).map_err(refuse)?;
-        remarks.extend(of_scatter(&name.to_string(), &points));
+        remarks.extend(of_scatter(&name, &points));
         return Ok(ProfileOfName {
             profile,
             kind,
@@ -165,17 +161,20 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
     let smooth = SmoothedPoints::new(&points, scatter).map_err(refuse)?;
     if let Some(&first) = smooth.dropped.first() {
         let (count, line) = (smooth.dropped.len(), lines[first]);
-        remarks.push(Remark::new(
-            format!("{name}: {count} points far off those beside them are left out, the first in line {line}"),
-            format!("{name}: {count} Punkte weit neben ihren Nachbarn sind weggelassen, der erste in Zeile {line}"),
+        remarks.push(say!(
+            outlying_points_left_out,
+            name = &name,
+            count = count,
+            line = line
         ));
     }
     let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
     let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
     if let Some((_, error)) = nearest {
-        remarks.push(Remark::new(
-            format!("{name}: scatter leaves ±{error:.2} 1/m of the curvature at x = 0"),
-            format!("{name}: Streuung lässt ±{error:.2} 1/m der Krümmung bei x = 0"),
+        remarks.push(say!(
+            scatter_of_curvature,
+            name = &name,
+            error = fixed(*error, 2)
         ));
     }
     // The line of a point that is left: dropped ones are not counted.
@@ -216,7 +215,7 @@ fn of_format(text: &str, extension: &str, side: Rail) -> Result<WrittenProfile, 
 }
 
 /// That a curve through points bends with their scatter, where that is worth a word.
-fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Remark> {
+fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Message> {
     /// Curvature \[1/m\], a third of that of a rail head.
     const WORTH_A_REMARK: f64 = 1.0;
     let scatter = SmoothedPoints::scatter_of(points)?;
@@ -227,15 +226,11 @@ fn of_scatter(name: &str, points: &[[f64; 2]]) -> Option<Remark> {
     let curvature = 6f64.sqrt() * scatter / (step * step);
     let micrometres = 1e6 * scatter;
     (curvature > WORTH_A_REMARK).then(|| {
-        Remark::new(
-            format!(
-                "{name}: the points scatter by {micrometres:.2} µm, so that the curvature of a curve through them is off by some \
-                 {curvature:.0} 1/m; give that scatter (profiles.scatter, --scatter) for a smooth one"
-            ),
-            format!(
-                "{name}: die Punkte streuen um {micrometres:.2} µm, so dass die Krümmung einer Kurve durch sie um etwa \
-                 {curvature:.0} 1/m daneben liegt; diese Streuung angeben (profiles.scatter, --scatter), um zu glätten"
-            ),
+        say!(
+            points_scatter,
+            name = name,
+            micrometres = fixed(micrometres, 2),
+            curvature = fixed(curvature, 0)
         )
     })
 }

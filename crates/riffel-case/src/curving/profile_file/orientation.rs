@@ -1,6 +1,6 @@
 //! How the coordinates of a file stand, and where their origin is.
 
-use riffel_keys::Remark;
+use riffel_keys::{Message, fixed, say};
 
 use super::written::{Fault, WrittenProfile};
 use crate::file::{ProfileKind, ProfileOrientation};
@@ -114,30 +114,16 @@ fn level(points: &[[f64; 2]]) -> f64 {
 }
 
 fn tell(written: &mut WrittenProfile, kind: ProfileKind, [across, up]: [f64; 2]) {
-    let (changes, german) = match (across < 0.0, up < 0.0) {
-        (false, false) => ("stand as they should", "stehen richtig"),
-        (true, false) => ("are mirrored", "sind gespiegelt"),
-        (false, true) => ("are upside down", "stehen auf dem Kopf"),
-        (true, true) => (
-            "are mirrored and upside down",
-            "sind gespiegelt und stehen auf dem Kopf",
-        ),
+    let changes = match (across < 0.0, up < 0.0) {
+        (false, false) => say!(coordinates_right),
+        (true, false) => say!(coordinates_mirrored),
+        (false, true) => say!(coordinates_upside_down),
+        (true, true) => say!(coordinates_turned),
     };
-    let (side, of_side) = match kind {
-        ProfileKind::Wheel => ("", ""),
-        ProfileKind::Rail => (
-            "; x below zero is taken as the gauge side, or give the orientation \"mirrored\"",
-            "; x unter null gilt als Fahrkantenseite, sonst als Lage \"mirrored\" angeben",
-        ),
-    };
-    let (name, german_name) = match kind {
-        ProfileKind::Wheel => ("wheel", "Rad"),
-        ProfileKind::Rail => ("rail", "Schiene"),
-    };
-    written.remarks.push(Remark::new(
-        format!("read as a {name}: its coordinates {changes}{side}"),
-        format!("gelesen als {german_name}: die Koordinaten {german}{of_side}"),
-    ));
+    written.remarks.push(match kind {
+        ProfileKind::Wheel => say!(read_as_wheel, changes = changes),
+        ProfileKind::Rail => say!(read_as_rail, changes = changes),
+    });
 }
 
 /// Move an origin that lies elsewhere to the datum circle or to the crown.
@@ -150,7 +136,7 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
             };
             if x.abs() > OFF_CROWN || y.abs() > OFF_HEIGHT {
                 written.map(|point| [point[0] - x, point[1] - y]);
-                tell_of_origin(written, "crown", "Schienenoberkante", x, y);
+                tell_of_origin(written, say!(to_crown), x, y);
             }
         }
         ProfileKind::Wheel => {
@@ -188,17 +174,19 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
             };
             written.map(|[x, y]| [x, y - lowered]);
             if moved != 0.0 || lowered != 0.0 {
-                tell_of_origin(written, "datum circle", "Messkreis", moved, lowered);
+                tell_of_origin(written, say!(to_datum_circle), moved, lowered);
             }
         }
     }
     Ok(())
 }
 
-fn tell_of_origin(written: &mut WrittenProfile, name: &str, german: &str, x: f64, y: f64) {
-    let (x, y) = (1e3 * x, 1e3 * y);
-    written.remarks.push(Remark::new(
-        format!("its origin is moved to the {name}, by x = {x:.2} mm and y = {y:.2} mm"),
-        format!("der Ursprung ist auf {german} verschoben, um x = {x:.2} mm und y = {y:.2} mm"),
+fn tell_of_origin(written: &mut WrittenProfile, place: Message, x: f64, y: f64) {
+    let millimetres = |length: f64| fixed(1e3 * length, 2);
+    written.remarks.push(say!(
+        origin_moved,
+        place = place,
+        x = millimetres(x),
+        y = millimetres(y)
     ));
 }

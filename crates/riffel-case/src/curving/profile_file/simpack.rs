@@ -7,7 +7,7 @@
 
 use std::collections::BTreeMap;
 
-use riffel_keys::{Remark, clipped};
+use riffel_keys::{clipped, say};
 
 use super::table::number;
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
@@ -137,10 +137,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     // z points downward.
     written.map(|[y, z]| [across * y / per_metre, -down * z / per_metre]);
     if value("spline.approx.smooth")?.is_some_and(|smooth| smooth > 0.0) {
-        written.remarks.push(Remark::new(
-            "the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points",
-            "die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: die Streuung ihrer Punkte angeben",
-        ));
+        written.remarks.push(say!(smoothing_of_file_left_out));
     }
     Ok(written)
 }

@@ -4,7 +4,7 @@
 //! Source: what CONTACT's open source says of these files.
 
 use riffel::Rail;
-use riffel_keys::{Remark, clipped};
+use riffel_keys::{clipped, fixed, say};
 
 use super::table::{number, without_comment};
 use super::written::{Fault, WrittenProfile};
@@ -113,16 +113,16 @@ pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
             Some(ProfileKind::Wheel) => {
                 let origin = 0.5 * distance + datum.unwrap_or(70.0);
                 written.map(|[y, z]| [y - origin, z]);
-                written.remarks.push(Remark::new(
-                    format!("the flange backs of the file are {distance:.1} mm apart"),
-                    format!("die Spurkranzrücken der Datei stehen {distance:.1} mm auseinander"),
-                ));
+                written
+                    .remarks
+                    .push(say!(flange_backs_apart, distance = fixed(distance, 1)));
             }
             _ => {
                 let depth = datum.unwrap_or(14.0);
-                written.remarks.push(Remark::new(
-                    format!("the gauge of the file is {distance:.1} mm, {depth:.1} mm below the crown"),
-                    format!("die Spurweite der Datei ist {distance:.1} mm, {depth:.1} mm unter der Schienenoberkante"),
+                written.remarks.push(say!(
+                    gauge_of_file,
+                    distance = fixed(distance, 1),
+                    depth = fixed(depth, 1)
                 ));
             }
         }

@@ -1,6 +1,6 @@
 //! A profile as its file has it.
 
-use riffel_keys::Remark;
+use riffel_keys::Message;
 
 use crate::file::ProfileKind;
 
@@ -41,7 +41,7 @@ pub(super) struct WrittenProfile {
     pub(super) kind: Option<ProfileKind>,
     /// Whether the format leaves open how the coordinates stand, so that it is found.
     pub(super) of_any_orientation: bool,
-    pub(super) remarks: Vec<Remark>,
+    pub(super) remarks: Vec<Message>,
 }
 
 impl WrittenProfile {

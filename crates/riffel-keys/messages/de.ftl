@@ -1,0 +1,245 @@
+# Was Riffel sagt. Terms: Schlupf (creepage), Bohrschlupf (spin), Kraftschlussausnutzung (tractive ratio), Zwischenlage (rail
+# pad), Riffel (corrugation), Überrollung (passage of a wheel), Wachstumsgrat (growth ridge), Radsatz (wheelset).
+
+verbatim = { $words }
+
+## Windows, values and presets
+
+map-window = Karte
+traffic-window = Verkehr
+unusual-value = { $key } ist { $value }; üblich sind { $from } bis { $to }{ $question }
+number-without-unit = { $key } hat keine Einheit und wird als { $read } gelesen{ $question }
+quoted = „{ $words }“
+in-brackets = {" "}({ $words })
+did-you-mean = gemeint: { $meant }?
+did-you-mean-either = gemeint: { $one } oder { $other }?
+preset-changes-nothing = { $key } = "{ $name }" ändert nichts: der Fall gibt alle Werte selbst vor
+
+## Measured receptances
+
+value-at-zero-left-out = der gemessene Wert bei 0 Hz bleibt weg
+set-conjugate = track.measurement.conjugate setzen
+conjugate-it = konjugieren
+receptance-gives-energy = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst { $remedy })
+column-without-unit = Spalte `{ $column }` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst track.measurement.quantity und unit setzen)
+receptance-unlike-rail = die gemessene Rezeptanz liegt bei { $least } bis { $most } m/N, Schienen haben 1e-11 bis 1e-7 m/N: track.measurement.quantity und unit prüfen
+poor-coherence = die Kohärenz liegt bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz unter { $good }: dort gilt das Mittel der Linien im Umkreis von 1/24 Oktave, gewichtet mit γ²/(1 − γ²)
+response-at-other-node = gemessen ist die Antwort am Knoten { $response } auf eine Kraft am Knoten { $reference }: sie gilt als Rezeptanz am Kontakt
+
+## Ranges of validity
+
+rail-without-support = die Schiene liegt nirgends auf: unter etwa { $free_beam_from_hz } Hz ({ $window }: ab { $lowest } Hz) ändern Zwischenlagen, Schwellen und Schotter ihre Rezeptanz
+rail-without-shear = die Schiene biegt sich ohne Schub: ihre Rezeptanz weicht bei { $euler_beam_up_to_hz } Hz um etwa 9° ab, bei 1500 Hz um 24° und 14 % ({ $window }: bis { $highest } Hz)
+pinned-pinned-without-shear = die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch und wird nicht genannt (rail.beam = "timoshenko" wählen)
+supports-spread-evenly = die Stützpunkte sind gleichmäßig über die Schiene verteilt: die Pinned-pinned-Resonanz nahe { $pinned } Hz fehlt, und darunter weicht die Rezeptanz um 10 bis 50 % ab, auf sehr steifen Zwischenlagen um mehr ({ $window }: bis { $highest } Hz; ein Modell wählen, das auf -periodic endet)
+no-average-over-patch = der Kontakt ist quasistatisch und mittelt nicht über seine Fläche: unter { $shortest } mm ist das Wachstum zu hoch
+closed-form-of-ellipse = die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der Kontaktellipse weicht quer zur Schiene um { $percent } % ab (contact.hertz = "exact" wählen)
+falling-friction-at-one-speed = die fallende Reibung ist die beim Schlupf bei { $rolling }, contact.polach.speed, bei jeder Geschwindigkeit ({ $window })
+wheel-and-rail-part = bei einer Amplitude von { $amplitude } µm erreicht |P₁/P₀| { $worst }: Rad und Schiene trennen sich; Kräfte sind bis { $limit } µm linear (Wachstumsraten gelten für kleine Amplituden und ändern sich nicht)
+
+## Branches of the ridge
+
+at-edge-of-window = , am Rand des Fensters
+nothing-grows = in diesem Fenster wächst nichts
+both = { $one } und { $other }
+one-after-other = { $one }; { $other }
+before-comma = { $words },{" "}
+branch = { $frequency } Hz ({ $mechanism }{ $speeds } km/h, { $wavelengths } mm{ $edge })
+no-crest = in diesem Fenster liegt kein Kamm: das Wachstum steigt bis { $ends } mm
+one-branch = der Grat ist ein einziger Ast, der bei { $words } wächst
+branch-with-share = { $words } mit { $share } seines Wachstums
+more-branches = { $count } weitere
+weaker-branches = { $count ->
+        [one] 1 schwächerer Ast
+       *[other] { $count } schwächere Äste
+    }
+strongest-branch = der stärkste Ast wächst bei { $words }; { $noun }: { $named }
+
+## Mechanisms
+
+mechanism-p2 = P2-Resonanz
+mechanism-wheelset-torsion = Torsion des Radsatzes
+mechanism-wheelset-bending = Biegung des Radsatzes
+mechanism-full-track = Resonanz des ganzen Gleises
+mechanism-sleeper-antiresonance = Antiresonanz der Schwelle
+mechanism-rail-on-pad = Schiene auf Zwischenlage
+mechanism-pinned-pinned = Pinned-Pinned, vertikal
+mechanism-measured-peak = Spitze der gemessenen Rezeptanz
+mechanism-measured-dip = Senke der gemessenen Rezeptanz
+mechanism-given-peak = Spitze der gegebenen Rezeptanz
+mechanism-given-dip = Senke der gegebenen Rezeptanz
+
+## Captions: the track
+
+rail-word = Schiene
+under-moving-load = {" "}unter wandernder Last
+receptance-from-file = Rezeptanz aus { $file }
+free-beam = freier { $beam }-Balken{ $moving }
+rail-on-pads = { $beam }-Schiene{ $moving } auf Zwischenlagen ({ $pad })
+sleepers-and-ballast = , Schwellen ({ $mass } kg) und Schotter ({ $ballast })
+spacing = {" "}alle { $spacing } m,{" "}
+discrete = diskret
+spread-evenly = gleichmäßig verteilt
+from-preset = , Vorgabe { $name }
+
+## Captions: the case
+
+track = Gleis
+constant-tangential-force = konstante Tangentialkraft (I_w → 0)
+constant-creepage = konstanter Schlupf (I_w → ∞)
+wheelset = Radsatz
+non-steady-contact = instationärer Kontakt
+phase-lag = Phase der Dissipation: lag
+phase-lead = Phase der Dissipation: lead
+phase-none = Phase der Dissipation: none
+creep-law = Kraftschlussgesetz
+spring-and-dashpot = Feder und Dämpfer;{" "}
+sign-of-growth = Riffeln wachsen, wo Re Ŵ₁ < 0 (farbig): die Dissipation ist in Gegenphase zum Profil; Zeitfaktor exp(+iωt), Bremsen positiv.
+
+## Figures of the paper
+
+figure-4 = Bild 4. Realteil der Dissipation, freier Euler-Balken
+figure-5 = Bild 5. Realteil der Dissipation, Gleis von Bhaskar et al.
+parameters-of = Werte von ({ $letter }): { $parameters } { $sign }
+plus-spring-and-dashpot = , Feder und Dämpfer
+plus-non-steady = , instationärer Kontakt
+speed-axis = Geschwindigkeit V [m/s]
+minima-over-wavelengths = Minima über Wellenlängen von 20–80 mm.
+figure-6 = Bild 6. Höchstes Wachstum über der Geschwindigkeit
+minima-inside-window = Minima über Wellenlängen von 20–80 mm; (b) lässt Minima am Rand des Fensters weg.
+panel-of-tractive-ratio = (a) Kraftschlussausnutzung
+panel-of-inertia = (b) Trägheit, τ = 0,1
+wavelength-axis = Wellenlänge λ [mm]
+figure-7 = Bild 7. Höchstes Wachstum über der Geschwindigkeit bei verschiedener Trägheit
+figure-8 = Bild 8. Höchstes Wachstum bei { $speed } m/s
+falls-in-part = (a) fällt nur bis τ ≈ 0,9.{" "}
+tractive-ratio-axis = Kraftschlussausnutzung τ [-]
+inertia-axis = Trägheit I_w [kg m²]
+frequency-axis = Frequenz f [Hz]
+beam-under-moving-load = Balken unter wandernder Last
+track-of-bhaskar = Gleis von Bhaskar et al. (erschlossen)
+figure-2 = Bild 2. Vertikale Eingangsrezeptanz
+caption-of-figure-2 = Last mit { $speed } m/s, exp(+iωt), Weg und Kraft nach unten. Durchgezogen: { $solid }. Gestrichelt: { $dashed }.
+modulus = Betrag
+phase = Phase
+figure-3 = Bild 3. Normalkraft
+caption-of-figure-3 = V = { $speed } m/s, Gleichung (24). { $parameters }
+amplitude = Amplitude
+profile-over-rail = Δ/H Schiene
+profile-over-wheel = Δ/H Rad
+
+## A wheel in time
+
+loss-factors-not-causal = Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis das nächste kausale, Rezeptanz im Mittel { $per_cent } % daneben
+fitted-receptances-off = in der Zeit liegen die Rezeptanzen von Gleis und Rädern bis 3 kHz im Mittel { $per_cent } % daneben, höchstens { $most } %: Verlustfaktoren sind nicht kausal, und Wellen zwischen weit entfernten Rädern brauchen mehr Schwingungen, als angepasst werden
+unstable-but-at-rest = linear ist der Kreis instabil, doch der Anstoß ist abgeklungen: was wächst, wächst langsamer, als diese Rechnung zeigt
+stable-but-limit-cycle = linear ist der Kreis stabil, doch der Anstoß reicht für einen Grenzzyklus neben der Ruhelage
+support-passing-close-to-wave = auch die Überfahrt der Stützpunkte regt das Rad alle { $length } mm an, zu nahe an dieser Welle, um beide zu trennen: die Harmonischen enthalten beides
+airborne-run-ends = nach { $passages } Überrollungen ist das Rad mehr als die halbe Zeit in der Luft, und dort endet die Rechnung: wo es aufschlägt, fließt der Stahl
+wheels-slide-as-they-roll = die Räder gleiten so schnell, wie sie rollen: bei so viel Schlupf bleiben die Kraftschlusskräfte unter denen des mittleren Zustands, und sonst hält die Räder nichts; wheelset.suspension oder weniger Schlupf hilft
+wheel-bridges-trough = ein Rad von diesem Halbmesser erreicht über { $largest } µm die Täler solcher Wellen nicht: es berührte an zwei Stellen, hier an einer
+edge-of-patch-not-resolved = die Last bewegt den Rand der Kontaktfläche um { $moves } Elemente: Harmonische der Schlupfkraft liegen bis zu einigen zehn Prozent daneben; eine größere Amplitude oder mehr als { $across } Elemente (contact.grid) nehmen, bis es { $resolved } sind
+
+## Profiles
+
+flat-patch-beyond-range = die Schiene dreht sich über eine Kontaktfläche um { $degrees }°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; darüber gilt die konforme daneben
+rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet ist, bleiben { $millimetres } mm: sie ist dort verschlissen, oder geneigt (--inclination), oder eine andere Schiene
+
+## Files of profiles
+
+flange-backs-apart = die Spurkranzrücken der Datei stehen { $distance } mm auseinander
+gauge-of-file = die Spurweite der Datei ist { $distance } mm, { $depth } mm unter der Schienenoberkante
+smoothing-of-file-left-out = die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: die Streuung ihrer Punkte angeben
+points-missing = der Kopf kündigt { $announced } Punkte an (XYPoints), es folgen { $count }: vielleicht fehlt ein Stück der Datei
+masked-points-left-out = { $masked } am Gerät ausgeblendete Punkte sind weggelassen
+outlying-points-left-out = { $name }: { $count } Punkte weit neben ihren Nachbarn sind weggelassen, der erste in Zeile { $line }
+scatter-of-curvature = { $name }: Streuung lässt ±{ $error } 1/m der Krümmung bei x = 0
+points-scatter = { $name }: die Punkte streuen um { $micrometres } µm, so dass die Krümmung einer Kurve durch sie um etwa { $curvature } 1/m daneben liegt; diese Streuung angeben (profiles.scatter, --scatter), um zu glätten
+
+## Curves
+
+wheelset-beyond-flange = ein Radsatz ist um { $shift } mm verschoben: Spurkränze lassen 5 bis 10 mm Spiel, dieser Fall hat keine
+linear-creep-beyond-friction = creep_law = "linear" kennt keine Reibung: Schlupfkräfte erreichen { $most } von μP
+yaw-takes-play = mit seinem Gierwinkel von { $yaw } mrad hat Radsatz { $number } { $yawed } mm bis zum Spurkranz, nicht die { $straight } mm der Tabellen: Kontakte liegen, wo sie ohne Gieren liegen
+
+## The mean state from a curve
+
+wheel-past-crown = das Rad steht jenseits der höchsten Stelle der Schiene, bei { $degrees }°: { $key } ist 0
+creep-law-without-spin = contact.creep_law = "{ $name }" kennt keinen Bohrschlupf: die { $spin } 1/m des Bogens bleiben weg ({ $key })
+case-has-own-values = statt dessen, was der Bogen sagt, hat der Fall eigene Werte: { $instead }
+no-rigid-contact-at-angle = kein starrer Kontakt hat den Winkel des Gleichgewichts, { $degrees }°
+patches-join = die Kontaktfläche geht in die des nächsten Berührpunkts über
+two-points-join-under-load = das Rad steht auf zwei Punkten, die unter Last zu einer Kontaktfläche würden
+
+## Ranges of validity, further
+
+ellipse-too-wide = die Kontaktellipse ist { $width } mm breit: darüber hat kein Profil eine einzige Krümmung, und die Theorie von Hertz endet
+loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz schwingt er ohne jedes Profil (Quietschen, Haften und Gleiten), und Wachstumsraten bedeuten dort nichts
+wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: contact.longitudinal_radius angeben
+track-moves-downward-only = dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr
+
+## Measured wheelsets
+
+column-of-wheelset-without-unit = Spalte `{ $column }` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst dazuschreiben, wie in `{ $column } [m/s2/N]`)
+wheelset-not-reciprocal = der gemessene Radsatz ist nicht reziprok: { $at } bei Kraft an { $from } und umgekehrt unterscheiden sich um bis zu { $percent } %, bei { $hertz } Hz; es gilt ihr Mittel: Aufnehmer, Hammer und Vorzeichen der Achsen prüfen
+wheelset-gives-energy = der gemessene Radsatz gibt Energie ab, bis zu { $percent } % seiner größten Rezeptanz, bei { $hertz } Hz, am meisten an { $port }: Phasen, Rauschen und fehlende Einträge prüfen, und ob er exp(+iωt) folgt
+wheelset-not-measured-along = der Radsatz ist nicht gemessen in Richtung { $axes }: dort gilt er als starr
+
+## Cases
+
+creep-law-unlike-equilibrium = contact.creep_law = "{ $law }" macht |Q| = { $here } μP aus Schlüpfen, bei denen das Gleichgewicht im Bogen { $in_curve } hat
+creep-law-of-growth-only = contact.creep_law = "{ $law }" ist das des Wachstums: im Bogen rollt das Rad nach Shen, Hedrick und Elkins
+modes-of-wheelset-end = die Eigenformen beschreiben den Radsatz bis etwa { $up_to } Hz, und das Fenster reicht bis { $highest } Hz: Eigenformen oder Zeilen `residual` ergänzen
+
+## Curves, patches and files, with their parts
+
+second-point-left-out = { $rail } steht das Rad auf zwei Punkten; der andere, mit { $percent } % seiner Normalkräfte, fehlt im Kreis
+on-left = auf der linken Schiene
+on-right = auf der rechten Schiene
+of-left = der linken Schiene
+of-right = der rechten Schiene
+on-low-left = auf der inneren, linken Schiene
+on-low-right = auf der inneren, rechten Schiene
+on-high-left = auf der äußeren, linken Schiene
+on-high-right = auf der äußeren, rechten Schiene
+mean-state-from-curve = mittlerer Zustand aus dem Bogen von { $radius } m bei { $speed } km/h: Radsatz { $wheelset } { $rail } schlüpft { $along } % längs, { $across } % quer, Bohrschlupf { $spin } 1/m, unter { $load } kN bei { $angle }°
+ellipse-in-place-of-patch = { $rail } nimmt der Kreis die Ellipse von Hertz und keine Kontaktfläche der Profile unter Last: { $reason }
+patch-under-load-against-hertz = ; die Profile unter Last auf der gekrümmten Schiene sind um { $stiffer } % steifer, { $longer } % so lang und { $wider } % so breit (contact.from.patch = "conformal" nimmt sie)
+contact-is-conformal = die Halbachse quer ist { $semi_axis } mm, { $share } des Radius { $rail } dort, und die Theorie von Hertz gilt bis 0,2 bis 0,3: darüber ist der Kontakt konform{ $under_load }
+patch-of-profiles = { $rail } gilt die Kontaktfläche der Profile unter Last: { $stiffness } MN/m ({ $stiffer } % gegen Hertz), wie eine Ellipse mit den Halbachsen { $along } mm längs ({ $longer } %) und { $across } mm quer ({ $wider } %), bei { $angle }° ({ $turned }°)
+patch-of-profiles-alone = { $rail } gilt die Kontaktfläche der Profile unter Last: { $stiffness } MN/m, wie eine Ellipse mit den Halbachsen { $along } mm längs und { $across } mm quer, bei { $angle }° ({ $turned }°); Hertz hat dort keine
+several-equilibria = das Fahrzeug hat { $count } Gleichgewichte in diesem Bogen; der Kontakt ist { $which }
+equilibrium-from-straight-track = der, zu dem gerades Gleis führt
+equilibrium-found-first = aus dem zuerst gefundenen, zu dem gerades Gleis nicht führt
+about = { $subject }: { $remark }
+coordinates-right = stehen richtig
+coordinates-mirrored = sind gespiegelt
+coordinates-upside-down = stehen auf dem Kopf
+coordinates-turned = sind gespiegelt und stehen auf dem Kopf
+read-as-wheel = gelesen als Rad: die Koordinaten { $changes }
+read-as-rail = gelesen als Schiene: die Koordinaten { $changes }; x unter null gilt als Fahrkantenseite, sonst als Lage "mirrored" angeben
+origin-moved = der Ursprung ist auf { $place } verschoben, um x = { $x } mm und y = { $y } mm
+to-crown = Schienenoberkante
+to-datum-circle = Messkreis
+rail-taken-as-rigid = die Schiene gilt { $direction } als starr: { $keys } lässt sie sich bewegen
+across-track = quer zum Gleis
+along-itself = in ihrer Richtung
+t-gamma-below-zero = Tγ von Rad { $wheelset } { $rail } ist { $wear } N: es ist Qx ξx + Qy ξy ohne das Bohrmoment, und die Querkraft kommt dort vom Bohren, nicht vom Schlupf
+ellipse-of-wheel-too-wide = die Ellipse von Rad { $wheelset } { $rail } ist { $width } mm breit: darüber hat kein Profil eine einzige Krümmung, die Theorie von Hertz endet, und Schlupfgesetze weichen am meisten voneinander ab
+left = links
+right = rechts
+
+## Traffic
+
+growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und wear.coefficient prüfen
+
+## Noise
+
+rigid-wheel = das Rad ist hier ein starrer Körper: über etwa 1,6 kHz strahlen die Moden von Steg und Kranz, die fehlen, so viel ab wie die Schiene und mehr
+ringing-wheel = das Rad klingt, wie seine Moden und die Schiene es zulassen: über 2 kHz waren solche Pegel dort, wo gemessen wurde, um 5 bis 13 dB zu laut, die eines starren Rades um 3 bis 6 dB zu leise
+modes-of-other-wheel = die Moden sind die eines Rades von { $of_modes } mm, das Rad des Falls hat { $of_case } mm: ein kleineres Rad klingt höher
+far-away = in { $distance } m nehmen Boden und Luft, die hier fehlen, etwas davon weg: Pegel jenseits von { $far } m sind zu hoch
+smooth-wheels = die Räder gelten als glatt: sind sie rauer als die Schiene, steigen alle Pegel, und Schleifen spart weniger
+noise-beyond-linear-range = außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀, Rad und Schiene trennen sich also, was die Kraft begrenzt; die Pegel sind die eines Kontakts, der hält
+rail-cut-short = die Schiene trägt mehr als ein Zehntel ihrer Schwingung weiter als 66 Schwellenfächer, wo ihre Länge endet: ihr Pegel ist zu niedrig bei { $frequencies } Hz
+bands-left-out = fehlt in jedem Pegel, mangels Rauheit, Abklingrate oder Rezeptanz dort: { $frequencies } Hz

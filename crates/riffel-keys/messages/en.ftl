@@ -1,0 +1,253 @@
+# What Riffel says. One message an entry: its English, and in .short the same in one line for a terminal.
+
+verbatim = { $words }
+
+## Windows, values and presets
+
+map-window = map
+traffic-window = traffic
+unusual-value = { $key } is { $value }; usual values are { $from } to { $to }{ $question }
+number-without-unit = { $key } has no unit and is read as { $read }{ $question }
+quoted = "{ $words }"
+in-brackets = {" "}({ $words })
+did-you-mean = did you mean { $meant }?
+did-you-mean-either = did you mean { $one } or { $other }?
+preset-changes-nothing = { $key } = "{ $name }" changes nothing: the case gives all of its values itself
+
+## Measured receptances
+
+value-at-zero-left-out = the measured value at 0 Hz is left out
+set-conjugate = set track.measurement.conjugate
+conjugate-it = conjugate it
+receptance-gives-energy = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, between { $first } and { $last } Hz: check its phase, its noise, and whether it follows exp(+iωt) (else { $remedy })
+    .short = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies: check its phase
+column-without-unit = column `{ $column }` names no unit: taken as a receptance in m/N (else set track.measurement.quantity and unit)
+receptance-unlike-rail = the measured receptance is { $least } to { $most } m/N, but rails have 1e-11 to 1e-7 m/N: check track.measurement.quantity and unit
+poor-coherence = the coherence is below { $good } at { $count } of { $points } frequencies, between { $first } and { $last } Hz: there the receptance is the mean of the lines within 1/24 octave, weighted by γ²/(1 − γ²)
+response-at-other-node = the measured response is at node { $response } and its force at node { $reference }: it is taken as the receptance at the contact
+
+## Ranges of validity
+
+rail-without-support = the rail has no support: below about { $free_beam_from_hz } Hz (lowest of the { $window }: { $lowest } Hz) pads, sleepers and ballast change its receptance
+    .short = the rail has no support: wrong below about { $free_beam_from_hz } Hz ({ $window } from { $lowest } Hz)
+rail-without-shear = the rail bends without shear: its receptance is some 9° off at { $euler_beam_up_to_hz } Hz, 24° and 14 % at 1500 Hz (highest of the { $window }: { $highest } Hz)
+    .short = the rail bends without shear: 24° and 14 % off at 1500 Hz ({ $window } to { $highest } Hz)
+pinned-pinned-without-shear = the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % or more and not named (choose rail.beam = "timoshenko")
+    .short = the rail bends without shear: its pinned-pinned frequency is too high and not named
+supports-spread-evenly = supports are spread evenly along the rail: the pinned-pinned resonance near { $pinned } Hz is missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (highest of the { $window }: { $highest } Hz; choose a model that ends in -periodic)
+    .short = supports are spread evenly: no pinned-pinned resonance near { $pinned } Hz ({ $window } to { $highest } Hz)
+no-average-over-patch = the contact is quasi-static and does not average over its patch: below { $shortest } mm growth is overstated
+    .short = the contact does not average over its patch: growth is overstated below { $shortest } mm
+closed-form-of-ellipse = the radii of wheel and rail differ much: the closed form of the contact ellipse is { $percent } % off across the rail (choose contact.hertz = "exact")
+    .short = the closed form of the contact ellipse is { $percent } % off (contact.hertz = "exact" is not)
+falling-friction-at-one-speed = falling friction is that of the slip at { $rolling }, contact.polach.speed, at every speed of the { $window }
+    .short = falling friction is that at { $rolling } at every speed of the { $window }
+wheel-and-rail-part = an amplitude of { $amplitude } µm makes |P₁/P₀| reach { $worst }: wheel and rail part; forces are linear up to { $limit } µm (growth rates hold for small amplitudes and do not change)
+    .short = { $amplitude } µm make wheel and rail part (|P₁/P₀| = { $worst }); forces are linear up to { $limit } µm
+
+## Branches of the ridge
+
+at-edge-of-window = , at the edge of the window
+nothing-grows = nothing grows in this window
+both = { $one } and { $other }
+one-after-other = { $one }; { $other }
+before-comma = { $words },{" "}
+branch = { $frequency } Hz ({ $mechanism }{ $speeds } km/h, { $wavelengths } mm{ $edge })
+no-crest = no crest lies in this window: growth rises towards { $ends } mm
+one-branch = the ridge is one branch, which grows at { $words }
+branch-with-share = { $words } with { $share } of its growth
+more-branches = { $count } more
+weaker-branches = { $count ->
+        [one] 1 weaker branch
+       *[other] { $count } weaker branches
+    }
+strongest-branch = the strongest branch grows at { $words }; { $noun }: { $named }
+
+## Mechanisms
+
+mechanism-p2 = P2 resonance
+mechanism-wheelset-torsion = wheelset torsion
+mechanism-wheelset-bending = wheelset bending
+mechanism-full-track = full-track resonance
+mechanism-sleeper-antiresonance = sleeper antiresonance
+mechanism-rail-on-pad = rail on pad
+mechanism-pinned-pinned = pinned-pinned, vertical
+mechanism-measured-peak = peak of the measured receptance
+mechanism-measured-dip = dip of the measured receptance
+mechanism-given-peak = peak of the given receptance
+mechanism-given-dip = dip of the given receptance
+
+## Captions: the track
+
+rail-word = rail
+under-moving-load = {" "}under a moving load
+receptance-from-file = receptance read from { $file }
+free-beam = free { $beam } beam{ $moving }
+rail-on-pads = { $beam } rail{ $moving } on pads ({ $pad })
+sleepers-and-ballast = , sleepers ({ $mass } kg) and ballast ({ $ballast })
+spacing = {" "}every { $spacing } m,{" "}
+discrete = discrete
+spread-evenly = spread evenly
+from-preset = , preset { $name }
+
+## Captions: the case
+
+track = Track
+constant-tangential-force = constant tangential force (I_w → 0)
+constant-creepage = constant creepage (I_w → ∞)
+wheelset = wheelset
+non-steady-contact = non-steady contact
+phase-lag = dissipation phase: lag
+phase-lead = dissipation phase: lead
+phase-none = dissipation phase: none
+creep-law = creep law
+spring-and-dashpot = spring and dashpot;{" "}
+sign-of-growth = Corrugation grows where Re Ŵ₁ < 0 (coloured): the dissipation is in antiphase with the profile; time factor exp(+iωt), braking positive.
+
+## Figures of the paper
+
+figure-4 = Figure 4. Real part of the dissipation, free Euler beam
+figure-5 = Figure 5. Real part of the dissipation, track of Bhaskar et al.
+parameters-of = Parameters of ({ $letter }): { $parameters } { $sign }
+plus-spring-and-dashpot = , spring and dashpot
+plus-non-steady = , non-steady contact
+speed-axis = speed V [m/s]
+minima-over-wavelengths = Minima over wavelengths of 20–80 mm.
+figure-6 = Figure 6. Highest growth over speed
+minima-inside-window = Minima over wavelengths of 20–80 mm; (b) leaves out minima at the edge of the window.
+panel-of-tractive-ratio = (a) tractive ratio
+panel-of-inertia = (b) inertia, τ = 0.1
+wavelength-axis = wavelength λ [mm]
+figure-7 = Figure 7. Highest growth over speed for different inertia
+figure-8 = Figure 8. Highest growth at { $speed } m/s
+falls-in-part = (a) falls up to τ ≈ 0.9 only.{" "}
+tractive-ratio-axis = tractive ratio τ [-]
+inertia-axis = inertia I_w [kg m²]
+frequency-axis = frequency f [Hz]
+beam-under-moving-load = beam under a moving load
+track-of-bhaskar = track of Bhaskar et al. (inferred)
+figure-2 = Figure 2. Vertical direct receptance
+caption-of-figure-2 = Load at { $speed } m/s, exp(+iωt), displacement and force downward. Solid: { $solid }. Dashed: { $dashed }.
+modulus = modulus
+phase = phase
+figure-3 = Figure 3. Normal force
+caption-of-figure-3 = V = { $speed } m/s, equation (24). { $parameters }
+amplitude = amplitude
+profile-over-rail = Δ/H rail
+profile-over-wheel = Δ/H wheel
+
+## A wheel in time
+
+loss-factors-not-causal = loss factors are not causal: in time the track is the nearest causal one, { $per_cent } % rms off in receptance
+fitted-receptances-off = in time receptances of track and wheels are { $per_cent } % rms off up to 3 kHz, { $most } % at worst: loss factors are not causal, and waves between wheels far apart take more oscillations than are fitted
+unstable-but-at-rest = the linear loop is unstable, but what the push began has died out: what grows does so more slowly than this run shows
+stable-but-limit-cycle = the linear loop is stable, but the push is large enough for a limit cycle beside the state of rest
+support-passing-close-to-wave = passing the supports shakes the wheel every { $length } mm as well, too close to this wave to tell them apart: harmonics hold both
+airborne-run-ends = after { $passages } passages the wheel is in the air for more than half of the time, and the run ends there: steel yields where it comes down
+wheels-slide-as-they-roll = the wheels slide as fast as they roll: with so much creepage the creep forces fall short of those of the mean state, and nothing else holds the wheels; give them wheelset.suspension, or less creepage
+wheel-bridges-trough = a wheel of this radius does not reach the troughs of such waves above { $largest } µm: it would touch in two places, and here touches in one
+edge-of-patch-not-resolved = the load moves the edge of the patch by { $moves } elements: harmonics of the creep force may be tens of per cent off; take a larger amplitude, or more than { $across } elements across (contact.grid), until it is { $resolved }
+
+## Profiles
+
+flat-patch-beyond-range = the rail turns by { $degrees }° across a patch: the flat one holds to some 23°, half a width over the radius of 0.2; beyond, take the conformal one beside it
+rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field side by which it is laid: it is worn there, or inclined (--inclination), or another rail
+
+## Files of profiles
+
+flange-backs-apart = the flange backs of the file are { $distance } mm apart
+gauge-of-file = the gauge of the file is { $distance } mm, { $depth } mm below the crown
+smoothing-of-file-left-out = the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points
+points-missing = the head announces { $announced } points (XYPoints), but { $count } follow: the file may be cut short
+masked-points-left-out = { $masked } points that were masked at the device are left out
+outlying-points-left-out = { $name }: { $count } points far off those beside them are left out, the first in line { $line }
+scatter-of-curvature = { $name }: scatter leaves ±{ $error } 1/m of the curvature at x = 0
+points-scatter = { $name }: the points scatter by { $micrometres } µm, so that the curvature of a curve through them is off by some { $curvature } 1/m; give that scatter (profiles.scatter, --scatter) for a smooth one
+
+## Curves
+
+wheelset-beyond-flange = a wheelset is shifted by { $shift } mm: flanges leave 5 to 10 mm of play, and this case has none
+linear-creep-beyond-friction = creep_law = "linear" knows no friction: creep forces reach { $most } of μP
+yaw-takes-play = with its yaw of { $yaw } mrad wheelset { $number } has { $yawed } mm to its flange, not the { $straight } mm of the tables: contacts are placed as without yaw
+
+## The mean state from a curve
+
+wheel-past-crown = the wheel stands past the crown of its rail, at { $degrees }°: { $key } is 0
+creep-law-without-spin = contact.creep_law = "{ $name }" knows no spin: the { $spin } 1/m of the curve are left out ({ $key })
+case-has-own-values = in place of what that curve says the case has its own { $instead }
+no-rigid-contact-at-angle = no rigid contact has the angle of the equilibrium, { $degrees }°
+patches-join = the patch joins that of the place where the wheel touches next
+two-points-join-under-load = the wheel stands on two points, which a patch under load would join
+
+## Ranges of validity, further
+
+ellipse-too-wide = the ellipse of the contact is { $width } mm wide: over that no profile has one curvature, and Hertz's theory ends
+loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz it oscillates without any profile (squeal, stick and slip), and growth rates mean nothing there
+wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give contact.longitudinal_radius
+track-moves-downward-only = this track moves downward alone; along and across the rail it is taken as rigid
+
+## Measured wheelsets
+
+column-of-wheelset-without-unit = column `{ $column }` names no unit: taken as a receptance in m/N (else write it, as in `{ $column } [m/s2/N]`)
+wheelset-not-reciprocal = the measured wheelset is not reciprocal: { $at } by a force at { $from } and the reverse differ by up to { $percent } %, at { $hertz } Hz; their mean is taken: check accelerometer, hammer and the sign of the axes
+wheelset-gives-energy = the measured wheelset gives energy away, by up to { $percent } % of its largest receptance, at { $hertz } Hz, most at { $port }: check phases, noise, missing entries, and whether it follows exp(+iωt)
+wheelset-not-measured-along = the wheelset was not measured along { $axes }: there it is taken as rigid
+
+## Cases
+
+creep-law-unlike-equilibrium = contact.creep_law = "{ $law }" makes |Q| = { $here } μP of creepages at which the equilibrium of the curve has { $in_curve }
+creep-law-of-growth-only = contact.creep_law = "{ $law }" is that of growth: in the curve creep is of Shen, Hedrick and Elkins
+modes-of-wheelset-end = the modes of the wheelset describe it up to some { $up_to } Hz, and the window reaches { $highest } Hz: add modes or rows `residual`
+
+## Curves, patches and files, with their parts
+
+second-point-left-out = { $rail } the wheel stands on two points; the other one, with { $percent } % of its normal forces, is left out of the loop
+on-left = on the left rail
+on-right = on the right rail
+of-left = of the left rail
+of-right = of the right rail
+on-low-left = on the low, left rail
+on-low-right = on the low, right rail
+on-high-left = on the high, left rail
+on-high-right = on the high, right rail
+mean-state-from-curve = mean state from the curve of { $radius } m at { $speed } km/h: wheelset { $wheelset } { $rail } creeps { $along } % along, { $across } % across, spin { $spin } 1/m, under { $load } kN at { $angle }°
+ellipse-in-place-of-patch = { $rail } the loop takes the ellipse of Hertz and no patch of the profiles under load: { $reason }
+patch-under-load-against-hertz = ; the profiles under load, on the curved rail, are stiffer by { $stiffer } %, { $longer } % as long and { $wider } % as wide (contact.from.patch = "conformal" takes them)
+contact-is-conformal = the semi-axis across is { $semi_axis } mm, { $share } of the radius { $rail } there, and Hertz's theory is for patches up to 0.2 to 0.3: beyond, the contact is conformal{ $under_load }
+patch-of-profiles = { $rail } the patch is that of the profiles under load: { $stiffness } MN/m ({ $stiffer } % against Hertz), like an ellipse of semi-axes { $along } mm along ({ $longer } %) and { $across } mm across ({ $wider } %), at { $angle }° ({ $turned }°)
+patch-of-profiles-alone = { $rail } the patch is that of the profiles under load: { $stiffness } MN/m, like an ellipse of semi-axes { $along } mm along and { $across } mm across, at { $angle }° ({ $turned }°); Hertz has none there
+several-equilibria = the vehicle has { $count } equilibria in this curve; the contact is { $which }
+equilibrium-from-straight-track = that which straight track leads to
+equilibrium-found-first = of the first found, to which straight track does not lead
+about = { $subject }: { $remark }
+coordinates-right = stand as they should
+coordinates-mirrored = are mirrored
+coordinates-upside-down = are upside down
+coordinates-turned = are mirrored and upside down
+read-as-wheel = read as a wheel: its coordinates { $changes }
+read-as-rail = read as a rail: its coordinates { $changes }; x below zero is taken as the gauge side, or give the orientation "mirrored"
+origin-moved = its origin is moved to the { $place }, by x = { $x } mm and y = { $y } mm
+to-crown = crown
+to-datum-circle = datum circle
+rail-taken-as-rigid = the rail is taken as rigid { $direction }: give { $keys } to let it move
+across-track = across the track
+along-itself = along itself
+t-gamma-below-zero = Tγ of wheel { $wheelset } { $rail } is { $wear } N: it is Qx ξx + Qy ξy without the moment of spin, and spin, not creepage, makes the lateral force there
+ellipse-of-wheel-too-wide = the ellipse of wheel { $wheelset } { $rail } is { $width } mm wide: over that no profile has one curvature, Hertz's theory ends, and creep laws differ most
+left = left
+right = right
+
+## Traffic
+
+growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and wear.coefficient
+
+## Noise
+
+rigid-wheel = the wheel is a rigid body here: above some 1.6 kHz the modes of its web and tyre, which are left out, radiate as much as the rail and more
+ringing-wheel = the wheel rings as its modes and the rail let it: above 2 kHz such levels were 5 to 13 dB too loud where they were measured, and those of a rigid wheel 3 to 6 dB too quiet
+modes-of-other-wheel = the modes are those of a wheel of { $of_modes } mm, the wheel of the case has { $of_case } mm: a smaller wheel rings higher
+far-away = { $distance } m away ground and air take some of it, which are left out: levels beyond { $far } m are too high
+smooth-wheels = the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what grinding saves
+noise-beyond-linear-range = beyond the linear range: |P₁| is { $ratio } P₀, so that wheel and rail part, which bounds the force; the levels are those of a contact that holds
+rail-cut-short = the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level is too low at { $frequencies } Hz
+bands-left-out = left out of every level, for want of roughness, decay or receptance there: { $frequencies } Hz

@@ -1,0 +1,181 @@
+//! What is said to a reader, as data: which message it is, and its values. Words are made of it where it is shown.
+//!
+//! The wordings are Fluent files, one a language (`messages/en.ftl`, `messages/de.ftl`). The English one also declares the
+//! messages: [`say!`](crate::say) takes its ids and the names of their values, and a wrong one does not compile.
+//!
+//! ```
+//! use riffel_keys::{Language, number, say};
+//!
+//! let remark = say!(no_average_over_patch, shortest = number(4.5));
+//! assert!(remark.text(Language::English).ends_with("below 4.5 mm growth is overstated"));
+//! assert!(remark.text(Language::German).contains("unter 4,5 mm"));
+//! ```
+
+mod piece;
+mod value;
+pub mod wording;
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+use crate::Language;
+
+pub use piece::Piece;
+pub use value::{Value, fixed, number};
+
+/// A message of the Fluent files with the values that it names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Message {
+    id: &'static str,
+    values: Vec<(&'static str, Value)>,
+}
+
+/// A [`Message`] by its id, with underscores for hyphens, and its values: `say!(far_away, distance = number(x))`.
+#[macro_export]
+macro_rules! say {
+    ($id:ident $(, $name:ident = $value:expr)* $(,)?) => {
+        $crate::Message::from($crate::message::wording::$id { $($name: $crate::Value::from($value)),* })
+    };
+}
+
+impl Message {
+    fn new(id: &'static str, values: Vec<(&'static str, Value)>) -> Self {
+        Self { id, values }
+    }
+
+    /// Words that are the same in every language, such as the title of a case that somebody wrote.
+    pub fn verbatim(words: impl Into<String>) -> Self {
+        say!(verbatim, words = words.into())
+    }
+
+    /// Which message it is, as in the Fluent files.
+    pub fn id(&self) -> &'static str {
+        self.id
+    }
+
+    /// Its values by their names.
+    pub fn values(&self) -> &[(&'static str, Value)] {
+        &self.values
+    }
+
+    /// In words.
+    pub fn text(&self, language: Language) -> String {
+        piece::join(&self.pieces(language), language)
+    }
+
+    /// In words, in one line of a terminal where the language has a shorter wording for that.
+    pub fn short(&self, language: Language) -> String {
+        piece::join(&piece::pieces(self, language, Some("short")), language)
+    }
+
+    /// In words, the first letter a capital.
+    pub fn capitalised(&self, language: Language) -> String {
+        let text = self.text(language);
+        let mut letters = text.chars();
+        let first = letters.next().map(char::to_uppercase);
+        first.into_iter().flatten().chain(letters).collect()
+    }
+
+    /// The words with its values between them, for who shows some of them in another way.
+    pub fn pieces(&self, language: Language) -> Vec<Piece<'_>> {
+        piece::pieces(self, language, None)
+    }
+}
+
+/// The English and the German wording of each message that is one line, with the names of its values in braces.
+pub fn wordings() -> impl Iterator<Item = (String, String)> {
+    let of = |language: Language| {
+        let lines = language.wordings().lines();
+        let entries = lines.filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()));
+        let entries = entries.filter_map(|line| line.split_once(" = "));
+        let plain = |text: &str| {
+            text.replace("{ $", "{")
+                .replace(" }", "}")
+                .replace("{\" \"}", " ")
+        };
+        entries.map(move |(id, text)| (id, plain(text)))
+    };
+    let german: BTreeMap<_, _> = of(Language::German).collect();
+    let pairs = of(Language::English).map(move |(id, english)| {
+        let german = german.get(id).cloned().unwrap_or_default();
+        (english, german)
+    });
+    // Marks with a word between two values, as in "{one} and {other}", would be found in everything.
+    let is_sentence = |english: &str| {
+        let own = english.split(['{', '}']).step_by(2).collect::<String>();
+        !english.contains("->") && (own.len() > 8 || !english.contains('{'))
+    };
+    pairs.filter(move |(english, _)| is_sentence(english))
+}
+
+/// In English.
+impl fmt::Display for Message {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.pad(&self.text(Language::English))
+    }
+}
+
+/// True where documents hold messages in all languages.
+static ALL_LANGUAGES: AtomicBool = AtomicBool::new(false);
+
+/// From now on serialize the messages of this process with their id in every language, `{"id": …, "en": …, "de": …}`, for a
+/// page that changes its language by itself. Without it they are English sentences.
+pub fn serialize_in_all_languages() {
+    ALL_LANGUAGES.store(true, Ordering::Relaxed);
+}
+
+impl Serialize for Message {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if !ALL_LANGUAGES.load(Ordering::Relaxed) {
+            return serializer.collect_str(self);
+        }
+        let mut map = serializer.serialize_map(Some(1 + Language::ALL.len()))?;
+        map.serialize_entry("id", self.id)?;
+        for language in Language::ALL {
+            map.serialize_entry(language.code(), &self.text(language))?;
+        }
+        map.end()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_is_shown_and_serialized_in_english() {
+        let message = say!(no_average_over_patch, shortest = fixed(4.5, 1));
+        let english = "the contact is quasi-static and does not average over its patch: below 4.5 mm growth is overstated";
+        assert_eq!(message.to_string(), english);
+        assert_eq!(
+            serde_json::to_string(&message).unwrap(),
+            format!("\"{english}\"")
+        );
+        assert_eq!(
+            message.short(Language::English),
+            "the contact does not average over its patch: growth is overstated below 4.5 mm"
+        );
+        assert_eq!(
+            message.short(Language::German),
+            message.text(Language::German)
+        );
+        assert!(message.capitalised(Language::English).starts_with("The "));
+    }
+
+    #[test]
+    fn messages_stand_within_messages_and_words_of_others_stay() {
+        let name = say!(mechanism_p2);
+        let message = say!(
+            branch_with_share,
+            words = name,
+            share = Message::verbatim("0.5 {%}")
+        );
+        assert_eq!(
+            message.text(Language::German),
+            "P2-Resonanz mit 0.5 {%} seines Wachstums"
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! The values of a message.
+
+use std::fmt::Display;
+
+use super::Message;
+
+/// A value of a [`Message`].
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// Words that are the same in every language: a name, a file, what somebody typed.
+    Text(String),
+    /// A number in words, with a decimal point; each language has its own mark.
+    Number(String),
+    /// How many: languages choose between singular and plural by it.
+    Count(u64),
+    /// A key of the case, dotted, or an option of the program.
+    Key(String),
+    /// Another message.
+    Message(Box<Message>),
+    /// Several of them, separated by commas.
+    List(Vec<Value>),
+}
+
+/// A number as it is displayed: `number(format_args!("{x:.1e}"))`.
+pub fn number(shown: impl Display) -> Value {
+    Value::Number(shown.to_string())
+}
+
+/// A number with so many digits after the decimal mark.
+pub fn fixed(value: f64, digits: usize) -> Value {
+    Value::Number(format!("{value:.digits$}"))
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+impl From<&String> for Value {
+    fn from(text: &String) -> Self {
+        Self::Text(text.clone())
+    }
+}
+
+impl From<std::path::Display<'_>> for Value {
+    fn from(path: std::path::Display<'_>) -> Self {
+        Self::Text(path.to_string())
+    }
+}
+
+impl From<Message> for Value {
+    fn from(message: Message) -> Self {
+        Self::Message(Box::new(message))
+    }
+}
+
+/// With as many digits as it has.
+impl From<f64> for Value {
+    fn from(value: f64) -> Self {
+        number(value)
+    }
+}
+
+impl From<u64> for Value {
+    fn from(count: u64) -> Self {
+        Self::Count(count)
+    }
+}
+
+impl From<u8> for Value {
+    fn from(count: u8) -> Self {
+        Self::Count(count.into())
+    }
+}
+
+impl From<u32> for Value {
+    fn from(count: u32) -> Self {
+        Self::Count(count.into())
+    }
+}
+
+impl From<usize> for Value {
+    fn from(count: usize) -> Self {
+        Self::Count(count as u64)
+    }
+}
+
+impl<T: Into<Value>> FromIterator<T> for Value {
+    fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
+        Self::List(values.into_iter().map(Into::into).collect())
+    }
+}

@@ -1,0 +1,6 @@
+//! The messages with their values, made of `messages/en.ftl`; [`say!`](crate::say) fills them in.
+#![allow(non_camel_case_types)] // An id is no type: `say!(far_away)` reads as what is said.
+
+use super::{Message, Value};
+
+include!(concat!(env!("OUT_DIR"), "/wording.rs"));
