@@ -57,6 +57,14 @@ pub enum NetworkError {
         folder: PathBuf,
     },
 
+    /// Something stands where the store has a file or folder of its own.
+    #[error("{path} is a link, or was not written by riffel, and stays as it is", path = path.display())]
+    #[diagnostic(help("move it away, or give another folder"))]
+    Foreign {
+        /// The file, folder or link.
+        path: PathBuf,
+    },
+
     /// Another process adds to the store.
     #[error("another process adds to {folder} at this moment", folder = folder.display())]
     Locked {

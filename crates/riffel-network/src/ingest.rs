@@ -5,12 +5,12 @@ use std::fs;
 use std::path::Path;
 
 use riffel_rail::read_date;
-use riffel_study::whole_file;
 use riffel_study::zarr::{Array, DataType, Values};
 use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::grid::Gridded;
+use crate::layout::{arrays_name, record_name};
 use crate::record::{NetworkRecord, RailRecord, SurveyRecord};
 use crate::store::{ROWS, Store, array, write_document};
 use crate::{NetworkError, SurveyFile};
@@ -76,9 +76,9 @@ impl Store {
             Err(sentence) => return Err(NetworkError::Date(sentence)),
         };
         let _held = self.lock()?;
+        self.check_writable(line)?;
         let network = self.begin(&file.bands(), file.usual_block)?;
         let folder = self.line_folder(line);
-        let record = folder.join(format!("{day}.json"));
         let surveys = self.surveys()?;
         let is_known = surveys.iter().any(|survey| survey.line == line);
         let is_alike = |survey: &&SurveyRecord| plain(&survey.line) == plain(line);
@@ -108,8 +108,6 @@ impl Store {
                 });
             }
         }
-        fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
-        self.sweep(line, &folder)?;
         let resolution = network.resolution_m;
         let first = (file.ends[0] / resolution + 1e-6).floor();
         let cells = (file.ends[1] / resolution - 1e-6).ceil() - first;
@@ -125,7 +123,7 @@ impl Store {
             date: day,
             source: file.name(),
             sha256: file.sha256.clone(),
-            folder: format!("{day}-{}.zarr", &file.sha256[..12]),
+            folder: arrays_name(day, &file.sha256),
             start_m: first * resolution,
             cells: cells as u64,
             rails: (file.rails.iter().enumerate())
@@ -136,42 +134,17 @@ impl Store {
                 })
                 .collect(),
         };
-        let temporary = tempfile::Builder::new()
-            .prefix(whole_file::PREFIX)
-            .tempdir_in(&folder)
-            .map_err(NetworkError::write(&folder))?;
-        write_arrays(temporary.path(), file, &network, &mut survey, progress)?;
+        fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
+        let recorded = there.map_or("", |survey| &survey.folder);
+        Self::sweep(&folder, day, recorded)?;
+        let temporary = Self::half_written(&folder)?;
+        let half = temporary.path().join("arrays");
+        write_arrays(&half, file, &network, &mut survey, progress)?;
         let arrays = folder.join(&survey.folder);
-        if arrays.exists() {
-            fs::remove_dir_all(&arrays).map_err(NetworkError::write(&arrays))?;
-        }
-        fs::rename(temporary.keep(), &arrays).map_err(NetworkError::write(&arrays))?;
-        write_document(&record, &json!(survey))?;
-        self.sweep(line, &folder)?;
+        fs::rename(half, &arrays).map_err(NetworkError::write(&arrays))?;
+        write_document(&folder.join(record_name(day)), &json!(survey))?;
+        Self::sweep(&folder, day, &survey.folder)?;
         Ok(done(&survey, false))
-    }
-
-    /// Remove what no record names: arrays that were half written, or replaced.
-    fn sweep(&self, line: &str, folder: &Path) -> Result<(), NetworkError> {
-        let surveys = self.surveys()?;
-        let named = |name: &str| {
-            let mut of_line = surveys.iter().filter(|survey| survey.line == line);
-            of_line.any(|survey| survey.folder == name)
-        };
-        for entry in fs::read_dir(folder).map_err(NetworkError::read(folder))? {
-            let entry = entry.map_err(NetworkError::read(folder))?;
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let path = entry.path();
-            let removed = if path.is_dir() && !named(&name) {
-                fs::remove_dir_all(&path)
-            } else if name.starts_with(whole_file::PREFIX) && path.is_file() {
-                fs::remove_file(&path)
-            } else {
-                Ok(())
-            };
-            removed.map_err(NetworkError::write(&path))?;
-        }
-        Ok(())
     }
 }
 

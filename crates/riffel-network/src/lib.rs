@@ -23,6 +23,7 @@ mod grid;
 mod growth;
 mod ingest;
 mod judgement;
+mod layout;
 mod most_track;
 mod plan;
 mod record;

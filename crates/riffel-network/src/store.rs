@@ -1,6 +1,6 @@
 //! A folder with the surveys of a network.
 
-use std::fs::{self, File, TryLockError};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
@@ -10,14 +10,9 @@ use riffel_study::zarr::{Array, DataType, Values};
 use serde_json::json;
 
 use crate::NetworkError;
+use crate::layout::{RECORD, arrays_name, record_name};
 use crate::record::{FORMAT, NetworkRecord, RailRecord, SurveyRecord};
 
-/// What a store says of itself.
-const RECORD: &str = "network.json";
-/// The surveys, a folder for each line.
-const SURVEYS: &str = "surveys";
-/// Held while surveys are added.
-const LOCK: &str = "network.lock";
 /// Cells of a chunk.
 pub(crate) const ROWS: u64 = 8192;
 
@@ -32,7 +27,8 @@ pub struct StoreSettings {
 ///
 /// `network.json` says what the grid and the bands are, `surveys/LINE/DATE.json` that a survey is there, and its arrays are
 /// in a folder beside it. That record is written last and at once: a process that is killed leaves a survey whole or not at
-/// all, and what it left half is removed by the next that adds to the line.
+/// all, and what it left half is removed by the next that adds to the line. Nothing else is: what a store has not written
+/// stays, and links in it are not followed.
 #[derive(Debug)]
 pub struct Store {
     pub(crate) folder: PathBuf,
@@ -70,23 +66,8 @@ impl Store {
             }
             return Ok(store);
         }
-        match fs::read_dir(folder) {
-            Ok(mut entries) => {
-                let foreign = entries.any(|entry| {
-                    entry.is_ok_and(|entry| {
-                        entry.file_name() != LOCK && entry.file_name() != SURVEYS
-                    })
-                });
-                match foreign {
-                    true => Err(NetworkError::NotANetwork {
-                        folder: folder.to_owned(),
-                    }),
-                    false => Ok(store),
-                }
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(store),
-            Err(error) => Err(NetworkError::read(folder)(error)),
-        }
+        store.check_free()?;
+        Ok(store)
     }
 
     /// A store that is there.
@@ -179,50 +160,27 @@ impl Store {
         Ok(record)
     }
 
-    /// Hold the store against others that add to it; given back when the file is dropped.
-    pub(crate) fn lock(&self) -> Result<File, NetworkError> {
-        fs::create_dir_all(&self.folder).map_err(NetworkError::write(&self.folder))?;
-        let path = self.folder.join(LOCK);
-        let file = File::create(&path).map_err(NetworkError::write(&path))?;
-        match file.try_lock() {
-            Ok(()) => Ok(file),
-            Err(TryLockError::WouldBlock) => Err(NetworkError::Locked {
-                folder: self.folder.clone(),
-            }),
-            Err(TryLockError::Error(reason)) => Err(NetworkError::write(&path)(reason)),
-        }
-    }
-
-    /// The folder of a line, whose name has nothing in it that a file system could take amiss.
-    pub(crate) fn line_folder(&self, line: &str) -> PathBuf {
-        let mut name = String::new();
-        for byte in line.bytes() {
-            match byte {
-                b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' => name.push(byte.into()),
-                _ => name += &format!("%{byte:02X}"),
-            }
-        }
-        self.folder.join(SURVEYS).join(name)
-    }
-
     /// The surveys that are there, by line and date.
     ///
     /// # Errors
     /// [`NetworkError::Read`], or [`NetworkError::Damaged`] for a record that is none.
     pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
-        let folder = self.folder.join(SURVEYS);
         let mut surveys = Vec::new();
-        if !folder.exists() {
-            return Ok(surveys);
-        }
-        for line in fs::read_dir(&folder).map_err(NetworkError::read(&folder))? {
-            let line = line.map_err(NetworkError::read(&folder))?.path();
-            for entry in fs::read_dir(&line).map_err(NetworkError::read(&line))? {
-                let path = entry.map_err(NetworkError::read(&line))?.path();
-                if path.extension().is_some_and(|end| end == "json") {
-                    let bytes = fs::read(&path).map_err(NetworkError::read(&path))?;
-                    surveys.push(parsed(&path, &bytes)?);
+        for line in self.line_folders()? {
+            for path in Self::record_files(&line)? {
+                let bytes = fs::read(&path).map_err(NetworkError::read(&path))?;
+                let survey: SurveyRecord = parsed(&path, &bytes)?;
+                let named = line.join(record_name(survey.date));
+                if self.line_folder(&survey.line) != line
+                    || named != path
+                    || survey.folder != arrays_name(survey.date, &survey.sha256)
+                {
+                    return Err(NetworkError::Damaged {
+                        path,
+                        reason: "it is the record of another survey".to_owned(),
+                    });
                 }
+                surveys.push(survey);
             }
         }
         surveys.sort_by(|a: &SurveyRecord, b| (&a.line, a.date).cmp(&(&b.line, b.date)));

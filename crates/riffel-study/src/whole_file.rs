@@ -9,6 +9,14 @@ use crate::StudyError;
 /// What the names of half-written files begin with.
 pub const PREFIX: &str = ".riffel-";
 
+/// Whether a name is that of a file or folder in the making: the prefix and six letters or digits.
+pub fn is_half_written(name: &str) -> bool {
+    let rest = name.strip_prefix(PREFIX);
+    rest.is_some_and(|rest| {
+        rest.len() == 6 && rest.bytes().all(|byte| byte.is_ascii_alphanumeric())
+    })
+}
+
 /// Write a file under another name in its folder, which is made if need be, and rename it.
 ///
 /// # Errors
@@ -53,7 +61,7 @@ pub fn sweep(folder: &Path) -> Result<(), StudyError> {
         let path = entry.path();
         if entry.file_type().map_err(wrong)?.is_dir() {
             sweep(&path)?;
-        } else if entry.file_name().to_string_lossy().starts_with(PREFIX) {
+        } else if is_half_written(&entry.file_name().to_string_lossy()) {
             fs::remove_file(&path).map_err(wrong)?;
         }
     }

@@ -248,22 +248,32 @@ fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {
     assert!(matches!(refusal, Err(NetworkError::Conflict { .. })));
     assert_eq!(files(&network), before);
 
-    // A folder of arrays without a record, and a temporary one: a process died.
+    // Arrays of the day without a record, and half-written ones: a process died. What the store has not written stays.
     let line = fs::read_dir(network.join("surveys"))
         .unwrap()
         .next()
         .unwrap()
         .unwrap()
         .path();
-    for name in ["2026-02-01-0123456789ab.zarr", ".riffel-abc"] {
+    for (name, file) in [
+        ("2026-01-01-0123456789ab.zarr", "zarr.json"),
+        (".riffel-abc123", "half-written"),
+        ("2026-02-01-0123456789ab.zarr", "zarr.json"),
+        (".riffel-diary1", "today.txt"),
+        ("raw", "run1.csv"),
+    ] {
         fs::create_dir(line.join(name)).unwrap();
-        fs::write(line.join(name).join("zarr.json"), "{").unwrap();
+        fs::write(line.join(name).join(file), "").unwrap();
     }
     assert_eq!(store.surveys()?.len(), 1);
     store.ingest("S-Bahn/Süd", "2026-01-01", &other, true, &|_| ())?;
     assert_eq!(store.surveys()?[0].cells, 60);
-    let names: Vec<_> = fs::read_dir(&line).unwrap().collect();
-    assert_eq!(names.len(), 2, "{names:?}");
+    let names = fs::read_dir(&line).unwrap();
+    let mut names: Vec<_> = names.map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    assert_eq!(names.len(), 5, "{names:?}");
+    assert_eq!(names[0], ".riffel-diary1");
+    assert_eq!(names[3..], ["2026-02-01-0123456789ab.zarr", "raw"]);
     let sections = Sections::of(
         &store,
         &store.surveys()?[0],
@@ -278,6 +288,66 @@ fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {
     lock.lock().unwrap();
     let refusal = store.ingest("S-Bahn/Süd", "2026-03-01", &other, false, &|_| ());
     assert!(matches!(refusal, Err(NetworkError::Locked { .. })));
+    Ok(())
+}
+
+/// Files of somebody else are not touched: in a folder without the mark of a store, by way of links, or in place of the lock.
+#[test]
+fn what_the_store_has_not_written_stays() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, file) = survey(folder.path(), "a.csv", [0, 50], |_, _| 5.0);
+    let project = folder.path().join("project");
+    fs::create_dir_all(project.join("surveys/A/raw")).unwrap();
+    fs::write(project.join("surveys/A/raw/run1.csv"), "x").unwrap();
+    let refusal = Store::create_or_open(&project, StoreSettings::default());
+    assert!(matches!(refusal, Err(NetworkError::NotANetwork { .. })));
+
+    let store = store(&folder);
+    let network = folder.path().join("network");
+    fs::create_dir(&network).unwrap();
+    fs::write(network.join("network.lock"), "secret").unwrap();
+    let refusal = Store::create_or_open(&network, StoreSettings::default());
+    assert!(matches!(refusal, Err(NetworkError::NotANetwork { .. })));
+    take(&store, "A", "2026-01-01", &file);
+    assert_eq!(fs::read(network.join("network.lock")).unwrap(), b"secret");
+
+    // One folder on systems that ignore capitals.
+    take(&store, "Main", "2026-01-01", &file);
+    let before = files(&network);
+    let refusal = store.ingest("main", "2026-02-01", &file, false, &|_| ());
+    assert!(matches!(refusal, Err(NetworkError::Value { .. })));
+    assert_eq!(files(&network), before);
+
+    // What systems leave everywhere is no line and no survey.
+    fs::write(network.join("surveys/.DS_Store"), "x").unwrap();
+    fs::write(network.join("surveys/A/._2026-01-01.json"), "x").unwrap();
+    assert_eq!(store.surveys()?.len(), 2);
+    // A record under another name would speak of arrays that are not its own.
+    let copy = network.join("surveys/Main/2026-02-01.json");
+    fs::copy(network.join("surveys/Main/2026-01-01.json"), &copy).unwrap();
+    assert!(matches!(store.surveys(), Err(NetworkError::Damaged { .. })));
+    fs::remove_file(copy).unwrap();
+
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::symlink;
+        symlink(project.join("surveys/A"), network.join("surveys/B")).unwrap();
+        symlink("Main", network.join("surveys/main")).unwrap();
+        for line in ["B", "main"] {
+            let refusal = store.ingest(line, "2026-01-01", &file, false, &|_| ());
+            assert!(matches!(refusal, Err(NetworkError::Foreign { .. })));
+        }
+        assert_eq!(store.surveys()?.len(), 2);
+        fs::remove_file(network.join("network.lock")).unwrap();
+        symlink(project.join("lock"), network.join("network.lock")).unwrap();
+        let refusal = store.ingest("A", "2026-03-01", &file, false, &|_| ());
+        assert!(matches!(refusal, Err(NetworkError::Foreign { .. })));
+        assert!(!project.join("lock").exists());
+    }
+    assert_eq!(
+        fs::read(project.join("surveys/A/raw/run1.csv")).unwrap(),
+        b"x"
+    );
     Ok(())
 }
 

@@ -134,7 +134,7 @@ fn only_missing_and_damaged_chunks_are_computed() {
     fs::write(place.path().join("finished/000003.json"), "{").unwrap();
     fs::remove_file(place.path().join("finished/000004.json")).unwrap();
     // And what a killed process leaves.
-    fs::write(arrays.join("failure/c/.riffel-abc"), "half").unwrap();
+    fs::write(arrays.join("failure/c/.riffel-abc123"), "half").unwrap();
 
     let states = states_of(&folder);
     assert_eq!(states[0], ChunkState::Damaged(cut));

@@ -1,0 +1,189 @@
+//! Where the files of a store are, and which of them are its own: no other is written to or removed, and no link is followed.
+
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use jiff::civil::Date;
+use riffel_study::whole_file;
+use tempfile::TempDir;
+
+use crate::NetworkError;
+use crate::store::Store;
+
+/// What a store says of itself: its mark.
+pub(crate) const RECORD: &str = "network.json";
+/// The surveys, a folder for each line.
+const SURVEYS: &str = "surveys";
+/// Held while surveys are added.
+const LOCK: &str = "network.lock";
+/// An empty file in a folder of half-written arrays: the mark by which it is known.
+const HALF_WRITTEN: &str = "half-written";
+/// Digits of the SHA-256 of a survey in the name of its arrays.
+const DIGITS: usize = 12;
+
+/// The folder of the arrays of a survey, in that of its line.
+pub(crate) fn arrays_name(date: Date, sha256: &str) -> String {
+    format!("{date}-{}.zarr", sha256.get(..DIGITS).unwrap_or(sha256))
+}
+
+/// The file of the record of a survey, in the folder of its line.
+pub(crate) fn record_name(date: Date) -> String {
+    format!("{date}.json")
+}
+
+/// The folder of a line, in a name in which there is nothing that a file system could take amiss.
+fn line_name(line: &str) -> String {
+    let mut name = String::new();
+    for byte in line.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' => name.push(byte.into()),
+            _ => name += &format!("%{byte:02X}"),
+        }
+    }
+    name
+}
+
+/// What is in a folder that is there, by name, without links; nothing where there is none.
+fn entries(folder: &Path) -> Result<Vec<(String, fs::FileType)>, NetworkError> {
+    let mut found = Vec::new();
+    if !folder.exists() {
+        return Ok(found);
+    }
+    for entry in fs::read_dir(folder).map_err(NetworkError::read(folder))? {
+        let entry = entry.map_err(NetworkError::read(folder))?;
+        let kind = entry.file_type().map_err(NetworkError::read(folder))?;
+        found.push((entry.file_name().to_string_lossy().into_owned(), kind));
+    }
+    Ok(found)
+}
+
+/// `Ok` where nothing is, or what `is_right` takes for its own.
+fn check_own(path: &Path, is_right: impl Fn(&fs::Metadata) -> bool) -> Result<(), NetworkError> {
+    match fs::symlink_metadata(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Ok(there) if is_right(&there) => Ok(()),
+        Err(error) => Err(NetworkError::read(path)(error)),
+        Ok(_) => Err(NetworkError::Foreign {
+            path: path.to_owned(),
+        }),
+    }
+}
+
+impl Store {
+    /// `Ok` if the folder is new, empty, or has no more than what a first survey leaves that was broken off at once.
+    pub(crate) fn check_free(&self) -> Result<(), NetworkError> {
+        let is_own = |(name, kind): &(String, fs::FileType)| {
+            let path = self.folder.join(name);
+            let is_empty = || fs::metadata(path).is_ok_and(|there| there.len() == 0);
+            kind.is_file() && (whole_file::is_half_written(name) || name == LOCK && is_empty())
+        };
+        match entries(&self.folder)?.iter().all(is_own) {
+            true => Ok(()),
+            false => Err(NetworkError::NotANetwork {
+                folder: self.folder.clone(),
+            }),
+        }
+    }
+
+    /// Hold the store against others that add to it; given back when the file is dropped.
+    pub(crate) fn lock(&self) -> Result<File, NetworkError> {
+        fs::create_dir_all(&self.folder).map_err(NetworkError::write(&self.folder))?;
+        let path = self.folder.join(LOCK);
+        check_own(&path, fs::Metadata::is_file)?;
+        let mut options = File::options();
+        let opened = options.write(true).create(true).truncate(false).open(&path);
+        let file = opened.map_err(NetworkError::write(&path))?;
+        match file.try_lock() {
+            Ok(()) => Ok(file),
+            Err(TryLockError::WouldBlock) => Err(NetworkError::Locked {
+                folder: self.folder.clone(),
+            }),
+            Err(TryLockError::Error(reason)) => Err(NetworkError::write(&path)(reason)),
+        }
+    }
+
+    /// The folder of a line.
+    pub(crate) fn line_folder(&self, line: &str) -> PathBuf {
+        self.folder.join(SURVEYS).join(line_name(line))
+    }
+
+    /// The folders of all lines.
+    pub(crate) fn line_folders(&self) -> Result<Vec<PathBuf>, NetworkError> {
+        let folder = self.folder.join(SURVEYS);
+        check_own(&folder, fs::Metadata::is_dir)?;
+        let lines = entries(&folder)?.into_iter();
+        let lines = lines.filter(|(_, kind)| kind.is_dir());
+        Ok(lines.map(|(name, _)| folder.join(name)).collect())
+    }
+
+    /// The records of surveys in the folder of a line.
+    pub(crate) fn record_files(folder: &Path) -> Result<Vec<PathBuf>, NetworkError> {
+        let is_record = |(name, kind): &(String, fs::FileType)| {
+            let day = name.strip_suffix(".json");
+            kind.is_file() && day.is_some_and(|day| day.parse::<Date>().is_ok())
+        };
+        let files = entries(folder)?.into_iter().filter(is_record);
+        Ok(files.map(|(name, _)| folder.join(name)).collect())
+    }
+
+    /// `Ok` if a survey of the line may be written: no link or file stands in the way, and no line that is called the same but
+    /// for capitals, whose folder is the same on systems that ignore them.
+    pub(crate) fn check_writable(&self, line: &str) -> Result<(), NetworkError> {
+        let surveys = self.folder.join(SURVEYS);
+        check_own(&surveys, fs::Metadata::is_dir)?;
+        let name = line_name(line);
+        let there = entries(&surveys)?;
+        if !there.iter().any(|(other, _)| *other == name)
+            && let Some((other, _)) =
+                (there.iter()).find(|(other, _)| other.eq_ignore_ascii_case(&name))
+        {
+            return Err(NetworkError::Value {
+                what: "the line",
+                value: format!("\"{line}\""),
+                rule: format!("spelt with the capitals of the folder {other} of the store"),
+            });
+        }
+        check_own(&surveys.join(name), fs::Metadata::is_dir)
+    }
+
+    /// A new folder for arrays in the making in that of a line. It is removed when it is dropped, and by the next that adds to
+    /// the line where the process is killed before.
+    pub(crate) fn half_written(folder: &Path) -> Result<TempDir, NetworkError> {
+        let temporary = tempfile::Builder::new()
+            .prefix(whole_file::PREFIX)
+            .tempdir_in(folder)
+            .map_err(NetworkError::write(folder))?;
+        let mark = temporary.path().join(HALF_WRITTEN);
+        File::create_new(&mark).map_err(NetworkError::write(&mark))?;
+        Ok(temporary)
+    }
+
+    /// Remove from the folder of a line what was written in part, and arrays of a day that are not those of its record.
+    pub(crate) fn sweep(folder: &Path, day: Date, recorded: &str) -> Result<(), NetworkError> {
+        for (name, kind) in entries(folder)? {
+            let path = folder.join(&name);
+            let is_half_written = whole_file::is_half_written(&name);
+            let is_replaced = || {
+                let digits = name.strip_prefix(&format!("{day}-"));
+                let digits = digits.and_then(|rest| rest.strip_suffix(".zarr"));
+                name != recorded
+                    && digits.is_some_and(|digits| {
+                        digits.len() == DIGITS
+                            && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
+                    })
+            };
+            let removed = if kind.is_dir()
+                && (is_half_written && path.join(HALF_WRITTEN).is_file() || is_replaced())
+            {
+                fs::remove_dir_all(&path)
+            } else if kind.is_file() && is_half_written {
+                fs::remove_file(&path)
+            } else {
+                Ok(())
+            };
+            removed.map_err(NetworkError::write(&path))?;
+        }
+        Ok(())
+    }
+}
