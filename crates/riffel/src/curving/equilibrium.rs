@@ -13,6 +13,8 @@ use crate::Error;
 const TOLERANCE: f64 = 1e-10;
 /// Shortest step from straight track to the curve, as a share.
 const SHORTEST: f64 = 1.0 / 4096.0;
+/// Most steps of the continuation, of which some ten are usual.
+const MOST_STEPS: usize = 400;
 /// Two states are one if no shift \[m\] and no yaw \[rad\] differs by more.
 const SAME: f64 = 1e-8;
 /// Shifts \[m\] of the wheelsets of a frame from which further states are sought.
@@ -168,12 +170,15 @@ impl VehicleInCurve {
         let mut steps = vec![step(0.0, &found)];
         let (mut reached, mut unknowns, mut stride) = (0.0, found.unknowns, 0.25);
         let mut failure = None;
-        while reached < 1.0 {
+        for _ in 0..MOST_STEPS {
             let target = f64::min(reached + stride, 1.0);
             match self.solve(target, unknowns.clone()) {
                 Ok(found) => {
                     steps.push(step(target, &found));
                     (reached, unknowns) = (target, found.unknowns);
+                    if reached == 1.0 {
+                        return Ok((unknowns, steps));
+                    }
                     stride *= 2.0;
                 }
                 Err(failed) => {
@@ -185,7 +190,7 @@ impl VehicleInCurve {
                 }
             }
         }
-        Ok((unknowns, steps))
+        Err((reached, failure))
     }
 
     /// Roots at the curve from starts of shifted wheelsets, in the order of the starts, and the first failure.

@@ -158,7 +158,7 @@ impl WheelModes {
             let alone = free.sqrt() / TAU;
             for pole in [loaded, alone] {
                 let narrowest = NARROWEST * pole.re;
-                let mut width = (0.5 * pole.im.abs()).max(narrowest);
+                let mut width = (0.5 * pole.im.abs()).max(narrowest).max(f64::MIN_POSITIVE);
                 edges.push(pole.re);
                 while width < to - from || width < pole.re - to || width < from - pole.re {
                     edges.extend([pole.re - width, pole.re + width]);

@@ -147,8 +147,8 @@ impl TrackMotion {
         });
         self.place += self.stride;
         // A step is shorter than a bay but for a coarse one.
-        while self.place >= Self::PLACES as f64 {
-            self.place -= Self::PLACES as f64;
+        if self.place >= Self::PLACES as f64 {
+            self.place %= Self::PLACES as f64;
         }
         sums
     }

@@ -122,6 +122,9 @@ struct Guess {
     fast: PenetrationState,
 }
 
+/// How often more of the profiles is taken for a first guess; each time at least a fifth more.
+const MOST_LIMITS: usize = 60;
+
 impl Guess {
     /// `radius` is that of the wheel \[m\].
     fn new(
@@ -135,7 +138,7 @@ impl Guess {
         let modulus = material.youngs_modulus() / (2.0 * (1.0 - material.poisson_ratio().powi(2)));
         let sphere = (9.0 * normal_force.powi(2) / (16.0 * modulus.powi(2) * radius)).cbrt();
         let mut limit = 4.0 * sphere;
-        loop {
+        for _ in 0..MOST_LIMITS {
             let strips = gap.strips(limit);
             let fast =
                 VirtualPenetration::new([material; 2], strips.clone())?.under_load(normal_force)?;
@@ -150,6 +153,12 @@ impl Guess {
             }
             limit = 1.2 * furthest;
         }
+        Err(Error::NotConverged {
+            problem: "the approach of wheel and rail",
+            residual: limit,
+            tolerance: sphere,
+            remedy: "the profiles may have no contact at this place",
+        })
     }
 
     fn solve(

@@ -393,6 +393,50 @@ fn falling_friction_squeals_where_it_outweighs_the_loss() {
     }
 }
 
+/// A wheel that answers across the rail a second later: 1 + C e^{−iωT}, whose phase turns for ever.
+struct Echo;
+
+impl Structure for Echo {
+    fn cross_receptance(&self, w: f64, _: f64, at: Place, from: Place) -> Complex64 {
+        let both = [at, from].map(|place| place.direction == riffel::Direction::Lateral);
+        match both {
+            [true, true] => Complex64::new(0.0, -w).exp() / Complex64::new(0.0, w),
+            _ => Complex64::ZERO,
+        }
+    }
+}
+
+/// A phase that jumps, at a mode without loss, or that turns on and on ends the search, and is told.
+#[test]
+fn a_phase_that_cannot_be_followed_is_given_up() {
+    let mode = |loss_factor| SharedMode {
+        share: 0.0,
+        loss_factor,
+    };
+    fn stability(
+        wheel: impl Structure + 'static,
+        slope: f64,
+    ) -> Result<riffel::feedback::Stability, Error> {
+        let contact = contact(
+            0.0,
+            Arc::new(Falling(slope)),
+            [Motion::Held, Motion::Compliant(())],
+        );
+        general(wheel, vec![contact]).stability(10.0, 1.0, 1e5)
+    }
+    let refusals = [
+        stability(mode(0.0), -1e5),
+        stability(mode(1e-14), -1e5),
+        stability(Echo, 100.0),
+    ];
+    for refusal in refusals {
+        assert!(
+            matches!(refusal, Err(Error::NotConverged { .. })),
+            "{refusal:?}"
+        );
+    }
+}
+
 /// Full sliding at constant friction, F = μP: the loop is 1/k_H + H_zz + μ H_zy = 0, which holds the mode by
 /// share² + μ share. It is passive where that is positive, and without a receptance between normal and tangent; where it is
 /// negative the track feeds the mode, more than so small a loss takes.

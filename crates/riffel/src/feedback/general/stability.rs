@@ -14,8 +14,11 @@ const LARGEST_TURN: f64 = 0.5;
 /// Steps a decade before any is halved.
 const A_DECADE: f64 = 40.0;
 
-/// How often a step is halved before the phase is given up: to 1e-11 of the frequency.
-const HALVINGS: usize = 32;
+/// Shortest step over its frequency: a phase that turns more within it is given up.
+const SHORTEST: f64 = 1e-11;
+
+/// Most steps of the phase, of which the presets of wheelsets need less than a thousand.
+const MOST_STEPS: usize = 10_000;
 
 /// What grows in the loop without any profile, at one speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +43,7 @@ impl GeneralLoop {
     /// argument principle there are m/2 − Δ/π such zeros, Δ the turn of the phase of F from s = 0 to i∞.
     ///
     /// Method: the phase is followed in steps that are halved until it turns by less than 0.5 rad in each, from 40 steps a
-    /// decade; m is the slope of |F| at the lower frequency. Range of validity: F is K s^{−m} to a few per cent at
+    /// decade down to 1e-11 of the frequency, 10 000 steps at most; m is the slope of |F| at the lower frequency. Range of validity: F is K s^{−m} to a few per cent at
     /// the lower frequency, and nearer to one than to the origin at the upper; resonances narrower than the steps that
     /// do not show beside their own frequency are missed.
     ///
@@ -70,7 +73,10 @@ impl GeneralLoop {
                     course.push((next.0, turned));
                     here = next;
                     ahead.pop();
-                } else if ahead.len() < HALVINGS && turn.is_finite() {
+                } else if next.0 - here.0 > SHORTEST * next.0
+                    && course.len() + ahead.len() < MOST_STEPS
+                    && turn.is_finite()
+                {
                     let middle = (here.0 * next.0).sqrt();
                     ahead.push((middle, quotient(middle)));
                 } else {
