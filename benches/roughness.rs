@@ -142,8 +142,8 @@ pub(crate) fn report(
         "\nReading: `numpy.loadtxt` against sniffing, parsing and checking the chainage. Processing: spikes, four \
          zero-phase band-passes (`sosfiltfilt` of Butterworth filters of order 4 in SciPy), moving RMS and \
          peak-to-peak value of each, rolling of the wheel (`grey_dilation`), `welch`. The RMS of the spectra must \
-         agree to 1e-3. {ROUNDS} rounds. The roughness functions of the Python package phonometry are not in its \
-         release 3.3.0, the latest on the package index, and could not be run beside."
+         agree to 1e-3. {ROUNDS} rounds. The roughness functions of the Python package phonometry are in no \
+         release up to 4.0.0rc1, the latest on the package index, and could not be run beside."
     )?;
     Ok(())
 }
