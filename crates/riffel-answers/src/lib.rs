@@ -14,7 +14,7 @@
 //! let answer = MapAnswer::new(&case, |_| ());
 //! let document = serde_json::to_value(answer.document(&case))?;
 //! assert_eq!(document["ridge"]["speeds"], 5);
-//! assert!(answer.figure(&case, Vec::new()).svg()?.starts_with("<svg"));
+//! assert!(answer.figure(&case, Vec::new()).picture()?.svg().starts_with("<svg"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

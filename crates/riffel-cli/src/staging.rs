@@ -9,7 +9,7 @@ use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture};
 use riffel_study::Stop;
 use tempfile::TempPath;
 
@@ -122,14 +122,14 @@ impl Staging {
     }
 
     /// Write a drawing as PNG and SVG.
-    pub(crate) fn write_picture(&mut self, name: &str, svg: &str) -> Result<(), CliError> {
-        self.write(&format!("{name}.png"), png(svg, DEFAULT_PNG_SCALE)?)?;
-        self.write(&format!("{name}.svg"), svg)
+    pub(crate) fn write_picture(&mut self, name: &str, picture: &Picture) -> Result<(), CliError> {
+        self.write(&format!("{name}.png"), picture.png(DEFAULT_PNG_SCALE)?)?;
+        self.write(&format!("{name}.svg"), picture.svg())
     }
 
     /// Write a figure as PNG, SVG and page.
     pub(crate) fn write_figure(&mut self, name: &str, figure: &LineFigure) -> Result<(), CliError> {
-        self.write_picture(name, &figure.svg()?)?;
+        self.write_picture(name, &figure.picture()?)?;
         self.write(&format!("{name}.html"), figure.html()?)
     }
 

@@ -100,13 +100,6 @@ pub enum PlotError {
         limit: u32,
     },
 
-    /// The text handed to [`png`](crate::png) is not an SVG document.
-    #[error("the SVG cannot be read: {reason}")]
-    Svg {
-        /// What the SVG reader says.
-        reason: String,
-    },
-
     /// A drawing library failed; this is a defect of Riffel, not of the data.
     #[error("the drawing library failed: {reason}")]
     Drawing {

@@ -9,7 +9,7 @@
 //! and only there the map is coloured, darker where growth is stronger:
 //!
 //! ```
-//! use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, MapPanel, constant_frequency_rays, png};
+//! use riffel_plot::{DEFAULT_PNG_SCALE, MapFigure, MapPanel, constant_frequency_rays};
 //!
 //! let wavelength_m: Vec<f64> = (0..31).map(|k| 0.020 + 0.002 * f64::from(k)).collect();
 //! let speed_m_per_s: Vec<f64> = (0..28).map(|k| 5.0 + 2.0 * f64::from(k)).collect();
@@ -31,9 +31,9 @@
 //!         ..MapPanel::default()
 //!     }],
 //! };
-//! let svg = figure.svg()?;
-//! let picture = png(&svg, DEFAULT_PNG_SCALE)?;
-//! assert!(picture.starts_with(b"\x89PNG"));
+//! let picture = figure.picture()?;
+//! assert!(picture.svg().starts_with("<svg"));
+//! assert!(picture.png(DEFAULT_PNG_SCALE)?.starts_with(b"\x89PNG"));
 //! # Ok::<(), riffel_plot::PlotError>(())
 //! ```
 //!
@@ -44,76 +44,32 @@
 
 #![cfg_attr(target_family = "wasm", allow(dead_code))] // what drawing alone asks of figures
 
-#[cfg(not(target_family = "wasm"))]
-mod axis;
-#[cfg(not(target_family = "wasm"))]
-mod bar_drawing;
 mod bar_figure;
-#[cfg(not(target_family = "wasm"))]
-mod canvas;
 mod chainage;
-#[cfg(not(target_family = "wasm"))]
-mod collision;
 mod color;
 #[cfg(not(target_family = "wasm"))]
-mod color_bar;
-#[cfg(not(target_family = "wasm"))]
-mod contours;
+mod drawing;
 mod error;
-#[cfg(not(target_family = "wasm"))]
-mod frame;
 mod grid;
-#[cfg(not(target_family = "wasm"))]
-mod html;
-#[cfg(not(target_family = "wasm"))]
-mod legend;
-#[cfg(not(target_family = "wasm"))]
-mod line_drawing;
 mod line_figure;
-#[cfg(not(target_family = "wasm"))]
-mod line_page;
-#[cfg(not(target_family = "wasm"))]
-mod map_drawing;
 mod map_figure;
 #[cfg(not(target_family = "wasm"))]
-mod map_marks;
-#[cfg(not(target_family = "wasm"))]
-mod map_page;
-#[cfg(not(target_family = "wasm"))]
-mod mark_name;
-#[cfg(not(target_family = "wasm"))]
-mod marker;
-#[cfg(not(target_family = "wasm"))]
-mod raster;
+mod page;
 mod rays;
 mod scale;
-#[cfg(not(target_family = "wasm"))]
-mod sheet;
-#[cfg(not(target_family = "wasm"))]
-mod sheet_box;
 mod steps;
-#[cfg(not(target_family = "wasm"))]
-mod strip_drawing;
 mod strip_figure;
-#[cfg(not(target_family = "wasm"))]
-mod subscript;
-#[cfg(not(target_family = "wasm"))]
-mod text;
 
 pub use bar_figure::{Bar, BarArrangement, BarFigure, BarPanel, BarSeries};
 pub use chainage::ChainageUnit;
-#[cfg(not(target_family = "wasm"))]
-pub use collision::collisions;
 pub use color::{OKABE_ITO, Rgb};
+#[cfg(not(target_family = "wasm"))]
+pub use drawing::{DEFAULT_PNG_SCALE, Picture, collisions};
 pub use error::PlotError;
-#[cfg(not(target_family = "wasm"))]
-pub use html::plotly_js;
 pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
-#[cfg(not(target_family = "wasm"))]
-pub use line_page::html_of_stages;
 pub use map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
 #[cfg(not(target_family = "wasm"))]
-pub use raster::{DEFAULT_PNG_SCALE, png};
+pub use page::{html_of_stages, plotly_js};
 pub use rays::constant_frequency_rays;
 pub use scale::Scale;
 pub use strip_figure::{Strip, StripClass, StripFigure, StripPanel, StripRow};

@@ -1,10 +1,10 @@
 //! Whole figures: what is in them, what they survive, that they repeat.
 
-use resvg::usvg::{self, fontdb};
 use riffel_plot::{
     Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Mark,
-    Observation, PlotError, RidgeMark, Scale, Series, collisions, constant_frequency_rays, png,
+    Observation, Picture, PlotError, RidgeMark, Scale, Series, collisions, constant_frequency_rays,
 };
+use roxmltree::Document;
 
 fn even(low: f64, high: f64, count: usize) -> Vec<f64> {
     (0..count)
@@ -124,52 +124,36 @@ fn curves() -> LineFigure {
     }
 }
 
-fn read(svg: &str) -> usvg::Tree {
-    let mut fonts = fontdb::Database::new();
-    fonts.load_font_data(dejavu::sans::regular().to_vec());
-    fonts.load_font_data(dejavu::sans::bold().to_vec());
-    let options = usvg::Options {
-        fontdb: fonts.into(),
-        ..Default::default()
-    };
-    usvg::Tree::from_str(svg, &options).expect("the figure is an SVG document")
-}
-
-/// All texts below a node: their words, and the glyph indices they are drawn with.
-fn texts(group: &usvg::Group, words: &mut Vec<String>, glyphs: &mut Vec<u32>) {
-    for node in group.children() {
-        match node {
-            usvg::Node::Group(group) => texts(group, words, glyphs),
-            usvg::Node::Text(text) => {
-                words.push(text.chunks().iter().map(|chunk| chunk.text()).collect());
-                for span in text.layouted() {
-                    glyphs.extend(span.positioned_glyphs.iter().map(|glyph| glyph.id.0));
-                }
-            }
-            _ => {}
-        }
-    }
+fn read(svg: &str) -> Document<'_> {
+    Document::parse(svg).expect("the figure is an SVG document")
 }
 
 /// The words of a picture, none of which lacks a glyph, lies over another or leaves the sheet.
-fn words_of(svg: &str) -> Vec<String> {
-    let (mut words, mut glyphs) = (Vec::new(), Vec::new());
-    texts(read(svg).root(), &mut words, &mut glyphs);
-    assert!(
-        !glyphs.is_empty() && glyphs.iter().all(|&glyph| glyph != 0),
-        "a glyph is missing from the font"
-    );
-    assert_eq!(collisions(svg).unwrap(), [""; 0]);
+fn words_of(picture: &Picture) -> Vec<String> {
+    let svg = picture.svg();
+    assert_eq!(collisions(&svg), [""; 0]);
+    let font = ttf_parser::Face::parse(dejavu::sans::regular(), 0).unwrap();
+    let document = read(&svg);
+    let texts = document
+        .descendants()
+        .filter(|node| node.has_tag_name("text"));
+    let words = texts.map(|text| {
+        let pieces = text.descendants().filter(|node| node.is_text());
+        let words: String = pieces.filter_map(|piece| piece.text()).collect();
+        assert!(
+            words.chars().all(|c| font.glyph_index(c).is_some()),
+            "{words} lacks a glyph"
+        );
+        words
+    });
+    let words: Vec<String> = words.collect();
+    assert!(!words.is_empty());
     words
-        .into_iter()
-        .map(|word| word.trim().to_owned())
-        .collect()
 }
 
 #[test]
 fn map_names_its_axes_rays_and_marks() {
-    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
-    let words = words_of(&svg);
+    let words = words_of(&map(vec![panel(61, 56, growth)]).picture().unwrap());
     for expected in [
         "wavelength λ [mm]",
         "speed V [km/h]",
@@ -195,8 +179,7 @@ fn map_names_its_axes_rays_and_marks() {
 
 #[test]
 fn curves_name_their_series_and_decades() {
-    let svg = curves().svg().unwrap();
-    let words = words_of(&svg);
+    let words = words_of(&curves().picture().unwrap());
     for expected in [
         "frequency f [Hz]",
         "free beam",
@@ -216,7 +199,7 @@ fn curves_name_their_series_and_decades() {
 
 #[test]
 fn subscripts_are_small_and_low() {
-    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
+    let svg = map(vec![panel(61, 56, growth)]).picture().unwrap().svg();
     let drawn = &svg[svg.find("</desc>").unwrap()..];
     assert!(drawn.contains("Re Ŵ<tspan") && !drawn.contains('₁'));
     // In words for readers that see no picture they stay plain.
@@ -285,7 +268,7 @@ fn words_of_any_length_and_scale_stand_clear_of_each_other() {
                 ],
                 arrangement: arrangements.next().unwrap(),
             };
-            let words = words_of(&figure.svg().unwrap());
+            let words = words_of(&figure.picture().unwrap());
             for expected in ["P1/P0", "P2 51 Hz", "full-track", "rail on pad", "end"] {
                 assert!(
                     words.iter().any(|word| word == expected),
@@ -312,7 +295,7 @@ fn a_series_without_samples_has_no_name() {
         panels: vec![panel],
         ..LineFigure::default()
     };
-    let words = words_of(&figure.svg().unwrap());
+    let words = words_of(&figure.picture().unwrap());
     assert!(words.contains(&"30 mm".to_owned()) && !words.contains(&"10 mm".to_owned()));
 }
 
@@ -330,7 +313,10 @@ fn missing_sample_breaks_the_line() {
         }],
         ..LineFigure::default()
     };
-    let pieces = |figure: LineFigure| figure.svg().unwrap().matches("stroke-width=\"14\"").count();
+    let pieces = |figure: LineFigure| {
+        let svg = figure.picture().unwrap().svg();
+        svg.matches("stroke-width=\"1.4\"").count()
+    };
     assert_eq!(pieces(line(vec![1.0, 2.0, 1.0, 2.0, 1.0])), 1);
     assert_eq!(pieces(line(vec![1.0, 2.0, f64::NAN, 2.0, 1.0])), 2);
     // A line that leaves the frame and returns is cut in two as well.
@@ -347,19 +333,26 @@ fn png_size(bytes: &[u8]) -> (u32, u32) {
 
 #[test]
 fn png_has_the_size_of_the_sheet_and_shows_growth_in_blue() {
-    let svg = map(vec![panel(61, 56, growth)]).svg().unwrap();
-    let size = read(&svg).size();
+    let picture = map(vec![panel(61, 56, growth)]).picture().unwrap();
+    let svg = picture.svg();
+    let document = read(&svg);
+    let side = |name, scale: f32| {
+        let length: f32 = document
+            .root_element()
+            .attribute(name)
+            .unwrap()
+            .parse()
+            .unwrap();
+        (length * scale) as u32
+    };
     for scale in [1.0f32, 2.0, 3.0] {
-        let bytes = png(&svg, scale).unwrap();
+        let bytes = picture.png(scale).unwrap();
         assert_eq!(
             png_size(&bytes),
-            (
-                (size.width() * scale) as u32,
-                (size.height() * scale) as u32
-            )
+            (side("width", scale), side("height", scale))
         );
     }
-    let pixels = resvg::tiny_skia::Pixmap::decode_png(&png(&svg, 1.0).unwrap()).unwrap();
+    let pixels = tiny_skia::Pixmap::decode_png(&picture.png(1.0).unwrap()).unwrap();
     let share = |test: &dyn Fn(u8, u8, u8) -> bool| {
         let all = pixels.pixels();
         all.iter()
@@ -488,18 +481,19 @@ fn strange_maps_are_drawn() {
                         ..bare.clone()
                     },
                 ]);
-                let svg = figure
-                    .svg()
-                    .unwrap_or_else(|error| panic!("{name}: {error}"));
+                let picture = figure.picture();
+                let svg = picture
+                    .unwrap_or_else(|error| panic!("{name}: {error}"))
+                    .svg();
                 assert!(!svg.contains("NaN") && !svg.contains("inf"), "{name}");
                 read(&svg);
             }
             assert!(map(vec![bare]).html().is_ok(), "{name}");
         }
     }
-    let words = words_of(&map(vec![panel(23, 17, |_, _| 1.0)]).svg().unwrap());
+    let words = words_of(&map(vec![panel(23, 17, |_, _| 1.0)]).picture().unwrap());
     assert!(words.iter().any(|word| word == "no growth in this window"));
-    let words = words_of(&map(vec![panel(23, 17, holes)]).svg().unwrap());
+    let words = words_of(&map(vec![panel(23, 17, holes)]).picture().unwrap());
     assert!(words.iter().any(|word| word == "not computed"));
 }
 
@@ -520,8 +514,7 @@ fn branches_are_named() {
         ],
         ..panel(23, 17, growth)
     }]);
-    let svg = figure.svg().unwrap();
-    let words = words_of(&svg);
+    let words = words_of(&figure.picture().unwrap());
     for (label, times) in [
         ("f = 537 Hz", 1),
         ("333 Hz", 1),
@@ -543,7 +536,7 @@ fn branches_are_named() {
         5
     );
     assert!(html.contains("\\u003cb>333 Hz") && !html.contains("\\u003cb>611 Hz"));
-    let bare = words_of(&map(vec![panel(23, 17, growth)]).svg().unwrap());
+    let bare = words_of(&map(vec![panel(23, 17, growth)]).picture().unwrap());
     assert!(!bare.iter().any(|word| word == "branches of growth"));
 }
 
@@ -561,7 +554,7 @@ fn panels_share_a_scale() {
     assert!(shared.panels.iter().all(|panel| panel.scale_end == end));
     // The colour bars are alike: each label of the second stands under the first too.
     let least = format!("{:.1}", end.unwrap());
-    let labels = words_of(&shared.svg().unwrap());
+    let labels = words_of(&shared.picture().unwrap());
     let of_scale = labels
         .iter()
         .filter(|label| label.replace('−', "-") == least);
@@ -604,7 +597,7 @@ fn strange_curves_are_drawn() {
                         arrangement,
                         ..LineFigure::default()
                     };
-                    read(&figure.svg().unwrap());
+                    read(&figure.picture().unwrap().svg());
                     assert!(figure.html().is_ok());
                 }
             }
@@ -616,7 +609,7 @@ fn strange_curves_are_drawn() {
 fn contradictory_data_are_refused_in_words() {
     let mut short = panel(5, 4, growth);
     short.values.pop();
-    let error = map(vec![short]).svg().unwrap_err();
+    let error = map(vec![short]).picture().unwrap_err();
     assert_eq!(
         error.to_string(),
         "panel 0: values holds 19 numbers, but 4 speeds × 5 wavelengths need 20"
@@ -630,14 +623,14 @@ fn contradictory_data_are_refused_in_words() {
     let mut few = panel(5, 4, growth);
     few.wavelength_m.truncate(1);
     assert!(matches!(
-        map(vec![few]).svg(),
+        map(vec![few]).picture(),
         Err(PlotError::TooFewGridPoints { found: 1, .. })
     ));
-    assert_eq!(map(vec![]).svg(), Err(PlotError::NoPanel));
+    assert_eq!(map(vec![]).picture(), Err(PlotError::NoPanel));
     let mut lines = curves();
     lines.panels[0].y_range = Some((0.0, 1.0));
     assert!(matches!(
-        lines.svg(),
+        lines.picture(),
         Err(PlotError::AxisRange { axis: "y", .. })
     ));
     let mut lines = curves();
@@ -651,11 +644,12 @@ fn contradictory_data_are_refused_in_words() {
 #[test]
 fn figures_repeat_to_the_byte() {
     let figure = map(vec![panel(61, 56, growth), panel(40, 30, growth)]);
-    assert_eq!(figure.svg(), figure.clone().svg());
+    let picture = figure.picture().unwrap();
+    assert_eq!(Ok(&picture), figure.clone().picture().as_ref());
     assert_eq!(figure.html(), figure.clone().html());
-    let svg = figure.svg().unwrap();
-    assert_eq!(png(&svg, 1.0), png(&svg, 1.0));
-    assert_eq!(curves().svg(), curves().svg());
+    assert_eq!(picture.svg(), picture.svg());
+    assert_eq!(picture.png(1.0), picture.png(1.0));
+    assert_eq!(curves().picture(), curves().picture());
     assert_eq!(curves().html(), curves().html());
 }
 
@@ -663,7 +657,7 @@ fn figures_repeat_to_the_byte() {
 fn large_grids_stay_light() {
     let wavy = |l: f64, v: f64| (l * 900.0).sin() * (v * 0.9).cos() - 0.1;
     let figure = map(vec![panel(1500, 1200, wavy), panel(1500, 1200, growth)]);
-    let svg = figure.svg().unwrap();
+    let svg = figure.picture().unwrap().svg();
     assert!(svg.len() < 2_000_000, "{} bytes", svg.len());
     // plotly.js takes 4.6 MB of it.
     let html = figure.html().unwrap();

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use axum::extract::Path;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use riffel_plot::plotly_js;
 use sha2::{Digest, Sha256};
 
 /// Name, content type and text of the files written here.
@@ -91,9 +92,8 @@ pub(crate) fn text(name: &str) -> &'static str {
     file.map_or("", |(.., text)| text)
 }
 
-/// What is computed once: the text of plotly.js, the page, and what their addresses are made of.
+/// What is computed once: the page, and what their addresses are made of.
 struct Built {
-    plotly: String,
     /// Address and entity tag of the page.
     page: String,
     page_tag: String,
@@ -102,8 +102,7 @@ struct Built {
 }
 
 static BUILT: LazyLock<Built> = LazyLock::new(|| {
-    let plotly = riffel_plot::plotly_js();
-    let plotly_version = fingerprint([plotly.as_str()]);
+    let plotly_version = fingerprint([plotly_js()]);
     let version = fingerprint(ALL.iter().map(|(_, _, text)| *text));
     let page = PAGE
         .replace("{assets}", &format!("/assets/{version}"))
@@ -113,7 +112,6 @@ static BUILT: LazyLock<Built> = LazyLock::new(|| {
         );
     Built {
         page_tag: format!("\"{}\"", fingerprint([page.as_str()])),
-        plotly,
         page,
         version,
         plotly_version,
@@ -154,7 +152,7 @@ pub(crate) async fn page(headers: HeaderMap) -> Response {
 pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Response {
     let built = &*BUILT;
     let found = if name == "plotly.min.js" && version == built.plotly_version {
-        Some((SCRIPT, built.plotly.as_str()))
+        Some((SCRIPT, plotly_js()))
     } else {
         ALL.iter()
             .find(|(known, ..)| *known == name && version == built.version)

@@ -93,11 +93,8 @@ pub fn page_file(case: &str, module: &[u8]) -> Result<String, PageFileError> {
     element("id=\"vocabulary\"", &in_element(&VOCABULARY));
     element("id=\"case-inside\"", &in_element(&json!(keys).to_string()));
     element("id=\"riffel-wasm\"", &BASE64.encode(module));
-    let plotly = riffel_plot::plotly_js();
-    element(
-        "id=\"plotly\"",
-        &BASE64.encode(compressed(plotly.as_bytes())),
-    );
+    let plotly = compressed(riffel_plot::plotly_js().as_bytes());
+    element("id=\"plotly\"", &BASE64.encode(plotly));
     element("id=\"worker\"", WORKER);
     for (name, text) in modules() {
         element(&format!("data-module=\"{name}\""), &text);

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, png};
+use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
 /// Commands whose help the book shows.
 const COMMANDS: [&str; 26] = [
@@ -110,7 +110,9 @@ fn root() -> PathBuf {
 
 /// Draw a picture of the book.
 fn draw(path: &str, figure: &LineFigure) -> Outcome {
-    let picture = figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE));
+    let picture = figure
+        .picture()
+        .and_then(|picture| picture.png(DEFAULT_PNG_SCALE));
     let picture = picture.map_err(|error| format!("cannot draw {path}: {error}"))?;
     fs::write(root().join(path), picture).map_err(|error| format!("cannot write {path}: {error}"))
 }

@@ -8,8 +8,7 @@ mod vertical;
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, say};
 #[cfg(not(target_family = "wasm"))]
-use riffel_plot::PlotError;
-use riffel_plot::{LineFigure, MapFigure};
+use riffel_plot::{Picture, PlotError};
 
 use crate::AnswerError;
 
@@ -31,14 +30,14 @@ pub enum Drawing {
 
 #[cfg(not(target_family = "wasm"))]
 impl PaperFigure {
-    /// The figure as an SVG document.
+    /// The figure as a picture.
     ///
     /// # Errors
     /// [`PlotError`].
-    pub fn svg(&self) -> Result<String, PlotError> {
+    pub fn picture(&self) -> Result<Picture, PlotError> {
         match &self.drawing {
-            Drawing::Maps(figure) => figure.svg(),
-            Drawing::Lines(figure) => figure.svg(),
+            Drawing::Maps(figure) => figure.picture(),
+            Drawing::Lines(figure) => figure.picture(),
         }
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn growth_map(
     );
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
-    let svg = drawing.svg()?;
+    let picture = drawing.picture()?;
     let highest = ridge.highest().filter(|point| point.growth_rate > 0.0);
     let brief = highest.map(|point| {
         format!(
@@ -60,7 +60,7 @@ pub(super) fn growth_map(
     Ok(Outlook {
         section: Section::There(
             "Growth map",
-            format!("<p>{words}</p>\n{}", figure("half", &svg, &caption)),
+            format!("<p>{words}</p>\n{}", figure("half", &picture, &caption)),
         ),
         brief: brief.into_iter().collect(),
         warnings: Vec::new(),
@@ -111,7 +111,7 @@ pub(super) fn diagnosis(file: &str, diagnosis: &Diagnosis) -> Result<Section, Pl
         caption: String::new(),
         ..drawing
     };
-    let mut html = figure("half", &drawing.svg()?, &caption);
+    let mut html = figure("half", &drawing.picture()?, &caption);
     if diagnosis.findings.is_empty() {
         html += "<p>No dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance.</p>\n";
         return Ok(Section::There(HEADING, html));

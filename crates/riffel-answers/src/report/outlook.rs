@@ -231,7 +231,7 @@ pub(super) fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
         caption: String::new(),
         ..drawing
     };
-    Ok(figure("half", &drawing.svg()?, &caption))
+    Ok(figure("half", &drawing.picture()?, &caption))
 }
 
 fn capital(words: &str) -> String {

@@ -3,6 +3,8 @@
 use std::borrow::Cow;
 use std::fmt::Write as _;
 
+use riffel_plot::Picture;
+
 const STYLE: &str = include_str!("page.css");
 
 /// No request may leave the page, and no script runs: the browser itself enforces it.
@@ -125,7 +127,8 @@ pub(super) fn list(sentences: impl IntoIterator<Item = String>) -> String {
 }
 
 /// A figure drawn in the page. The name of the drawing language is known to HTML and need not be said.
-pub(super) fn figure(class: &str, svg: &str, caption: &str) -> String {
+pub(super) fn figure(class: &str, picture: &Picture, caption: &str) -> String {
+    let svg = picture.svg();
     let svg = svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
     format!(
         "<figure class=\"{class}\">\n{svg}\n<figcaption>{}</figcaption>\n</figure>\n",

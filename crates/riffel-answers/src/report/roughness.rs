@@ -47,7 +47,7 @@ pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
     );
     Ok(Section::There(
         "Profile",
-        figure("strip", &drawing.svg()?, &caption),
+        figure("strip", &drawing.picture()?, &caption),
     ))
 }
 
@@ -92,7 +92,7 @@ pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, PlotError> {
     );
     Ok(Section::There(
         "Moving RMS along the line",
-        figure("strip", &drawing.svg()?, &caption),
+        figure("strip", &drawing.picture()?, &caption),
     ))
 }
 
@@ -157,7 +157,7 @@ fn spectrum<'a>(
         caption: String::new(),
         ..drawing
     };
-    let mut html = figure("half", &drawing.svg()?, caption);
+    let mut html = figure("half", &drawing.picture()?, caption);
     html += "<ul>\n";
     for verdict in verdicts {
         html += &format!("<li>{}</li>\n", sentence(verdict));

@@ -16,7 +16,7 @@ pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
         let figure = make(model, Language::English).map_err(CliError::from)?;
         staging.write_picture(
             &format!("figure-{number}"),
-            &figure.svg().map_err(CliError::from)?,
+            &figure.picture().map_err(CliError::from)?,
         )?;
         staging.write(&format!("figure-{number}.csv"), figure.csv)?;
         progress.advance(1);

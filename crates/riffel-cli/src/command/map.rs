@@ -77,7 +77,7 @@ fn write_files(
 ) -> Result<(), CliError> {
     let figure = answer.figure(case, observations);
     let MapAnswer { map, ridge, .. } = answer;
-    staging.write_picture("map", &figure.svg()?)?;
+    staging.write_picture("map", &figure.picture()?)?;
     staging.write("map.html", figure.html()?)?;
     let progress = Progress::new("writing map.csv", case.speed.points());
     staging.write_with("map.csv", |file| {
@@ -92,11 +92,11 @@ fn write_files(
 
 fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), CliError> {
     let (maps, curves) = (bay.map_figure(case), bay.curve_figure(case));
-    for (name, svg, html) in [
-        ("bay-map", maps.svg()?, maps.html()?),
-        ("bay", curves.svg()?, curves.html()?),
+    for (name, picture, html) in [
+        ("bay-map", maps.picture()?, maps.html()?),
+        ("bay", curves.picture()?, curves.html()?),
     ] {
-        staging.write_picture(name, &svg)?;
+        staging.write_picture(name, &picture)?;
         staging.write(&format!("{name}.html"), html)?;
     }
     staging.write_with("bay.csv", |file| bay.position_csv(file))?;

@@ -144,7 +144,7 @@ fn chart(arguments: &network::Chart) -> miette::Result<()> {
         }
     };
     let mut staging = Staging::new("network", &folder)?;
-    staging.write_picture("chart", &chart.figure().svg().map_err(CliError::from)?)?;
+    staging.write_picture("chart", &chart.figure().picture().map_err(CliError::from)?)?;
     staging.write_with("chart.csv", |file| chart.csv(file))?;
     let files = staging.publish()?.join(" ");
     if arguments.judged.json {

@@ -55,8 +55,8 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
             staging.write_with("resonances.csv", |file| answer.resonances_csv(file))?;
             if let Some(decay) = &*decay {
                 staging.write_with("decay-rate.csv", |file| decay_csv(decay, file))?;
-                let svg = decay_figure(&case, decay).svg().map_err(CliError::from)?;
-                staging.write_picture("decay-rate", &svg)?;
+                let picture = decay_figure(&case, decay).picture();
+                staging.write_picture("decay-rate", &picture.map_err(CliError::from)?)?;
             }
             Ok(())
         },

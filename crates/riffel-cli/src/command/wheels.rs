@@ -26,7 +26,7 @@ pub(super) fn run(arguments: &Map) -> miette::Result<()> {
         document,
         |staging| {
             if let Some(maps) = answer.map_figure(&case) {
-                staging.write_picture("map", &maps.svg()?)?;
+                staging.write_picture("map", &maps.picture()?)?;
                 staging.write("map.html", maps.html()?)?;
             }
             staging.write_figure("growth", &answer.curve_figure(&case))?;

@@ -238,7 +238,7 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
             .to_owned()
     };
     let strip = drawn("grassie-1999");
-    let place = |rail: &str| strip.find(&format!(">\n{rail}\n<")).unwrap();
+    let place = |rail: &str| strip.find(&format!(">{rail}<")).unwrap();
     assert!(place("low") < place("high"), "the worst rail is not first");
     // Limits of the RMS are lines of the drawing; those of levels are not.
     let lines = |strip: &str| strip.matches("<polyline").count() + strip.matches("<line").count();

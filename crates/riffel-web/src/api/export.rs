@@ -6,7 +6,7 @@ use axum::response::IntoResponse;
 use riffel::{GrowthMap, Ridge};
 use riffel_answers::map::map_figure;
 use riffel_page::CaseText;
-use riffel_plot::{DEFAULT_PNG_SCALE, png};
+use riffel_plot::DEFAULT_PNG_SCALE;
 use serde::Deserialize;
 
 use crate::Page;
@@ -59,8 +59,10 @@ pub(crate) async fn post(
             let figure = map_figure(&case, &map, &ridge, Vec::new());
             let unable = |error| Fault::bad(format!("the figure cannot be drawn: {error}"));
             match kind {
-                Kind::Png => figure.svg().and_then(|svg| png(&svg, DEFAULT_PNG_SCALE)),
-                Kind::Svg => figure.svg().map(String::into_bytes),
+                Kind::Png => figure
+                    .picture()
+                    .and_then(|picture| picture.png(DEFAULT_PNG_SCALE)),
+                Kind::Svg => figure.picture().map(|picture| picture.svg().into_bytes()),
                 Kind::Html => figure.html().map(String::into_bytes),
             }
             .map_err(unable)

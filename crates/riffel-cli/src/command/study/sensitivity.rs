@@ -58,10 +58,10 @@ fn write(
 ) -> Result<Vec<String>, CliError> {
     let mut staging = Staging::new("study sensitivity", to)?;
     if let Some(figure) = answer.indices_figure() {
-        staging.write_picture("sobol-indices", &figure.svg()?)?;
+        staging.write_picture("sobol-indices", &figure.picture()?)?;
     }
     if let Some(figure) = answer.tornado_figure() {
-        staging.write_picture("tornado", &figure.svg()?)?;
+        staging.write_picture("tornado", &figure.picture()?)?;
     }
     if let Some(figure) = answer.bands_figure() {
         staging.write_figure("growth-bands", &figure)?;

@@ -1,18 +1,17 @@
 //! Bars as pictures.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::axis::{Axis, Direction, Ticks};
+use super::axis::{Axis, Direction, Ticks};
+use super::font::Weight;
+use super::frame::{self, Side};
+use super::legend::{Entry, Sample};
+use super::picture::{Horizontal, Lettering, Picture, Stroke, Vertical};
+use super::sheet::Sheet;
+use super::sheet_box::SheetBox;
+use super::text;
 use crate::bar_figure::{BarArrangement, BarFigure, BarPanel};
-use crate::canvas::{self, Canvas, Lettering, Stroke};
 use crate::color::{OKABE_ITO, Rgb};
 use crate::error::PlotError;
-use crate::frame::{self, Side};
-use crate::legend::{Entry, Sample};
 use crate::scale::Scale;
-use crate::sheet::{self, Sheet};
-use crate::sheet_box::SheetBox;
-use crate::text::{self, Weight};
 
 const WIDTH: f64 = 400.0;
 /// Height of a bar, pixels.
@@ -26,11 +25,35 @@ const SEEN: f64 = 0.5;
 const BAR_OPACITY: f64 = 0.85;
 
 impl BarFigure {
-    /// The figure as an SVG document. Identical data give identical text.
+    /// The figure as a picture. Identical data give an identical one.
     ///
     /// # Errors
     /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`] where rows and bars differ in number.
-    pub fn svg(&self) -> Result<String, PlotError> {
+    pub fn picture(&self) -> Result<Picture, PlotError> {
+        self.check()?;
+        let height =
+            |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
+        let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
+        let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
+        let sheet = Sheet {
+            title: &self.title,
+            caption: &self.caption,
+            subtitles: self.panels.iter().map(|panel| &*panel.subtitle).collect(),
+            columns: 1,
+            frame_size: (WIDTH, tallest),
+            left: self.panels.iter().map(beside).fold(0.0, f64::max),
+            right: 14.0,
+            below: frame::BELOW,
+            legend: &entries(self),
+        };
+        Ok(sheet.picture(|picture, index, mut frame| {
+            let panel = &self.panels[index];
+            frame.bottom = frame.top + height(panel);
+            draw(picture, panel, &frame);
+        }))
+    }
+
+    fn check(&self) -> Result<(), PlotError> {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);
         }
@@ -46,41 +69,8 @@ impl BarFigure {
                 }
             }
         }
-        svg(self)
+        Ok(())
     }
-}
-
-fn svg(figure: &BarFigure) -> Result<String, PlotError> {
-    let height = |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
-    let tallest = figure.panels.iter().map(height).fold(0.0, f64::max);
-    let subtitles = figure.panels.iter().map(|panel| &*panel.subtitle);
-    let entries = entries(figure);
-    let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
-    let sheet = Sheet {
-        title: &figure.title,
-        caption: &figure.caption,
-        columns: 1,
-        panel_count: figure.panels.len(),
-        frame_size: (WIDTH, tallest),
-        left: figure.panels.iter().map(beside).fold(0.0, f64::max),
-        right: 14.0,
-        above: sheet::subtitle_height(subtitles, WIDTH).max(8.0),
-        below: frame::BELOW,
-        legend: &entries,
-    };
-    canvas::picture(sheet.size(), &figure.title, &figure.caption, |canvas| {
-        sheet.draw_words(canvas)?;
-        figure
-            .panels
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, panel)| {
-                let mut frame = sheet.frame(index);
-                frame.bottom = frame.top + height(panel);
-                sheet.draw_subtitle(canvas, &frame, &panel.subtitle)?;
-                draw(canvas, panel, &frame)
-            })
-    })
 }
 
 fn row_height(panel: &BarPanel) -> f64 {
@@ -141,28 +131,13 @@ fn range(panel: &BarPanel) -> (f64, f64) {
     (low - room, high + room)
 }
 
-fn draw(canvas: &mut Canvas<'_>, panel: &BarPanel, frame: &SheetBox) -> Result<(), PlotError> {
+fn draw(picture: &mut Picture, panel: &BarPanel, frame: &SheetBox) {
     let (low, high) = range(panel);
-    let x = Axis {
-        scale: Scale::Linear,
-        low,
-        high,
-        start: frame.left,
-        end: frame.right,
-    };
-    let y = Axis {
-        scale: Scale::Linear,
-        low: 0.0,
-        high: panel.rows.len() as f64,
-        start: frame.top + 0.5 * ROW_GAP,
-        end: frame.bottom - 0.5 * ROW_GAP,
-    };
+    let x = Axis::linear((low, high), (frame.left, frame.right));
+    let inner = frame.shrunk(0.5 * ROW_GAP);
+    let y = Axis::linear((0.0, panel.rows.len() as f64), (inner.top, inner.bottom));
     let ticks = x.ticks((frame.width() / 60.0) as usize, Direction::Across);
-    let none = Ticks {
-        ticks: Vec::new(),
-        exponent: 0,
-    };
-    frame::draw_grid(canvas, frame, (&x, &ticks), (&y, &none))?;
+    frame::draw_grid(picture, frame, (&x, &ticks), (&y, &Ticks::default()));
     let base = x.at(panel.base).clamp(frame.left, frame.right);
     for (index, series) in panel.series.iter().enumerate() {
         for (row, bar) in series.bars.iter().enumerate() {
@@ -178,38 +153,38 @@ fn draw(canvas: &mut Canvas<'_>, panel: &BarPanel, frame: &SheetBox) -> Result<(
             };
             let end = x.at(bar.value).clamp(frame.left, frame.right);
             let (left, right) = (base.min(end), base.max(end));
-            canvas.rectangle(
+            picture.rectangle(
                 (left, top + 0.5),
                 (right, top + BAR - 0.5),
                 color(panel, index),
                 BAR_OPACITY,
-            )?;
+            );
             if let Some((from, to)) = bar.interval {
                 let at = top + 0.5 * BAR;
                 let [from, to] = [from, to].map(|value| x.at(value).clamp(frame.left, frame.right));
                 let stroke = Stroke::solid(Rgb::INK, 1.0);
-                canvas.line(&[(from, at), (to, at)], stroke)?;
+                picture.line(&[(from, at), (to, at)], stroke);
                 for end in [from, to] {
-                    canvas.line(&[(end, at - 2.5), (end, at + 2.5)], stroke)?;
+                    picture.line(&[(end, at - 2.5), (end, at + 2.5)], stroke);
                 }
             }
             let (place, anchor) = match bar.value < panel.base {
-                true => (left - NOTE_GAP, HPos::Right),
-                false => (right + NOTE_GAP, HPos::Left),
+                true => (left - NOTE_GAP, Horizontal::Right),
+                false => (right + NOTE_GAP, Horizontal::Left),
             };
             if right - left < SEEN {
                 // Two bars of no length would have their words in one place.
                 continue;
             }
-            let lettering = Lettering::new(NOTE_FONT).anchor(anchor, VPos::Center);
-            canvas.text(&bar.note, (place, top + 0.5 * BAR), lettering)?;
+            let lettering = Lettering::new(NOTE_FONT).anchor(anchor, Vertical::Center);
+            picture.text(&bar.note, (place, top + 0.5 * BAR), lettering);
         }
     }
-    canvas.line(
+    picture.line(
         &[(base, frame.top), (base, frame.bottom)],
         Stroke::solid(Rgb::INK, 1.0),
-    )?;
-    frame::draw_outline(canvas, frame)?;
-    frame::draw_axis(canvas, frame, Side::Bottom, &x, &ticks, &panel.x_label)?;
-    frame::draw_axis(canvas, frame, Side::Left, &y, &row_ticks(panel), "")
+    );
+    frame::draw_outline(picture, frame);
+    frame::draw_axis(picture, frame, Side::Bottom, &x, &ticks, &panel.x_label);
+    frame::draw_axis(picture, frame, Side::Left, &y, &row_ticks(panel), "")
 }

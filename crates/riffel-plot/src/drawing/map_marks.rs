@@ -1,16 +1,13 @@
 //! What is drawn upon a map: rays of constant frequency and their labels, the ridge, observations.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::canvas::{Canvas, Lettering, Point, Stroke};
+use super::contours::simplified;
+use super::marker::Marker;
+use super::picture::{Horizontal, Lettering, Picture, Point, Stroke, Vertical};
+use super::sheet_box::{self, Obstacles, SheetBox};
+use super::text;
 use crate::color::{BEST_FIT, Rgb};
-use crate::contours::simplified;
-use crate::error::PlotError;
 use crate::grid::thinned_indices;
 use crate::map_figure::MapPanel;
-use crate::marker::Marker;
-use crate::sheet_box::{self, Obstacles, SheetBox};
-use crate::text;
 
 /// Ridge marks drawn in a panel.
 pub(crate) const MOST_RIDGE_MARKS: usize = 50;
@@ -33,18 +30,14 @@ pub(crate) struct Marks<'a> {
 }
 
 impl Marks<'_> {
-    pub(crate) fn draw_rays(
-        &self,
-        canvas: &mut Canvas<'_>,
-        place: &impl Fn(Point) -> Point,
-    ) -> Result<(), PlotError> {
+    pub(crate) fn draw_rays(&self, picture: &mut Picture, place: &impl Fn(Point) -> Point) {
         let window = self.panel.window();
         for ray in self
             .panel
             .other_rays()
             .filter_map(|frequency| window.ray(frequency))
         {
-            canvas.line(&ray.map(place), RAY)?;
+            picture.line(&ray.map(place), RAY);
         }
         if let Some(ray) = self
             .panel
@@ -57,8 +50,8 @@ impl Marks<'_> {
                 opacity: 0.7,
                 dash: None,
             };
-            canvas.line(&ray.map(place), under)?;
-            canvas.line(&ray.map(place), BEST_FIT_RAY)?;
+            picture.line(&ray.map(place), under);
+            picture.line(&ray.map(place), BEST_FIT_RAY);
         }
         for branch in self
             .panel
@@ -67,9 +60,8 @@ impl Marks<'_> {
             .filter(|branch| branch.points.len() > 1)
         {
             let line: Vec<Point> = branch.points.iter().map(|&point| place(point)).collect();
-            canvas.line(&simplified(&line, BRANCH_TOLERANCE), BRANCH)?;
+            picture.line(&simplified(&line, BRANCH_TOLERANCE), BRANCH);
         }
-        Ok(())
     }
 
     fn ridge_points(
@@ -116,25 +108,24 @@ impl Marks<'_> {
 
     pub(crate) fn draw_marks(
         &self,
-        canvas: &mut Canvas<'_>,
+        picture: &mut Picture,
         frame: &SheetBox,
         place: &impl Fn(Point) -> Point,
-    ) -> Result<(), PlotError> {
+    ) {
         for (point, at_edge) in self.ridge_points(frame, place) {
-            ridge_marker(at_edge).draw(canvas, point, RIDGE_RADIUS, Rgb::BLACK)?;
+            ridge_marker(at_edge).draw(picture, point, RIDGE_RADIUS, Rgb::BLACK);
         }
         for (point, shape) in self.observation_points(frame, place) {
-            Marker::open(shape).draw(canvas, point, OBSERVATION_RADIUS, Rgb::BLACK)?;
+            Marker::open(shape).draw(picture, point, OBSERVATION_RADIUS, Rgb::BLACK);
         }
-        Ok(())
     }
 
     pub(crate) fn draw_ray_labels(
         &self,
-        canvas: &mut Canvas<'_>,
+        picture: &mut Picture,
         frame: &SheetBox,
         place: &impl Fn(Point) -> Point,
-    ) -> Result<(), PlotError> {
+    ) {
         let window = self.panel.window();
         let line = |frequency: f64| {
             window
@@ -199,20 +190,19 @@ impl Marks<'_> {
             let Some(spot) = sheet_box::along_line(ray, size, &inner, &obstacles, beside) else {
                 continue;
             };
-            canvas.rectangle(
+            picture.rectangle(
                 (spot.left, spot.top),
                 (spot.right, spot.bottom),
                 Rgb::WHITE,
                 0.85,
-            )?;
-            canvas.text(
+            );
+            picture.text(
                 &label,
                 spot.center(),
-                lettering.anchor(HPos::Center, VPos::Center),
-            )?;
+                lettering.anchor(Horizontal::Center, Vertical::Center),
+            );
             taken.push(spot);
         }
-        Ok(())
     }
 }
 

@@ -1,17 +1,17 @@
 //! Curves as pictures.
 
-use crate::axis::{Axis, Direction, Ticks};
-use crate::canvas::{self, Canvas, Point, Stroke};
+use super::axis::{Axis, Direction, Ticks};
+use super::contours;
+use super::frame::{self, Side};
+use super::legend::{self, Entry, Sample};
+use super::mark_name::{self, MarkName};
+use super::marker::Marker;
+use super::picture::{Picture, Point, Stroke};
+use super::sheet::Sheet;
+use super::sheet_box::SheetBox;
 use crate::color::{OKABE_ITO, Rgb};
-use crate::contours;
 use crate::error::PlotError;
-use crate::frame::{self, Side};
-use crate::legend::{self, Entry, Sample};
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
-use crate::mark_name::{self, MarkName};
-use crate::marker::Marker;
-use crate::sheet::{self, Sheet};
-use crate::sheet_box::SheetBox;
 
 const LINE_WIDTH: f64 = 1.4;
 const MARK_RADIUS: f64 = 3.2;
@@ -24,62 +24,47 @@ const LEGEND_MARGIN: f64 = 8.0;
 const LEGEND_CLEARANCE: f64 = 4.0;
 
 impl LineFigure {
-    /// The figure as an SVG document. Identical data give identical text.
+    /// The figure as a picture. Identical data give an identical one.
     ///
     /// # Errors
     /// [`PlotError::NoPanel`], [`PlotError::SeriesLength`], [`PlotError::AxisRange`].
-    pub fn svg(&self) -> Result<String, PlotError> {
-        svg(self)
+    pub fn picture(&self) -> Result<Picture, PlotError> {
+        self.check()?;
+        let columns = match self.arrangement {
+            Arrangement::Stacked | Arrangement::Strips => 1,
+            Arrangement::SideBySide => self.panels.len().min(2),
+        };
+        let frame_size = match (columns, self.panels.len()) {
+            _ if self.arrangement == Arrangement::Strips => (600.0, 110.0),
+            (1, 1) => (450.0, 290.0),
+            (1, _) => (450.0, 200.0),
+            _ => (278.0, 240.0),
+        };
+        let frame = SheetBox {
+            left: 0.0,
+            top: 0.0,
+            right: frame_size.0,
+            bottom: frame_size.1,
+        };
+        let panels = self.panels.iter().map(|panel| Drawing::new(panel, &frame));
+        let panels: Vec<Drawing<'_>> = panels.collect();
+        let most =
+            |length: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(length).fold(0.0, f64::max);
+        let sheet = Sheet {
+            title: &self.title,
+            caption: &self.caption,
+            subtitles: self.panels.iter().map(|panel| &*panel.subtitle).collect(),
+            columns,
+            frame_size,
+            left: most(&|panel| {
+                frame::room_beside(&panel.y_ticks, &panel.panel.y_label, frame.height())
+            }),
+            right: 14.0,
+            below: frame::BELOW + most(&|panel| panel.legend_height_below(&frame)),
+            legend: &[],
+        };
+        Ok(sheet.picture(|picture, index, frame| panels[index].draw(picture, &frame)))
     }
-}
-
-fn svg(figure: &LineFigure) -> Result<String, PlotError> {
-    figure.check()?;
-    let columns = match figure.arrangement {
-        Arrangement::Stacked | Arrangement::Strips => 1,
-        Arrangement::SideBySide => figure.panels.len().min(2),
-    };
-    let frame_size = match (columns, figure.panels.len()) {
-        _ if figure.arrangement == Arrangement::Strips => (600.0, 110.0),
-        (1, 1) => (450.0, 290.0),
-        (1, _) => (450.0, 200.0),
-        _ => (278.0, 240.0),
-    };
-    let frame = SheetBox {
-        left: 0.0,
-        top: 0.0,
-        right: frame_size.0,
-        bottom: frame_size.1,
-    };
-    let panels: Vec<Drawing<'_>> = figure
-        .panels
-        .iter()
-        .map(|panel| Drawing::new(panel, &frame))
-        .collect();
-    let subtitles = figure.panels.iter().map(|panel| &*panel.subtitle);
-    let most = |length: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(length).fold(0.0, f64::max);
-    let sheet = Sheet {
-        title: &figure.title,
-        caption: &figure.caption,
-        columns,
-        panel_count: panels.len(),
-        frame_size,
-        left: most(&|panel| {
-            frame::room_beside(&panel.y_ticks, &panel.panel.y_label, frame.height())
-        }),
-        right: 14.0,
-        above: sheet::subtitle_height(subtitles, frame_size.0).max(8.0),
-        below: frame::BELOW + most(&|panel| panel.legend_height_below(&frame)),
-        legend: &[],
-    };
-    canvas::picture(sheet.size(), &figure.title, &figure.caption, |canvas| {
-        sheet.draw_words(canvas)?;
-        panels.iter().enumerate().try_for_each(|(index, drawing)| {
-            let frame = sheet.frame(index);
-            sheet.draw_subtitle(canvas, &frame, &drawing.panel.subtitle)?;
-            drawing.draw(canvas, &frame)
-        })
-    })
 }
 
 /// Colour of the series `index`.
@@ -107,18 +92,11 @@ impl<'a> Drawing<'a> {
         let (low_x, high_x) = panel.drawn_x_range();
         let x = Axis {
             scale: panel.x_scale,
-            low: low_x,
-            high: high_x,
-            start: frame.left,
-            end: frame.right,
+            ..Axis::linear((low_x, high_x), (frame.left, frame.right))
         };
-        let (low, high) = panel.drawn_y_range();
         let y = Axis {
             scale: panel.y_scale,
-            low,
-            high,
-            start: frame.bottom,
-            end: frame.top,
+            ..Axis::linear(panel.drawn_y_range(), (frame.bottom, frame.top))
         };
         let lines: Vec<Vec<Vec<Point>>> = panel
             .series
@@ -184,11 +162,11 @@ impl<'a> Drawing<'a> {
     /// at it.
     fn draw_area(
         &self,
-        canvas: &mut Canvas<'_>,
+        picture: &mut Picture,
         frame: &SheetBox,
         (x, y): (&Axis, &Axis),
         area: &Area,
-    ) -> Result<(), PlotError> {
+    ) {
         let point = |u: f64, v: f64| (x.at(u), y.at(v).clamp(frame.top, frame.bottom));
         let inside = |u: f64| self.x.low <= u && u <= self.x.high;
         let samples: Vec<(f64, f64, f64)> = area
@@ -204,7 +182,7 @@ impl<'a> Drawing<'a> {
         let upper = samples.iter().map(|&(u, _, high)| point(u, high));
         let lower = samples.iter().rev().map(|&(u, low, _)| point(u, low));
         let outline: Vec<Point> = upper.chain(lower).collect();
-        canvas.polygon(&outline, area.color, 1.0)
+        picture.region(vec![outline], area.color, 1.0);
     }
 
     /// Marks within the range of the abscissa.
@@ -214,7 +192,7 @@ impl<'a> Drawing<'a> {
         self.panel.marks.iter().filter(within)
     }
 
-    fn draw(&self, canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
+    fn draw(&self, picture: &mut Picture, frame: &SheetBox) {
         let shift = (frame.left, frame.top);
         let moved = |axis: &Axis, by: f64| Axis {
             start: axis.start + by,
@@ -222,14 +200,14 @@ impl<'a> Drawing<'a> {
             ..*axis
         };
         let (x, y) = (moved(&self.x, shift.0), moved(&self.y, shift.1));
-        frame::draw_grid(canvas, frame, (&x, &self.x_ticks), (&y, &self.y_ticks))?;
+        frame::draw_grid(picture, frame, (&x, &self.x_ticks), (&y, &self.y_ticks));
         for area in &self.panel.areas {
-            self.draw_area(canvas, frame, (&x, &y), area)?;
+            self.draw_area(picture, frame, (&x, &y), area);
         }
         for mark in self.marks() {
             let at = x.at(mark.x);
             let line = [(at, frame.top), (at, frame.bottom)];
-            canvas.line(&line, Stroke::dashed(Rgb::INK, MARK_LINE_WIDTH, 1.0, 2.0))?;
+            picture.line(&line, Stroke::dashed(Rgb::INK, MARK_LINE_WIDTH, 1.0, 2.0));
         }
         for (index, (series, lines)) in self.panel.series.iter().zip(&self.lines).enumerate() {
             let color = series_color(series, index);
@@ -240,51 +218,51 @@ impl<'a> Drawing<'a> {
                     .collect();
                 match (series.style, line[..].first()) {
                     (LineStyle::Markers, Some(&at)) => {
-                        Marker::open(index).draw(canvas, at, MARK_RADIUS, color)?
+                        Marker::open(index).draw(picture, at, MARK_RADIUS, color)
                     }
-                    _ => canvas.line(
+                    _ => picture.line(
                         &contours::simplified(&line, LINE_TOLERANCE),
                         stroke(series.style, color),
-                    )?,
+                    ),
                 }
             }
         }
         for name in &self.names {
-            name.draw(canvas, shift)?;
+            name.draw(picture, shift);
         }
-        frame::draw_outline(canvas, frame)?;
+        frame::draw_outline(picture, frame);
         frame::draw_axis(
-            canvas,
+            picture,
             frame,
             Side::Bottom,
             &x,
             &self.x_ticks,
             &self.panel.x_label,
-        )?;
+        );
         frame::draw_axis(
-            canvas,
+            picture,
             frame,
             Side::Left,
             &y,
             &self.y_ticks,
             &self.panel.y_label,
-        )?;
+        );
         match self.legend_corner {
             Some(corner) => {
                 let corner = (corner.0 + shift.0, corner.1 + shift.1);
                 let size = legend::column_size(&self.entries);
                 let from = (corner.0 - 4.0, corner.1 - 2.0);
-                canvas.rectangle(
+                picture.rectangle(
                     from,
                     (corner.0 + size.0 + 4.0, corner.1 + size.1 + 2.0),
                     Rgb::WHITE,
                     0.85,
-                )?;
-                legend::draw_column(canvas, &self.entries, corner)
+                );
+                legend::draw_column(picture, &self.entries, corner)
             }
             None => {
                 let corner = (frame.left, frame.bottom + frame::BELOW + 6.0);
-                legend::draw_rows(canvas, &self.entries, corner, frame.width())
+                legend::draw_rows(picture, &self.entries, corner, frame.width())
             }
         }
     }

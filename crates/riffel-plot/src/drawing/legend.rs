@@ -1,12 +1,10 @@
 //! Legends: samples of lines, marks and fills with their names, in rows.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::canvas::{Canvas, Lettering, Point, Stroke};
+use super::font::Weight;
+use super::marker::Marker;
+use super::picture::{Horizontal, Lettering, Picture, Point, Stroke, Vertical};
+use super::text;
 use crate::color::Rgb;
-use crate::error::PlotError;
-use crate::marker::Marker;
-use crate::text::{self, Weight};
 
 /// What stands before a name.
 #[derive(Debug, Clone, Copy)]
@@ -39,18 +37,18 @@ impl Entry {
     }
 
     /// Draws the entry with its left end in the middle of its row at `at`.
-    pub(crate) fn draw(&self, canvas: &mut Canvas<'_>, at: Point) -> Result<(), PlotError> {
+    pub(crate) fn draw(&self, picture: &mut Picture, at: Point) {
         let width = self.sample.width();
         let middle = (at.0 + width / 2.0, at.1);
         match self.sample {
-            Sample::Line(stroke) => canvas.line(&[at, (at.0 + width, at.1)], stroke)?,
-            Sample::Mark(marker, radius, color) => marker.draw(canvas, middle, radius, color)?,
+            Sample::Line(stroke) => picture.line(&[at, (at.0 + width, at.1)], stroke),
+            Sample::Mark(marker, radius, color) => marker.draw(picture, middle, radius, color),
             Sample::Patch(fill) => {
-                canvas.rectangle((at.0, at.1 - 4.5), (at.0 + width, at.1 + 4.5), fill, 1.0)?
+                picture.rectangle((at.0, at.1 - 4.5), (at.0 + width, at.1 + 4.5), fill, 1.0)
             }
         }
-        let lettering = Lettering::new(FONT).anchor(HPos::Left, VPos::Center);
-        canvas.text(&self.name, (at.0 + width + SAMPLE_GAP, at.1), lettering)
+        let lettering = Lettering::new(FONT).anchor(Horizontal::Left, Vertical::Center);
+        picture.text(&self.name, (at.0 + width + SAMPLE_GAP, at.1), lettering)
     }
 }
 
@@ -105,20 +103,14 @@ pub(crate) fn height(entries: &[Entry], limit: f64) -> f64 {
 }
 
 /// Draws a legend in rows of at most `limit` pixels, its upper left corner at `corner`.
-pub(crate) fn draw_rows(
-    canvas: &mut Canvas<'_>,
-    entries: &[Entry],
-    corner: Point,
-    limit: f64,
-) -> Result<(), PlotError> {
+pub(crate) fn draw_rows(picture: &mut Picture, entries: &[Entry], corner: Point, limit: f64) {
     for (number, row) in rows(entries, limit).iter().enumerate() {
         let mut x = corner.0;
         for entry in row {
-            entry.draw(canvas, (x, corner.1 + (number as f64 + 0.5) * ROW))?;
+            entry.draw(picture, (x, corner.1 + (number as f64 + 0.5) * ROW));
             x += entry.width() + ENTRY_GAP;
         }
     }
-    Ok(())
 }
 
 /// Width and height of a legend with one entry per row.
@@ -130,13 +122,8 @@ pub(crate) fn column_size(entries: &[Entry]) -> (f64, f64) {
 }
 
 /// Draws a legend with one entry per row, its upper left corner at `corner`.
-pub(crate) fn draw_column(
-    canvas: &mut Canvas<'_>,
-    entries: &[Entry],
-    corner: Point,
-) -> Result<(), PlotError> {
+pub(crate) fn draw_column(picture: &mut Picture, entries: &[Entry], corner: Point) {
     for (number, entry) in entries.iter().enumerate() {
-        entry.draw(canvas, (corner.0, corner.1 + (number as f64 + 0.5) * ROW))?;
+        entry.draw(picture, (corner.0, corner.1 + (number as f64 + 0.5) * ROW));
     }
-    Ok(())
 }

@@ -1,12 +1,10 @@
 //! The names of marks: upright beside their lines, clear of each other and, where there is room, of the curves.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::canvas::{Canvas, Lettering, Point};
+use super::font::Weight;
+use super::picture::{Horizontal, Lettering, Picture, Point, Vertical};
+use super::sheet_box::SheetBox;
+use super::text;
 use crate::color::Rgb;
-use crate::error::PlotError;
-use crate::sheet_box::SheetBox;
-use crate::text::{self, Weight};
 
 const FONT: f64 = 10.0;
 /// Distance of a name from the ends of the frame, pixels.
@@ -41,21 +39,21 @@ impl MarkName {
     }
 
     /// Draws the name, moved by `shift`.
-    pub(crate) fn draw(&self, canvas: &mut Canvas<'_>, shift: Point) -> Result<(), PlotError> {
+    pub(crate) fn draw(&self, picture: &mut Picture, shift: Point) {
         let place = self.place;
         if self.covers {
-            canvas.rectangle(
+            picture.rectangle(
                 (place.left + shift.0, place.top + shift.1),
                 (place.right + shift.0, place.bottom + shift.1),
                 Rgb::WHITE,
                 0.8,
-            )?;
+            );
         }
         let at = (place.center().0 + shift.0, place.bottom + shift.1);
         let lettering = Lettering::new(FONT)
-            .anchor(HPos::Left, VPos::Center)
+            .anchor(Horizontal::Left, Vertical::Center)
             .upward();
-        canvas.text(&self.words, at, lettering)
+        picture.text(&self.words, at, lettering)
     }
 }
 

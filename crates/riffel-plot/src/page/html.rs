@@ -1,14 +1,13 @@
-//! Pages of HTML that show figures with plotly.js and load nothing.
-//!
-//! The page is written here and not by `plotly::Plot::to_html`, because that adds two megabytes of
-//! MathJax and numbers its elements at random. Figures are JSON of plotly.js.
+//! Pages of HTML that show figures with plotly.js and load nothing. Figures are its JSON.
+
+use std::sync::LazyLock;
 
 use plotly::Plot;
 use serde_json::{Value, json};
 
-use crate::subscript;
-use crate::text;
-use crate::text::{TICK_FONT, TITLE_FONT};
+use crate::drawing::subscript;
+use crate::drawing::text;
+use crate::drawing::text::{TICK_FONT, TITLE_FONT};
 
 /// A panel of a page: traces and layout of plotly.js.
 pub(crate) struct PagePanel {
@@ -109,36 +108,31 @@ pub(crate) fn page(title: &str, caption: &str, stacked: bool, stages: &[PageStag
     };
     let class = if stacked { "panels stacked" } else { "panels" };
     let page_title = if title.is_empty() { "Riffel" } else { &title };
-    let plotly_script = plotly_script();
+    let plotly = plotly_js();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
-         <title>{page_title}</title>\n<style>{STYLE}</style>\n{plotly_script}\n</head>\n<body>\n<main>\n\
+         <title>{page_title}</title>\n<style>{STYLE}</style>\n<script>{plotly}</script>\n</head>\n<body>\n<main>\n\
          {heading}{slider}<div class=\"{class}\">\n{places}</div>\n{caption}</main>\n\
          <script type=\"application/json\" id=\"figure\">{figure}</script>\n<script>{SCRIPT}</script>\n\
          </body>\n</html>\n"
     )
 }
 
-/// The script element that holds plotly.js, the first of those the crate `plotly` carries; MathJax
-/// follows it there.
-fn plotly_script() -> String {
-    let mut scripts = Plot::offline_js_sources();
-    if let Some(end) = scripts.find(END) {
-        scripts.truncate(end + END.len());
-    }
-    scripts
-}
-
-const END: &str = "</script>";
-
-/// The text of plotly.js, for a page that is served with its script beside it.
-pub fn plotly_js() -> String {
-    let mut script = plotly_script();
-    script.truncate(script.len() - END.len());
-    let begin = script.find('>').map_or(0, |end| end + 1);
-    script.split_off(begin)
+/// The text of plotly.js, the first of the scripts that the crate `plotly` carries; MathJax follows it there, and is left out.
+pub fn plotly_js() -> &'static str {
+    static SCRIPT: LazyLock<String> = LazyLock::new(|| {
+        let scripts = Plot::offline_js_sources();
+        let script = scripts
+            .split_once("</script>")
+            .map_or("", |(first, _)| first);
+        script
+            .split_once('>')
+            .map_or("", |(_, text)| text)
+            .to_owned()
+    });
+    &SCRIPT
 }
 
 /// A value of a map with at most five significant digits, null if it is not finite: shorter pages.
@@ -210,21 +204,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_plotly_is_carried() {
-        let script = plotly_script();
-        assert!(script.starts_with("<script") && script.ends_with("</script>"));
-        assert!(script.contains("plotly.js v") && !script.contains("MathJax="));
-        assert!(script.len() > 3_000_000 && script.len() < 6_000_000);
-    }
-
-    #[test]
-    fn the_text_of_plotly_has_no_element_around_it() {
+    fn plotly_alone_is_carried() {
         let script = plotly_js();
         assert!(script.trim_start().starts_with("/**") && !script.ends_with('>'));
-        assert_eq!(
-            plotly_script().len() - script.len(),
-            "<script type=\"text/javascript\">".len() + END.len()
-        );
+        assert!(script.contains("plotly.js v") && !script.contains("MathJax="));
+        assert!(script.len() > 3_000_000 && script.len() < 6_000_000);
     }
 
     #[test]

@@ -2,12 +2,12 @@
 
 use serde_json::{Value, json};
 
-use crate::axis::degree_step;
+use super::html::{self, PagePanel, PageStage, coordinates, words};
+use crate::drawing::axis::degree_step;
+use crate::drawing::line::series_color;
+use crate::drawing::marker::Marker;
 use crate::error::PlotError;
-use crate::html::{self, PagePanel, PageStage, coordinates, words};
-use crate::line_drawing::series_color;
 use crate::line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
-use crate::marker::Marker;
 use crate::scale::Scale;
 
 impl LineFigure {

@@ -1,13 +1,11 @@
 //! The sheet of a figure: where title, panels, legend and caption stand.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::canvas::{Canvas, Lettering};
+use super::font::Weight;
+use super::legend::{self, Entry};
+use super::picture::{Horizontal, Lettering, Picture, Vertical};
+use super::sheet_box::SheetBox;
+use super::text;
 use crate::color::Rgb;
-use crate::error::PlotError;
-use crate::legend::{self, Entry};
-use crate::sheet_box::SheetBox;
-use crate::text::{self, Weight};
 
 /// Height of a line of the words above a panel, pixels.
 const SUBTITLE: f64 = 21.0;
@@ -22,24 +20,39 @@ const COLUMN_GAP: f64 = 14.0;
 /// Distance between panels one above the other, pixels.
 const ROW_GAP: f64 = 12.0;
 
+/// Room above a panel without words, pixels.
+const LEAST_ABOVE: f64 = 8.0;
+
 /// Panels of equal size in rows, with the words around them. All lengths are in pixels, 96 per
 /// inch.
 pub(crate) struct Sheet<'a> {
     pub(crate) title: &'a str,
     pub(crate) caption: &'a str,
+    /// Words above each panel.
+    pub(crate) subtitles: Vec<&'a str>,
     pub(crate) columns: usize,
-    pub(crate) panel_count: usize,
     /// Width and height of the frame of a panel.
     pub(crate) frame_size: (f64, f64),
-    /// Room left, right, above and below a frame for its words.
+    /// Room left, right and below a frame for its words.
     pub(crate) left: f64,
     pub(crate) right: f64,
-    pub(crate) above: f64,
     pub(crate) below: f64,
     pub(crate) legend: &'a [Entry],
 }
 
 impl Sheet<'_> {
+    /// The words of the sheet, and each panel as it is drawn on its frame.
+    pub(crate) fn picture(&self, mut draw: impl FnMut(&mut Picture, usize, SheetBox)) -> Picture {
+        let mut picture = Picture::new(self.size(), self.title, self.caption);
+        self.draw_words(&mut picture);
+        for (index, subtitle) in self.subtitles.iter().enumerate() {
+            let frame = self.frame(index);
+            draw_subtitle(&mut picture, &frame, subtitle);
+            draw(&mut picture, index, frame);
+        }
+        picture
+    }
+
     fn width(&self) -> f64 {
         let column = self.left + self.frame_size.0 + self.right;
         2.0 * MARGIN + self.columns as f64 * (column + COLUMN_GAP) - COLUMN_GAP
@@ -68,11 +81,17 @@ impl Sheet<'_> {
     }
 
     fn row_height(&self) -> f64 {
-        self.above + self.frame_size.1 + self.below
+        self.above() + self.frame_size.1 + self.below
+    }
+
+    fn above(&self) -> f64 {
+        let lines = |subtitle: &&str| subtitle_lines(subtitle, self.frame_size.0).len();
+        let most = self.subtitles.iter().map(lines).max().unwrap_or(0);
+        (most as f64 * SUBTITLE).max(LEAST_ABOVE)
     }
 
     fn legend_top(&self) -> f64 {
-        let rows = self.panel_count.div_ceil(self.columns.max(1)) as f64;
+        let rows = self.subtitles.len().div_ceil(self.columns.max(1)) as f64;
         self.panels_top() + rows * (self.row_height() + ROW_GAP) - ROW_GAP + 8.0
     }
 
@@ -81,21 +100,19 @@ impl Sheet<'_> {
         self.legend_top() + legend + if legend > 0.0 { 8.0 } else { 0.0 }
     }
 
-    /// Width and height of the sheet.
-    pub(crate) fn size(&self) -> (f64, f64) {
+    fn size(&self) -> (f64, f64) {
         (
             self.width(),
             self.caption_top() + self.caption_lines().len() as f64 * CAPTION_LINE + MARGIN,
         )
     }
 
-    /// Frame of the panel `index`.
-    pub(crate) fn frame(&self, index: usize) -> SheetBox {
+    fn frame(&self, index: usize) -> SheetBox {
         let (row, column) = (index / self.columns, index % self.columns);
         let left = MARGIN
             + column as f64 * (self.left + self.frame_size.0 + self.right + COLUMN_GAP)
             + self.left;
-        let top = self.panels_top() + row as f64 * (self.row_height() + ROW_GAP) + self.above;
+        let top = self.panels_top() + row as f64 * (self.row_height() + ROW_GAP) + self.above();
         SheetBox {
             left,
             top,
@@ -105,57 +122,41 @@ impl Sheet<'_> {
     }
 
     /// Title, legend and caption.
-    pub(crate) fn draw_words(&self, canvas: &mut Canvas<'_>) -> Result<(), PlotError> {
+    fn draw_words(&self, picture: &mut Picture) {
         let style = Lettering::new(TITLE_FONT)
             .bold()
             .color(Rgb::BLACK)
-            .anchor(HPos::Left, VPos::Top);
+            .anchor(Horizontal::Left, Vertical::Top);
         for (index, line) in self.title_lines().iter().enumerate() {
-            canvas.text(line, (MARGIN, MARGIN + index as f64 * TITLE_LINE), style)?;
+            picture.text(line, (MARGIN, MARGIN + index as f64 * TITLE_LINE), style);
         }
         legend::draw_rows(
-            canvas,
+            picture,
             self.legend,
             (MARGIN, self.legend_top()),
             self.text_width(),
-        )?;
-        let style = Lettering::new(CAPTION_FONT).anchor(HPos::Left, VPos::Top);
+        );
+        let style = Lettering::new(CAPTION_FONT).anchor(Horizontal::Left, Vertical::Top);
         for (index, line) in self.caption_lines().iter().enumerate() {
-            canvas.text(
+            picture.text(
                 line,
                 (MARGIN, self.caption_top() + index as f64 * CAPTION_LINE),
                 style,
-            )?;
-        }
-        Ok(())
-    }
-
-    /// Words above a panel.
-    pub(crate) fn draw_subtitle(
-        &self,
-        canvas: &mut Canvas<'_>,
-        frame: &SheetBox,
-        subtitle: &str,
-    ) -> Result<(), PlotError> {
-        let style = Lettering::new(SUBTITLE_FONT).anchor(HPos::Center, VPos::Center);
-        let lines = subtitle_lines(subtitle, frame.width());
-        for (above, line) in lines.iter().rev().enumerate() {
-            let place = (
-                frame.center().0,
-                frame.top - (above as f64 + 0.5) * SUBTITLE,
             );
-            canvas.text(line, place, style)?;
         }
-        Ok(())
+    }
+}
+
+/// Words above a panel.
+fn draw_subtitle(picture: &mut Picture, frame: &SheetBox, subtitle: &str) {
+    let style = Lettering::new(SUBTITLE_FONT).anchor(Horizontal::Center, Vertical::Center);
+    let lines = subtitle_lines(subtitle, frame.width());
+    for (above, line) in lines.iter().rev().enumerate() {
+        let height = (above as f64 + 0.5) * SUBTITLE;
+        picture.text(line, (frame.center().0, frame.top - height), style);
     }
 }
 
 fn subtitle_lines(subtitle: &str, width: f64) -> Vec<String> {
     text::wrap(subtitle, SUBTITLE_FONT, Weight::Regular, width)
-}
-
-/// Height of the highest of the words above panels of a width, pixels.
-pub(crate) fn subtitle_height<'a>(subtitles: impl Iterator<Item = &'a str>, width: f64) -> f64 {
-    let lines = subtitles.map(|subtitle| subtitle_lines(subtitle, width).len());
-    lines.max().unwrap_or(0) as f64 * SUBTITLE
 }

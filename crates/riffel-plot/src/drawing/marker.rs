@@ -1,8 +1,7 @@
 //! Marks of single points: discs, circles and other open shapes, told apart without colour.
 
-use crate::canvas::{Canvas, Point, Stroke};
+use super::picture::{Picture, Point, Stroke};
 use crate::color::Rgb;
-use crate::error::PlotError;
 
 /// Shape of a mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,31 +49,25 @@ impl Marker {
     }
 
     /// Draws the mark with a white rim, so that it is seen on dark and on pale ground.
-    pub(crate) fn draw(
-        self,
-        canvas: &mut Canvas<'_>,
-        at: Point,
-        radius: f64,
-        color: Rgb,
-    ) -> Result<(), PlotError> {
+    pub(crate) fn draw(self, picture: &mut Picture, at: Point, radius: f64, color: Rgb) {
         let pen = Stroke::solid(color, 1.1);
         let rim = Stroke::solid(Rgb::WHITE, 2.7).with_opacity(0.85);
         if self == Marker::Disc {
-            canvas.disc(at, radius + 0.7, Rgb::WHITE)?;
-            return canvas.disc(at, radius, color);
+            picture.disc(at, radius + 0.7, Rgb::WHITE);
+            picture.disc(at, radius, color);
+            return;
         }
         for stroke in [rim, pen] {
             match self {
-                Marker::Disc | Marker::Circle => canvas.circle(at, radius, stroke)?,
+                Marker::Disc | Marker::Circle => picture.circle(at, radius, stroke),
                 _ => {
                     for line in self.lines() {
                         let place = |&(x, y): &Point| (at.0 + radius * x, at.1 + radius * y);
-                        canvas.line(&line.iter().map(place).collect::<Vec<_>>(), stroke)?;
+                        picture.line(&line.iter().map(place).collect::<Vec<_>>(), stroke);
                     }
                 }
             }
         }
-        Ok(())
     }
 
     /// Lines of the shape for a circumscribed circle of radius 1.

@@ -2,14 +2,14 @@
 
 use serde_json::{Value, json};
 
+use super::html::{self, PagePanel, PageStage, coordinates, number, words};
 use crate::color::{BEST_FIT, Rgb, growth_color};
+use crate::drawing::map::ZERO_CONTOUR;
+use crate::drawing::map_marks::{MOST_RIDGE_MARKS, hertz};
+use crate::drawing::marker::Marker;
 use crate::error::PlotError;
 use crate::grid::{Grid, thinned_indices};
-use crate::html::{self, PagePanel, PageStage, coordinates, number, words};
-use crate::map_drawing::ZERO_CONTOUR;
 use crate::map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
-use crate::map_marks::{MOST_RIDGE_MARKS, hertz};
-use crate::marker::Marker;
 use crate::steps::Steps;
 
 /// Grid points along an axis of a page: more only make it heavy.

@@ -1,14 +1,14 @@
 //! Strips as pictures.
 
-use crate::axis::{Axis, Direction, Ticks};
-use crate::canvas::{self, Canvas};
+use super::axis::{Axis, Direction, Ticks};
+use super::frame::{self, Side};
+use super::legend::{Entry, Sample};
+use super::picture::Picture;
+use super::sheet::Sheet;
+use super::sheet_box::SheetBox;
 use crate::error::PlotError;
-use crate::frame::{self, Side};
-use crate::legend::{Entry, Sample};
 use crate::scale::Scale;
-use crate::sheet::{self, Sheet};
-use crate::sheet_box::SheetBox;
-use crate::strip_figure::{StripFigure, StripPanel, StripRow};
+use crate::strip_figure::{StripClass, StripFigure, StripPanel, StripRow};
 
 const WIDTH: f64 = 560.0;
 /// Height of a row and of the gap between two, pixels.
@@ -16,83 +16,56 @@ const ROW: f64 = 13.0;
 const ROW_GAP: f64 = 3.0;
 
 impl StripFigure {
-    /// The figure as an SVG document. Identical data give identical text.
+    /// The figure as a picture. Identical data give an identical one.
     ///
     /// # Errors
     /// [`PlotError::NoPanel`].
-    pub fn svg(&self) -> Result<String, PlotError> {
+    pub fn picture(&self) -> Result<Picture, PlotError> {
         if self.panels.is_empty() {
             return Err(PlotError::NoPanel);
         }
         let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
         let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
-        let legend: Vec<Entry> = self
-            .classes
-            .iter()
-            .map(|class| Entry {
-                sample: Sample::Patch(class.color),
-                name: class.label.clone(),
-            })
-            .collect();
+        let entry = |class: &StripClass| Entry {
+            sample: Sample::Patch(class.color),
+            name: class.label.clone(),
+        };
         let sheet = Sheet {
             title: &self.title,
             caption: &self.caption,
+            subtitles: self.panels.iter().map(|panel| &*panel.subtitle).collect(),
             columns: 1,
-            panel_count: self.panels.len(),
             frame_size: (WIDTH, tallest),
             left: self.panels.iter().map(beside).fold(0.0, f64::max),
             right: 14.0,
-            above: sheet::subtitle_height(self.panels.iter().map(|panel| &*panel.subtitle), WIDTH)
-                .max(8.0),
             below: frame::BELOW,
-            legend: &legend,
+            legend: &self.classes.iter().map(entry).collect::<Vec<_>>(),
         };
-        canvas::picture(sheet.size(), &self.title, &self.caption, |canvas| {
-            sheet.draw_words(canvas)?;
-            for (index, panel) in self.panels.iter().enumerate() {
-                let mut frame = sheet.frame(index);
-                frame.bottom = frame.top + height(panel);
-                sheet.draw_subtitle(canvas, &frame, &panel.subtitle)?;
-                self.draw(canvas, panel, &frame)?;
-            }
-            Ok(())
-        })
+        Ok(sheet.picture(|picture, index, mut frame| {
+            let panel = &self.panels[index];
+            frame.bottom = frame.top + height(panel);
+            self.draw(picture, panel, &frame);
+        }))
     }
 
-    fn draw(
-        &self,
-        canvas: &mut Canvas<'_>,
-        panel: &StripPanel,
-        frame: &SheetBox,
-    ) -> Result<(), PlotError> {
+    fn draw(&self, picture: &mut Picture, panel: &StripPanel, frame: &SheetBox) {
         let strips = || panel.rows.iter().flat_map(|row| &row.strips);
-        let (low, high) = Scale::Linear.range_of(strips().flat_map(|strip| [strip.from, strip.to]));
-        let x = Axis {
-            scale: Scale::Linear,
-            low,
-            high,
-            start: frame.left,
-            end: frame.right,
-        };
-        let y = Axis {
-            scale: Scale::Linear,
-            low: 0.0,
-            high: panel.rows.len() as f64,
-            start: frame.top + 0.5 * ROW_GAP,
-            end: frame.bottom - 0.5 * ROW_GAP,
-        };
+        let range = Scale::Linear.range_of(strips().flat_map(|strip| [strip.from, strip.to]));
+        let x = Axis::linear(range, (frame.left, frame.right));
+        let inner = frame.shrunk(0.5 * ROW_GAP);
+        let y = Axis::linear((0.0, panel.rows.len() as f64), (inner.top, inner.bottom));
         for (index, row) in panel.rows.iter().enumerate() {
             let middle = y.at(index as f64 + 0.5);
             let (top, bottom) = (middle - 0.5 * ROW, middle + 0.5 * ROW);
             for (left, right, class) in self.runs(row, &x) {
                 let color = self.classes[class].color;
-                canvas.rectangle((left, top), (right, bottom), color, 1.0)?;
+                picture.rectangle((left, top), (right, bottom), color, 1.0);
             }
         }
         let ticks = x.ticks((frame.width() / 60.0) as usize, Direction::Across);
-        frame::draw_outline(canvas, frame)?;
-        frame::draw_axis(canvas, frame, Side::Bottom, &x, &ticks, &panel.x_label)?;
-        frame::draw_axis(canvas, frame, Side::Left, &y, &row_ticks(panel), "")
+        frame::draw_outline(picture, frame);
+        frame::draw_axis(picture, frame, Side::Bottom, &x, &ticks, &panel.x_label);
+        frame::draw_axis(picture, frame, Side::Left, &y, &row_ticks(panel), "");
     }
 
     /// Runs of pixels of one class: left and right end, and the class.
@@ -136,7 +109,7 @@ fn row_ticks(panel: &StripPanel) -> Ticks {
 mod tests {
     use super::*;
     use crate::color::Rgb;
-    use crate::strip_figure::{Strip, StripClass};
+    use crate::strip_figure::Strip;
 
     fn figure(strips: Vec<Strip>) -> StripFigure {
         let class = |label: &str, to: f64, grey: u8| StripClass {
@@ -168,17 +141,11 @@ mod tests {
             })
             .collect();
         let figure = figure(strips);
-        let x = Axis {
-            scale: Scale::Linear,
-            low: 0.0,
-            high: 10_000.0,
-            start: 0.0,
-            end: WIDTH,
-        };
+        let x = Axis::linear((0.0, 10_000.0), (0.0, WIDTH));
         let runs = figure.runs(&figure.panels[0].rows[0], &x);
         let drawn: Vec<(f64, usize)> = runs.iter().map(|run| (run.1 - run.0, run.2)).collect();
         assert_eq!(drawn, [(280.0, 0), (1.0, 1), (279.0, 0)]);
-        assert!(figure.svg().unwrap().contains("2026-01-31"));
+        assert!(figure.picture().unwrap().svg().contains("2026-01-31"));
     }
 
     #[test]
@@ -193,13 +160,7 @@ mod tests {
             strip(10.0, f64::NAN),
             strip(30.0, 3.0),
         ]);
-        let x = Axis {
-            scale: Scale::Linear,
-            low: 0.0,
-            high: 40.0,
-            start: 0.0,
-            end: 40.0,
-        };
+        let x = Axis::linear((0.0, 40.0), (0.0, 40.0));
         let runs = figure.runs(&figure.panels[0].rows[0], &x);
         assert_eq!(runs, [(0.0, 10.0, 0), (30.0, 40.0, 1)]);
     }

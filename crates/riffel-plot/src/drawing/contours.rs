@@ -1,124 +1,115 @@
 //! Filled contours: the regions of a map in which a quantity reaches given levels.
-//!
-//! Marching squares come from the crate `contour`. Two things are added: the map is continued by
-//! one cell beyond its border, because that crate interpolates along its own border with values of
-//! the neighbouring row; and its coordinates (in cells) become coordinates of the map, which need
-//! not be equally spaced.
 
-use contour::{ContourBuilder, Pt};
+use std::collections::BTreeMap;
 
-use crate::canvas::Point;
-use crate::error::PlotError;
+use super::picture::Point;
 use crate::grid::Grid;
 
-/// A region with holes. Rings are closed: the last point repeats the first.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Region {
-    pub(crate) outline: Vec<Point>,
-    pub(crate) holes: Vec<Vec<Point>>,
-}
+/// A closed line: the last point repeats the first.
+pub(crate) type Ring = Vec<Point>;
 
-impl Region {
-    /// Outline and holes.
-    pub(crate) fn rings(&self) -> impl Iterator<Item = &Vec<Point>> {
-        std::iter::once(&self.outline).chain(&self.holes)
-    }
-
-    /// Applies a change of coordinates to every point.
-    pub(crate) fn map(&self, change: impl Fn(Point) -> Point) -> Region {
-        let ring = |points: &Vec<Point>| points.iter().map(|&point| change(point)).collect();
-        Region {
-            outline: ring(&self.outline),
-            holes: self.holes.iter().map(ring).collect(),
-        }
-    }
-
-    /// The region as one closed path: every hole is reached over a bridge that is walked both ways,
-    /// so that it adds nothing to the area. Holes turn against the outline, hence both filling
-    /// rules leave them empty.
-    pub(crate) fn single_path(&self) -> Vec<Point> {
-        let mut path = self.outline.clone();
-        for hole in self.holes.iter().filter(|hole| hole.len() > 2) {
-            let (mut best, mut at) = (f64::INFINITY, (0, 0));
-            for (i, p) in path.iter().enumerate() {
-                for (j, q) in hole.iter().enumerate() {
-                    let distance = (p.0 - q.0).powi(2) + (p.1 - q.1).powi(2);
-                    if distance < best {
-                        (best, at) = (distance, (i, j));
-                    }
-                }
-            }
-            let open = &hole[..hole.len() - 1];
-            let start = at.1 % open.len();
-            let mut detour: Vec<Point> = open[start..]
-                .iter()
-                .chain(&open[..=start])
-                .copied()
-                .collect();
-            detour.push(path[at.0]);
-            path.splice(at.0 + 1..at.0 + 1, detour);
-        }
-        path
-    }
-}
-
-/// Regions of `grid` in which `quantity(value)` is at least each of the `levels`, in the
-/// coordinates of the grid.
+/// Regions of `grid` in which `quantity(value)` is at least each of the `levels`: rings in the coordinates of the
+/// grid, inside of which is what an odd number of them surrounds.
 ///
-/// Where the quantity is not finite it counts as lying far below every level.
+/// Marching squares: the quantity is linear along the edges of a cell, and the mean of its corners decides a saddle.
+/// Where the quantity is not finite, and beyond the border, it counts as lying far below every level; so rings close
+/// along the border.
 pub(crate) fn regions(
     grid: &Grid,
     quantity: impl Fn(f64) -> f64,
     levels: &[f64],
-) -> Result<Vec<Vec<Region>>, PlotError> {
-    let (columns, rows) = (grid.x.len(), grid.y.len());
+) -> Vec<Vec<Ring>> {
     let scale = levels
         .iter()
         .fold(0.0_f64, |scale, level| scale.max(level.abs()));
     let below = levels.iter().copied().fold(f64::INFINITY, f64::min) - scale.max(f64::MIN_POSITIVE);
-    let mut field = Vec::with_capacity((columns + 2) * (rows + 2));
-    for row in 0..rows + 2 {
-        for column in 0..columns + 2 {
-            let i = column.saturating_sub(1).min(columns - 1);
-            let j = row.saturating_sub(1).min(rows - 1);
-            let value = quantity(grid.value(i, j));
-            field.push(if value.is_finite() { value } else { below });
+    // One more row and column on each side, in the place of the outermost.
+    let framed = |points: &[f64]| [&points[..1], points, &points[points.len() - 1..]].concat();
+    let (x, y) = (framed(&grid.x), framed(&grid.y));
+    let mut field = Field {
+        values: vec![below; x.len() * y.len()],
+        x,
+        y,
+    };
+    for (row, values) in grid.values.chunks(grid.x.len()).enumerate() {
+        for (column, value) in values.iter().map(|&value| quantity(value)).enumerate() {
+            if value.is_finite() {
+                field.values[(row + 1) * field.x.len() + column + 1] = value;
+            }
         }
     }
-    // Node (i, j) of the grid lies at (i + 1.5, j + 1.5) of the continued field.
-    let place = |x: f64, y: f64| (at_index(&grid.x, x - 1.5), at_index(&grid.y, y - 1.5));
-    let contours = ContourBuilder::new(columns + 2, rows + 2, true)
-        .contours(&field, levels)
-        .map_err(|error| PlotError::Drawing {
-            reason: error.to_string(),
-        })?;
-    let ring = |line: &[Pt]| line.iter().map(|c| place(c.x, c.y)).collect::<Vec<_>>();
-    Ok(contours
-        .iter()
-        .map(|level| {
-            level
-                .geometry()
-                .iter()
-                .map(|polygon| Region {
-                    outline: ring(&polygon.exterior().0),
-                    holes: polygon
-                        .interiors()
-                        .iter()
-                        .map(|hole| ring(&hole.0))
-                        .collect(),
-                })
-                .collect()
-        })
-        .collect())
+    levels.iter().map(|&level| field.rings(level)).collect()
 }
 
-/// Coordinate at a fractional index, linear between the points and held at the ends.
-fn at_index(points: &[f64], index: f64) -> f64 {
-    let last = points.len() - 1;
-    let index = index.clamp(0.0, last as f64);
-    let lower = (index.floor() as usize).min(last.saturating_sub(1));
-    let t = index - lower as f64;
-    points[lower] + t * (points[last.min(lower + 1)] - points[lower])
+/// An edge from the node at a column and a row to the next one, up the column or along the row.
+type Edge = (usize, usize, bool);
+
+struct Field {
+    x: Vec<f64>,
+    y: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl Field {
+    fn value(&self, (column, row): (usize, usize)) -> f64 {
+        self.values[row * self.x.len() + column]
+    }
+
+    fn rings(&self, level: f64) -> Vec<Ring> {
+        let mut next: BTreeMap<Edge, Edge> = BTreeMap::new();
+        for row in 0..self.y.len() - 1 {
+            for column in 0..self.x.len() - 1 {
+                next.extend(self.segments((column, row), level).into_iter().flatten());
+            }
+        }
+        let mut rings = Vec::new();
+        while let Some((start, mut edge)) = next.pop_first() {
+            let mut ring = vec![self.crossing(start, level)];
+            while let Some(after) = next.remove(&edge) {
+                ring.push(self.crossing(edge, level));
+                edge = after;
+            }
+            ring.push(ring[0]);
+            rings.push(ring);
+        }
+        rings
+    }
+
+    /// The pieces of rings in a cell, each from the edge through which one that walks around the cell leaves the
+    /// region to that through which it enters again.
+    fn segments(&self, (i, j): (usize, usize), level: f64) -> [Option<(Edge, Edge)>; 2] {
+        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|node| self.value(node));
+        let inside = corners.map(|value| value >= level);
+        let edges = [
+            (i, j, false),
+            (i + 1, j, true),
+            (i, j + 1, false),
+            (i, j, true),
+        ];
+        let leaves = |k: usize| inside[k % 4] && !inside[(k + 1) % 4];
+        let enters = |k: usize| !inside[k % 4] && inside[(k + 1) % 4];
+        // Around the corner that is cut off, or around that which is not.
+        let joined = corners.iter().map(|value| value / 4.0).sum::<f64>() >= level;
+        let turns = if joined { [1, 2, 3] } else { [3, 2, 1] };
+        let mut starts = (0..4).filter(|&k| leaves(k)).map(|k| {
+            let end = turns.into_iter().map(|turn| k + turn).find(|&k| enters(k));
+            (edges[k], edges[end.unwrap_or(k) % 4])
+        });
+        [starts.next(), starts.next()]
+    }
+
+    /// The place on an edge where the quantity reaches the level.
+    fn crossing(&self, (i, j, upright): Edge, level: f64) -> Point {
+        let (from, to) = ((i, j), if upright { (i, j + 1) } else { (i + 1, j) });
+        let (a, b) = (self.value(from) / 2.0, self.value(to) / 2.0);
+        let t = (level / 2.0 - a) / (b - a);
+        let between =
+            |points: &[f64], from: usize, to: usize| points[from] + t * (points[to] - points[from]);
+        (
+            between(&self.x, from.0, to.0),
+            between(&self.y, from.1, to.1),
+        )
+    }
 }
 
 /// The pieces of a ring that do not run along the border of the rectangle `from` … `to`: contour
@@ -133,14 +124,18 @@ pub(crate) fn off_border(ring: &[Point], from: Point, to: Point) -> Vec<Vec<Poin
     };
     let mut pieces: Vec<Vec<Point>> = Vec::new();
     let mut open = false;
-    for pair in ring.windows(2) {
-        if border(pair[0], pair[1]) {
+    // Around from where the ring meets the border, so that no line is cut where the ring happens to begin.
+    let count = ring.len() - 1;
+    let start = (0..count).find(|&k| border(ring[k], ring[k + 1]));
+    for k in (0..count).map(|k| (k + start.unwrap_or(0)) % count) {
+        let (from, to) = (ring[k], ring[k + 1]);
+        if border(from, to) {
             open = false;
             continue;
         }
         match pieces.last_mut().filter(|_| open) {
-            Some(piece) => piece.push(pair[1]),
-            None => pieces.push(vec![pair[0], pair[1]]),
+            Some(piece) => piece.push(to),
+            None => pieces.push(vec![from, to]),
         }
         open = true;
     }
@@ -215,11 +210,11 @@ mod tests {
     #[test]
     fn circle_lies_on_its_radius() {
         let field = grid(even(-1.0, 1.0, 81), even(-1.0, 1.0, 61), |x, y| x.hypot(y));
-        let regions = regions(&field, |r| 1.0 - r, &[0.4]).unwrap();
+        let regions = regions(&field, |r| 1.0 - r, &[0.4]);
         assert_eq!(regions[0].len(), 1);
         // Linear interpolation across a cell of at most 1/30: the error is far below a tenth of a
         // cell.
-        for &(x, y) in &regions[0][0].outline {
+        for &(x, y) in &regions[0][0] {
             assert!((x.hypot(y) - 0.6).abs() < 0.1 / 30.0, "({x}, {y})");
         }
     }
@@ -229,9 +224,9 @@ mod tests {
         let x: Vec<f64> = (0..12).map(|k| 1.3f64.powi(k)).collect();
         let y: Vec<f64> = (0..9).map(|k| f64::from(k * k) + 1.0).collect();
         let field = grid(x.clone(), y.clone(), |x, y| 2.0 * x + 0.1 * y);
-        let regions = regions(&field, |v| -v, &[-12.0]).unwrap();
+        let regions = regions(&field, |v| -v, &[-12.0]);
         let (from, to) = ((x[0], y[0]), (x[11], y[8]));
-        let lines = off_border(&regions[0][0].outline, from, to);
+        let lines = off_border(&regions[0][0], from, to);
         assert_eq!(lines.len(), 1);
         for &(x, y) in &lines[0] {
             assert!((2.0 * x + 0.1 * y - 12.0).abs() < 1e-9, "({x}, {y})");
@@ -248,8 +243,8 @@ mod tests {
         for (a, b) in [(1.0, 0.3), (-1.0, 0.3), (0.3, 1.0), (0.3, -1.0)] {
             let field = grid(even(0.0, 1.0, 7), even(0.0, 1.0, 6), |x, y| a * x + b * y);
             let level = 0.5 * (a + b);
-            let regions = regions(&field, |v| v, &[level]).unwrap();
-            let lines = off_border(&regions[0][0].outline, (0.0, 0.0), (1.0, 1.0));
+            let regions = regions(&field, |v| v, &[level]);
+            let lines = off_border(&regions[0][0], (0.0, 0.0), (1.0, 1.0));
             assert_eq!(lines.len(), 1);
             for &(x, y) in &lines[0] {
                 assert!(
@@ -261,13 +256,17 @@ mod tests {
     }
 
     #[test]
-    fn hole_is_cut_out_of_the_single_path() {
+    fn a_hole_turns_against_its_outline() {
         let field = grid(even(-1.0, 1.0, 101), even(-1.0, 1.0, 101), |x, y| {
             x.hypot(y)
         });
-        let regions = regions(&field, |r| 0.2 - (r - 0.6).abs(), &[0.0]).unwrap();
-        assert_eq!((regions[0].len(), regions[0][0].holes.len()), (1, 1));
-        let area = ring_area(&regions[0][0].single_path()).abs();
+        let regions = regions(&field, |r| 0.2 - (r - 0.6).abs(), &[0.0]);
+        assert_eq!(regions[0].len(), 2);
+        let area = regions[0]
+            .iter()
+            .map(|ring| ring_area(ring))
+            .sum::<f64>()
+            .abs();
         let exact = std::f64::consts::PI * (0.64 - 0.16);
         assert!((area - exact).abs() < 2e-3, "{area} {exact}");
     }
@@ -277,12 +276,11 @@ mod tests {
         let mut field = grid(even(0.0, 1.0, 9), even(0.0, 1.0, 9), |x, _| -x);
         field.values[40] = f64::NAN;
         field.values[3] = f64::INFINITY;
-        let regions = regions(&field, |v| -v, &[0.0, 0.5, 5.0]).unwrap();
+        let regions = regions(&field, |v| -v, &[0.0, 0.5, 5.0]);
         assert!(regions[2].is_empty());
         assert!(
             regions[0]
                 .iter()
-                .flat_map(Region::rings)
                 .flatten()
                 .all(|p| p.0.is_finite() && p.1.is_finite())
         );

@@ -6,7 +6,7 @@
 /// Size of a subscript over that of its text.
 pub(crate) const SIZE: f64 = 0.72;
 /// Depth of its baseline below that of its text, in sizes of the text.
-const DEPTH: f64 = 0.18;
+pub(crate) const DEPTH: f64 = 0.18;
 
 /// Characters that stand on one line.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,13 +1,11 @@
 //! The frame of a panel: axes, ticks, grid and their words.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::axis::{Axis, Ticks};
-use crate::canvas::{Canvas, Lettering, Stroke};
+use super::axis::{Axis, Ticks};
+use super::font::Weight;
+use super::picture::{Horizontal, Lettering, Picture, Stroke, Vertical};
+use super::sheet_box::SheetBox;
+use super::text::{self, TICK_FONT, TITLE_FONT};
 use crate::color::Rgb;
-use crate::error::PlotError;
-use crate::sheet_box::SheetBox;
-use crate::text::{self, TICK_FONT, TITLE_FONT, Weight};
 
 /// Distance from a frame to its tick labels, pixels.
 const TICK_GAP: f64 = 5.0;
@@ -52,32 +50,31 @@ fn label_width(ticks: &Ticks) -> f64 {
 
 /// Grid lines at the ticks of both axes.
 pub(crate) fn draw_grid(
-    canvas: &mut Canvas<'_>,
+    picture: &mut Picture,
     frame: &SheetBox,
     (x, x_ticks): (&Axis, &Ticks),
     (y, y_ticks): (&Axis, &Ticks),
-) -> Result<(), PlotError> {
+) {
     let stroke = |label: &Option<String>| if label.is_some() { GRID } else { MINOR_GRID };
     for tick in &x_ticks.ticks {
         let at = x.at(tick.value);
-        canvas.line(&[(at, frame.top), (at, frame.bottom)], stroke(&tick.label))?;
+        picture.line(&[(at, frame.top), (at, frame.bottom)], stroke(&tick.label));
     }
     for tick in &y_ticks.ticks {
         let at = y.at(tick.value);
-        canvas.line(&[(frame.left, at), (frame.right, at)], stroke(&tick.label))?;
+        picture.line(&[(frame.left, at), (frame.right, at)], stroke(&tick.label));
     }
-    Ok(())
 }
 
 /// The four sides of the frame.
-pub(crate) fn draw_outline(canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<(), PlotError> {
+pub(crate) fn draw_outline(picture: &mut Picture, frame: &SheetBox) {
     let SheetBox {
         left,
         top,
         right,
         bottom,
     } = *frame;
-    canvas.line(
+    picture.line(
         &[
             (left, top),
             (right, top),
@@ -92,13 +89,13 @@ pub(crate) fn draw_outline(canvas: &mut Canvas<'_>, frame: &SheetBox) -> Result<
 
 /// Ticks, tick labels and title of one side.
 pub(crate) fn draw_axis(
-    canvas: &mut Canvas<'_>,
+    picture: &mut Picture,
     frame: &SheetBox,
     side: Side,
     axis: &Axis,
     ticks: &Ticks,
     title: &str,
-) -> Result<(), PlotError> {
+) {
     let label_style = Lettering::new(TICK_FONT);
     for tick in &ticks.ticks {
         let at = axis.at(tick.value);
@@ -106,19 +103,31 @@ pub(crate) fn draw_axis(
         let label = tick.label.as_deref().unwrap_or("");
         match side {
             Side::Bottom => {
-                canvas.line(&[(at, frame.bottom), (at, frame.bottom - length)], OUTLINE)?;
+                picture.line(&[(at, frame.bottom), (at, frame.bottom - length)], OUTLINE);
                 let place = (at, frame.bottom + TICK_GAP);
-                canvas.text(label, place, label_style.anchor(HPos::Center, VPos::Top))?;
+                picture.text(
+                    label,
+                    place,
+                    label_style.anchor(Horizontal::Center, Vertical::Top),
+                );
             }
             Side::Left => {
-                canvas.line(&[(frame.left, at), (frame.left + length, at)], OUTLINE)?;
+                picture.line(&[(frame.left, at), (frame.left + length, at)], OUTLINE);
                 let place = (frame.left - TICK_GAP, at);
-                canvas.text(label, place, label_style.anchor(HPos::Right, VPos::Center))?;
+                picture.text(
+                    label,
+                    place,
+                    label_style.anchor(Horizontal::Right, Vertical::Center),
+                );
             }
             Side::Right => {
-                canvas.line(&[(frame.right, at), (frame.right - length, at)], OUTLINE)?;
+                picture.line(&[(frame.right, at), (frame.right - length, at)], OUTLINE);
                 let place = (frame.right + TICK_GAP, at);
-                canvas.text(label, place, label_style.anchor(HPos::Left, VPos::Center))?;
+                picture.text(
+                    label,
+                    place,
+                    label_style.anchor(Horizontal::Left, Vertical::Center),
+                );
             }
         }
     }
@@ -127,9 +136,14 @@ pub(crate) fn draw_axis(
     if side == Side::Bottom {
         let place = (middle_x, frame.bottom + TICK_GAP + TICK_FONT + TITLE_GAP);
         let title = ticks.title(title);
-        return canvas.text(&title, place, style.anchor(HPos::Center, VPos::Top));
+        picture.text(
+            &title,
+            place,
+            style.anchor(Horizontal::Center, Vertical::Top),
+        );
+        return;
     }
-    let style = style.anchor(HPos::Center, VPos::Center).upward();
+    let style = style.anchor(Horizontal::Center, Vertical::Center).upward();
     let lines = upright_title(ticks, title, frame.height());
     let beside = TICK_GAP + label_width(ticks) + TITLE_GAP + TITLE_FONT / 2.0;
     for (index, line) in lines.iter().enumerate() {
@@ -138,7 +152,6 @@ pub(crate) fn draw_axis(
             Side::Right => frame.right + beside + index as f64 * TITLE_LINE,
             _ => frame.left - beside - (lines.len() - 1 - index) as f64 * TITLE_LINE,
         };
-        canvas.text(line, (x, middle_y), style)?;
+        picture.text(line, (x, middle_y), style);
     }
-    Ok(())
 }

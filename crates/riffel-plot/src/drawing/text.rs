@@ -1,72 +1,15 @@
-//! Text: the font that travels with the crate, the width of words in it, line breaking, numbers.
+//! Text: the width of words, line breaking, numbers.
 
-use std::sync::Once;
-
-use crate::subscript::{self, Run};
-use plotters::style::{FontDesc, FontFamily, FontStyle, register_font};
+use super::font::{self, Weight};
 
 /// Font size of axis titles, pixels (96 per inch): 9.75 pt.
 pub(crate) const TITLE_FONT: f64 = 13.0;
 /// Font size of tick labels, pixels: 9 pt.
 pub(crate) const TICK_FONT: f64 = 12.0;
 
-/// `font-family` of every text of a picture. DejaVu Sans comes with the crate `dejavu`; where a
-/// viewer lacks it, its own sans serif replaces it.
-pub(crate) const FONT_FAMILY: &str = "DejaVu Sans, sans-serif";
-
-/// Design units per em of DejaVu Sans 2.37.
-const UNITS_PER_EM: f64 = 2048.0;
-/// Ascender minus descender of DejaVu Sans 2.37 in design units: at this height one pixel is one
-/// unit.
-const UNITS_PER_LINE: f64 = 2384.0;
-
-/// Weight of a text.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Weight {
-    Regular,
-    Bold,
-}
-
-impl Weight {
-    fn font_style(self) -> FontStyle {
-        match self {
-            Weight::Regular => FontStyle::Normal,
-            Weight::Bold => FontStyle::Bold,
-        }
-    }
-}
-
-fn register_fonts() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        // The bytes are compiled in: a refusal could only mean a damaged build, and `width` then
-        // falls back.
-        let _ = register_font(FONT_FAMILY, FontStyle::Normal, dejavu::sans::regular());
-        let _ = register_font(FONT_FAMILY, FontStyle::Bold, dejavu::sans::bold());
-    });
-}
-
-/// The font at a size in the units of the backend. (A font turned bold later would keep its regular
-/// widths.)
-pub(crate) fn font(size: f64, weight: Weight) -> FontDesc<'static> {
-    register_fonts();
-    FontDesc::new(FontFamily::Name(FONT_FAMILY), size, weight.font_style())
-}
-
 /// Width of a text in pixels for a font size in pixels.
 pub(crate) fn width(text: &str, size: f64, weight: Weight) -> f64 {
-    let run_width = |run: Run| {
-        let size = if run.lowered {
-            subscript::SIZE * size
-        } else {
-            size
-        };
-        match font(UNITS_PER_LINE, weight).box_size(&run.words) {
-            Ok((units, _)) => f64::from(units) / UNITS_PER_EM * size,
-            Err(_) => 0.6 * size * run.words.chars().count() as f64,
-        }
-    };
-    subscript::runs(text).into_iter().map(run_width).sum()
+    font::set(text, size, weight).1
 }
 
 /// Breaks a text into lines no wider than `limit` pixels. Line breaks of the text are kept; a word wider than the

@@ -1,7 +1,8 @@
 //! An axis: where a value lies on the sheet, and which values are marked on it.
 
+use super::font::Weight;
+use super::text::{self, TICK_FONT};
 use crate::scale::{Scale, nice_step};
-use crate::text::{self, TICK_FONT, Weight};
 
 /// A marked value of an axis.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,7 +13,7 @@ pub(crate) struct Tick {
 }
 
 /// The ticks of an axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Ticks {
     pub(crate) ticks: Vec<Tick>,
     /// The labels are to be multiplied by ten to this power.
@@ -58,6 +59,17 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
+    /// An axis of equal steps over a range, between two sheet positions.
+    pub(crate) fn linear((low, high): (f64, f64), (start, end): (f64, f64)) -> Self {
+        Axis {
+            scale: Scale::Linear,
+            low,
+            high,
+            start,
+            end,
+        }
+    }
+
     /// Sheet position of a value, pixels.
     pub(crate) fn at(&self, value: f64) -> f64 {
         let fraction = match self.scale {
@@ -115,13 +127,7 @@ impl Axis {
             .into_iter()
             .enumerate()
             .find(|(index, ticks)| *index == last || self.have_room(ticks, direction))
-            .map_or(
-                Ticks {
-                    ticks: Vec::new(),
-                    exponent: 0,
-                },
-                |(_, ticks)| ticks,
-            )
+            .map_or_else(Ticks::default, |(_, ticks)| ticks)
     }
 
     /// Whether the labels stand clear of each other.
@@ -243,10 +249,7 @@ mod tests {
     fn labels(scale: Scale, low: f64, high: f64, count: usize) -> Vec<String> {
         let axis = Axis {
             scale,
-            low,
-            high,
-            start: 0.0,
-            end: 400.0,
+            ..Axis::linear((low, high), (0.0, 400.0))
         };
         axis.ticks(count, Direction::Across)
             .labels()
@@ -272,13 +275,7 @@ mod tests {
 
     #[test]
     fn angles_divide_a_turn() {
-        let axis = Axis {
-            scale: Scale::Linear,
-            low: -180.0,
-            high: 0.0,
-            start: 0.0,
-            end: 400.0,
-        };
+        let axis = Axis::linear((-180.0, 0.0), (0.0, 400.0));
         assert_eq!(
             axis.degree_ticks(6, Direction::Across)
                 .labels()
@@ -295,13 +292,7 @@ mod tests {
 
     #[test]
     fn tiny_numbers_share_a_power_of_ten() {
-        let axis = Axis {
-            scale: Scale::Linear,
-            low: 0.0,
-            high: 3e-9,
-            start: 0.0,
-            end: 400.0,
-        };
+        let axis = Axis::linear((0.0, 3e-9), (0.0, 400.0));
         let ticks = axis.ticks(3, Direction::Across);
         assert_eq!(ticks.exponent, -9);
         assert_eq!(ticks.labels().collect::<Vec<_>>(), ["0", "1", "2", "3"]);
@@ -337,10 +328,7 @@ mod tests {
                 ] {
                     let axis = Axis {
                         scale,
-                        low,
-                        high,
-                        start: 0.0,
-                        end: length,
+                        ..Axis::linear((low, high), (0.0, length))
                     };
                     let ticks = axis.ticks(10, direction);
                     assert!(
@@ -386,10 +374,7 @@ mod tests {
     fn positions_are_exact_at_the_ends_and_the_middle() {
         let axis = Axis {
             scale: Scale::Log,
-            low: 1.0,
-            high: 100.0,
-            start: 200.0,
-            end: 0.0,
+            ..Axis::linear((1.0, 100.0), (200.0, 0.0))
         };
         assert!((axis.at(1.0) - 200.0).abs() < 1e-12);
         assert!((axis.at(10.0) - 100.0).abs() < 1e-12);

@@ -1,14 +1,11 @@
 //! The colour bar of a map: its steps, their values and the name of the quantity.
 
-use plotters::style::text_anchor::{HPos, VPos};
-
-use crate::canvas::{Canvas, Lettering, Stroke};
+use super::font::Weight;
+use super::picture::{Horizontal, Lettering, Picture, Stroke, Vertical};
+use super::sheet_box::SheetBox;
+use super::text::{self, TICK_FONT, TITLE_FONT};
 use crate::color::Rgb;
-use crate::error::PlotError;
-use crate::sheet_box::SheetBox;
 use crate::steps::Steps;
-use crate::text::{self, Weight};
-use crate::text::{TICK_FONT, TITLE_FONT};
 
 /// Height of bar, values and name, pixels.
 pub(crate) const HEIGHT: f64 = BAR + 4.0 + TICK_FONT + 5.0 + TITLE_FONT + 3.0;
@@ -51,15 +48,16 @@ impl Steps {
 /// Draws the bar below a panel from `left` to `right`, its upper edge at `top`. A map without
 /// growth has no steps.
 pub(crate) fn draw(
-    canvas: &mut Canvas<'_>,
+    picture: &mut Picture,
     (left, right, top): (f64, f64, f64),
     steps: Option<&Steps>,
     name: &str,
-) -> Result<(), PlotError> {
+) {
     let middle = (left + right) / 2.0;
     let Some(steps) = steps else {
-        let style = Lettering::new(TITLE_FONT).anchor(HPos::Center, VPos::Top);
-        return canvas.text("no growth in this window", (middle, top + 4.0), style);
+        let style = Lettering::new(TITLE_FONT).anchor(Horizontal::Center, Vertical::Top);
+        picture.text("no growth in this window", (middle, top + 4.0), style);
+        return;
     };
     let bar = SheetBox {
         left,
@@ -71,12 +69,12 @@ pub(crate) fn draw(
     // left.
     let at = |index: usize| right - bar.width() * index as f64 / steps.count as f64;
     for index in 0..steps.count {
-        canvas.rectangle(
+        picture.rectangle(
             (at(index + 1), bar.top),
             (at(index), bar.bottom),
             steps.color(index),
             1.0,
-        )?;
+        );
     }
     let pen = Stroke::solid(Rgb::INK, 0.7);
     let corners = [
@@ -86,7 +84,7 @@ pub(crate) fn draw(
         (left, bar.bottom),
         (left, bar.top),
     ];
-    canvas.line(&corners, pen)?;
+    picture.line(&corners, pen);
 
     let labels: Vec<String> = (0..=steps.count).map(|index| steps.label(index)).collect();
     let widest = labels
@@ -100,17 +98,17 @@ pub(crate) fn draw(
         .find(|every| steps.count.is_multiple_of(*every))
         .unwrap_or(steps.count);
     for (index, label) in labels.iter().enumerate() {
-        canvas.line(
+        picture.line(
             &[(at(index), bar.bottom), (at(index), bar.bottom - 2.5)],
             pen,
-        )?;
+        );
         if index % every == 0 {
-            let style = Lettering::new(TICK_FONT).anchor(HPos::Center, VPos::Top);
-            canvas.text(label, (at(index), bar.bottom + 4.0), style)?;
+            let style = Lettering::new(TICK_FONT).anchor(Horizontal::Center, Vertical::Top);
+            picture.text(label, (at(index), bar.bottom + 4.0), style);
         }
     }
-    let style = Lettering::new(TITLE_FONT).anchor(HPos::Center, VPos::Top);
-    canvas.text(
+    let style = Lettering::new(TITLE_FONT).anchor(Horizontal::Center, Vertical::Top);
+    picture.text(
         &steps.title(name),
         (middle, bar.bottom + 4.0 + TICK_FONT + 5.0),
         style,
