@@ -4,7 +4,6 @@ mod browser;
 mod check;
 mod dependencies;
 mod environment;
-mod fuzz;
 mod page;
 mod python;
 mod release;
@@ -54,8 +53,6 @@ enum Task {
         #[arg(long)]
         build: bool,
     },
-    /// Mutated files for the readers of foreign bytes and for the built program, as `fuzz/README.md` tells.
-    Fuzz(fuzz::Fuzz),
 }
 
 /// A failure as a sentence.
@@ -71,7 +68,6 @@ fn main() -> ExitCode {
         Task::Generate => generate(),
         Task::Dependencies => dependencies::check(),
         Task::Release => release::build(),
-        Task::Fuzz(arguments) => fuzz::run(&arguments),
         Task::Bench { build } => bench(build),
     };
     match outcome {

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use std::fs;
 
 use cargo_metadata::Package;
+use spdx::{Expression, ParseMode};
 
-use super::{built_of, policy};
+use super::built_of;
 
 /// How files with the terms of a package begin, in capitals.
 const BEGINNINGS: [&str; 5] = ["LICENSE", "LICENCE", "COPYING", "UNLICENSE", "NOTICE"];
@@ -83,7 +84,11 @@ fn terms(package: &Package) -> Result<Vec<String>, String> {
 /// The texts of the licences that a package states, for one that brings none.
 fn of_spdx(package: &Package) -> Result<Vec<String>, String> {
     let sentence = |what: String| format!("{} {} {what}", package.name, package.version);
-    let licence = policy::licence(package).map_err(sentence)?;
+    let stated = package.license.as_ref();
+    let stated = stated.ok_or_else(|| sentence("states no licence".to_owned()))?;
+    // Of old, `/` stands for `OR`.
+    let licence = Expression::parse_mode(stated, ParseMode::LAX)
+        .map_err(|error| sentence(format!("states no licence that is known: {}", error.reason)))?;
     let by = match package.authors.is_empty() {
         true => String::new(),
         false => format!(" by {}", package.authors.join(", ")),
