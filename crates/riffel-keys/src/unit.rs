@@ -106,7 +106,7 @@ const PREFIXED: [(&str, f64, Exponents); 9] = [
 ];
 
 /// Newtons of a pound-force: a pound, 0.453 592 37 kg, under standard gravity.
-const POUND_FORCE: f64 = 0.453_592_37 * riffel::forecast::STANDARD_GRAVITY;
+const POUND_FORCE: f64 = 0.453_592_37 * riffel::STANDARD_GRAVITY;
 /// Radians of a degree.
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Metres of an inch.

@@ -1,10 +1,9 @@
 //! Which columns of a table hold what an axle box felt, and where the train was.
 
+use riffel::STANDARD_GRAVITY;
+
 use crate::heading::{Heading, length_in, tokens};
 use crate::length_unit::metres;
-
-/// Standard gravity \[m/s²\] (3rd General Conference on Weights and Measures, 1901).
-const GRAVITY: f64 = 9.806_65;
 
 /// What a column holds, with the size of its unit in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,8 +107,8 @@ fn acceleration(written: &str) -> Option<f64> {
         .iter()
         .rev()
         .find_map(|word| match word.as_str() {
-            "g" | "gn" => Some(GRAVITY),
-            "mg" => Some(1e-3 * GRAVITY),
+            "g" | "gn" => Some(STANDARD_GRAVITY),
+            "mg" => Some(1e-3 * STANDARD_GRAVITY),
             _ => None,
         })
 }
@@ -161,7 +160,7 @@ mod tests {
         for (name, expected) in [
             ("acceleration_m_per_s2", Content::Acceleration(1.0)),
             ("Beschleunigung links [m/s²]", Content::Acceleration(1.0)),
-            ("acc left (g)", Content::Acceleration(GRAVITY)),
+            ("acc left (g)", Content::Acceleration(STANDARD_GRAVITY)),
             ("speed_km_per_h", Content::Speed(1.0 / 3.6)),
             ("v [m/s]", Content::Speed(1.0)),
             ("odometer_km", Content::Odometer(1e3)),

@@ -1,5 +1,7 @@
 //! Whether a sensor of acceleration is well.
 
+use riffel::STANDARD_GRAVITY;
+
 use crate::axle_box_listener::Counting;
 use crate::refusal::Refusal;
 
@@ -9,8 +11,6 @@ const DEAD: f64 = 0.05;
 const CLIPPED_RUN: usize = 3;
 /// Share of samples that may be clipped.
 const MOST_CLIPPED: f64 = 0.01;
-/// Standard gravity \[m/s²\].
-const GRAVITY: f64 = 9.806_65;
 /// How near the mean of a channel is to gravity that it feels, as a share.
 const NEAR: f64 = 0.03;
 
@@ -116,9 +116,16 @@ impl Sensor {
         let mut remarks = Vec::new();
         let count = self.count.max(1) as f64;
         let (mean, rms) = (self.sum / count, (self.square / count).sqrt());
-        for (what, other, value) in [("m/s²", "g", 1.0), ("g", "m/s²", GRAVITY * GRAVITY)] {
+        for (what, other, value) in [
+            ("m/s²", "g", 1.0),
+            ("g", "m/s²", STANDARD_GRAVITY * STANDARD_GRAVITY),
+        ] {
             if (mean.abs() / value - 1.0).abs() < NEAR {
-                let shown = if value == 1.0 { mean } else { mean / GRAVITY };
+                let shown = if value == 1.0 {
+                    mean
+                } else {
+                    mean / STANDARD_GRAVITY
+                };
                 return Err(Refusal {
                     line: None,
                     message: format!(

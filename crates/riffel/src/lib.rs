@@ -87,6 +87,7 @@
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod axlebox;
+mod constants;
 pub mod contact;
 pub mod curving;
 pub mod diagnosis;
@@ -113,6 +114,7 @@ mod vector;
 mod wear;
 pub mod wheelset;
 
+pub use constants::{STANDARD_GRAVITY, STEEL_DENSITY};
 pub use contact::{Carter3d, HertzContact, RollingContact};
 pub use direction::{Direction, Place, Rail};
 pub use elastic::ElasticMaterial;

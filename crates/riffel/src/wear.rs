@@ -1,6 +1,6 @@
 //! From dissipated energy to depth of wear.
 
-use crate::Error;
+use crate::{Error, STEEL_DENSITY};
 
 /// Wear in proportion to dissipated energy (Archard's law written for energy).
 ///
@@ -23,7 +23,7 @@ impl EnergyWear {
     /// Wear coefficient of the mild regime \[kg/J\] used where nothing better is known.
     pub const DEFAULT_COEFFICIENT: f64 = 2.5e-9;
     /// Density of rail steel \[kg/m³\].
-    pub const DEFAULT_DENSITY: f64 = 7850.0;
+    pub const DEFAULT_DENSITY: f64 = STEEL_DENSITY;
 
     /// A law of coefficient k_w \[kg/J\] and density ρ \[kg/m³\] for a contact of semi-axis b across
     /// the rail \[m\].

@@ -10,6 +10,7 @@ mod range;
 use riffel_keys::{Message, Value, fixed, number, say};
 use std::io::{self, Write};
 
+use riffel::STEEL_DENSITY;
 use riffel::contact::ContactFilter;
 use riffel::noise::{
     Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, PassBy, Piston,
@@ -32,8 +33,6 @@ use crate::AnswerError;
 const WHEEL_WIDTH: f64 = 0.135;
 /// Area of the 60E1 section \[m²\], for a rail of which nothing is known but its receptance.
 const RAIL_AREA: f64 = 76.7e-4;
-/// Density of rail steel \[kg/m³\].
-const RAIL_DENSITY: f64 = 7850.0;
 /// Distance of pass-by measurements up to which what absorbs is left out by the field \[m\]: ISO 3095 measures at 7.5 and 25 m.
 const FAR: f64 = 25.0;
 /// Difference of radii up to which modes are taken to be those of the wheel.
@@ -302,7 +301,7 @@ fn powers_of(
     let file = &case.file;
     let area = match (file.rail.area, case.track.rail_mass) {
         (Some(area), _) => area.si(),
-        (None, Some(mass)) => mass / file.rail.density.map_or(RAIL_DENSITY, |rho| rho.si()),
+        (None, Some(mass)) => mass / file.rail.density.map_or(STEEL_DENSITY, |rho| rho.si()),
         (None, None) => RAIL_AREA,
     };
     let spacing = file.track.support_spacing.map(|spacing| spacing.si());

@@ -8,11 +8,10 @@ use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
 use riffel::wheelset::{Motion, RigidInertia};
-use riffel::{Carter3d, Direction, ElasticMaterial, HertzContact, Rail, Receptance};
+use riffel::{Carter3d, Direction, ElasticMaterial, HertzContact, Rail, Receptance, STEEL_DENSITY};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
 use super::ClosedLoop;
-use super::track::RAIL_DENSITY;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{Comb, Rotation, TrackModel};
 use crate::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
@@ -356,7 +355,7 @@ impl CheckedKeys {
             shear_modulus: rail
                 .shear_modulus
                 .map_or(steel.shear_modulus(), |modulus| modulus.si()),
-            density: rail.density.map_or(RAIL_DENSITY, |density| density.si()),
+            density: rail.density.map_or(STEEL_DENSITY, |density| density.si()),
         };
         let loss_factor = rail.loss_factor.map_or(0.0, |loss| loss.si());
         let twist =

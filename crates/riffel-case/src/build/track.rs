@@ -6,7 +6,7 @@ use riffel::receptance::{
     Bar, Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, MovingBeam, MovingLoadTrack,
     PeriodicTrack, ShearSection, Waveguide,
 };
-use riffel::{Direction, ElasticMaterial};
+use riffel::{Direction, ElasticMaterial, STEEL_DENSITY};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
@@ -14,9 +14,6 @@ use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, Support, TrackModel};
 use crate::measurement;
 use crate::track::{Origin, Track};
-
-/// Density of rail steel \[kg/m³\].
-pub(super) const RAIL_DENSITY: f64 = 7850.0;
 
 impl CheckedKeys {
     /// The track in one direction, over a support or where the case says.
@@ -245,7 +242,7 @@ impl CheckedKeys {
                     },
                     density: match rail.density {
                         Some(density) => density.si(),
-                        None => RAIL_DENSITY,
+                        None => STEEL_DENSITY,
                     },
                 };
                 Beam::timoshenko(steel, second_moment, mass_per_length, shear)

@@ -177,7 +177,7 @@ impl Default for Axle {
             length: None,
             diameter: None,
             segments: None,
-            density: Quantity::new(7850.0),
+            density: Quantity::new(riffel::STEEL_DENSITY),
             youngs_modulus: None,
             poisson_ratio: None,
             shear_coefficient: None,

@@ -1,6 +1,6 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
-use riffel::forecast::STANDARD_GRAVITY;
+use riffel::STANDARD_GRAVITY;
 use riffel_keys::{Message, Unit, say};
 
 use super::MeasurementError;

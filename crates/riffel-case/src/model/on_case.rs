@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 use riffel::contact::{ContactFilter, LoadWear};
+use riffel::curving::GRAVITY;
 use riffel::feedback::Contact;
 use riffel::growth::Bay;
 use riffel::receptance::RigidGround;
@@ -20,9 +21,6 @@ use crate::file::CreepLawName;
 use crate::file::{Axle, Rotation, Support, TrackModel, Wheelset, WheelsetModel};
 use crate::given::{Given, GivenReceptance};
 use crate::window::Window;
-
-/// Acceleration of gravity \[m/s²\].
-const GRAVITY: f64 = 9.81;
 
 /// The creep law of a contact beyond saturation.
 const FULL_SLIDING: &str = "full-sliding";

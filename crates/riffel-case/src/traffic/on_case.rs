@@ -2,9 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use riffel::forecast::{
-    STANDARD_GRAVITY, SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines,
-};
+use riffel::STANDARD_GRAVITY;
+use riffel::forecast::{SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
 use riffel_keys::quantity::{Force, Quantity};
 use riffel_keys::{CaseError, Message, overridden_key, say};

@@ -17,7 +17,7 @@ mod signal;
 mod tests;
 
 use riffel::Complex64;
-use riffel::forecast::STANDARD_GRAVITY;
+use riffel::STANDARD_GRAVITY;
 
 use crate::{Exponents, Unit};
 

@@ -26,5 +26,5 @@ pub use lines::{LINES_PER_BAND, band_lines};
 pub use mean_growth::MeanGrowth;
 pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
-pub use traffic::{STANDARD_GRAVITY, TrafficGrowth, VehicleGrowth};
+pub use traffic::{TrafficGrowth, VehicleGrowth};
 pub use wear_fit::{FittedBand, MeasuredChange, WearFit, WearVerdict};

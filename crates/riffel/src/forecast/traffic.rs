@@ -1,12 +1,9 @@
 //! Growth under a mix of vehicles.
 
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
-use crate::Error;
 use crate::feedback::Loop;
 use crate::roughness::ThirdOctave;
-
-/// Standard acceleration of free fall \[m/s²\], which turns a load into a mass.
-pub const STANDARD_GRAVITY: f64 = 9.80665;
+use crate::{Error, STANDARD_GRAVITY};
 
 /// One kind of vehicle in the mix.
 #[derive(Debug, Clone, PartialEq)]
