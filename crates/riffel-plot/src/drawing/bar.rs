@@ -35,6 +35,7 @@ impl BarFigure {
             |panel: &BarPanel| panel.rows.len().max(1) as f64 * row_height(panel) + ROW_GAP;
         let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
         let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
+        let below = |panel| frame::BELOW + height(panel) - tallest;
         let sheet = Sheet {
             title: &self.title,
             caption: &self.caption,
@@ -43,7 +44,7 @@ impl BarFigure {
             frame_size: (WIDTH, tallest),
             left: self.panels.iter().map(beside).fold(0.0, f64::max),
             right: 14.0,
-            below: frame::BELOW,
+            below: self.panels.iter().map(below).collect(),
             legend: &entries(self),
         };
         Ok(sheet.picture(|picture, index, mut frame| {

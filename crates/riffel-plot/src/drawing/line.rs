@@ -48,19 +48,19 @@ impl LineFigure {
         };
         let panels = self.panels.iter().map(|panel| Drawing::new(panel, &frame));
         let panels: Vec<Drawing<'_>> = panels.collect();
-        let most =
-            |length: &dyn Fn(&Drawing<'_>) -> f64| panels.iter().map(length).fold(0.0, f64::max);
+        let beside = |drawing: &Drawing<'_>| {
+            frame::room_beside(&drawing.y_ticks, &drawing.panel.y_label, frame.height())
+        };
+        let below = |drawing: &Drawing<'_>| frame::BELOW + drawing.legend_height_below(&frame);
         let sheet = Sheet {
             title: &self.title,
             caption: &self.caption,
             subtitles: self.panels.iter().map(|panel| &*panel.subtitle).collect(),
             columns,
             frame_size,
-            left: most(&|panel| {
-                frame::room_beside(&panel.y_ticks, &panel.panel.y_label, frame.height())
-            }),
+            left: panels.iter().map(beside).fold(0.0, f64::max),
             right: 14.0,
-            below: frame::BELOW + most(&|panel| panel.legend_height_below(&frame)),
+            below: panels.iter().map(below).collect(),
             legend: &[],
         };
         Ok(sheet.picture(|picture, index, frame| panels[index].draw(picture, &frame)))

@@ -56,7 +56,7 @@ impl MapFigure {
             frame_size,
             left: widest(&|panel| beside(&panel.speed_ticks.0, SPEED_KM_PER_H)),
             right: widest(&|panel| beside(&panel.speed_ticks.1, SPEED_M_PER_S)),
-            below: frame::BELOW + 8.0 + color_bar::HEIGHT,
+            below: vec![frame::BELOW + 8.0 + color_bar::HEIGHT; self.panels.len()],
             legend: &legend_entries(&panels, &labels),
         };
         Ok(sheet.picture(|picture, index, frame| panels[index].draw(picture, &frame)))

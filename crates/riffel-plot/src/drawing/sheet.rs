@@ -33,10 +33,11 @@ pub(crate) struct Sheet<'a> {
     pub(crate) columns: usize,
     /// Width and height of the frame of a panel.
     pub(crate) frame_size: (f64, f64),
-    /// Room left, right and below a frame for its words.
+    /// Room left and right of a frame for its words.
     pub(crate) left: f64,
     pub(crate) right: f64,
-    pub(crate) below: f64,
+    /// Room below the frame of each panel; a row takes what the panel with most words needs.
+    pub(crate) below: Vec<f64>,
     pub(crate) legend: &'a [Entry],
 }
 
@@ -80,8 +81,14 @@ impl Sheet<'_> {
         MARGIN + lines * TITLE_LINE + if lines > 0.0 { 4.0 } else { 0.0 }
     }
 
-    fn row_height(&self) -> f64 {
-        self.above() + self.frame_size.1 + self.below
+    /// Height of the first rows with the gaps below them.
+    fn height_of(&self, rows: usize) -> f64 {
+        let below = self.below.chunks(self.columns.max(1)).take(rows);
+        let height = |row: &[f64]| {
+            let below = row.iter().copied().fold(0.0, f64::max);
+            self.above() + self.frame_size.1 + below + ROW_GAP
+        };
+        below.map(height).sum()
     }
 
     fn above(&self) -> f64 {
@@ -91,8 +98,7 @@ impl Sheet<'_> {
     }
 
     fn legend_top(&self) -> f64 {
-        let rows = self.subtitles.len().div_ceil(self.columns.max(1)) as f64;
-        self.panels_top() + rows * (self.row_height() + ROW_GAP) - ROW_GAP + 8.0
+        self.panels_top() + self.height_of(usize::MAX) - ROW_GAP + 8.0
     }
 
     fn caption_top(&self) -> f64 {
@@ -112,7 +118,7 @@ impl Sheet<'_> {
         let left = MARGIN
             + column as f64 * (self.left + self.frame_size.0 + self.right + COLUMN_GAP)
             + self.left;
-        let top = self.panels_top() + row as f64 * (self.row_height() + ROW_GAP) + self.above();
+        let top = self.panels_top() + self.height_of(row) + self.above();
         SheetBox {
             left,
             top,

@@ -26,6 +26,7 @@ impl StripFigure {
         }
         let tallest = self.panels.iter().map(height).fold(0.0, f64::max);
         let beside = |panel| frame::room_beside(&row_ticks(panel), "", tallest);
+        let below = |panel| frame::BELOW + height(panel) - tallest;
         let entry = |class: &StripClass| Entry {
             sample: Sample::Patch(class.color),
             name: class.label.clone(),
@@ -38,7 +39,7 @@ impl StripFigure {
             frame_size: (WIDTH, tallest),
             left: self.panels.iter().map(beside).fold(0.0, f64::max),
             right: 14.0,
-            below: frame::BELOW,
+            below: self.panels.iter().map(below).collect(),
             legend: &self.classes.iter().map(entry).collect::<Vec<_>>(),
         };
         Ok(sheet.picture(|picture, index, mut frame| {
