@@ -467,38 +467,36 @@ fn words(cell: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rstest::rstest;
 
     fn heading(text: &str, delimiter: Delimiter, count: usize) -> Heading {
         let lines: Vec<&[u8]> = text.lines().map(str::as_bytes).collect();
         Heading::read(&lines, delimiter, count, count)
     }
 
-    #[rstest]
-    #[case("# heights in mm", Some("mm"), None)]
-    #[case("# Position in m, Höhe in µm", Some("um"), Some("m"))]
-    #[case("Höhen [mm]; Weg [km]", Some("mm"), Some("km"))]
-    #[case("% units: m, mm", Some("mm"), Some("m"))]
-    #[case("Einheit: mm", Some("mm"), None)]
-    #[case("# z: micrometres", Some("um"), None)]
-    #[case("# heights every 1 mm", None, None)]
-    #[case("# wheel radius in mm", None, None)]
-    #[case("# profile over 100 m", None, None)]
-    #[case("# made in spring", None, None)]
-    fn remarks_give_units(
-        #[case] remark: &str,
-        #[case] height: Option<&str>,
-        #[case] position: Option<&str>,
-    ) {
-        let heading = heading(&format!("{remark}\nx;z\n"), Delimiter::Semicolon, 2);
-        assert_eq!(
-            heading.stated(Kind::Height).map(|stated| stated.unit),
-            height
-        );
-        assert_eq!(
-            heading.stated(Kind::Position).map(|stated| stated.unit),
-            position
-        );
+    #[test]
+    fn remarks_give_units() {
+        for (remark, height, position) in [
+            ("# heights in mm", Some("mm"), None),
+            ("# Position in m, Höhe in µm", Some("um"), Some("m")),
+            ("Höhen [mm]; Weg [km]", Some("mm"), Some("km")),
+            ("% units: m, mm", Some("mm"), Some("m")),
+            ("Einheit: mm", Some("mm"), None),
+            ("# z: micrometres", Some("um"), None),
+            ("# heights every 1 mm", None, None),
+            ("# wheel radius in mm", None, None),
+            ("# profile over 100 m", None, None),
+            ("# made in spring", None, None),
+        ] {
+            let heading = heading(&format!("{remark}\nx;z\n"), Delimiter::Semicolon, 2);
+            assert_eq!(
+                heading.stated(Kind::Height).map(|stated| stated.unit),
+                height
+            );
+            assert_eq!(
+                heading.stated(Kind::Position).map(|stated| stated.unit),
+                position
+            );
+        }
     }
 
     #[test]
@@ -523,34 +521,33 @@ mod tests {
         );
     }
 
-    #[rstest]
-    #[case("x [ft]", Some("ft"), None)]
-    #[case("left_in", Some("in"), None)]
-    #[case("Höhe [Zoll]", Some("in"), None)]
-    #[case("height (thou)", Some("mil"), None)]
-    #[case("Miles", Some("mi"), None)]
-    #[case("x [dm]", Some("dm"), None)]
-    #[case("distance in metres", Some("m"), None)]
-    #[case("z (mm, filtered)", Some("mm"), None)]
-    #[case("height [furlong]", None, Some("furlong"))]
-    #[case("Weg [Fuss]", None, Some("Fuss"))]
-    #[case("x [hm]", None, Some("hm"))]
-    #[case("left [°]", None, Some("°"))]
-    #[case("left (dB)", None, Some("dB"))]
-    #[case("left [10 um]", Some("um"), Some("10 um"))]
-    #[case("slope [µm/m]", Some("m"), Some("µm/m"))]
-    #[case("t_s", None, Some("s"))]
-    #[case("s", None, None)]
-    #[case("rail (left)", None, None)]
-    #[case("z[0]", None, None)]
-    #[case("[2Jz um", Some("um"), None)]
-    fn heads_give_units(
-        #[case] name: &str,
-        #[case] length: Option<&str>,
-        #[case] foreign: Option<&str>,
-    ) {
-        assert_eq!(length_in(name), length);
-        assert_eq!(foreign_unit(name).as_deref(), foreign);
+    #[test]
+    fn heads_give_units() {
+        for (name, length, foreign) in [
+            ("x [ft]", Some("ft"), None),
+            ("left_in", Some("in"), None),
+            ("Höhe [Zoll]", Some("in"), None),
+            ("height (thou)", Some("mil"), None),
+            ("Miles", Some("mi"), None),
+            ("x [dm]", Some("dm"), None),
+            ("distance in metres", Some("m"), None),
+            ("z (mm, filtered)", Some("mm"), None),
+            ("height [furlong]", None, Some("furlong")),
+            ("Weg [Fuss]", None, Some("Fuss")),
+            ("x [hm]", None, Some("hm")),
+            ("left [°]", None, Some("°")),
+            ("left (dB)", None, Some("dB")),
+            ("left [10 um]", Some("um"), Some("10 um")),
+            ("slope [µm/m]", Some("m"), Some("µm/m")),
+            ("t_s", None, Some("s")),
+            ("s", None, None),
+            ("rail (left)", None, None),
+            ("z[0]", None, None),
+            ("[2Jz um", Some("um"), None),
+        ] {
+            assert_eq!(length_in(name), length);
+            assert_eq!(foreign_unit(name).as_deref(), foreign);
+        }
     }
 
     #[test]

@@ -7,6 +7,9 @@ mod vertical;
 
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, say};
+use riffel_plot::{LineFigure, MapFigure};
+#[cfg(not(target_family = "wasm"))]
+use riffel_plot::{Picture, PlotError};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::{Picture, PlotError};
 

@@ -13,7 +13,6 @@ use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, NOMINAL_CASE, TRAFFIC};
 use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Survey};
-use rstest::rstest;
 
 fn case() -> Case {
     let window = ["map.wavelength.points=21", "map.speed.points=5"].map(str::to_owned);
@@ -51,18 +50,21 @@ fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<ForecastAnswer, Ans
     ForecastAnswer::new(case, request, &|_| ())
 }
 
-#[rstest]
-#[case(ForecastHorizon::Passages(f64::NAN), "--passages is NaN")]
-#[case(ForecastHorizon::MillionGrossTonnes(-1.0), "--mgt is -1")]
-#[case(ForecastHorizon::Months(f64::INFINITY), "--months is inf")]
-#[case(ForecastHorizon::Months(0.0), "--months is 0")]
-fn a_horizon_is_finite_and_positive(#[case] horizon: ForecastHorizon, #[case] part: &str) {
-    let error = forecast(&case(), horizon).err().unwrap().to_string();
-    assert!(error.contains(part), "{error}");
-    assert!(
-        error.ends_with("must be finite and greater than zero"),
-        "{error}"
-    );
+#[test]
+fn a_horizon_is_finite_and_positive() {
+    for (horizon, part) in [
+        (ForecastHorizon::Passages(f64::NAN), "--passages is NaN"),
+        (ForecastHorizon::MillionGrossTonnes(-1.0), "--mgt is -1"),
+        (ForecastHorizon::Months(f64::INFINITY), "--months is inf"),
+        (ForecastHorizon::Months(0.0), "--months is 0"),
+    ] {
+        let error = forecast(&case(), horizon).err().unwrap().to_string();
+        assert!(error.contains(part), "{error}");
+        assert!(
+            error.ends_with("must be finite and greater than zero"),
+            "{error}"
+        );
+    }
 }
 
 /// A rail that was not diagnosed has a forecast all the same, and the report says that it was given.

@@ -4,7 +4,6 @@ use riffel::curving::WheelState;
 use riffel::profile::ContactSurface;
 use riffel::{HertzContact, Rail};
 use riffel_keys::CaseError;
-use rstest::rstest;
 
 use crate::Case;
 use crate::curving::CurvingCase;
@@ -21,47 +20,46 @@ fn growth(case: &Case) -> f64 {
 }
 
 /// Growth is that of the numbers of the curve typed by hand, on every wheel.
-#[rstest]
-#[case(1, "low")]
-#[case(1, "high")]
-#[case(2, "left")]
-#[case(2, "right")]
-fn numbers_are_those_of_the_curve(#[case] wheelset: usize, #[case] rail: &str) {
-    let from = format!("contact.from={{wheelset={wheelset}, rail=\"{rail}\"}}");
-    let asked = case(&[&from]).unwrap();
-    let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
-    let vehicle = curving.vehicle_in_curve().unwrap();
-    let state = &curving.equilibria(&vehicle).unwrap()[0];
-    // To the right: the right rail is the low one.
-    let index = 2 * (wheelset - 1) + usize::from(matches!(rail, "low" | "right"));
-    let typed = |table: &str, wheel: &WheelState| {
-        let creepages = wheel.creepages;
-        vec![
-            format!(
-                "{table}.creepage={{longitudinal={:e}, lateral={:e}, spin={:e}}}",
-                creepages.longitudinal, creepages.lateral, creepages.spin
-            ),
-            format!("{table}.contact_angle={:e} rad", wheel.contact_angle),
-            format!("{table}.normal_load={:e}", wheel.normal_force),
-            format!(
-                "{table}.longitudinal_radius={:e}",
-                wheel.rolling_radius / wheel.contact_angle.cos()
-            ),
-            format!(
-                "{table}.transverse_radius={:e}",
-                wheel.lateral_curvature.unwrap().recip()
-            ),
-        ]
-    };
-    let mut keys = typed("contact", &state.wheels[index]);
-    keys.extend(typed("opposite_contact", &state.wheels[index ^ 1]));
-    keys.push(format!("wheelset.rail={}", state.wheels[index].rail.name()));
-    let without = CURVE
-        .replace("from = { wheelset = 1, rail = \"low\" }\n", "")
-        .replace("{ left = 0.4, right = 0.4 }", "0.4");
-    let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
-    let (got, expected) = (growth(&asked), growth(&by_hand));
-    assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
+#[test]
+fn numbers_are_those_of_the_curve() {
+    let cases: [(usize, &str); 4] = [(1, "low"), (1, "high"), (2, "left"), (2, "right")];
+    for (wheelset, rail) in cases {
+        let from = format!("contact.from={{wheelset={wheelset}, rail=\"{rail}\"}}");
+        let asked = case(&[&from]).unwrap();
+        let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
+        let vehicle = curving.vehicle_in_curve().unwrap();
+        let state = &curving.equilibria(&vehicle).unwrap()[0];
+        // To the right: the right rail is the low one.
+        let index = 2 * (wheelset - 1) + usize::from(matches!(rail, "low" | "right"));
+        let typed = |table: &str, wheel: &WheelState| {
+            let creepages = wheel.creepages;
+            vec![
+                format!(
+                    "{table}.creepage={{longitudinal={:e}, lateral={:e}, spin={:e}}}",
+                    creepages.longitudinal, creepages.lateral, creepages.spin
+                ),
+                format!("{table}.contact_angle={:e} rad", wheel.contact_angle),
+                format!("{table}.normal_load={:e}", wheel.normal_force),
+                format!(
+                    "{table}.longitudinal_radius={:e}",
+                    wheel.rolling_radius / wheel.contact_angle.cos()
+                ),
+                format!(
+                    "{table}.transverse_radius={:e}",
+                    wheel.lateral_curvature.unwrap().recip()
+                ),
+            ]
+        };
+        let mut keys = typed("contact", &state.wheels[index]);
+        keys.extend(typed("opposite_contact", &state.wheels[index ^ 1]));
+        keys.push(format!("wheelset.rail={}", state.wheels[index].rail.name()));
+        let without = CURVE
+            .replace("from = { wheelset = 1, rail = \"low\" }\n", "")
+            .replace("{ left = 0.4, right = 0.4 }", "0.4");
+        let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
+        let (got, expected) = (growth(&asked), growth(&by_hand));
+        assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
+    }
 }
 
 /// The place on the rail is where the upright profile, turned by the inclination, has the contact angle; its curvature goes where the
@@ -215,24 +213,26 @@ fn vehicles_of_a_traffic_have_no_loads_of_their_own() {
     }
 }
 
-#[rstest]
-#[case(
-    "contact.from={wheelset=3, rail=\"low\"}",
-    "must be 1, which leads, or 2"
-)]
-#[case("contact.from={wheelset=1, rail=\"inner\"}", "inner")]
-#[case("contact.from={rail=\"low\"}", "wheelset")]
-#[case("contact.from.contact=flange", "stands on one point")]
-#[case("wheelset.rail=left", "is the right rail in a curve of 180 m")]
-#[case("contact.from.curve=bogie.toml", "stand in this one")]
-#[case("contact.from.patch=elastic", "elastic")]
-#[case("curve.radius=1 m", "larger than the wheelbase")]
-#[case("profiles.wheel=no-such.csv", "no-such.csv")]
-fn refused(#[case] key: &str, #[case] words: &str) {
-    let Err(error) = case(&[key]) else {
-        panic!("{key} was taken");
-    };
-    assert!(error.to_string().contains(words), "{error}");
+#[test]
+fn refused() {
+    for row in [
+        "contact.from={wheelset=3, rail=\"low\"} => must be 1, which leads, or 2",
+        "contact.from={wheelset=1, rail=\"inner\"} => inner",
+        "contact.from={rail=\"low\"} => wheelset",
+        "contact.from.contact=flange => stands on one point",
+        "wheelset.rail=left => is the right rail in a curve of 180 m",
+        "contact.from.curve=bogie.toml => stand in this one",
+        "contact.from.patch=elastic => elastic",
+        "curve.radius=1 m => larger than the wheelbase",
+        "profiles.wheel=no-such.csv => no-such.csv",
+    ] {
+        let (key, words) = row.split_once(" => ").unwrap();
+
+        let Err(error) = case(&[key]) else {
+            panic!("{key} was taken");
+        };
+        assert!(error.to_string().contains(words), "{error}");
+    }
 }
 
 /// A case that somebody has sent opens no file, be it of the curve or of its profiles.

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use riffel_keys::KeyFile;
-use rstest::rstest;
 
 use super::wheelset::{RigidBodyKeys, WheelsetModelKeys};
 use super::*;
@@ -32,28 +31,31 @@ fn general(text: &str, overrides: &[&str]) -> GeneralKeys {
 }
 
 /// Reference cases read, and what is printed of them reads back as the same case.
-#[rstest]
-#[case("rigid-spin.toml")]
-#[case("rigid-suspended.toml")]
-#[case("twist.toml")]
-#[case("eight-wheels.toml")]
-#[case("flexible-antiphase.toml")]
-#[case("stepped-axle.toml")]
-#[case("two-wheelsets.toml")]
-fn reference_cases_read_and_read_back(#[case] name: &str) {
-    let text = reference(name);
-    let read = keys(&text, &[]).unwrap();
-    let general = read.general().unwrap();
-    assert!(general.is_some());
-    let printed = toml::to_string(&read.file).unwrap();
-    let again = keys(&printed, &[]).unwrap();
-    assert_eq!(again.file, read.file, "{printed}");
-    assert_eq!(again.general().unwrap(), general);
-    let as_json = serde_json::to_value(&read.file).unwrap();
-    assert_eq!(
-        serde_json::from_value::<CaseFile>(as_json).unwrap(),
-        read.file
-    );
+#[test]
+fn reference_cases_read_and_read_back() {
+    for name in [
+        "rigid-spin.toml",
+        "rigid-suspended.toml",
+        "twist.toml",
+        "eight-wheels.toml",
+        "flexible-antiphase.toml",
+        "stepped-axle.toml",
+        "two-wheelsets.toml",
+    ] {
+        let text = reference(name);
+        let read = keys(&text, &[]).unwrap();
+        let general = read.general().unwrap();
+        assert!(general.is_some());
+        let printed = toml::to_string(&read.file).unwrap();
+        let again = keys(&printed, &[]).unwrap();
+        assert_eq!(again.file, read.file, "{printed}");
+        assert_eq!(again.general().unwrap(), general);
+        let as_json = serde_json::to_value(&read.file).unwrap();
+        assert_eq!(
+            serde_json::from_value::<CaseFile>(as_json).unwrap(),
+            read.file
+        );
+    }
 }
 
 /// Keys with their overrides go to another process as text, and make the same case there.
@@ -94,15 +96,20 @@ fn the_case_of_one_axis_is_not_general() {
     }
 }
 
-#[rstest]
-#[case("train.wheels=[0]", "train")]
-#[case("contact.creepage={ lateral = \"0.5 %\" }", "contact.creepage")]
-#[case("contact.contact_angle=0", "contact.contact_angle")]
-#[case("contact.lateral_offset=\"-5 mm\"", "contact.lateral_offset")]
-#[case("contact.conformity.rail_radius=\"250 mm\"", "contact.conformity")]
-fn keys_that_make_a_case_general(#[case] set: &str, #[case] key: &str) {
-    let keys = keys(NOMINAL_CASE, &[set]).unwrap();
-    assert_eq!(keys.general_key(), Some(key));
+#[test]
+fn keys_that_make_a_case_general() {
+    for row in [
+        "train.wheels=[0] => train",
+        "contact.creepage={ lateral = \"0.5 %\" } => contact.creepage",
+        "contact.contact_angle=0 => contact.contact_angle",
+        "contact.lateral_offset=\"-5 mm\" => contact.lateral_offset",
+        "contact.conformity.rail_radius=\"250 mm\" => contact.conformity",
+    ] {
+        let (set, key) = row.split_once(" => ").unwrap();
+
+        let keys = keys(NOMINAL_CASE, &[set]).unwrap();
+        assert_eq!(keys.general_key(), Some(key));
+    }
 }
 
 /// Everything of the contact in units, and the signs that the opposite rail turns.

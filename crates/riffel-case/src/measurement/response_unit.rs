@@ -255,35 +255,40 @@ fn without_brackets(unit: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rstest::rstest;
 
-    #[rstest]
-    #[case("m/N", Response::Receptance, 1.0)]
-    #[case("mm/kN", Response::Receptance, 1e-6)]
-    #[case("mm_per_n", Response::Receptance, 1e-3)]
-    #[case("mm_per_s_per_kn", Response::Mobility, 1e-6)]
-    #[case("m/s/N", Response::Mobility, 1.0)]
-    #[case("m/(s N)", Response::Mobility, 1.0)]
-    #[case("mm/(s·kN)", Response::Mobility, 1e-6)]
-    #[case("(m/s²)/N", Response::Accelerance, 1.0)]
-    #[case("g/N", Response::Accelerance, 9.806_65)]
-    #[case("g/kN", Response::Accelerance, 9.806_65e-3)]
-    fn units(#[case] text: &str, #[case] response: Response, #[case] size: f64) {
-        let (found, factor) = response_of(text).unwrap();
-        assert_eq!(found, response);
-        assert!((factor / size - 1.0).abs() < 1e-12, "{factor} {size}");
+    #[test]
+    fn units() {
+        for (text, response, size) in [
+            ("m/N", Response::Receptance, 1.0),
+            ("mm/kN", Response::Receptance, 1e-6),
+            ("mm_per_n", Response::Receptance, 1e-3),
+            ("mm_per_s_per_kn", Response::Mobility, 1e-6),
+            ("m/s/N", Response::Mobility, 1.0),
+            ("m/(s N)", Response::Mobility, 1.0),
+            ("mm/(s·kN)", Response::Mobility, 1e-6),
+            ("(m/s²)/N", Response::Accelerance, 1.0),
+            ("g/N", Response::Accelerance, 9.806_65),
+            ("g/kN", Response::Accelerance, 9.806_65e-3),
+        ] {
+            let (found, factor) = response_of(text).unwrap();
+            assert_eq!(found, response);
+            assert!((factor / size - 1.0).abs() < 1e-12, "{factor} {size}");
+        }
     }
 
-    #[rstest]
-    #[case("dB re 1 m/N", Some((Response::Receptance, 1.0)))]
-    #[case("dB re 1e-6 m/s/N", Some((Response::Mobility, 1e-6)))]
-    #[case("dB (re 1 m/N)", Some((Response::Receptance, 1.0)))]
-    #[case("DB REF 1 g/N", Some((Response::Accelerance, 9.806_65)))]
-    #[case("dB(m/N)", Some((Response::Receptance, 1.0)))]
-    #[case("dB re 0 m/N", None)]
-    #[case("dB re 1 s", None)]
-    #[case("dB", None)]
-    fn references(#[case] text: &str, #[case] expected: Option<(Response, f64)>) {
-        assert_eq!(reference_of(after_decibel(text).unwrap()), expected);
+    #[test]
+    fn references() {
+        for (text, expected) in [
+            ("dB re 1 m/N", Some((Response::Receptance, 1.0))),
+            ("dB re 1e-6 m/s/N", Some((Response::Mobility, 1e-6))),
+            ("dB (re 1 m/N)", Some((Response::Receptance, 1.0))),
+            ("DB REF 1 g/N", Some((Response::Accelerance, 9.806_65))),
+            ("dB(m/N)", Some((Response::Receptance, 1.0))),
+            ("dB re 0 m/N", None),
+            ("dB re 1 s", None),
+            ("dB", None),
+        ] {
+            assert_eq!(reference_of(after_decibel(text).unwrap()), expected);
+        }
     }
 }

@@ -4,7 +4,6 @@ use miette::Diagnostic;
 use proptest::prelude::*;
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::CaseError;
-use rstest::rstest;
 
 fn parse(text: &str) -> Result<Case, CaseError> {
     Case::parse("case.toml", text, &[])
@@ -26,23 +25,23 @@ fn error(text: &str) -> (CaseError, Option<String>) {
     (error, label)
 }
 
-#[rstest]
-#[case::nominal(NOMINAL_CASE)]
-#[case::bhaskar(BHASKAR_TRACK_CASE)]
-fn cases_of_the_repository_are_valid(#[case] text: &str) {
-    assert!(parse(text).is_ok());
+#[test]
+fn cases_of_the_repository_are_valid() {
+    for text in [NOMINAL_CASE, BHASKAR_TRACK_CASE] {
+        assert!(parse(text).is_ok());
+    }
 }
 
 /// What a case writes after defaults and presets reads back as the same case.
-#[rstest]
-#[case::nominal(NOMINAL_CASE)]
-#[case::bhaskar(BHASKAR_TRACK_CASE)]
-fn completed_case_reads_back(#[case] text: &str) {
-    let case = parse(text).unwrap();
-    let written = toml::to_string(&case.file).unwrap();
-    let again = parse(&written).unwrap();
-    assert_eq!(again.file, case.file);
-    assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
+#[test]
+fn completed_case_reads_back() {
+    for text in [NOMINAL_CASE, BHASKAR_TRACK_CASE] {
+        let case = parse(text).unwrap();
+        let written = toml::to_string(&case.file).unwrap();
+        let again = parse(&written).unwrap();
+        assert_eq!(again.file, case.file);
+        assert_eq!(again.feedback.at(0.05, 20.0), case.feedback.at(0.05, 20.0));
+    }
 }
 
 /// A case that was written is the same elsewhere, and goes on with the same errors.
@@ -67,178 +66,201 @@ fn a_portable_case_is_restored() -> Result<(), CaseError> {
 }
 
 /// Every kind of mistake: what is written instead of what, the message, and where it points.
-#[rstest]
-#[case::wrong_unit(
-    "\"50 kN\"",
-    "\"50 kg\"",
-    "`contact.normal_load`: \"50 kg\" is in kg, not a force in N",
-    "\"50 kg\""
-)]
-#[case::no_number(
-    "\"350 kg\"",
-    "\"heavy\"",
-    "`wheel.mass`: \"heavy\" does not begin with a number",
-    "\"heavy\""
-)]
-#[case::not_a_number("friction = 0.4", "friction = nan", "NaN is not finite", "nan")]
-#[case::infinite("friction = 0.4", "friction = inf", "inf is not finite", "inf")]
-#[case::wrong_type(
-    "friction = 0.4",
-    "friction = [0.4]",
-    "`contact.friction` is a list, but must be a ratio",
-    "[0.4]"
-)]
-#[case::no_text(
-    "friction = 0.4",
-    "friction = 0.4\ncreep_law = 3",
-    "`contact.creep_law` is 3, but must be a text in quotes",
-    "3"
-)]
-#[case::unknown_key(
-    "friction = 0.4",
-    "frction = 0.4",
-    "`contact.frction` is not a key Riffel knows",
-    "0.4"
-)]
-#[case::unknown_table("[wear]", "[weer]", "`weer` is not a key Riffel knows", "weer")]
-#[case::missing_key(
-    "normal_load = \"50 kN\"",
-    "",
-    "`contact.normal_load` is missing",
-    "contact"
-)]
-#[case::missing_table("[track]\nmodel = \"free-beam\"", "", "`track` is missing", "")]
-#[case::negative_mass(
-    "\"350 kg\"",
-    "\"-350 kg\"",
-    "`wheel.mass` is -350 kg, but must be between 10 g and 100 t",
-    "\"-350 kg\""
-)]
-#[case::zero_radius(
-    "\"460 mm\"",
-    "0",
-    "`wheel.rolling_radius` is 0 m, but must be between 5 mm and 5 m",
-    "0"
-)]
-#[case::zero_friction(
-    "friction = 0.4",
-    "friction = 0",
-    "`contact.friction` is 0, but must be between 0.001 and 1.5",
-    "0"
-)]
-#[case::poisson(
-    "poisson_ratio = 0.3",
-    "poisson_ratio = 0.5",
-    "`steel.poisson_ratio` is 0.5, but must be between -0.9 and 0.499",
-    "0.5"
-)]
-#[case::no_traction(
-    "tractive_ratio = 0.1",
-    "tractive_ratio = 0",
-    "`contact.tractive_ratio` is 0, but must be between 1e-6 and 0.999999",
-    "0"
-)]
-#[case::full_traction(
-    "tractive_ratio = 0.1",
-    "tractive_ratio = 1.0",
-    "`contact.tractive_ratio` is 1, but must be between 1e-6 and 0.999999",
-    "1.0"
-)]
-#[case::full_slip(
-    "tractive_ratio = 0.1",
-    "creepage = \"0.8 %\"",
-    "creepage is 0.8000 %, but full slip begins at 0.7036 %",
-    "\"0.8 %\""
-)]
-#[case::both(
-    "tractive_ratio = 0.1",
-    "tractive_ratio = 0.1\ncreepage = 0.004",
-    "`contact.creepage` and `contact.tractive_ratio` exclude each other",
-    "0.004"
-)]
-#[case::neither(
-    "tractive_ratio = 0.1",
-    "",
-    "`contact.tractive_ratio` is missing",
-    "contact"
-)]
-#[case::model(
-    "\"free-beam\"",
-    "\"fre-beam\"",
-    "`track.model`: \"fre-beam\" is not one of its choices",
-    "\"fre-beam\""
-)]
-#[case::supports(
-    "\"free-beam\"",
-    "\"two-layer\"",
-    "`track.support_spacing` is missing",
-    "track"
-)]
-#[case::section(
-    "\"BS113A\"",
-    "\"BS113B\"",
-    "`rail.section` is \"BS113B\", but no rail preset has that name",
-    "\"BS113B\""
-)]
-#[case::rail(
-    "section = \"BS113A\"",
-    "mass_per_length = 56",
-    "`rail.second_moment` is missing",
-    "rail"
-)]
-#[case::empty_window(
-    "max = \"80 mm\"",
-    "max = \"20 mm\"",
-    "`map.wavelength.max` is 0.02 m, but the window is empty",
-    "\"20 mm\""
-)]
-#[case::one_point(
-    "points = 241",
-    "points = 1",
-    "`map.wavelength.points` is 1, but must be between 2 and 100000",
-    "1"
-)]
-#[case::many_points(
-    "points = 241",
-    "points = 1000000000",
-    "`map.wavelength.points` is 1000000000, but must be",
-    "1000000000"
-)]
-#[case::negative_points(
-    "points = 241",
-    "points = -3",
-    "`map.wavelength.points` is -3, but must be a whole number, zero or more",
-    "-3"
-)]
-#[case::syntax("friction = 0.4", "friction = ", "not valid TOML", "")]
-#[case::not_a_table(
-    "[wear]\ncoefficient = \"2.5e-9 kg/J\"",
-    "[corrugation.wear]",
-    "`corrugation.wear` is not a key Riffel knows",
-    "wear"
-)]
-fn mistakes_are_named_and_shown(
-    #[case] piece: &str,
-    #[case] replacement: &str,
-    #[case] message: &str,
-    #[case] shown: &str,
-) {
-    let (error, label) = error(&edited(piece, replacement));
-    assert!(error.to_string().contains(message), "{error}");
-    assert_eq!(label.unwrap_or_default(), shown, "{error}");
+#[test]
+fn mistakes_are_named_and_shown() {
+    for (piece, replacement, message, shown) in [
+        (
+            "\"50 kN\"",
+            "\"50 kg\"",
+            "`contact.normal_load`: \"50 kg\" is in kg, not a force in N",
+            "\"50 kg\"",
+        ),
+        (
+            "\"350 kg\"",
+            "\"heavy\"",
+            "`wheel.mass`: \"heavy\" does not begin with a number",
+            "\"heavy\"",
+        ),
+        (
+            "friction = 0.4",
+            "friction = nan",
+            "NaN is not finite",
+            "nan",
+        ),
+        (
+            "friction = 0.4",
+            "friction = inf",
+            "inf is not finite",
+            "inf",
+        ),
+        (
+            "friction = 0.4",
+            "friction = [0.4]",
+            "`contact.friction` is a list, but must be a ratio",
+            "[0.4]",
+        ),
+        (
+            "friction = 0.4",
+            "friction = 0.4\ncreep_law = 3",
+            "`contact.creep_law` is 3, but must be a text in quotes",
+            "3",
+        ),
+        (
+            "friction = 0.4",
+            "frction = 0.4",
+            "`contact.frction` is not a key Riffel knows",
+            "0.4",
+        ),
+        (
+            "[wear]",
+            "[weer]",
+            "`weer` is not a key Riffel knows",
+            "weer",
+        ),
+        (
+            "normal_load = \"50 kN\"",
+            "",
+            "`contact.normal_load` is missing",
+            "contact",
+        ),
+        (
+            "[track]\nmodel = \"free-beam\"",
+            "",
+            "`track` is missing",
+            "",
+        ),
+        (
+            "\"350 kg\"",
+            "\"-350 kg\"",
+            "`wheel.mass` is -350 kg, but must be between 10 g and 100 t",
+            "\"-350 kg\"",
+        ),
+        (
+            "\"460 mm\"",
+            "0",
+            "`wheel.rolling_radius` is 0 m, but must be between 5 mm and 5 m",
+            "0",
+        ),
+        (
+            "friction = 0.4",
+            "friction = 0",
+            "`contact.friction` is 0, but must be between 0.001 and 1.5",
+            "0",
+        ),
+        (
+            "poisson_ratio = 0.3",
+            "poisson_ratio = 0.5",
+            "`steel.poisson_ratio` is 0.5, but must be between -0.9 and 0.499",
+            "0.5",
+        ),
+        (
+            "tractive_ratio = 0.1",
+            "tractive_ratio = 0",
+            "`contact.tractive_ratio` is 0, but must be between 1e-6 and 0.999999",
+            "0",
+        ),
+        (
+            "tractive_ratio = 0.1",
+            "tractive_ratio = 1.0",
+            "`contact.tractive_ratio` is 1, but must be between 1e-6 and 0.999999",
+            "1.0",
+        ),
+        (
+            "tractive_ratio = 0.1",
+            "creepage = \"0.8 %\"",
+            "creepage is 0.8000 %, but full slip begins at 0.7036 %",
+            "\"0.8 %\"",
+        ),
+        (
+            "tractive_ratio = 0.1",
+            "tractive_ratio = 0.1\ncreepage = 0.004",
+            "`contact.creepage` and `contact.tractive_ratio` exclude each other",
+            "0.004",
+        ),
+        (
+            "tractive_ratio = 0.1",
+            "",
+            "`contact.tractive_ratio` is missing",
+            "contact",
+        ),
+        (
+            "\"free-beam\"",
+            "\"fre-beam\"",
+            "`track.model`: \"fre-beam\" is not one of its choices",
+            "\"fre-beam\"",
+        ),
+        (
+            "\"free-beam\"",
+            "\"two-layer\"",
+            "`track.support_spacing` is missing",
+            "track",
+        ),
+        (
+            "\"BS113A\"",
+            "\"BS113B\"",
+            "`rail.section` is \"BS113B\", but no rail preset has that name",
+            "\"BS113B\"",
+        ),
+        (
+            "section = \"BS113A\"",
+            "mass_per_length = 56",
+            "`rail.second_moment` is missing",
+            "rail",
+        ),
+        (
+            "max = \"80 mm\"",
+            "max = \"20 mm\"",
+            "`map.wavelength.max` is 0.02 m, but the window is empty",
+            "\"20 mm\"",
+        ),
+        (
+            "points = 241",
+            "points = 1",
+            "`map.wavelength.points` is 1, but must be between 2 and 100000",
+            "1",
+        ),
+        (
+            "points = 241",
+            "points = 1000000000",
+            "`map.wavelength.points` is 1000000000, but must be",
+            "1000000000",
+        ),
+        (
+            "points = 241",
+            "points = -3",
+            "`map.wavelength.points` is -3, but must be a whole number, zero or more",
+            "-3",
+        ),
+        ("friction = 0.4", "friction = ", "not valid TOML", ""),
+        (
+            "[wear]\ncoefficient = \"2.5e-9 kg/J\"",
+            "[corrugation.wear]",
+            "`corrugation.wear` is not a key Riffel knows",
+            "wear",
+        ),
+    ] {
+        let (error, label) = error(&edited(piece, replacement));
+        assert!(error.to_string().contains(message), "{error}");
+        assert_eq!(label.unwrap_or_default(), shown, "{error}");
+    }
 }
 
 /// A value out of its range is refused also where the model in use does not need it.
-#[rstest]
-#[case("track.pad.stiffness=-1", "`track.pad.stiffness` is -1 N/m")]
-#[case("track.rail_damping=-1", "`track.rail_damping` is -1 N s/m2")]
-#[case("track.support_spacing=0", "`track.support_spacing` is 0 m")]
-#[case("wheel.inertia=-1", "`wheel.inertia` is -1 kg m2")]
-fn unused_values_are_checked(#[case] assignment: &str, #[case] message: &str) {
-    let overrides = ["wheel.rotation=constant-creepage", assignment].map(str::to_owned);
-    let error = Case::parse("case.toml", NOMINAL_CASE, &overrides).err();
-    let error = error.expect("out of range").to_string();
-    assert!(error.contains(message), "{error}");
+#[test]
+fn unused_values_are_checked() {
+    for row in [
+        "track.pad.stiffness=-1 => `track.pad.stiffness` is -1 N/m",
+        "track.rail_damping=-1 => `track.rail_damping` is -1 N s/m2",
+        "track.support_spacing=0 => `track.support_spacing` is 0 m",
+        "wheel.inertia=-1 => `wheel.inertia` is -1 kg m2",
+    ] {
+        let (assignment, message) = row.split_once(" => ").unwrap();
+
+        let overrides = ["wheel.rotation=constant-creepage", assignment].map(str::to_owned);
+        let error = Case::parse("case.toml", NOMINAL_CASE, &overrides).err();
+        let error = error.expect("out of range").to_string();
+        assert!(error.contains(message), "{error}");
+    }
 }
 
 #[test]
@@ -430,32 +452,22 @@ fn axes_of_the_map_are_read_from_ranges() -> Result<(), CaseError> {
     Ok(())
 }
 
-#[rstest]
-#[case(
-    "map.speed=60 km/h",
-    "`map.speed` is \"60 km/h\", but must be a range as in \"60-90 km/h\""
-)]
-#[case(
-    "map.speed=90-60 km/h",
-    "`map.speed.max` is 16.666666666666668 m/s, but the window is empty"
-)]
-#[case(
-    "map.speed=60-90 kg",
-    "`map.speed` is \"60-90 kg\", but must be a range"
-)]
-#[case(
-    "map.wavelength=20-80",
-    " m, but must be between 100 µm and 10 m; did you mean "
-)]
-#[case(
-    "contact.friction=0.2-0.4",
-    "\"0.2-0.4\" is a range, but one value is needed"
-)]
-fn wrong_ranges_are_refused(#[case] set: &str, #[case] part: &str) {
-    let error = Case::parse("case.toml", NOMINAL_CASE, &[set.to_owned()]).err();
-    let error = error.expect("a mistake").to_string();
-    assert!(error.starts_with(&format!("--set {set}: ")), "{error}");
-    assert!(error.contains(part), "{error}");
+#[test]
+fn wrong_ranges_are_refused() {
+    for row in [
+        "map.speed=60 km/h => `map.speed` is \"60 km/h\", but must be a range as in \"60-90 km/h\"",
+        "map.speed=90-60 km/h => `map.speed.max` is 16.666666666666668 m/s, but the window is empty",
+        "map.speed=60-90 kg => `map.speed` is \"60-90 kg\", but must be a range",
+        "map.wavelength=20-80 =>  m, but must be between 100 µm and 10 m; did you mean ",
+        "contact.friction=0.2-0.4 => \"0.2-0.4\" is a range, but one value is needed",
+    ] {
+        let (set, part) = row.split_once(" => ").unwrap();
+
+        let error = Case::parse("case.toml", NOMINAL_CASE, &[set.to_owned()]).err();
+        let error = error.expect("a mistake").to_string();
+        assert!(error.starts_with(&format!("--set {set}: ")), "{error}");
+        assert!(error.contains(part), "{error}");
+    }
 }
 
 /// What is unusual is computed, and asked about.

@@ -2,7 +2,6 @@
 
 use riffel::Complex64;
 use riffel_case::{Case, NOMINAL_CASE};
-use rstest::rstest;
 
 fn case(text: &str, overrides: &[&str]) -> Case {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
@@ -24,45 +23,44 @@ fn growth(case: &Case, wavelength: f64, speed: f64) -> Vec<f64> {
 
 /// What is turned over from left to right grows alike: the rail under study, a gear off the middle of the axle, lateral
 /// creepage and spin, the offset of the contact on a rail that twists.
-#[rstest]
-#[case::smooth("smooth")]
-#[case::in_phase("in-phase")]
-#[case::absent("absent")]
-fn a_case_in_the_mirror_grows_alike(#[case] opposite: &str) {
-    let text = include_str!("../../cases/curve.toml");
-    let [right, left] = [("right", 1.0), ("left", -1.0)].map(|(rail, sign)| {
-        let wheel = "mass = 350, polar_inertia = 42, diametral_inertia = 21.5";
-        let discs = format!(
-            "wheelset.discs=[{{ position = -0.75, {wheel} }}, {{ position = 0.75, {wheel} }}, \
+#[test]
+fn a_case_in_the_mirror_grows_alike() {
+    for opposite in ["smooth", "in-phase", "absent"] {
+        let text = include_str!("../../cases/curve.toml");
+        let [right, left] = [("right", 1.0), ("left", -1.0)].map(|(rail, sign)| {
+            let wheel = "mass = 350, polar_inertia = 42, diametral_inertia = 21.5";
+            let discs = format!(
+                "wheelset.discs=[{{ position = -0.75, {wheel} }}, {{ position = 0.75, {wheel} }}, \
              {{ position = {}, mass = 200, polar_inertia = 15, diametral_inertia = 8 }}]",
-            0.4 * sign
-        );
-        let creepage = format!(
-            "contact.creepage={{ longitudinal = 1e-3, lateral = {}, spin = {} }}",
-            2e-3 * sign,
-            0.1 * sign
-        );
-        let overrides = [
-            format!("wheelset.rail={rail}"),
-            format!("wheelset.opposite_rail={opposite}"),
-            format!("contact.lateral_offset={}", 0.01 * sign),
-            discs,
-            creepage,
-            "contact.contact_angle=4 deg".to_owned(),
-            "contact.creep_law=fastsim".to_owned(),
-        ];
-        Case::parse("curve.toml", text, &overrides).unwrap()
-    });
-    for (wavelength, speed) in [(0.04, 8.0), (0.06, 8.0), (0.1, 12.0)] {
-        let (one, other) = (
-            growth(&right, wavelength, speed),
-            growth(&left, wavelength, speed),
-        );
-        assert_eq!(one.len(), other.len());
-        for (one, other) in one.into_iter().zip(other) {
-            assert!(one != 0.0);
-            // Rounding of the wheelset's receptances from its two ends, which differ beside a resonance.
-            alike(one, other, 1e-8);
+                0.4 * sign
+            );
+            let creepage = format!(
+                "contact.creepage={{ longitudinal = 1e-3, lateral = {}, spin = {} }}",
+                2e-3 * sign,
+                0.1 * sign
+            );
+            let overrides = [
+                format!("wheelset.rail={rail}"),
+                format!("wheelset.opposite_rail={opposite}"),
+                format!("contact.lateral_offset={}", 0.01 * sign),
+                discs,
+                creepage,
+                "contact.contact_angle=4 deg".to_owned(),
+                "contact.creep_law=fastsim".to_owned(),
+            ];
+            Case::parse("curve.toml", text, &overrides).unwrap()
+        });
+        for (wavelength, speed) in [(0.04, 8.0), (0.06, 8.0), (0.1, 12.0)] {
+            let (one, other) = (
+                growth(&right, wavelength, speed),
+                growth(&left, wavelength, speed),
+            );
+            assert_eq!(one.len(), other.len());
+            for (one, other) in one.into_iter().zip(other) {
+                assert!(one != 0.0);
+                // Rounding of the wheelset's receptances from its two ends, which differ beside a resonance.
+                alike(one, other, 1e-8);
+            }
         }
     }
 }
@@ -155,28 +153,24 @@ fn two_wheels_of_the_paper() {
 
 /// Lateral receptance of the head of 60E1 on pads of 120 and 40 MN/m, with its mass at the centroid and at the shear centre:
 /// modulus \[m/N\] and phase as in the book, to its digits.
-#[rstest]
-#[case("33 mm", 1.53e-7, -45.0)]
-#[case("0", 9.74e-8, -18.0)]
-fn the_centroid_is_where_the_mass_is(
-    #[case] height: &str,
-    #[case] modulus: f64,
-    #[case] degrees: f64,
-) {
-    let height = format!("rail.centroid_height={height}");
-    let text = include_str!("../../cases/curve.toml");
-    let case = case(text, &["steel.youngs_modulus=210 GPa", &height]);
-    let general = case.feedback.general().unwrap();
-    let [track, _] = general.receptances(std::f64::consts::TAU * 100.0, 10.0);
-    let lateral = track[1][1];
-    assert!((lateral.norm() / modulus - 1.0).abs() < 5e-3, "{lateral}");
-    assert!(
-        (lateral.arg().to_degrees() - degrees).abs() < 0.5,
-        "{lateral}"
-    );
-    assert!(
-        case.remarks
-            .iter()
-            .all(|remark| !remark.to_string().contains("usual"))
-    );
+#[test]
+fn the_centroid_is_where_the_mass_is() {
+    for (height, modulus, degrees) in [("33 mm", 1.53e-7, -45.0), ("0", 9.74e-8, -18.0)] {
+        let height = format!("rail.centroid_height={height}");
+        let text = include_str!("../../cases/curve.toml");
+        let case = case(text, &["steel.youngs_modulus=210 GPa", &height]);
+        let general = case.feedback.general().unwrap();
+        let [track, _] = general.receptances(std::f64::consts::TAU * 100.0, 10.0);
+        let lateral = track[1][1];
+        assert!((lateral.norm() / modulus - 1.0).abs() < 5e-3, "{lateral}");
+        assert!(
+            (lateral.arg().to_degrees() - degrees).abs() < 0.5,
+            "{lateral}"
+        );
+        assert!(
+            case.remarks
+                .iter()
+                .all(|remark| !remark.to_string().contains("usual"))
+        );
+    }
 }

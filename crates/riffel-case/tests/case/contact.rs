@@ -2,7 +2,6 @@
 
 use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::CaseError;
-use rstest::rstest;
 
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {
     // A coarse grid: these tests ask whether, not how well.
@@ -11,26 +10,29 @@ fn case(overrides: &[&str]) -> Result<Case, CaseError> {
     Case::parse("case.toml", NOMINAL_CASE, &overrides)
 }
 
-#[rstest]
-#[case("carter-3d")]
-#[case("carter-2d")]
-#[case("johnson-vermeulen")]
-#[case("shen-hedrick-elkins")]
-#[case("polach")]
-#[case("fastsim")]
-#[case("half-space")]
-fn every_creep_law_takes_either_mean_state(#[case] law: &str) {
-    let law = format!("contact.creep_law={law}");
-    for mean in ["contact.tractive_ratio=0.3", "contact.creepage=0.1 %"] {
-        for response in [
-            "contact.response=quasi-static",
-            "contact.response=spring-dashpot",
-        ] {
-            let case = case(&[&law, mean, response]).unwrap();
-            let ratio = case.steady.tractive_ratio();
-            assert!((0.2..0.5).contains(&ratio), "{law} {mean}: {ratio}");
-            let state = case.feedback.at(0.05, 20.0);
-            assert!(state.growth_rate().is_finite());
+#[test]
+fn every_creep_law_takes_either_mean_state() {
+    for law in [
+        "carter-3d",
+        "carter-2d",
+        "johnson-vermeulen",
+        "shen-hedrick-elkins",
+        "polach",
+        "fastsim",
+        "half-space",
+    ] {
+        let law = format!("contact.creep_law={law}");
+        for mean in ["contact.tractive_ratio=0.3", "contact.creepage=0.1 %"] {
+            for response in [
+                "contact.response=quasi-static",
+                "contact.response=spring-dashpot",
+            ] {
+                let case = case(&[&law, mean, response]).unwrap();
+                let ratio = case.steady.tractive_ratio();
+                assert!((0.2..0.5).contains(&ratio), "{law} {mean}: {ratio}");
+                let state = case.feedback.at(0.05, 20.0);
+                assert!(state.growth_rate().is_finite());
+            }
         }
     }
 }
@@ -141,36 +143,42 @@ fn unlike_radii_are_worth_a_remark() {
     assert!(!remarks(&[]).contains(words));
 }
 
-#[rstest]
-#[case(&["contact.polach.slip_reduction=0.3", "contact.polach.adhesion_reduction=0.2"], "`contact.polach.slip_reduction` is 0.3, but must be at most contact.polach.adhesion_reduction, 0.2")]
-#[case(&["contact.polach.adhesion_reduction=0"], "`contact.polach.adhesion_reduction` is 0, but must be between 0.001 and 1")]
-#[case(&["contact.polach.friction_decay=0.6 s/m"], "`contact.polach.limit_friction_ratio` is missing")]
-#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=0.6"], "`contact.polach.speed` is missing")]
-#[case(&["contact.polach.limit_friction_ratio=1.4", "contact.polach.friction_decay=0.6", "contact.polach.speed=20"], "`contact.polach.limit_friction_ratio` is 1.4, but must be between 0.001 and 1")]
-#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=-1", "contact.polach.speed=20"], "`contact.polach.friction_decay` is -1 s/m, but must be between 0 s/m and 1000 s/m")]
-#[case(&["contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=1", "contact.polach.speed=0"], "`contact.polach.speed` is 0 m/s, but must be between 0.01 m/s and 200 m/s")]
-#[case(&["contact.polach.friction_decay=0.6 m/s"], "not a decay over slip velocity in s/m")]
-#[case(&["contact.polach.limit=0.4"], "`contact.polach.limit` is not a key Riffel knows")]
-#[case(&["contact.creep_law=polach", "contact.polach.limit_friction_ratio=0.4", "contact.polach.friction_decay=0.6", "contact.polach.speed=20", "contact.tractive_ratio=0.99"], "`contact.tractive_ratio`: tractive ratio is 0.99, but must stay below the maximum of adhesion of the creep law at 0.9")]
-#[case(&["contact.response=non-steady", "contact.creep_law=fastsim"], "exclude each other")]
-#[case(&["contact.creep_law=half-space", "contact.creepage=2 %"], "`contact.creepage` is 0.02, but must be so small that the tractive ratio, here 0.99")]
-#[case(&["contact.creep_law=fastsim", "contact.creepage=2 %"], "full slip begins at")]
-#[case(&["contact.creep_law=half-space", "contact.tractive_ratio=0.995"], "nearer to full slip there is no slope")]
-#[case(&["contact.creep_law=half-space", "contact.grid=17"], "`contact.grid` is 17, but must be an even number from 16 to 200")]
-#[case(&["contact.creep_law=half-space", "contact.grid=14"], "`contact.grid` is 14, but must be an even number from 16 to 200")]
-#[case(&["contact.response=non-steady", "map.wavelength.min=2 mm"], "`map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements")]
-#[case(&["contact.creep_law=half-space", "contact.creepage=0.64 %"], "here 0.99")]
-#[case(&["contact.transverse_radius=10 km"], "`contact.transverse_radius`: ratio of the combined curvatures is 21739.1, ")]
-#[case(&["contact.hertz=exact", "contact.transverse_radius=10 km"], "beyond that the contact is a line contact")]
-#[case(&["contact.transverse_radius=10 um"], "`contact.transverse_radius` is 10 um, but must be between 1 mm and 10000 m")]
-#[case(&["contact.creep_law=fastsim", "steel.poisson_ratio=-0.2"], "`steel.poisson_ratio`: Poisson's ratio is -0.2, but must lie between 0 and 0.5")]
-#[case(&["contact.normal_load=-50 kN"], "`contact.normal_load` is -50 kN, but must be between 1 N and 2 MN")]
-#[case(&["contact.hertz=exact", "contact.normal_load=0"], "`contact.normal_load` is 0 N")]
-#[case(&["contact.creep_law=polache"], "did you mean polach?")]
-fn bad_contacts(#[case] overrides: &[&str], #[case] sentence: &str) {
-    let error = case(overrides)
-        .err()
-        .expect("a case with a mistake")
-        .to_string();
-    assert!(error.contains(sentence), "{error}");
+#[test]
+fn bad_contacts() {
+    for row in [
+        "contact.polach.slip_reduction=0.3; contact.polach.adhesion_reduction=0.2 => `contact.polach.slip_reduction` is 0.3, but must be at most contact.polach.adhesion_reduction, 0.2",
+        "contact.polach.adhesion_reduction=0 => `contact.polach.adhesion_reduction` is 0, but must be between 0.001 and 1",
+        "contact.polach.friction_decay=0.6 s/m => `contact.polach.limit_friction_ratio` is missing",
+        "contact.polach.limit_friction_ratio=0.4; contact.polach.friction_decay=0.6 => `contact.polach.speed` is missing",
+        "contact.polach.limit_friction_ratio=1.4; contact.polach.friction_decay=0.6; contact.polach.speed=20 => `contact.polach.limit_friction_ratio` is 1.4, but must be between 0.001 and 1",
+        "contact.polach.limit_friction_ratio=0.4; contact.polach.friction_decay=-1; contact.polach.speed=20 => `contact.polach.friction_decay` is -1 s/m, but must be between 0 s/m and 1000 s/m",
+        "contact.polach.limit_friction_ratio=0.4; contact.polach.friction_decay=1; contact.polach.speed=0 => `contact.polach.speed` is 0 m/s, but must be between 0.01 m/s and 200 m/s",
+        "contact.polach.friction_decay=0.6 m/s => not a decay over slip velocity in s/m",
+        "contact.polach.limit=0.4 => `contact.polach.limit` is not a key Riffel knows",
+        "contact.creep_law=polach; contact.polach.limit_friction_ratio=0.4; contact.polach.friction_decay=0.6; contact.polach.speed=20; contact.tractive_ratio=0.99 => `contact.tractive_ratio`: tractive ratio is 0.99, but must stay below the maximum of adhesion of the creep law at 0.9",
+        "contact.response=non-steady; contact.creep_law=fastsim => exclude each other",
+        "contact.creep_law=half-space; contact.creepage=2 % => `contact.creepage` is 0.02, but must be so small that the tractive ratio, here 0.99",
+        "contact.creep_law=fastsim; contact.creepage=2 % => full slip begins at",
+        "contact.creep_law=half-space; contact.tractive_ratio=0.995 => nearer to full slip there is no slope",
+        "contact.creep_law=half-space; contact.grid=17 => `contact.grid` is 17, but must be an even number from 16 to 200",
+        "contact.creep_law=half-space; contact.grid=14 => `contact.grid` is 14, but must be an even number from 16 to 200",
+        "contact.response=non-steady; map.wavelength.min=2 mm => `map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements",
+        "contact.creep_law=half-space; contact.creepage=0.64 % => here 0.99",
+        "contact.transverse_radius=10 km => `contact.transverse_radius`: ratio of the combined curvatures is 21739.1, ",
+        "contact.hertz=exact; contact.transverse_radius=10 km => beyond that the contact is a line contact",
+        "contact.transverse_radius=10 um => `contact.transverse_radius` is 10 um, but must be between 1 mm and 10000 m",
+        "contact.creep_law=fastsim; steel.poisson_ratio=-0.2 => `steel.poisson_ratio`: Poisson's ratio is -0.2, but must lie between 0 and 0.5",
+        "contact.normal_load=-50 kN => `contact.normal_load` is -50 kN, but must be between 1 N and 2 MN",
+        "contact.hertz=exact; contact.normal_load=0 => `contact.normal_load` is 0 N",
+        "contact.creep_law=polache => did you mean polach?",
+    ] {
+        let (overrides, sentence) = row.split_once(" => ").unwrap();
+        let overrides: Vec<&str> = overrides.split("; ").collect();
+
+        let error = case(&overrides)
+            .err()
+            .expect("a case with a mistake")
+            .to_string();
+        assert!(error.contains(sentence), "{error}");
+    }
 }

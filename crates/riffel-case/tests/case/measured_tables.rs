@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
-use rstest::rstest;
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/measured-tables")
@@ -29,40 +28,43 @@ fn measured(file: &str, keys: &str) -> Result<Case, riffel_keys::CaseError> {
 }
 
 /// Digits of the files are nine, those of text in a universal file twelve with frequencies of six.
-#[rstest]
-#[case("accelerance_g.csv", "")]
-#[case("receptance_db.txt", "")]
-#[case("mobility_savetxt.txt", "unit = \"mm/s/kN\"")]
-#[case("receptance_quoted.csv", "")]
-#[case("three_directions.uff", "")]
-fn every_file_is_the_same_track(#[case] file: &str, #[case] keys: &str) {
-    let (model, case) = (model(), measured(file, keys).unwrap());
-    for frequency in [50.0, 80.0, 250.0, 490.0, 1200.0, 2500.0] {
-        let h = case.track.receptance.receptance(TAU * frequency, 0.0);
-        let expected = model.track.receptance.receptance(TAU * frequency, 0.0);
-        let error = (h - expected).norm() / expected.norm();
-        assert!(error < 1e-7, "{frequency} Hz: {h} {expected}");
+#[test]
+fn every_file_is_the_same_track() {
+    for (file, keys) in [
+        ("accelerance_g.csv", ""),
+        ("receptance_db.txt", ""),
+        ("mobility_savetxt.txt", "unit = \"mm/s/kN\""),
+        ("receptance_quoted.csv", ""),
+        ("three_directions.uff", ""),
+    ] {
+        let (model, case) = (model(), measured(file, keys).unwrap());
+        for frequency in [50.0, 80.0, 250.0, 490.0, 1200.0, 2500.0] {
+            let h = case.track.receptance.receptance(TAU * frequency, 0.0);
+            let expected = model.track.receptance.receptance(TAU * frequency, 0.0);
+            let error = (h - expected).norm() / expected.norm();
+            assert!(error < 1e-7, "{frequency} Hz: {h} {expected}");
+        }
+        // A point of the map on a line, 25 m/s over 50 mm.
+        let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate();
+        assert!((rate(&case) / rate(&model) - 1.0).abs() < 1e-6);
+        // Between two lines the receptance is a chord.
+        let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate();
+        assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
+        // The same rail on its pads is a candidate, within a line.
+        let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {
+            let mechanisms = case.mechanisms().0.into_iter();
+            mechanisms
+                .filter(|mechanism| mechanism.kind == kind)
+                .filter_map(|mechanism| mechanism.frequency())
+                .collect()
+        };
+        let expected = of(&model, MechanismKind::RailOnPad)[0];
+        let peaks = of(&case, MechanismKind::MeasuredPeak);
+        assert!(
+            peaks.iter().any(|peak| (peak - expected).abs() < 10.0),
+            "{peaks:?} {expected}"
+        );
     }
-    // A point of the map on a line, 25 m/s over 50 mm.
-    let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate();
-    assert!((rate(&case) / rate(&model) - 1.0).abs() < 1e-6);
-    // Between two lines the receptance is a chord.
-    let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate();
-    assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
-    // The same rail on its pads is a candidate, within a line.
-    let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {
-        let mechanisms = case.mechanisms().0.into_iter();
-        mechanisms
-            .filter(|mechanism| mechanism.kind == kind)
-            .filter_map(|mechanism| mechanism.frequency())
-            .collect()
-    };
-    let expected = of(&model, MechanismKind::RailOnPad)[0];
-    let peaks = of(&case, MechanismKind::MeasuredPeak);
-    assert!(
-        peaks.iter().any(|peak| (peak - expected).abs() < 10.0),
-        "{peaks:?} {expected}"
-    );
 }
 
 #[test]
@@ -95,51 +97,26 @@ fn remarks_say_what_was_done() {
     assert!(!unnamed.contains("names no unit"), "{unnamed}");
 }
 
-#[rstest]
+#[test]
 // Without a unit, values of 1e-2 are not those of a rail.
-#[case(
-    "mobility_savetxt.txt",
-    "",
-    "but those of rails are some 1e-11 to 1e-7 m/N"
-)]
-#[case(
-    "accelerance_g.csv",
-    "unit = \"m/N\"\nquantity = \"mobility\"",
-    "no unit of a mobility"
-)]
-#[case(
-    "accelerance_g.csv",
-    "quantity = \"receptance\"",
-    "is in g/N, an accelerance"
-)]
-#[case(
-    "receptance_db.txt",
-    "unit = \"m/N\"",
-    "is in decibels: write the reference"
-)]
-#[case(
-    "receptance_db.txt",
-    "unit = \"dB\"",
-    "without a reference: write the reference, as unit = \"dB re 1 m/N\""
-)]
-#[case(
-    "three_directions.uff",
-    "function = 1",
-    "responds along y to a force along y"
-)]
-#[case(
-    "three_directions.uff",
-    "function = 3",
-    "responds along z to a force along y"
-)]
-#[case(
-    "three_directions.uff",
-    "vertical_axis = \"x\"",
-    "3 frequency responses: choose one"
-)]
-fn what_does_not_fit_is_refused(#[case] file: &str, #[case] keys: &str, #[case] sentence: &str) {
-    let error = measured(file, keys).err().expect("refused").to_string();
-    assert!(error.contains(sentence), "{error}");
+fn what_does_not_fit_is_refused() {
+    for row in [
+        "mobility_savetxt.txt =>  => but those of rails are some 1e-11 to 1e-7 m/N",
+        "accelerance_g.csv => unit = \"m/N\"\nquantity = \"mobility\" => no unit of a mobility",
+        "accelerance_g.csv => quantity = \"receptance\" => is in g/N, an accelerance",
+        "receptance_db.txt => unit = \"m/N\" => is in decibels: write the reference",
+        "receptance_db.txt => unit = \"dB\" => without a reference: write the reference, as unit = \"dB re 1 m/N\"",
+        "three_directions.uff => function = 1 => responds along y to a force along y",
+        "three_directions.uff => function = 3 => responds along z to a force along y",
+        "three_directions.uff => vertical_axis = \"x\" => 3 frequency responses: choose one",
+    ] {
+        let [file, keys, sentence] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        let error = measured(file, keys).err().expect("refused").to_string();
+        assert!(error.contains(sentence), "{error}");
+    }
 }
 
 /// A case may say that the test stood on its side.
@@ -152,22 +129,28 @@ fn another_axis_may_be_vertical() {
 }
 
 /// An angular frequency is converted; what is no frequency is refused.
-#[rstest]
-#[case("frequency [rad/s]", std::f64::consts::TAU)]
-#[case("frequency_rad_s", std::f64::consts::TAU)]
-#[case("frequency [kHz]", 1e-3)]
-fn frequencies_are_converted(#[case] head: &str, #[case] per_hertz: f64) {
-    let case = with_frequencies(head, per_hertz).unwrap();
-    let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
-    assert!((found.re - 5e-9).abs() < 1e-17, "{head}: {found}");
+#[test]
+fn frequencies_are_converted() {
+    for (head, per_hertz) in [
+        ("frequency [rad/s]", std::f64::consts::TAU),
+        ("frequency_rad_s", std::f64::consts::TAU),
+        ("frequency [kHz]", 1e-3),
+    ] {
+        let case = with_frequencies(head, per_hertz).unwrap();
+        let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
+        assert!((found.re - 5e-9).abs() < 1e-17, "{head}: {found}");
+    }
 }
 
-#[rstest]
-#[case("frequency [rpm]", "column `frequency [rpm]` is in rpm")]
-#[case("frequency [mm]", "column `frequency [mm]` is in mm")]
-fn other_frequencies_are_refused(#[case] head: &str, #[case] part: &str) {
-    let error = with_frequencies(head, 1.0).err().unwrap().to_string();
-    assert!(error.contains(part), "{error}");
+#[test]
+fn other_frequencies_are_refused() {
+    for (head, part) in [
+        ("frequency [rpm]", "column `frequency [rpm]` is in rpm"),
+        ("frequency [mm]", "column `frequency [mm]` is in mm"),
+    ] {
+        let error = with_frequencies(head, 1.0).err().unwrap().to_string();
+        assert!(error.contains(part), "{error}");
+    }
 }
 
 /// A receptance of 1e-11 m/N for each hertz, 50 to 3000 Hz.

@@ -4,7 +4,6 @@ use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, NOMINAL_CASE, TRAFFIC, Variant};
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile, Survey};
-use rstest::rstest;
 
 fn nominal() -> Case {
     Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap()
@@ -110,101 +109,59 @@ fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
     Ok(())
 }
 
-#[rstest]
-#[case("[[vehicle]]\nname = \"unit\"\n", "`vehicle[0].share` is missing")]
-#[case("vehicle = []\n", "`vehicle` is missing")]
-#[case("title = \"none\"\n", "`vehicle` is missing")]
-#[case(
-    "[[vehicle]]\nname = \" \"\nshare = 1\nspeed = { mean = 30 }\n",
-    "`vehicle[0].name` is empty"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 0.7\nspeed = { mean = 30 }\n",
-    "sum to 0.7000, but must sum to 1"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = -1\nspeed = { mean = 30 }\n",
-    "`vehicle[0].share` is -1, but must be greater"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\n",
-    "`vehicle[0].speed` is missing"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = \"30 kN\" }\n",
-    "not a speed in m/s"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30, standard_deviation = 8 }\n",
-    "less than a quarter of the mean"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 30, share = 0.5 }]\n",
-    "`vehicle[0].speeds` sum to 0.5"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\nspeeds = [{ speed = 30, share = 1 }]\n",
-    "exclude each other"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"10 t\"\nwheel_load = \"50 kN\"\n",
-    "exclude each other"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntraction = 0.2\n",
-    "`vehicle[0].traction` is not a key"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntractive_ratio = 1.2\n",
-    "`vehicle[0].tractive_ratio` is 1.2, but must be between 1e-6 and 0.999999"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"20 kN\"\n",
-    "is \"20 kN\", a force, but must be a mass"
-)]
-#[case(
-    "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 300, share = 1 }]\n",
-    "`vehicle[0].speeds[0].speed` is 300 m/s, but must be between 0.01 m/s and 200 m/s"
-)]
-#[case(
-    "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n",
-    "`line.passages_per_day` is 0"
-)]
-fn wrong_traffic_is_refused(#[case] text: &str, #[case] part: &str) {
-    let error = Traffic::parse("t.toml", text).err().expect("a mistake");
-    assert!(error.to_string().contains(part), "{error}");
+#[test]
+fn wrong_traffic_is_refused() {
+    for row in [
+        "[[vehicle]]\nname = \"unit\"\n => `vehicle[0].share` is missing",
+        "vehicle = []\n => `vehicle` is missing",
+        "title = \"none\"\n => `vehicle` is missing",
+        "[[vehicle]]\nname = \" \"\nshare = 1\nspeed = { mean = 30 }\n => `vehicle[0].name` is empty",
+        "[[vehicle]]\nname = \"unit\"\nshare = 0.7\nspeed = { mean = 30 }\n => sum to 0.7000, but must sum to 1",
+        "[[vehicle]]\nname = \"unit\"\nshare = -1\nspeed = { mean = 30 }\n => `vehicle[0].share` is -1, but must be greater",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\n => `vehicle[0].speed` is missing",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = \"30 kN\" }\n => not a speed in m/s",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30, standard_deviation = 8 }\n => less than a quarter of the mean",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 30, share = 0.5 }]\n => `vehicle[0].speeds` sum to 0.5",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\nspeeds = [{ speed = 30, share = 1 }]\n => exclude each other",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"10 t\"\nwheel_load = \"50 kN\"\n => exclude each other",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntraction = 0.2\n => `vehicle[0].traction` is not a key",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\ntractive_ratio = 1.2\n => `vehicle[0].tractive_ratio` is 1.2, but must be between 1e-6 and 0.999999",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\naxle_load = \"20 kN\"\n => is \"20 kN\", a force, but must be a mass",
+        "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeeds = [{ speed = 300, share = 1 }]\n => `vehicle[0].speeds[0].speed` is 300 m/s, but must be between 0.01 m/s and 200 m/s",
+        "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.passages_per_day` is 0",
+    ] {
+        let (text, part) = row.split_once(" => ").unwrap();
+
+        let error = Traffic::parse("t.toml", text).err().expect("a mistake");
+        assert!(error.to_string().contains(part), "{error}");
+    }
 }
 
 /// What is wrong only with the case is found with it, and said of the vehicle, with its line.
-#[rstest]
-#[case(
-    "[vehicle.set]\ncontact.friction = -0.2\n",
-    "vehicle[0].set.contact.friction",
-    "between 0.001 and 1.5"
-)]
-#[case(
-    "[vehicle.set]\ncontact.frction = 0.2\n",
-    "vehicle[0].set.contact.frction",
-    "did you mean friction"
-)]
-fn a_vehicle_that_the_case_refuses_is_named(
-    #[case] rest: &str,
-    #[case] key: &str,
-    #[case] rule: &str,
-) {
-    let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
-    let case = nominal();
-    let error = traffic
-        .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
-        .unwrap_err();
-    assert!(
-        error.to_string().contains(key) && error.to_string().contains(rule),
-        "{error}"
-    );
-    let CaseError::Invalid { span, .. } = error else {
-        panic!("{error:?}");
-    };
-    assert!(span.is_some());
+#[test]
+fn a_vehicle_that_the_case_refuses_is_named() {
+    for row in [
+        "[vehicle.set]\ncontact.friction = -0.2\n => vehicle[0].set.contact.friction => between 0.001 and 1.5",
+        "[vehicle.set]\ncontact.frction = 0.2\n => vehicle[0].set.contact.frction => did you mean friction",
+    ] {
+        let [rest, key, rule] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
+        let case = nominal();
+        let error = traffic
+            .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
+            .unwrap_err();
+        assert!(
+            error.to_string().contains(key) && error.to_string().contains(rule),
+            "{error}"
+        );
+        let CaseError::Invalid { span, .. } = error else {
+            panic!("{error:?}");
+        };
+        assert!(span.is_some());
+    }
 }
 
 /// A later set of overrides replaces what an earlier one excludes.
@@ -372,44 +329,35 @@ fn a_vehicle_brings_its_wheelset() -> Result<(), CaseError> {
 }
 
 /// What goes with a wheelset, or with full sliding, is said at the key of the vehicle.
-#[rstest]
-#[case(
-    "wheel_mass = 500\n",
-    "",
-    "`vehicle[0].wheel_mass`: `wheel.mass` and `wheelset` exclude each other"
-)]
-#[case(
-    "tractive_ratio = 0.3\n",
-    "contact.creep_law=full-sliding",
-    "is no mean state of a law of full sliding"
-)]
-#[case("creepage = { sideways = 0.01 }\n", "", "vehicle[0].creepage.sideways")]
-#[case(
-    "creepage = { lateral = 0.01 }\n",
-    "contact.creep_law=carter-2d",
-    "`vehicle[0].creepage`: `contact.creepage.lateral` is 0.01"
-)]
-fn what_a_vehicle_cannot_bring(
-    #[case] key: &str,
-    #[case] law: &str,
-    #[case] expected: &str,
-) -> Result<(), CaseError> {
-    let wheelset =
-        "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }"
-            .to_owned();
-    let overrides: Vec<String> = std::iter::once(wheelset)
-        .chain((!law.is_empty()).then(|| law.to_owned()))
-        // The case itself has a mean state that every law knows.
-        .chain(["contact.creepage={ longitudinal = 0.001 }".to_owned()])
-        .collect();
-    let case = Case::parse("case.toml", NOMINAL_CASE, &overrides)?;
-    let error = match Traffic::parse("t.toml", &format!("{VEHICLE}{key}{SPEED}")) {
-        Err(error) => error,
-        Ok(traffic) => traffic
-            .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
-            .unwrap_err(),
-    };
-    let words = format!("{error} {}", error.in_words());
-    assert!(words.contains(expected), "{words}");
+#[test]
+fn what_a_vehicle_cannot_bring() -> Result<(), CaseError> {
+    for row in [
+        "wheel_mass = 500\n =>  => `vehicle[0].wheel_mass`: `wheel.mass` and `wheelset` exclude each other",
+        "tractive_ratio = 0.3\n => contact.creep_law=full-sliding => is no mean state of a law of full sliding",
+        "creepage = { sideways = 0.01 }\n =>  => vehicle[0].creepage.sideways",
+        "creepage = { lateral = 0.01 }\n => contact.creep_law=carter-2d => `vehicle[0].creepage`: `contact.creepage.lateral` is 0.01",
+    ] {
+        let [key, law, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        let wheelset =
+            "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }"
+                .to_owned();
+        let overrides: Vec<String> = std::iter::once(wheelset)
+            .chain((!law.is_empty()).then(|| law.to_owned()))
+            // The case itself has a mean state that every law knows.
+            .chain(["contact.creepage={ longitudinal = 0.001 }".to_owned()])
+            .collect();
+        let case = Case::parse("case.toml", NOMINAL_CASE, &overrides)?;
+        let error = match Traffic::parse("t.toml", &format!("{VEHICLE}{key}{SPEED}")) {
+            Err(error) => error,
+            Ok(traffic) => traffic
+                .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
+                .unwrap_err(),
+        };
+        let words = format!("{error} {}", error.in_words());
+        assert!(words.contains(expected), "{words}");
+    }
     Ok(())
 }

@@ -8,7 +8,6 @@ use riffel::wheelset::{
 };
 use riffel_case::{Case, CaseWheelset};
 use riffel_keys::CaseError;
-use rstest::rstest;
 use tempfile::TempDir;
 
 /// A rigid wheelset of 1100 kg on its suspension, creeping along and across the rail under a contact angle.
@@ -198,26 +197,24 @@ fn a_measured_wheelset_is_not_extrapolated() {
 const ONE_ENTRY: &str = "frequency_hz,zz_re,zz_im\n20,-1e-8,-1e-10\n40,-1e-8,-1e-10\n80,-1e-8,-1e-10\n160,-1e-8,-1e-10\n320,-1e-8,-1e-10\n600,-1e-8,-1e-10\n";
 
 /// What is measured but cannot be true is said, with how far, where, and at what.
-#[rstest]
-#[case::without_unit(ONE_ENTRY.to_owned(), "column `zz_re` names no unit: taken as a receptance in m/N")]
-#[case::not_all(ONE_ENTRY.to_owned(), "the wheelset was not measured along x, y: there it is taken as rigid")]
-#[case::active(
-    ONE_ENTRY.replace("80,-1e-8,-1e-10", "80,-1e-8,3e-10"),
-    "gives energy away, by up to 3.00 % of its largest receptance, at 80.0 Hz, most at right_z"
-)]
-#[case::not_reciprocal(
-    "f [Hz],left_y_left_z_re [m/N],left_y_left_z_im,left_z_left_y_re [m/N],left_z_left_y_im\n\
+#[test]
+fn doubts_are_remarks() {
+    for (file, sentence) in [
+(ONE_ENTRY.to_owned(), "column `zz_re` names no unit: taken as a receptance in m/N"),
+(ONE_ENTRY.to_owned(), "the wheelset was not measured along x, y: there it is taken as rigid"),
+(ONE_ENTRY.replace("80,-1e-8,-1e-10", "80,-1e-8,3e-10"), "gives energy away, by up to 3.00 % of its largest receptance, at 80.0 Hz, most at right_z"),
+("f [Hz],left_y_left_z_re [m/N],left_y_left_z_im,left_z_left_y_re [m/N],left_z_left_y_im\n\
      20,1e-9,0,1e-9,0\n40,1e-9,0,0.9e-9,0\n80,1e-9,0,1e-9,0\n160,1e-9,0,1e-9,0\n320,1e-9,0,1e-9,0\n600,1e-9,0,1e-9,0\n"
-        .to_owned(),
-    "is not reciprocal: left_z by a force at left_y and the reverse differ by up to 10.00 %, at 40.0 Hz"
-)]
-fn doubts_are_remarks(#[case] file: String, #[case] sentence: &str) {
+        .to_owned(), "is not reciprocal: left_z by a force at left_y and the reverse differ by up to 10.00 %, at 40.0 Hz"),
+] {
+
     let case = case(MEASURED, &file).unwrap();
     let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
     assert!(
         said.iter().any(|remark| remark.contains(sentence)),
         "{said:?}"
     );
+}
 }
 
 /// Numbers as they round to four digits raise no doubt.
@@ -231,48 +228,70 @@ fn rounding_raises_no_doubt() {
     assert!(!measured.remarks.iter().any(doubts));
 }
 
-#[rstest]
-#[case::unknown_column(
-    ONE_ENTRY.replace("zz_im", "zz_imaginery"),
-    "has column `zz_imaginery`, which is no frequency and no part of a receptance"
-)]
-#[case::half_an_entry(
-    ONE_ENTRY.replace("zz_im", "yy_im"),
-    "has zz_re of a receptance, which needs its real and imaginary part, or its modulus and phase"
-)]
-#[case::twice(ONE_ENTRY.replace("zz_im", "zz_real"), "has two columns for one quantity: `zz_re`, `zz_real`")]
-#[case::one_and_both(
-    "frequency_hz,zz_re,zz_im,left_x_left_x_re,left_x_left_x_im\n20,1,0,1,0\n40,1,0,1,0\n".to_owned(),
-    "has receptances of one wheel and of both: `zz_re`, `left_x_left_x_re`"
-)]
-#[case::no_entry("frequency_hz,frequency\n20,1\n40,1\n".to_owned(), "has two columns for one quantity")]
-#[case::no_frequency("zz_re,zz_im\n20,1\n40,1\n".to_owned(), "names no frequency; it has zz_re, zz_im")]
-#[case::unit_of_another_kind(
-    ONE_ENTRY.replace("zz_re", "zz_re [m/s]"),
-    "has column `zz_re [m/s]` in \"m/s\": write m/N, m/s/N, m/s2/N or the like"
-)]
-#[case::parts_in_decibels(
-    ONE_ENTRY.replace("zz_re", "zz_re [dB re 1 m/N]"),
-    "has column `zz_re [dB re 1 m/N]` in \"dB re 1 m/N\": write m/N"
-)]
-#[case::phase_without_unit(
-    "frequency_hz,zz_modulus,zz_phase\n20,1e-8,90\n40,1e-8,90\n".to_owned(),
-    "has column `zz_phase` without its unit: write `zz_phase [deg]` or `zz_phase [rad]`"
-)]
-#[case::negative_modulus(
-    "frequency_hz,zz_modulus,zz_phase_deg\n20,1e-8,90\n40,-1e-8,90\n".to_owned(),
-    "line 3: column `zz_modulus` is -0.00000001, but a modulus is not negative"
-)]
-#[case::no_number(ONE_ENTRY.replace("80,-1e-8", "80,x"), "line 4: column `zz_re` is \"x\", not a number")]
-#[case::gap(ONE_ENTRY.replace("80,-1e-8,-1e-10\n", ""), "nothing between 40 Hz and 160 Hz")]
-#[case::frequency_in_metres(ONE_ENTRY.replace("frequency_hz", "frequency [m]"), "in \"m\": write a unit of a frequency")]
-#[case::empty(String::new(), "names no frequency")]
-fn refuses_what_is_no_measured_wheelset(#[case] file: String, #[case] sentence: &str) {
-    let error = error(MEASURED, &file);
-    assert!(
-        error.starts_with("`wheelset.file`") && error.contains(sentence),
-        "{error}"
-    );
+#[test]
+fn refuses_what_is_no_measured_wheelset() {
+    for (file, sentence) in [
+        (
+            ONE_ENTRY.replace("zz_im", "zz_imaginery"),
+            "has column `zz_imaginery`, which is no frequency and no part of a receptance",
+        ),
+        (
+            ONE_ENTRY.replace("zz_im", "yy_im"),
+            "has zz_re of a receptance, which needs its real and imaginary part, or its modulus and phase",
+        ),
+        (
+            ONE_ENTRY.replace("zz_im", "zz_real"),
+            "has two columns for one quantity: `zz_re`, `zz_real`",
+        ),
+        (
+            "frequency_hz,zz_re,zz_im,left_x_left_x_re,left_x_left_x_im\n20,1,0,1,0\n40,1,0,1,0\n"
+                .to_owned(),
+            "has receptances of one wheel and of both: `zz_re`, `left_x_left_x_re`",
+        ),
+        (
+            "frequency_hz,frequency\n20,1\n40,1\n".to_owned(),
+            "has two columns for one quantity",
+        ),
+        (
+            "zz_re,zz_im\n20,1\n40,1\n".to_owned(),
+            "names no frequency; it has zz_re, zz_im",
+        ),
+        (
+            ONE_ENTRY.replace("zz_re", "zz_re [m/s]"),
+            "has column `zz_re [m/s]` in \"m/s\": write m/N, m/s/N, m/s2/N or the like",
+        ),
+        (
+            ONE_ENTRY.replace("zz_re", "zz_re [dB re 1 m/N]"),
+            "has column `zz_re [dB re 1 m/N]` in \"dB re 1 m/N\": write m/N",
+        ),
+        (
+            "frequency_hz,zz_modulus,zz_phase\n20,1e-8,90\n40,1e-8,90\n".to_owned(),
+            "has column `zz_phase` without its unit: write `zz_phase [deg]` or `zz_phase [rad]`",
+        ),
+        (
+            "frequency_hz,zz_modulus,zz_phase_deg\n20,1e-8,90\n40,-1e-8,90\n".to_owned(),
+            "line 3: column `zz_modulus` is -0.00000001, but a modulus is not negative",
+        ),
+        (
+            ONE_ENTRY.replace("80,-1e-8", "80,x"),
+            "line 4: column `zz_re` is \"x\", not a number",
+        ),
+        (
+            ONE_ENTRY.replace("80,-1e-8,-1e-10\n", ""),
+            "nothing between 40 Hz and 160 Hz",
+        ),
+        (
+            ONE_ENTRY.replace("frequency_hz", "frequency [m]"),
+            "in \"m\": write a unit of a frequency",
+        ),
+        (String::new(), "names no frequency"),
+    ] {
+        let error = error(MEASURED, &file);
+        assert!(
+            error.starts_with("`wheelset.file`") && error.contains(sentence),
+            "{error}"
+        );
+    }
 }
 
 /// Two modes with all that stands in a table of them.
@@ -316,133 +335,165 @@ fn diagonal(residual: f64) -> [[f64; 6]; 6] {
 }
 
 /// Tables of the same two modes in other words, units and separators.
-#[rstest]
-#[case::masses(MODES.to_owned(), None)]
-#[case::tonnes_hertz_and_per_cent(
-    "mode;eigenfrequency [rad/s];damping [%];modal_mass_t;left_x;left_y;left_z;right_x;right_y;right_z\n\
+#[test]
+fn modes_are_read_in_their_units() {
+    let cases: [(String, Option<[[f64; 6]; 6]>); 6] = [
+(MODES.to_owned(), None),
+("mode;eigenfrequency [rad/s];damping [%];modal_mass_t;left_x;left_y;left_z;right_x;right_y;right_z\n\
      1;493,858365144315;0,2;0,055;1;0;0;-1;0;0\n2;610,725611857856;0,3;0,3;0;0,4;1;0;-0,4;1\n"
-        .to_owned(),
-    None
-)]
-#[case::normalised(
-    "# of a model\nfrequency_hz,damping_ratio_percent,left_x [1/√kg],left_y [1/√kg],left_z [1/√kg],right_x [1/√kg],\
+        .to_owned(), None),
+("# of a model\nfrequency_hz,damping_ratio_percent,left_x [1/√kg],left_y [1/√kg],left_z [1/√kg],right_x [1/√kg],\
      right_y [1/√kg],right_z [1/√kg]\n\
      97.2,0.3,0,0.0230940107676,0.0577350269190,0,-0.0230940107676,0.0577350269190\n\
      78.6,0.2,0.134839972493,0,0,-0.134839972493,0,0\n"
-        .to_owned(),
-    None
-)]
-#[case::normalised_in_tonnes_with_a_row_of_units(
-    "frequency\tzeta\tLeft x\tLeft y\tLeft z\tRight x\tRight y\tRight z\n\
+        .to_owned(), None),
+("frequency\tzeta\tLeft x\tLeft y\tLeft z\tRight x\tRight y\tRight z\n\
      kHz\t%\tt^-0.5\tt^-0.5\tt^-0.5\tt^-0.5\tt^-0.5\tt^-0.5\n\
      0.0786\t0.2\t4.26401432711\t0\t0\t-4.26401432711\t0\t0\n\
      0.0972\t0.3\t0\t0.730296743340\t1.82574185835\t0\t-0.730296743340\t1.82574185835\n"
-        .to_owned(),
-    None
-)]
-#[case::diagonal_residual(
-    format!("{MODES}residual,,,3e-10,3e-10,3e-10,3e-10,3e-10,3e-10\n"),
-    Some(diagonal(3e-10))
-)]
-#[case::full_residual(
-    MODES.to_owned()
+        .to_owned(), None),
+(format!("{MODES}residual,,,3e-10,3e-10,3e-10,3e-10,3e-10,3e-10\n"), Some(diagonal(3e-10))),
+(MODES.to_owned()
         + "residual,,,1e-10,0,0,2e-11,0,0\nresidual,,,0,1e-10,0,0,0,0\nresidual,,,0,0,1e-10,0,0,0\n\
-           residual,,,2e-11,0,0,1e-10,0,0\nresidual,,,0,0,0,0,1e-10,0\nresidual,,,0,0,0,0,0,1e-10\n",
-    Some({
+           residual,,,2e-11,0,0,1e-10,0,0\nresidual,,,0,0,0,0,1e-10,0\nresidual,,,0,0,0,0,0,1e-10\n", Some({
         let mut residual = diagonal(1e-10);
         (residual[0][3], residual[3][0]) = (2e-11, 2e-11);
         residual
-    })
-)]
-fn modes_are_read_in_their_units(#[case] file: String, #[case] residual: Option<[[f64; 6]; 6]>) {
-    let case = case(MODAL, &file).unwrap();
-    let expected = modal(residual);
-    for frequency in [10.0, 78.0, 97.0, 300.0] {
-        let w = TAU * frequency;
-        let (got, expected) = (wheelset(&case).receptances(w), expected.receptances(w));
-        for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
-            // The tables hold twelve digits, which resonances make eight of.
-            assert!(
-                (got - expected).norm() <= 1e-8 * expected.norm(),
-                "{frequency}: {got} {expected}"
-            );
+    })),
+];
+    for (file, residual) in cases {
+        let case = case(MODAL, &file).unwrap();
+        let expected = modal(residual);
+        for frequency in [10.0, 78.0, 97.0, 300.0] {
+            let w = TAU * frequency;
+            let (got, expected) = (wheelset(&case).receptances(w), expected.receptances(w));
+            for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
+                // The tables hold twelve digits, which resonances make eight of.
+                assert!(
+                    (got - expected).norm() <= 1e-8 * expected.norm(),
+                    "{frequency}: {got} {expected}"
+                );
+            }
         }
+        let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
+        assert_eq!(modes.len(), 1);
+        assert!((modes[0].frequency - 78.6).abs() < 1e-6);
+        assert_eq!(modes[0].name.to_string(), "first elastic mode");
+        let ends = |remark: &riffel_keys::Message| {
+            let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
+            remark.to_string().contains(&format!(
+                "up to some {up_to}, and the window reaches 500 Hz"
+            ))
+        };
+        assert!(case.remarks.iter().any(ends), "{:?}", case.remarks);
     }
-    let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
-    assert_eq!(modes.len(), 1);
-    assert!((modes[0].frequency - 78.6).abs() < 1e-6);
-    assert_eq!(modes[0].name.to_string(), "first elastic mode");
-    let ends = |remark: &riffel_keys::Message| {
-        let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
-        remark.to_string().contains(&format!(
-            "up to some {up_to}, and the window reaches 500 Hz"
-        ))
-    };
-    assert!(case.remarks.iter().any(ends), "{:?}", case.remarks);
 }
 
-#[rstest]
-#[case::no_normalisation(
-    MODES.replace("generalised_mass_kg", "mass"),
-    "does not say how its shapes are normalised: give a column `generalised_mass_kg`, or, if they are mass-normalised, \
-     their unit, as in `left_x [1/√kg]`"
-)]
-#[case::twice_normalised(
-    MODES.replace("left_x", "left_x [1/√kg]"),
-    "beside `generalised_mass_kg` a shape has no unit; leave that column out if the shapes are mass-normalised"
-)]
-#[case::largest_displacement_one(
-    MODES.replace("55,", "1,"),
-    "line 2: a mode moves a contact as less than a 500th of the wheelset's mass would"
-)]
-#[case::shape_of_another_unit(
-    MODES.replace("generalised_mass_kg", "mass").replace("_x", "_x [mm]").replace("_y", "_y [mm]").replace("_z", "_z [mm]"),
-    "has column `left_x [mm]` in \"mm\": a mass-normalised shape is in 1/√kg or 1/√t"
-)]
-#[case::shapes_of_two_units(
-    MODES.replace("generalised_mass_kg", "mass").replace("left_x", "left_x [1/√t]").replace("_y", "_y [1/√kg]")
-        .replace("_z", "_z [1/√kg]").replace("right_x", "right_x [1/√kg]"),
-    "all shapes have one unit, that of `left_x [1/√t]`"
-)]
-#[case::no_shape(MODES.replace("right_z", "z"), "has no column `right_z`; it has frequency_hz, ")]
-#[case::no_damping(MODES.replace("damping_ratio", "loss"), "has no column `damping_ratio`")]
-#[case::two_dampings(MODES.replace("damping_ratio", "damping_ratio,zeta"), "has two columns for `damping_ratio`")]
-#[case::damping_in_per_cent(MODES.replace("0.003", "3"), "line 3: the damping ratio of a mode must be at least 0 and below 1")]
-#[case::damping_of_another_unit(
-    MODES.replace("damping_ratio", "damping_ratio [Ns/m]"),
-    "has column `damping_ratio [Ns/m]` in \"Ns/m\": a damping ratio has none, or %"
-)]
-#[case::mass_of_another_unit(MODES.replace("mass_kg", "mass_m"), "write a unit of a mass, kg or t")]
-#[case::rigid_body(MODES.replace("97.2", "0"), "line 3: the natural frequency of an elastic mode must be finite and above zero")]
-#[case::no_number(MODES.replace("-0.4", "?"), "line 3: column `right_y` is \"?\", not a number")]
-#[case::not_finite(MODES.replace("-0.4", "inf"), "line 3: column `right_y` is inf, but must be finite")]
-#[case::two_residuals(
-    format!("{MODES}residual,,,0,0,0,0,0,0\nresidual,,,0,0,0,0,0,0\n"),
-    "has 2 rows `residual`: give one"
-)]
-#[case::residual_not_symmetric(
-    MODES.to_owned() + "residual,,,1e-10,0,0,2e-11,0,0\n" + &"residual,,,0,0,0,0,0,0\n".repeat(5),
-    "a residual compliance must be finite and symmetric"
-)]
-#[case::no_header("78.6,0.002,55,1,0,0,-1,0,0\n".to_owned(), "has no header: its columns need names above them")]
-#[case::no_mode(MODES.lines().next().unwrap().to_owned(), "has no mode below its header")]
-fn refuses_what_are_no_modes(#[case] file: String, #[case] sentence: &str) {
-    let error = error(MODAL, &file);
-    assert!(
-        error.starts_with("`wheelset.file`") && error.contains(sentence),
-        "{error}"
-    );
+#[test]
+fn refuses_what_are_no_modes() {
+    for (file, sentence) in [
+        (
+            MODES.replace("generalised_mass_kg", "mass"),
+            "does not say how its shapes are normalised: give a column `generalised_mass_kg`, or, if they are mass-normalised, \
+     their unit, as in `left_x [1/√kg]`",
+        ),
+        (
+            MODES.replace("left_x", "left_x [1/√kg]"),
+            "beside `generalised_mass_kg` a shape has no unit; leave that column out if the shapes are mass-normalised",
+        ),
+        (
+            MODES.replace("55,", "1,"),
+            "line 2: a mode moves a contact as less than a 500th of the wheelset's mass would",
+        ),
+        (
+            MODES
+                .replace("generalised_mass_kg", "mass")
+                .replace("_x", "_x [mm]")
+                .replace("_y", "_y [mm]")
+                .replace("_z", "_z [mm]"),
+            "has column `left_x [mm]` in \"mm\": a mass-normalised shape is in 1/√kg or 1/√t",
+        ),
+        (
+            MODES
+                .replace("generalised_mass_kg", "mass")
+                .replace("left_x", "left_x [1/√t]")
+                .replace("_y", "_y [1/√kg]")
+                .replace("_z", "_z [1/√kg]")
+                .replace("right_x", "right_x [1/√kg]"),
+            "all shapes have one unit, that of `left_x [1/√t]`",
+        ),
+        (
+            MODES.replace("right_z", "z"),
+            "has no column `right_z`; it has frequency_hz, ",
+        ),
+        (
+            MODES.replace("damping_ratio", "loss"),
+            "has no column `damping_ratio`",
+        ),
+        (
+            MODES.replace("damping_ratio", "damping_ratio,zeta"),
+            "has two columns for `damping_ratio`",
+        ),
+        (
+            MODES.replace("0.003", "3"),
+            "line 3: the damping ratio of a mode must be at least 0 and below 1",
+        ),
+        (
+            MODES.replace("damping_ratio", "damping_ratio [Ns/m]"),
+            "has column `damping_ratio [Ns/m]` in \"Ns/m\": a damping ratio has none, or %",
+        ),
+        (
+            MODES.replace("mass_kg", "mass_m"),
+            "write a unit of a mass, kg or t",
+        ),
+        (
+            MODES.replace("97.2", "0"),
+            "line 3: the natural frequency of an elastic mode must be finite and above zero",
+        ),
+        (
+            MODES.replace("-0.4", "?"),
+            "line 3: column `right_y` is \"?\", not a number",
+        ),
+        (
+            MODES.replace("-0.4", "inf"),
+            "line 3: column `right_y` is inf, but must be finite",
+        ),
+        (
+            format!("{MODES}residual,,,0,0,0,0,0,0\nresidual,,,0,0,0,0,0,0\n"),
+            "has 2 rows `residual`: give one",
+        ),
+        (
+            MODES.to_owned()
+                + "residual,,,1e-10,0,0,2e-11,0,0\n"
+                + &"residual,,,0,0,0,0,0,0\n".repeat(5),
+            "a residual compliance must be finite and symmetric",
+        ),
+        (
+            "78.6,0.002,55,1,0,0,-1,0,0\n".to_owned(),
+            "has no header: its columns need names above them",
+        ),
+        (
+            MODES.lines().next().unwrap().to_owned(),
+            "has no mode below its header",
+        ),
+    ] {
+        let error = error(MODAL, &file);
+        assert!(
+            error.starts_with("`wheelset.file`") && error.contains(sentence),
+            "{error}"
+        );
+    }
 }
 
-#[rstest]
-#[case(MODAL)]
-#[case(MEASURED)]
-fn files_that_are_not_there_are_named(#[case] wheelset: &str) {
-    let error = error(&wheelset.replace("wheelset.csv", "nowhere.csv"), "");
-    assert!(
-        error.starts_with("`wheelset.file`") && error.contains("nowhere.csv"),
-        "{error}"
-    );
+#[test]
+fn files_that_are_not_there_are_named() {
+    for wheelset in [MODAL, MEASURED] {
+        let error = error(&wheelset.replace("wheelset.csv", "nowhere.csv"), "");
+        assert!(
+            error.starts_with("`wheelset.file`") && error.contains("nowhere.csv"),
+            "{error}"
+        );
+    }
 }
 
 /// An inertia on a spring: rigidly coupled it is part of the disc, and free of it at high frequency.

@@ -175,104 +175,102 @@ fn significant(number: f64) -> String {
 mod tests {
     use super::*;
     use crate::Language;
-    use rstest::rstest;
 
     fn judged(key: &str, text: &str) -> Judgement {
         let range = PhysicalRange::of(key).unwrap();
         range.judge(key, &range.kind.read_written(text).unwrap())
     }
 
-    #[rstest]
-    #[case(
-        "contact.friction",
-        "40",
-        "is 40, but must be between 0.001 and 1.5",
-        "did you mean \"40 %\"?"
-    )]
-    #[case(
-        "wheel.rolling_radius",
-        "460",
-        "is 460 m, but must be between 5 mm and 5 m",
-        "did you mean \"460 mm\"?"
-    )]
-    #[case(
-        "wheel.rolling_radius",
-        "0.46 mm",
-        "is 0.46 mm, but must be between 5 mm and 5 m",
-        "did you mean \"0.46 m\"?"
-    )]
-    #[case(
-        "steel.youngs_modulus",
-        "207",
-        "is 207 Pa, but must be between 1 GPa and 1000 GPa",
-        "did you mean \"207 GPa\"?"
-    )]
-    #[case(
-        "map.wavelength.min",
-        "55",
-        "is 55 m, but must be between 100 µm and 10 m",
-        "did you mean \"55 mm\" or \"55 cm\"?"
-    )]
-    #[case(
-        "wheel.mass",
-        "-350 kg",
-        "is -350 kg, but must be between 10 g and 100 t",
-        ""
-    )]
-    fn the_impossible_is_refused(
-        #[case] key: &str,
-        #[case] text: &str,
-        #[case] rule: &str,
-        #[case] help: &str,
-    ) {
-        let (rule, help) = (rule.to_owned(), help.to_owned());
-        assert_eq!(judged(key, text), Judgement::Impossible { rule, help });
+    #[test]
+    fn the_impossible_is_refused() {
+        for (key, text, rule, help) in [
+            (
+                "contact.friction",
+                "40",
+                "is 40, but must be between 0.001 and 1.5",
+                "did you mean \"40 %\"?",
+            ),
+            (
+                "wheel.rolling_radius",
+                "460",
+                "is 460 m, but must be between 5 mm and 5 m",
+                "did you mean \"460 mm\"?",
+            ),
+            (
+                "wheel.rolling_radius",
+                "0.46 mm",
+                "is 0.46 mm, but must be between 5 mm and 5 m",
+                "did you mean \"0.46 m\"?",
+            ),
+            (
+                "steel.youngs_modulus",
+                "207",
+                "is 207 Pa, but must be between 1 GPa and 1000 GPa",
+                "did you mean \"207 GPa\"?",
+            ),
+            (
+                "map.wavelength.min",
+                "55",
+                "is 55 m, but must be between 100 µm and 10 m",
+                "did you mean \"55 mm\" or \"55 cm\"?",
+            ),
+            (
+                "wheel.mass",
+                "-350 kg",
+                "is -350 kg, but must be between 10 g and 100 t",
+                "",
+            ),
+        ] {
+            let (rule, help) = (rule.to_owned(), help.to_owned());
+            assert_eq!(judged(key, text), Judgement::Impossible { rule, help });
+        }
     }
 
-    #[rstest]
-    #[case(
-        "contact.normal_load",
-        "50",
-        "contact.normal_load is 50 N; usual values are 10 kN to 250 kN (did you mean \"50 kN\" or \"50 kip\"?)",
-        "contact.normal_load ist 50 N; üblich sind 10 kN bis 250 kN (gemeint: „50 kN“ oder „50 kip“?)"
-    )]
-    #[case(
-        "map.speed.max",
-        "108",
-        "map.speed.max is 108 m/s; usual values are 1 m/s to 100 m/s (did you mean \"108 km/h\" or \"108 mph\"?)",
-        "map.speed.max ist 108 m/s; üblich sind 1 m/s bis 100 m/s (gemeint: „108 km/h“ oder „108 mph“?)"
-    )]
-    #[case(
-        "map.speed.max",
-        "52",
-        "map.speed.max has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \"52 mph\"?)",
-        "map.speed.max hat keine Einheit und wird als 52 m/s = 187,2 km/h gelesen (gemeint: „52 km/h“ oder „52 mph“?)"
-    )]
-    #[case(
-        "contact.friction",
-        "0.9",
-        "contact.friction is 0.9; usual values are 0.02 to 0.8",
-        "contact.friction ist 0,9; üblich sind 0,02 bis 0,8"
-    )]
-    fn the_unusual_is_asked_about(
-        #[case] key: &str,
-        #[case] text: &str,
-        #[case] english: &str,
-        #[case] german: &str,
-    ) {
-        let Judgement::Unusual(remark) = judged(key, text) else {
-            panic!("{key} = {text} is usual");
-        };
-        assert_eq!(remark.text(Language::English), english);
-        assert_eq!(remark.text(Language::German), german);
+    #[test]
+    fn the_unusual_is_asked_about() {
+        for (key, text, english, german) in [
+            (
+                "contact.normal_load",
+                "50",
+                "contact.normal_load is 50 N; usual values are 10 kN to 250 kN (did you mean \"50 kN\" or \"50 kip\"?)",
+                "contact.normal_load ist 50 N; üblich sind 10 kN bis 250 kN (gemeint: „50 kN“ oder „50 kip“?)",
+            ),
+            (
+                "map.speed.max",
+                "108",
+                "map.speed.max is 108 m/s; usual values are 1 m/s to 100 m/s (did you mean \"108 km/h\" or \"108 mph\"?)",
+                "map.speed.max ist 108 m/s; üblich sind 1 m/s bis 100 m/s (gemeint: „108 km/h“ oder „108 mph“?)",
+            ),
+            (
+                "map.speed.max",
+                "52",
+                "map.speed.max has no unit and is read as 52 m/s = 187.2 km/h (did you mean \"52 km/h\" or \"52 mph\"?)",
+                "map.speed.max hat keine Einheit und wird als 52 m/s = 187,2 km/h gelesen (gemeint: „52 km/h“ oder „52 mph“?)",
+            ),
+            (
+                "contact.friction",
+                "0.9",
+                "contact.friction is 0.9; usual values are 0.02 to 0.8",
+                "contact.friction ist 0,9; üblich sind 0,02 bis 0,8",
+            ),
+        ] {
+            let Judgement::Unusual(remark) = judged(key, text) else {
+                panic!("{key} = {text} is usual");
+            };
+            assert_eq!(remark.text(Language::English), english);
+            assert_eq!(remark.text(Language::German), german);
+        }
     }
 
-    #[rstest]
-    #[case("map.speed.max", "52 m/s")]
-    #[case("map.speed.max", "40")]
-    #[case("contact.normal_load", "11 kip")]
-    #[case("track.pad.damping", "0")]
-    fn the_usual_is_not(#[case] key: &str, #[case] text: &str) {
-        assert_eq!(judged(key, text), Judgement::Usual);
+    #[test]
+    fn the_usual_is_not() {
+        for (key, text) in [
+            ("map.speed.max", "52 m/s"),
+            ("map.speed.max", "40"),
+            ("contact.normal_load", "11 kip"),
+            ("track.pad.damping", "0"),
+        ] {
+            assert_eq!(judged(key, text), Judgement::Usual);
+        }
     }
 }

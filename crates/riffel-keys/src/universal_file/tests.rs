@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use riffel::Complex64;
-use rstest::rstest;
 
 use super::{Axis, Freedom, Function, Units, UniversalFile, read};
 
@@ -99,95 +98,123 @@ fn assert_near(read: &[Complex64], exact: impl Iterator<Item = Complex64>, toler
 
 /// Every file of pyuff gives back the function it was made from. An uneven abscissa has six digits
 /// in the text form, whatever the ordinate has.
-#[rstest]
-#[case("receptance_double_even.uff", receptance, even(), 0.0, 8, true, DOUBLE)]
-#[case(
-    "receptance_double_uneven.uff",
-    receptance,
-    uneven(),
-    SINGLE,
-    8,
-    true,
-    DOUBLE
-)]
-#[case(
-    "receptance_binary_even.uff",
-    receptance,
-    even(),
-    0.0,
-    8,
-    true,
-    FORMULA
-)]
-#[case(
-    "receptance_binary_uneven.uff",
-    receptance,
-    uneven(),
-    FORMULA,
-    8,
-    true,
-    FORMULA
-)]
-#[case("mobility_single_even.uff", mobility, even(), 0.0, 11, true, SINGLE)]
-#[case(
-    "accelerance_single_uneven.uff",
-    accelerance,
-    uneven(),
-    SINGLE,
-    12,
-    true,
-    SINGLE
-)]
-#[case("modulus_double_even.uff", modulus, even(), 0.0, 8, false, DOUBLE)]
-#[case(
-    "modulus_double_uneven.uff",
-    modulus,
-    uneven(),
-    SINGLE,
-    8,
-    false,
-    DOUBLE
-)]
-#[case("modulus_single_even.uff", modulus, even(), 0.0, 8, false, SINGLE)]
-#[case(
-    "modulus_single_uneven.uff",
-    modulus,
-    uneven(),
-    SINGLE,
-    8,
-    false,
-    SINGLE
-)]
-fn reads_what_pyuff_writes(
-    #[case] name: &str,
-    #[case] exact: fn(f64) -> Complex64,
-    #[case] frequencies: Vec<f64>,
-    #[case] abscissa_tolerance: f64,
-    #[case] kind: i32,
-    #[case] complex: bool,
-    #[case] tolerance: f64,
-) {
-    let file = read(&fixture(name)).unwrap();
-    assert_eq!(file.units, None);
-    let function = only_function(file);
-    assert_eq!(function.line, 1);
-    assert_eq!(function.function_type, 4);
-    assert_eq!(function.abscissa_axis.kind, 18);
-    assert_eq!(function.numerator.kind, kind);
-    assert_eq!(function.denominator.kind, 13);
-    assert_eq!(function.complex, complex);
-    assert_eq!(function.abscissa.len(), frequencies.len());
-    for (read, exact) in function.abscissa.iter().zip(&frequencies) {
-        assert!(
-            (read - exact).abs() <= abscissa_tolerance * exact,
-            "{read} for {exact}"
+#[test]
+fn reads_what_pyuff_writes() {
+    let cases: [(&str, fn(f64) -> Complex64, Vec<f64>, f64, i32, bool, f64); 10] = [
+        (
+            "receptance_double_even.uff",
+            receptance,
+            even(),
+            0.0,
+            8,
+            true,
+            DOUBLE,
+        ),
+        (
+            "receptance_double_uneven.uff",
+            receptance,
+            uneven(),
+            SINGLE,
+            8,
+            true,
+            DOUBLE,
+        ),
+        (
+            "receptance_binary_even.uff",
+            receptance,
+            even(),
+            0.0,
+            8,
+            true,
+            FORMULA,
+        ),
+        (
+            "receptance_binary_uneven.uff",
+            receptance,
+            uneven(),
+            FORMULA,
+            8,
+            true,
+            FORMULA,
+        ),
+        (
+            "mobility_single_even.uff",
+            mobility,
+            even(),
+            0.0,
+            11,
+            true,
+            SINGLE,
+        ),
+        (
+            "accelerance_single_uneven.uff",
+            accelerance,
+            uneven(),
+            SINGLE,
+            12,
+            true,
+            SINGLE,
+        ),
+        (
+            "modulus_double_even.uff",
+            modulus,
+            even(),
+            0.0,
+            8,
+            false,
+            DOUBLE,
+        ),
+        (
+            "modulus_double_uneven.uff",
+            modulus,
+            uneven(),
+            SINGLE,
+            8,
+            false,
+            DOUBLE,
+        ),
+        (
+            "modulus_single_even.uff",
+            modulus,
+            even(),
+            0.0,
+            8,
+            false,
+            SINGLE,
+        ),
+        (
+            "modulus_single_uneven.uff",
+            modulus,
+            uneven(),
+            SINGLE,
+            8,
+            false,
+            SINGLE,
+        ),
+    ];
+    for (name, exact, frequencies, abscissa_tolerance, kind, complex, tolerance) in cases {
+        let file = read(&fixture(name)).unwrap();
+        assert_eq!(file.units, None);
+        let function = only_function(file);
+        assert_eq!(function.line, 1);
+        assert_eq!(function.function_type, 4);
+        assert_eq!(function.abscissa_axis.kind, 18);
+        assert_eq!(function.numerator.kind, kind);
+        assert_eq!(function.denominator.kind, 13);
+        assert_eq!(function.complex, complex);
+        assert_eq!(function.abscissa.len(), frequencies.len());
+        for (read, exact) in function.abscissa.iter().zip(&frequencies) {
+            assert!(
+                (read - exact).abs() <= abscissa_tolerance * exact,
+                "{read} for {exact}"
+            );
+        }
+        assert_near(
+            &function.ordinate,
+            frequencies.iter().map(|&f| exact(f)),
+            tolerance,
         );
     }
-    assert_near(
-        &function.ordinate,
-        frequencies.iter().map(|&f| exact(f)),
-        tolerance,
-    );
 }
 
 /// The formula of the fixtures and the one of the tests are the same.
@@ -288,30 +315,30 @@ fn small_points() -> Vec<Complex64> {
     vec![Complex64::new(1.0, -2.0), Complex64::new(3.0, -4.0)]
 }
 
-#[rstest]
-#[case::as_it_is(SMALL.to_owned())]
-#[case::lines_of_windows(SMALL.replace('\n', "\r\n"))]
-#[case::padded_lines(SMALL.replace('\n', "                    \n"))]
-#[case::no_last_line_end(SMALL.trim_end().to_owned())]
-#[case::blank_lines_around(format!("\n{SMALL}\n  \n"))]
-#[case::upper_case(SMALL.replace('e', "E"))]
-#[case::double_exponents(small_with(
-    SMALL_DATA,
-    "  1.00000D+00 -2.00000d+00  3.00000D+00 -4.00000D+00\n"
-))]
-#[case::plain_numbers(small_with(
-    SMALL_DATA,
-    "            1          -2.          3.0        -4.00\n"
-))]
-#[case::filled_with_zeros(small_with(
-    "-4.00000e+00\n",
-    "-4.00000e+00  0.00000e+00  0.00000e+00\n"
-))]
-#[case::other_data_set_before(format!("    -1\n    15\n         1         0\n        -1\n    -1\n{SMALL}"))]
-fn reads_the_manners_of_writers(#[case] text: String) {
-    let function = only_function(read(text.as_bytes()).unwrap());
-    assert_eq!(function.abscissa, [20.0, 30.0]);
-    assert_eq!(function.ordinate, small_points());
+#[test]
+fn reads_the_manners_of_writers() {
+    for text in [
+        SMALL.to_owned(),
+        SMALL.replace('\n', "\r\n"),
+        SMALL.replace('\n', "                    \n"),
+        SMALL.trim_end().to_owned(),
+        format!("\n{SMALL}\n  \n"),
+        SMALL.replace('e', "E"),
+        small_with(
+            SMALL_DATA,
+            "  1.00000D+00 -2.00000d+00  3.00000D+00 -4.00000D+00\n",
+        ),
+        small_with(
+            SMALL_DATA,
+            "            1          -2.          3.0        -4.00\n",
+        ),
+        small_with("-4.00000e+00\n", "-4.00000e+00  0.00000e+00  0.00000e+00\n"),
+        format!("    -1\n    15\n         1         0\n        -1\n    -1\n{SMALL}"),
+    ] {
+        let function = only_function(read(text.as_bytes()).unwrap());
+        assert_eq!(function.abscissa, [20.0, 30.0]);
+        assert_eq!(function.ordinate, small_points());
+    }
 }
 
 /// Fields are columns: they may touch, and a large exponent displaces its letter.
@@ -330,15 +357,16 @@ fn reads_fields_that_touch() {
 }
 
 /// A unit of an older system, a micrometre in Latin-1, takes one column as it does in UTF-8.
-#[rstest]
-#[case(b"\xb5m")]
-#[case("µm".as_bytes())]
-fn reads_labels_of_either_encoding(#[case] unit: &[u8]) {
-    let axis = b"         8    0    0    0 NONE                 m\n";
-    let at = SMALL.find(str::from_utf8(axis).unwrap()).unwrap() + axis.len() - 2;
-    let mut bytes = SMALL.as_bytes().to_vec();
-    bytes.splice(at..at + 1, unit.iter().copied());
-    assert_eq!(only_function(read(&bytes).unwrap()).numerator.unit, "µm");
+#[test]
+fn reads_labels_of_either_encoding() {
+    let cases: [&[u8]; 2] = [b"\xb5m", "µm".as_bytes()];
+    for unit in cases {
+        let axis = b"         8    0    0    0 NONE                 m\n";
+        let at = SMALL.find(str::from_utf8(axis).unwrap()).unwrap() + axis.len() - 2;
+        let mut bytes = SMALL.as_bytes().to_vec();
+        bytes.splice(at..at + 1, unit.iter().copied());
+        assert_eq!(only_function(read(&bytes).unwrap()).numerator.unit, "µm");
+    }
 }
 
 /// Units stand alone, and may be repeated.
@@ -396,230 +424,107 @@ pub(super) fn binary(
 
 /// Both byte orders, all layouts, the abscissa single as defined or as wide as the ordinate, and the
 /// closing mark behind the data at once or on its own line.
-#[rstest]
-fn reads_binary_layouts(
-    #[values(2, 4, 5, 6)] data_type: i32,
-    #[values(true, false)] even: bool,
-    #[values(1, 2)] order: i32,
-    #[values(4, 8)] abscissa: usize,
-) {
-    let single = data_type == 2 || data_type == 5;
-    if single && abscissa == 8 {
-        return;
+#[test]
+fn reads_binary_layouts() {
+    for data_type in [2, 4, 5, 6] {
+        for even in [true, false] {
+            for order in [1, 2] {
+                for abscissa in [4, 8] {
+                    let single = data_type == 2 || data_type == 5;
+                    if single && abscissa == 8 {
+                        continue;
+                    }
+                    let complex = data_type >= 5;
+                    let ordinate = POINTS.map(|[_, real, imaginary]| match complex {
+                        true => Complex64::new(real, imaginary),
+                        false => real.into(),
+                    });
+                    let last = if even { 60.0 } else { 80.0 };
+                    for end in ["", "\n", "\r\n"] {
+                        let bytes = binary(data_type, even, order, abscissa, end);
+                        let function = only_function(read(&bytes).unwrap());
+                        assert_eq!(function.complex, complex);
+                        assert_eq!(function.abscissa, [20.0, 40.0, last]);
+                        assert_eq!(function.ordinate, ordinate);
+                    }
+                }
+            }
+        }
     }
-    let complex = data_type >= 5;
-    let ordinate = POINTS.map(|[_, real, imaginary]| match complex {
-        true => Complex64::new(real, imaginary),
-        false => real.into(),
-    });
-    let last = if even { 60.0 } else { 80.0 };
-    for end in ["", "\n", "\r\n"] {
-        let bytes = binary(data_type, even, order, abscissa, end);
-        let function = only_function(read(&bytes).unwrap());
-        assert_eq!(function.complex, complex);
-        assert_eq!(function.abscissa, [20.0, 40.0, last]);
-        assert_eq!(function.ordinate, ordinate);
+}
+
+#[test]
+fn refuses_what_is_no_universal_file() {
+    for row in [
+        " => the file holds no dataset, which would begin with -1 in columns 5 and 6",
+        "\n \n => the file holds no dataset, which would begin with -1 in columns 5 and 6",
+        "20.0,1.0\n => line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6",
+        "-1\n    58\n => line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6",
+        "    -1\n => line 1: the dataset that begins here is cut short by the end of the file",
+        "    -1\n    15\n => line 1: the dataset that begins here is cut short by the end of the file",
+        "    -1\n    -1\n => line 2: the dataset ends where its number must stand",
+        "    -1\nabcdef\n => line 2: the number of the dataset must be a whole number within 32 bits, not \"abcdef\"",
+        "    -1\n\n => line 2: the number of the dataset must be positive, not 0",
+        "    -1\n    58c\n => line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"c\"",
+        "    -1\n    55b\n => line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"b\"",
+    ] {
+        let (text, expected) = row.split_once(" => ").unwrap();
+
+        assert_eq!(sentence(text.as_bytes()), expected);
     }
 }
 
-#[rstest]
-#[case::nothing(
-    "",
-    "the file holds no dataset, which would begin with -1 in columns 5 and 6"
-)]
-#[case::blank(
-    "\n \n",
-    "the file holds no dataset, which would begin with -1 in columns 5 and 6"
-)]
-#[case::table(
-    "20.0,1.0\n",
-    "line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6"
-)]
-#[case::shifted_mark(
-    "-1\n    58\n",
-    "line 1: this stands outside of the datasets, which begin and end with -1 in columns 5 and 6"
-)]
-#[case::mark_only(
-    "    -1\n",
-    "line 1: the dataset that begins here is cut short by the end of the file"
-)]
-#[case::skipped_and_cut(
-    "    -1\n    15\n",
-    "line 1: the dataset that begins here is cut short by the end of the file"
-)]
-#[case::no_name(
-    "    -1\n    -1\n",
-    "line 2: the dataset ends where its number must stand"
-)]
-#[case::number_of_letters(
-    "    -1\nabcdef\n",
-    "line 2: the number of the dataset must be a whole number within 32 bits, not \"abcdef\""
-)]
-#[case::no_number(
-    "    -1\n\n",
-    "line 2: the number of the dataset must be positive, not 0"
-)]
-#[case::unknown_form(
-    "    -1\n    58c\n",
-    "line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"c\""
-)]
-#[case::other_binary(
-    "    -1\n    55b\n",
-    "line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"b\""
-)]
-fn refuses_what_is_no_universal_file(#[case] text: &str, #[case] expected: &str) {
-    assert_eq!(sentence(text.as_bytes()), expected);
+#[test]
+fn refuses_damaged_functions() {
+    for row in [
+        "        13    0    0    0 =>     -1\n => line 12: the dataset ends where its record 10 must stand",
+        "-4.00000e+00\n    -1\n => -4.00000e+00\n => line 1: the dataset that begins here is cut short by the end of the file",
+        "       NONE         1   3       NONE         1   3 =>  RAILWAYSET1         1   3       NONE         1   3 => line 8: column 56 must be blank, as it lies between two fields",
+        "NONE         1   3 => NONE         x   3 => line 8: the node must be a whole number within 32 bits, not \"x\"",
+        "         5         2 =>          3         2 => line 9: the data type of the ordinate must be 2 or 4 or 5 or 6, not 3",
+        "         2         1 =>          2         2 => line 9: the spacing of the abscissa must be 0 or 1, not 2",
+        "         5         2 =>          5         0 => line 9: the number of points must be positive, not 0",
+        "         5         2 =>          5        -2 => line 9: the number of points must be positive, not -2",
+        "         5         2 =>          59999999999 => line 9: the number of points must be a whole number within 32 bits, not \"9999999999\"",
+        "         5         2 =>          52147483647 => line 9: the number of points is 2147483647, which takes 4294967294 numbers, but the dataset holds 4",
+        "         5         2 =>          5         3 => line 9: the number of points is 3, which takes 6 numbers, but the dataset holds 4",
+        "         5         2 =>          5         1 => line 14: the number of points is 1, which takes 2 numbers, but the dataset goes on after them",
+        "-4.00000e+00\n => -4.00000e+00\n  0.00000e+00\n => line 15: the number of points is 2, which takes 4 numbers, but the dataset goes on after them",
+        "-4.00000e+00\n => -4.00000e+00  0.00000e+00  1.00000e+00\n => line 14: the number of points is 2, which takes 4 numbers, but the dataset goes on after them",
+        "  3.00000e+00 -4.00000e+00\n => \n  3.00000e+00 -4.00000e+00\n => line 14: this line must hold 4 numbers, not 2",
+        "-4.00000e+00\n => -4.00000e+00                           x\n => line 14: the numbers of this line end in column 52, but text follows",
+        "  1.00000e+01  0.0 =>   0.00000e+00  0.0 => line 9: the increment of the abscissa must be positive, not 0",
+        "  2.00000e+01 =>           NaN => line 9: the minimum of the abscissa must be a finite number, not \"NaN\"",
+        "  2.00000e+01  1.00000e+01 =>  1.00000e+308 1.79000e+308 => line 9: the last value of the abscissa must be a finite number, not \"inf\"",
+        "  3.00000e+00 =>           NaN => line 14: a value must be a finite number, not \"NaN\"",
+        "  3.00000e+00 =>      Infinity => line 14: a value must be a finite number, not \"Infinity\"",
+        "  3.00000e+00 =>  3.00000e+999 => line 14: a value must be a finite number, not \"3.00000e+999\"",
+        "  3.00000e+00 => ************* => line 14: a value must be a finite number, not \"*************\"",
+        "  3.00000e+00 =>   3,00000e+00 => line 14: a value must be a finite number, not \"3,00000e+00\"",
+        "         8    0 =>          8    m => line 11: the exponent of length must be a whole number within 32 bits, not \"m\"",
+    ] {
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        assert_eq!(sentence(small_with(from, to).as_bytes()), expected);
+    }
 }
 
-#[rstest]
-#[case::header_ends(
-    "        13    0    0    0",
-    "    -1\n",
-    "line 12: the dataset ends where its record 10 must stand"
-)]
-#[case::no_end(
-    "-4.00000e+00\n    -1\n",
-    "-4.00000e+00\n",
-    "line 1: the dataset that begins here is cut short by the end of the file"
-)]
-#[case::shifted_fields(
-    "       NONE         1   3       NONE         1   3",
-    " RAILWAYSET1         1   3       NONE         1   3",
-    "line 8: column 56 must be blank, as it lies between two fields"
-)]
-#[case::node(
-    "NONE         1   3",
-    "NONE         x   3",
-    "line 8: the node must be a whole number within 32 bits, not \"x\""
-)]
-#[case::data_type(
-    "         5         2",
-    "         3         2",
-    "line 9: the data type of the ordinate must be 2 or 4 or 5 or 6, not 3"
-)]
-#[case::spacing(
-    "         2         1",
-    "         2         2",
-    "line 9: the spacing of the abscissa must be 0 or 1, not 2"
-)]
-#[case::no_points(
-    "         5         2",
-    "         5         0",
-    "line 9: the number of points must be positive, not 0"
-)]
-#[case::negative_points(
-    "         5         2",
-    "         5        -2",
-    "line 9: the number of points must be positive, not -2"
-)]
-#[case::count_over_32_bits(
-    "         5         2",
-    "         59999999999",
-    "line 9: the number of points must be a whole number within 32 bits, not \"9999999999\""
-)]
-#[case::huge_count(
-    "         5         2",
-    "         52147483647",
-    "line 9: the number of points is 2147483647, which takes 4294967294 numbers, but the dataset holds 4"
-)]
-#[case::too_few(
-    "         5         2",
-    "         5         3",
-    "line 9: the number of points is 3, which takes 6 numbers, but the dataset holds 4"
-)]
-#[case::too_many(
-    "         5         2",
-    "         5         1",
-    "line 14: the number of points is 1, which takes 2 numbers, but the dataset goes on after them"
-)]
-#[case::one_line_more(
-    "-4.00000e+00\n",
-    "-4.00000e+00\n  0.00000e+00\n",
-    "line 15: the number of points is 2, which takes 4 numbers, but the dataset goes on after them"
-)]
-#[case::not_zero_fill(
-    "-4.00000e+00\n",
-    "-4.00000e+00  0.00000e+00  1.00000e+00\n",
-    "line 14: the number of points is 2, which takes 4 numbers, but the dataset goes on after them"
-)]
-#[case::short_line(
-    "  3.00000e+00 -4.00000e+00\n",
-    "\n  3.00000e+00 -4.00000e+00\n",
-    "line 14: this line must hold 4 numbers, not 2"
-)]
-#[case::text_after(
-    "-4.00000e+00\n",
-    "-4.00000e+00                           x\n",
-    "line 14: the numbers of this line end in column 52, but text follows"
-)]
-#[case::no_increment(
-    "  1.00000e+01  0.0",
-    "  0.00000e+00  0.0",
-    "line 9: the increment of the abscissa must be positive, not 0"
-)]
-#[case::minimum(
-    "  2.00000e+01",
-    "          NaN",
-    "line 9: the minimum of the abscissa must be a finite number, not \"NaN\""
-)]
-#[case::endless_abscissa(
-    "  2.00000e+01  1.00000e+01",
-    " 1.00000e+308 1.79000e+308",
-    "line 9: the last value of the abscissa must be a finite number, not \"inf\""
-)]
-#[case::not_a_number(
-    "  3.00000e+00",
-    "          NaN",
-    "line 14: a value must be a finite number, not \"NaN\""
-)]
-#[case::infinite(
-    "  3.00000e+00",
-    "     Infinity",
-    "line 14: a value must be a finite number, not \"Infinity\""
-)]
-#[case::overflow(
-    "  3.00000e+00",
-    " 3.00000e+999",
-    "line 14: a value must be a finite number, not \"3.00000e+999\""
-)]
-#[case::stars(
-    "  3.00000e+00",
-    "*************",
-    "line 14: a value must be a finite number, not \"*************\""
-)]
-#[case::decimal_comma(
-    "  3.00000e+00",
-    "  3,00000e+00",
-    "line 14: a value must be a finite number, not \"3,00000e+00\""
-)]
-#[case::kind(
-    "         8    0",
-    "         8    m",
-    "line 11: the exponent of length must be a whole number within 32 bits, not \"m\""
-)]
-fn refuses_damaged_functions(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
-    assert_eq!(sentence(small_with(from, to).as_bytes()), expected);
-}
+#[test]
+fn refuses_damaged_units() {
+    for row in [
+        "1.00000000000000000D+03 => 0.00000000000000000D+00 => line 4: the factor of length must be positive, not 0",
+        "1.00000000000000000D+03 =>             millimetres => line 4: the factor of length must be a finite number, not \"millimetres\"",
+        "  2.73149999999999980D+02\n =>  => line 5: the dataset ends where its temperature offset must stand",
+    ] {
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
 
-#[rstest]
-#[case::zero(
-    "1.00000000000000000D+03",
-    "0.00000000000000000D+00",
-    "line 4: the factor of length must be positive, not 0"
-)]
-#[case::text(
-    "1.00000000000000000D+03",
-    "            millimetres",
-    "line 4: the factor of length must be a finite number, not \"millimetres\""
-)]
-#[case::short(
-    "  2.73149999999999980D+02\n",
-    "",
-    "line 5: the dataset ends where its temperature offset must stand"
-)]
-fn refuses_damaged_units(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
-    let text = MILLIMETRES.replacen(from, to, 1);
-    assert_eq!(sentence(text.as_bytes()), expected);
+        let text = MILLIMETRES.replacen(from, to, 1);
+        assert_eq!(sentence(text.as_bytes()), expected);
+    }
 }
 
 #[test]
@@ -631,51 +536,30 @@ fn refuses_two_units() {
     );
 }
 
-#[rstest]
-#[case::byte_order(
-    "58b     1",
-    "58b     3",
-    "line 2: the byte order must be 1 or 2, not 3"
-)]
-#[case::not_ieee(
-    "     2          11",
-    "     1          11",
-    "line 2: the floating point format must be 2, not 1"
-)]
-#[case::lines(
-    "          11",
-    "          12",
-    "line 2: the number of lines before the binary data must be 11, not 12"
-)]
-#[case::bytes(
-    "          48",
-    "          47",
-    "line 2: the number of bytes is 47, but the points take 48"
-)]
-#[case::count(
-    "         6         3",
-    "         6         4",
-    "line 9: the number of points is 4, which takes 64 bytes, but the closing -1 does not follow them"
-)]
-#[case::huge_count(
-    "         6         3",
-    "         62147483647",
-    "line 9: the number of points is 2147483647, which takes 34359738352 bytes, but the closing -1 does not follow them"
-)]
-#[case::single(
-    "         6         3",
-    "         5         3",
-    "line 9: the number of points is 3, which takes 24 bytes, but the closing -1 does not follow them"
-)]
-fn refuses_damaged_binary(#[case] from: &str, #[case] to: &str, #[case] expected: &str) {
-    let bytes = binary(6, true, 1, 8, "");
-    let at = bytes
-        .windows(from.len())
-        .position(|window| window == from.as_bytes())
-        .unwrap();
-    let mut damaged = bytes.clone();
-    damaged.splice(at..at + from.len(), to.bytes());
-    assert_eq!(sentence(&damaged), expected);
+#[test]
+fn refuses_damaged_binary() {
+    for row in [
+        "58b     1 => 58b     3 => line 2: the byte order must be 1 or 2, not 3",
+        "     2          11 =>      1          11 => line 2: the floating point format must be 2, not 1",
+        "          11 =>           12 => line 2: the number of lines before the binary data must be 11, not 12",
+        "          48 =>           47 => line 2: the number of bytes is 47, but the points take 48",
+        "         6         3 =>          6         4 => line 9: the number of points is 4, which takes 64 bytes, but the closing -1 does not follow them",
+        "         6         3 =>          62147483647 => line 9: the number of points is 2147483647, which takes 34359738352 bytes, but the closing -1 does not follow them",
+        "         6         3 =>          5         3 => line 9: the number of points is 3, which takes 24 bytes, but the closing -1 does not follow them",
+    ] {
+        let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        let bytes = binary(6, true, 1, 8, "");
+        let at = bytes
+            .windows(from.len())
+            .position(|window| window == from.as_bytes())
+            .unwrap();
+        let mut damaged = bytes.clone();
+        damaged.splice(at..at + from.len(), to.bytes());
+        assert_eq!(sentence(&damaged), expected);
+    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Plans, good and bad.
 
 use proptest::prelude::*;
-use rstest::rstest;
 
 use crate::{PLAN, folder_with, read, study_of};
 
@@ -21,149 +20,52 @@ fn the_example_reads() {
     assert_eq!(study.parameters().len(), 4);
 }
 
-#[rstest]
-#[case("seed = 4", "sed = 4", "`design.sed` is not a key Riffel knows")]
-#[case(
-    "contact.friction",
-    "contact.frction",
-    "`parameter[0].key` is \"contact.frction\", but the case file has no such key"
-)]
-#[case(
-    "wheel.mass",
-    "contact.friction",
-    "`parameter[1].key` is \"contact.friction\" a second time"
-)]
-#[case(
-    "min = 0.2",
-    "min = -0.2",
-    "`contact.friction` is -0.2, but must be between 0.001 and 1.5"
-)]
-#[case(
-    "min = 0.2",
-    "min = 0.6",
-    "`parameter[0].uniform.max` is 0.5, but must be above the min of 0.6"
-)]
-#[case(
-    "\"200 kg\"",
-    "\"200 kN\"",
-    "`parameter[1].normal.min`: \"200 kN\" is in kg m s-2, not a mass in kg; write it as in \"350 kg\""
-)]
-#[case(
-    "\"40 kg\"",
-    "0",
-    "`parameter[1].normal.standard_deviation` is 0, but must be greater than zero"
-)]
-#[case(
-    "\"200 kg\"",
-    "\"20 t\"",
-    "`parameter[1].normal`: leaves nothing between its ends: they are more than 30 standard deviations away"
-)]
-#[case(
-    "\"54E1\"",
-    "\"54E9\"",
-    "`rail.section` is \"54E9\", but no rail preset has that name"
-)]
-#[case("\"54E1\"", "\"60E1\"", "`parameter[2].values`: holds 60E1 twice")]
-#[case(
-    "values = [\"60E1\", \"BS113A\", \"54E1\"]",
-    "values = []",
-    "`parameter[2].values` is empty, but must hold a value"
-)]
-#[case(
-    "values = [\"60E1\", \"BS113A\", \"54E1\"]",
-    "uniform = { min = 1, max = 2 }",
-    "`parameter[2].uniform` is for quantities, but `rail.section` takes a choice, a name or a whole number"
-)]
-#[case(
-    "uniform = { min = 0.2, max = 0.5 }",
-    "",
-    "`parameter[0].values` is missing"
-)]
-#[case(
-    "uniform = { min = 0.2, max = 0.5 }",
-    "values = [0.2]\nuniform = { min = 0.2, max = 0.5 }",
-    "`parameter[0].uniform` and `parameter[0].values` exclude each other"
-)]
-#[case(
-    "\"latin-hypercube\"",
-    "\"latin\"",
-    "`design.method`: \"latin\" is not one of its choices"
-)]
-#[case(
-    "\"latin-hypercube\"",
-    "\"grid\"",
-    "`design.samples` is given, but a grid has as many samples as its parameters have combinations"
-)]
-#[case(
-    "\"latin-hypercube\"\nsamples = 23",
-    "\"grid\"",
-    "`parameter[0]`: `contact.friction` has a distribution, but a grid takes values or a range"
-)]
-#[case("samples = 23", "", "`design.samples` is missing")]
-#[case(
-    "samples = 23",
-    "samples = 0",
-    "`design.samples` is 0, but must be at least 1"
-)]
-#[case(
-    "samples = 23",
-    "samples = 1000000000000",
-    "`design.samples` is 1000000000000: they are more than the 100000000 of the largest study"
-)]
-#[case(
-    "samples = 23",
-    "samples = 90000000",
-    "`outputs`: 90000000 samples of 4152 bytes make 373.7 GB"
-)]
-#[case(
-    "samples_per_chunk = 4",
-    "samples_per_chunk = 0",
-    "`results.samples_per_chunk` is 0, but must be between 1 and 1000000"
-)]
-#[case("\"nominal.toml\"", "\"other.toml\"", "`case`: cannot read ")]
-#[case(
-    "points = 31",
-    "points = 1",
-    "`map.wavelength.points` is 1, but must be between 2 and 100000"
-)]
-#[case(
-    "key = \"wheel.mass\"\nnormal = { mean = \"350 kg\", standard_deviation = \"40 kg\", min = \"200 kg\" }",
-    "key = \"map.speed.max\"\nvalues = [40]",
-    "`parameter[1].key` is \"map.speed.max\", but the window of the map gives the results their axes and cannot vary"
-)]
-#[case(
-    "quantities = [\"normal_force_n\"",
-    "quantities = [\"normal_force\"",
-    "`outputs.point[0].quantities[0]`: \"normal_force\" is not one of its choices"
-)]
-#[case(
-    "\"55 mm\"",
-    "\"-55 mm\"",
-    "`outputs.point[0].wavelength` is -55 mm, but must be between 100 µm and 10 m"
-)]
-#[case(
-    "[results]",
-    "[[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 um\"\nspeed = 30\nquantities = [\"amplitude_m\"]\n[results]",
-    "`outputs.wave[0].quantities`: asks for amplitude_m, but no passages are given"
-)]
-#[case(
-    "[results]",
-    "[[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 m\"\nspeed = 30\nquantities = [\"mean_creepage\"]\n[results]",
-    "`outputs.wave[0].amplitude` is 60 m, but must be between"
-)]
-fn a_bad_plan_is_refused_with_a_sentence(
-    #[case] good: &str,
-    #[case] bad: &str,
-    #[case] expected: &str,
-) {
-    assert!(PLAN.contains(good), "{good}");
-    if expected.contains("373.7 GB") {
-        // Large, and still within bounds.
-        study_of(&PLAN.replace(good, bad));
-        return;
+#[test]
+fn a_bad_plan_is_refused_with_a_sentence() {
+    for row in [
+        "seed = 4 => sed = 4 => `design.sed` is not a key Riffel knows",
+        "contact.friction => contact.frction => `parameter[0].key` is \"contact.frction\", but the case file has no such key",
+        "wheel.mass => contact.friction => `parameter[1].key` is \"contact.friction\" a second time",
+        "min = 0.2 => min = -0.2 => `contact.friction` is -0.2, but must be between 0.001 and 1.5",
+        "min = 0.2 => min = 0.6 => `parameter[0].uniform.max` is 0.5, but must be above the min of 0.6",
+        "\"200 kg\" => \"200 kN\" => `parameter[1].normal.min`: \"200 kN\" is in kg m s-2, not a mass in kg; write it as in \"350 kg\"",
+        "\"40 kg\" => 0 => `parameter[1].normal.standard_deviation` is 0, but must be greater than zero",
+        "\"200 kg\" => \"20 t\" => `parameter[1].normal`: leaves nothing between its ends: they are more than 30 standard deviations away",
+        "\"54E1\" => \"54E9\" => `rail.section` is \"54E9\", but no rail preset has that name",
+        "\"54E1\" => \"60E1\" => `parameter[2].values`: holds 60E1 twice",
+        "values = [\"60E1\", \"BS113A\", \"54E1\"] => values = [] => `parameter[2].values` is empty, but must hold a value",
+        "values = [\"60E1\", \"BS113A\", \"54E1\"] => uniform = { min = 1, max = 2 } => `parameter[2].uniform` is for quantities, but `rail.section` takes a choice, a name or a whole number",
+        "uniform = { min = 0.2, max = 0.5 } =>  => `parameter[0].values` is missing",
+        "uniform = { min = 0.2, max = 0.5 } => values = [0.2]\nuniform = { min = 0.2, max = 0.5 } => `parameter[0].uniform` and `parameter[0].values` exclude each other",
+        "\"latin-hypercube\" => \"latin\" => `design.method`: \"latin\" is not one of its choices",
+        "\"latin-hypercube\" => \"grid\" => `design.samples` is given, but a grid has as many samples as its parameters have combinations",
+        "\"latin-hypercube\"\nsamples = 23 => \"grid\" => `parameter[0]`: `contact.friction` has a distribution, but a grid takes values or a range",
+        "samples = 23 =>  => `design.samples` is missing",
+        "samples = 23 => samples = 0 => `design.samples` is 0, but must be at least 1",
+        "samples = 23 => samples = 1000000000000 => `design.samples` is 1000000000000: they are more than the 100000000 of the largest study",
+        "samples = 23 => samples = 90000000 => `outputs`: 90000000 samples of 4152 bytes make 373.7 GB",
+        "samples_per_chunk = 4 => samples_per_chunk = 0 => `results.samples_per_chunk` is 0, but must be between 1 and 1000000",
+        "\"nominal.toml\" => \"other.toml\" => `case`: cannot read ",
+        "points = 31 => points = 1 => `map.wavelength.points` is 1, but must be between 2 and 100000",
+        "key = \"wheel.mass\"\nnormal = { mean = \"350 kg\", standard_deviation = \"40 kg\", min = \"200 kg\" } => key = \"map.speed.max\"\nvalues = [40] => `parameter[1].key` is \"map.speed.max\", but the window of the map gives the results their axes and cannot vary",
+        "quantities = [\"normal_force_n\" => quantities = [\"normal_force\" => `outputs.point[0].quantities[0]`: \"normal_force\" is not one of its choices",
+        "\"55 mm\" => \"-55 mm\" => `outputs.point[0].wavelength` is -55 mm, but must be between 100 µm and 10 m",
+        "[results] => [[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 um\"\nspeed = 30\nquantities = [\"amplitude_m\"]\n[results] => `outputs.wave[0].quantities`: asks for amplitude_m, but no passages are given",
+        "[results] => [[outputs.wave]]\nwavelength = \"55 mm\"\namplitude = \"60 m\"\nspeed = 30\nquantities = [\"mean_creepage\"]\n[results] => `outputs.wave[0].amplitude` is 60 m, but must be between",
+    ] {
+        let [good, bad, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
+            panic!("{row}")
+        };
+
+        assert!(PLAN.contains(good), "{good}");
+        if expected.contains("373.7 GB") {
+            // Large, and still within bounds.
+            study_of(&PLAN.replace(good, bad));
+            continue;
+        }
+        let sentence = sentence(&PLAN.replace(good, bad));
+        assert!(sentence.starts_with(expected), "{sentence}");
     }
-    let sentence = sentence(&PLAN.replace(good, bad));
-    assert!(sentence.starts_with(expected), "{sentence}");
 }
 
 #[test]
@@ -198,35 +100,28 @@ range = { min = "200 kg", max = "500 kg", points = 1000000 }
     );
 }
 
-#[rstest]
-#[case(
-    "coefficient = 1.5",
-    "`correlation[0].coefficient` is 1.5, but must be between -1 and 1, both excluded"
-)]
-#[case(
-    "between = [\"contact.friction\", \"wheel.radius\"]",
-    "`correlation[0].between`: names \"wheel.radius\", which is not the key of a parameter"
-)]
-#[case(
-    "between = [\"contact.friction\", \"rail.section\"]",
-    "`correlation[0].between`: names \"rail.section\", but only parameters with a distribution vary together"
-)]
-#[case(
-    "between = [\"contact.friction\", \"contact.friction\"]",
-    "`correlation[0].between`: names the same key twice"
-)]
-fn a_bad_correlation_is_refused(#[case] line: &str, #[case] expected: &str) {
-    let good = [
-        "between = [\"contact.friction\", \"wheel.mass\"]",
-        "coefficient = 0.5",
-    ];
-    let other = if line.starts_with("between") {
-        good[1]
-    } else {
-        good[0]
-    };
-    let plan = format!("{PLAN}\n[[correlation]]\n{other}\n{line}\n");
-    assert_eq!(sentence(&plan), expected);
+#[test]
+fn a_bad_correlation_is_refused() {
+    for row in [
+        "coefficient = 1.5 => `correlation[0].coefficient` is 1.5, but must be between -1 and 1, both excluded",
+        "between = [\"contact.friction\", \"wheel.radius\"] => `correlation[0].between`: names \"wheel.radius\", which is not the key of a parameter",
+        "between = [\"contact.friction\", \"rail.section\"] => `correlation[0].between`: names \"rail.section\", but only parameters with a distribution vary together",
+        "between = [\"contact.friction\", \"contact.friction\"] => `correlation[0].between`: names the same key twice",
+    ] {
+        let (line, expected) = row.split_once(" => ").unwrap();
+
+        let good = [
+            "between = [\"contact.friction\", \"wheel.mass\"]",
+            "coefficient = 0.5",
+        ];
+        let other = if line.starts_with("between") {
+            good[1]
+        } else {
+            good[0]
+        };
+        let plan = format!("{PLAN}\n[[correlation]]\n{other}\n{line}\n");
+        assert_eq!(sentence(&plan), expected);
+    }
 }
 
 #[test]
