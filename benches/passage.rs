@@ -8,12 +8,12 @@ use std::time::Instant;
 
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::passage::{
-    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, LoopInTime, PassageModel, PassingWheel,
-    Turning, WearOfPassages,
+    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel,
+    StructuresInTime, WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
-use riffel::wheelset::RigidInertia;
+use riffel::wheelset::{RigidInertia, RigidMass};
 use riffel::{
     Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear,
     RollingContact,
@@ -77,18 +77,17 @@ fn hertz() -> Result<HertzContact, Failure> {
 fn model() -> Result<PassageModel, Failure> {
     let hertz = hertz()?;
     let law = Carter3d::new(hertz, 0.35)?;
+    let mean = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3))?.steady();
+    let rotation = RigidInertia::new(RigidInertia::reduced_inertia(350.0, 0.46), 0.46)?;
+    let contact = ContactInTime::of_one_wheel(mean, hertz.stiffness(), Arc::new(law))?;
     Ok(PassageModel {
-        track: response()?,
-        wheel_mass: 350.0,
-        spring: HertzSpring::new(50e3, hertz.stiffness())?,
-        late: None,
+        structures: StructuresInTime::of_one_wheel(
+            response()?,
+            &RigidMass::new(350.0)?,
+            Some(&rotation),
+        ),
+        contacts: vec![contact],
         contact_filter: None,
-        law: Arc::new(law),
-        turning: Turning::Inertia {
-            inertia: RigidInertia::reduced_inertia(350.0, 0.46),
-            rolling_radius: 0.46,
-        },
-        mean: QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3))?.steady(),
         speed: SPEED,
     })
 }
@@ -106,7 +105,7 @@ fn march(bays: usize) -> Result<(f64, f64), Failure> {
     let mut sum = 0.0;
     let counted = (bays - COUNTED) * STEPS_TO_BAY;
     for step in 1..=bays * STEPS_TO_BAY {
-        let force = march.advance(height(step as f64 * STEP)).normal_force;
+        let force = march.advance(&[height(step as f64 * STEP)])[0].normal_force;
         if step > counted {
             sum += (force - 50e3).powi(2);
         }
@@ -123,7 +122,7 @@ fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
         "contact.polach={limit_friction_ratio=1, friction_decay=0, adhesion_reduction=1, slip_reduction=1, speed=30}",
         "track.pad.loss_factor=0",
     ];
-    static MODEL: OnceLock<LoopInTime> = OnceLock::new();
+    static MODEL: OnceLock<PassageModel> = OnceLock::new();
     let model = match MODEL.get() {
         Some(model) => model,
         None => {
@@ -132,9 +131,6 @@ fn all_axes(steps: usize) -> Result<(f64, f64), Failure> {
             let case = Case::read(&path, &KEYS.map(str::to_owned))?.in_time(SPEED)?;
             MODEL.get_or_init(|| case)
         }
-    };
-    let LoopInTime::General(model) = model else {
-        return Err("the wheelset is not on all axes".into());
     };
     let begun = Instant::now();
     let mut march = model.march(STEP)?;
@@ -165,7 +161,7 @@ fn evolution(passages: u64) -> Result<(f64, f64), Failure> {
     let begun = Instant::now();
     let wheel = PassingWheel {
         memory: model.memory()?,
-        model: model.into(),
+        model,
         wear,
         share: 1.0,
         traction_share: 1.0,

@@ -1,7 +1,7 @@
 //! A wheel along a measured profile.
 
 use riffel::contact::ContactFilter;
-use riffel::passage::{ContactInstant, LoopInTime, Passage};
+use riffel::passage::{ContactInstant, Passage, PassageModel};
 use riffel::roughness::Profile;
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message};
@@ -36,7 +36,7 @@ pub struct PassageAnswer {
     /// The passage.
     pub passage: Passage,
     /// The model, of which the answer is.
-    pub model: LoopInTime,
+    pub model: PassageModel,
     /// Names of all contacts of a loop on all axes, and how far each is ahead of the first wheel \[m\], below zero behind it; none of
     /// one wheel and one axis.
     pub contacts: Vec<(ContactName, f64)>,
@@ -48,17 +48,16 @@ impl PassageAnswer {
     /// A case along a profile.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::passage`], for a profile coarser than the patch is long, and for one shorter than the
+    /// [`CaseError`] as of [`Case::in_time`], for a profile coarser than the patch is long, and for one shorter than the
     /// motion remembers.
     pub fn new(case: &Case, request: PassageRequest) -> Result<Self, AnswerError> {
         let profile = &request.profile;
         check_sampling(case, profile)?;
         check_step(request.largest_step)?;
         let mut model = case.in_time(request.speed)?;
-        let filter = request
+        model.contact_filter = request
             .contact_filter
             .then(|| ContactFilter::of(&case.hertz));
-        model.set_contact_filter(filter);
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
             remarks: remarks::of_track(&model).into_iter().collect(),
@@ -90,7 +89,7 @@ impl PassageAnswer {
             contact_loss_fraction: self.passage.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
-            track_share_cut: self.model.share_cut(),
+            track_share_cut: self.model.structures.share_cut(),
             course,
             other_contacts: self.other_courses(),
         }

@@ -1,6 +1,6 @@
 //! What the reader of a march should know.
 
-use riffel::passage::{LoopInTime, Outcome, Settled, Sinusoid, TransientContact};
+use riffel::passage::{Outcome, PassageModel, Settled, Sinusoid, TransientContact};
 use riffel_keys::{Message, fixed, say};
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
@@ -10,14 +10,15 @@ const WORTH_A_REMARK: f64 = 1e-4;
 const WORTH_A_REMARK_TOGETHER: f64 = 2.5e-7;
 
 /// That receptances in time are not those of the case, where that is worth a word.
-pub(super) fn of_track(model: &LoopInTime) -> Option<Message> {
-    let share = model.share_cut();
+pub(super) fn of_track(model: &PassageModel) -> Option<Message> {
+    let structures = &model.structures;
+    let share = structures.share_cut();
     let per_cent = 100.0 * share.sqrt();
-    match model {
-        LoopInTime::Longitudinal(_) => (share > WORTH_A_REMARK)
+    match structures.are_fitted_together() {
+        false => (share > WORTH_A_REMARK)
             .then(|| say!(loss_factors_not_causal, per_cent = fixed(per_cent, 1))),
-        LoopInTime::General(general) => (share > WORTH_A_REMARK_TOGETHER).then(|| {
-            let most = 100.0 * general.structures.largest_error();
+        true => (share > WORTH_A_REMARK_TOGETHER).then(|| {
+            let most = 100.0 * structures.largest_error();
             say!(
                 fitted_receptances_off,
                 per_cent = fixed(per_cent, 2),
@@ -37,8 +38,8 @@ pub(super) fn of_linear_loop(outcome: Outcome, unstable_roots: Option<usize>) ->
 }
 
 /// That supports shake the wheel with a wave much as long as the profile's.
-pub(super) fn of_supports(model: &LoopInTime, profile: &Sinusoid) -> Option<Message> {
-    let spacing = model.support_spacing()?;
+pub(super) fn of_supports(model: &PassageModel, profile: &Sinusoid) -> Option<Message> {
+    let spacing = model.structures.support_spacing()?;
     let line = profile.shares_lines_with(spacing)?;
     let length = 1e3 * spacing / line as f64;
     Some(say!(

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use riffel::Complex64;
 use riffel::contact::ContactFilter;
-use riffel::passage::{LoopInTime, Settled, Sinusoid};
+use riffel::passage::{PassageModel, Settled, Sinusoid};
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
@@ -33,7 +33,7 @@ pub struct SinusoidAnswer {
     /// What was asked.
     pub request: SinusoidRequest,
     /// The model, of which the answer is.
-    pub model: LoopInTime,
+    pub model: PassageModel,
     /// The state of the first contact.
     pub settled: Settled,
     /// Names of all contacts of a loop on all axes, and states of those after the first; none of one wheel and one axis.
@@ -99,7 +99,7 @@ impl SinusoidAnswer {
     /// A case over a sinusoid.
     ///
     /// # Errors
-    /// [`CaseError`] as of [`Case::passage`] and for a point outside its physical range; [`riffel::Error`] where the motion
+    /// [`CaseError`] as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
     pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
         let SinusoidRequest {
@@ -111,23 +111,25 @@ impl SinusoidAnswer {
         } = request;
         case.check_points([profile.wavelength; 2], [speed; 2])?;
         let mut model = case.in_time(speed)?;
-        model.set_contact_filter(contact_filter.then(|| ContactFilter::of(&case.hertz)));
+        model.contact_filter = contact_filter.then(|| ContactFilter::of(&case.hertz));
         let of_sinusoid = |error| CaseError::Physics {
             input: "--sinusoid".to_owned(),
             error,
         };
-        let (settled, others, energy_at_rail) = match (transient, &model) {
+        let even = model.structures.support_spacing().is_none();
+        let one_wheel = even && case.feedback.longitudinal().is_some();
+        let (settled, others, energy_at_rail) = match (transient, one_wheel) {
             (false, _) => {
                 let mut all = model.settle(profile, steps).map_err(of_sinusoid)?;
                 (all.remove(0), all, None)
             }
-            (true, LoopInTime::Longitudinal(wheel)) if wheel.track.support_spacing().is_none() => {
+            (true, true) => {
                 let contact = case.transient_contact();
-                let rolled = wheel.settle_transient(profile, steps, contact);
+                let rolled = model.settle_transient(profile, steps, contact);
                 let rolled = rolled.map_err(of_sinusoid)?;
                 (rolled.settled, Vec::new(), Some(rolled.energy_at_rail))
             }
-            (true, _) => {
+            (true, false) => {
                 return Err(AnswerError::Argument {
                     argument: "--transient",
                     value: "given".to_owned(),
@@ -173,7 +175,7 @@ impl SinusoidAnswer {
             contact_loss_fraction: self.settled.contact_loss,
             minimum_normal_force_n: least,
             maximum_normal_force_n: largest,
-            track_share_cut: self.model.share_cut(),
+            track_share_cut: self.model.structures.share_cut(),
             contacts: self
                 .contacts
                 .iter()
@@ -229,7 +231,7 @@ impl SinusoidAnswer {
     /// One wave as strips.
     pub fn figure(&self, case: &Case) -> LineFigure {
         let SinusoidRequest { speed, profile, .. } = self.request;
-        let state = match self.model.support_spacing() {
+        let state = match self.model.structures.support_spacing() {
             _ if self.energy_at_rail.is_some() => "Settled state of the exact contact",
             Some(_) => "The last wave of many bays",
             None => "Settled state",

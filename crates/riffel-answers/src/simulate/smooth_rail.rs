@@ -1,7 +1,7 @@
 //! Wheels of a case on a smooth rail.
 
 use riffel::feedback::Stability;
-use riffel::passage::{GeneralPassage, LoopInTime, Outcome, SmoothRail};
+use riffel::passage::{Outcome, PassageModel, SmoothRail};
 use riffel_case::{Case, ContactName};
 use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure};
@@ -33,7 +33,7 @@ impl SmoothRailAnswer {
     /// [`CaseError`] for a case of one wheel and longitudinal creepage alone, which has nothing to swing against, and those of
     /// [`Case::in_time_without_profile`].
     pub fn new(case: &Case, speed: f64, step: Option<f64>) -> Result<Self, AnswerError> {
-        let longest = GeneralPassage::LONGEST_TIME_STEP * speed;
+        let longest = PassageModel::LONGEST_TIME_STEP * speed;
         let step = step.unwrap_or(longest);
         check_step(step)?;
         if step > longest {
@@ -45,7 +45,7 @@ impl SmoothRailAnswer {
         }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
         let model = case.in_time_without_profile(speed)?;
-        let LoopInTime::General(general) = &model else {
+        if case.feedback.general().is_none() {
             return Err(case
                 .refuse(
                     "contact.creepage",
@@ -53,8 +53,8 @@ impl SmoothRailAnswer {
                      [wheelset], or contact.creepage as a table",
                 )
                 .into());
-        };
-        let motion = general
+        }
+        let motion = model
             .on_smooth_rail(step)
             .map_err(|error| CaseError::Physics {
                 input: "--smooth".to_owned(),
@@ -66,7 +66,7 @@ impl SmoothRailAnswer {
             speed,
             stability,
             contacts: case.contact_names(),
-            share_cut: model.share_cut(),
+            share_cut: model.structures.share_cut(),
             remarks: remarks::of_track(&model)
                 .into_iter()
                 .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))

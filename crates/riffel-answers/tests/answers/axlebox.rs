@@ -77,7 +77,7 @@ fn rail(length: f64) -> Profile {
 /// at a changing speed is another rail at an even one.
 fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
     let speed = journey.speed;
-    let model = case.passage(speed).unwrap();
+    let model = case.in_time(speed).unwrap();
     let circumference = TAU * case.hertz.rolling_radius();
     let time = journey.length / speed;
     let samples = (time * journey.rate) as usize;

@@ -1,26 +1,25 @@
 //! The wheels of a case in time.
 
-mod all_axes;
-mod one_wheel;
+mod contacts;
+mod structures;
 
-use riffel::feedback::GeneralLoop;
-use riffel::passage::{LoopInTime, PassingWheel, WearOfPassages};
+use riffel::passage::{
+    ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
+};
 use riffel::{Loop, PlaceOfWear};
 use riffel_keys::CaseError;
 
 use crate::Case;
-use crate::build::CreepInTime;
-use all_axes::AllAxes;
+use crate::file::TrackModel;
 
 /// A case on its way into time, as far as the speed has no part in it.
 pub(crate) struct CaseInTime<'a> {
     case: &'a Case,
-    of_loop: OfLoop<'a>,
-}
-
-enum OfLoop<'a> {
-    Longitudinal(CreepInTime),
-    General(&'a GeneralLoop, Box<AllAxes>),
+    contacts: Vec<ContactInTime>,
+    /// Of the wheels \[rad/s\].
+    natural_frequencies: Vec<f64>,
+    /// Track and wheels at all speeds, where they are known.
+    structures: Option<StructuresInTime>,
 }
 
 impl Case {
@@ -29,7 +28,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] where the case has what is not followed through time, such as a track that is not causal, and where the
     /// loop is unstable without any profile.
-    pub fn in_time(&self, speed: f64) -> Result<LoopInTime, CaseError> {
+    pub fn in_time(&self, speed: f64) -> Result<PassageModel, CaseError> {
         let wheels = self.wheels_in_time()?;
         // It takes a tenth of the time of a fit.
         wheels.check_stable(speed)?;
@@ -40,7 +39,7 @@ impl Case {
     ///
     /// # Errors
     /// Those of [`in_time`](Self::in_time), but for the last, and discrete supports.
-    pub fn in_time_without_profile(&self, speed: f64) -> Result<LoopInTime, CaseError> {
+    pub fn in_time_without_profile(&self, speed: f64) -> Result<PassageModel, CaseError> {
         if self.track.support_spacing().is_some() {
             let message = "on a smooth rail, wheels on discrete supports never come to rest, so that their limit cycle is not told from what \
                            supports do: choose \"two-layer\", \"one-layer\" or \"free-beam\"";
@@ -59,31 +58,39 @@ impl Case {
 
     /// What of it does not depend on the speed, checked: the exact theory takes seconds.
     pub(crate) fn wheels_in_time(&self) -> Result<CaseInTime<'_>, CaseError> {
-        let of_loop = match (&self.feedback, self.keys.general()?) {
-            (Loop::General(feedback), Some(keys)) => {
-                let parts = self.all_axes_in_time(feedback, &keys)?;
-                OfLoop::General(feedback, Box::new(parts))
-            }
-            _ => OfLoop::Longitudinal(self.contact_in_time()?),
-        };
+        self.check_in_time()?;
         Ok(CaseInTime {
             case: self,
-            of_loop,
+            contacts: self.contacts_in_time()?,
+            natural_frequencies: self.natural_frequencies_of_wheels()?,
+            structures: None,
         })
     }
 }
 
 impl CaseInTime<'_> {
-    /// The same with all that any speed needs.
+    /// The same with all that any speed needs: the structures where the track does not ask for the speed, whose fit takes seconds.
     pub(crate) fn at_any_speed(self) -> Result<Self, CaseError> {
-        let of_loop = match self.of_loop {
-            OfLoop::General(feedback, parts) => {
-                let parts = self.case.all_axes_at_any_speed(feedback, *parts)?;
-                OfLoop::General(feedback, Box::new(parts))
-            }
-            longitudinal => longitudinal,
+        /// Any.
+        const SPEED: f64 = 20.0;
+        let structures = match self.case.file.track.model {
+            TrackModel::MovingBeam => None,
+            model if model.is_periodic() => None,
+            _ => Some(self.structures(SPEED)?),
         };
-        Ok(Self { of_loop, ..self })
+        Ok(Self { structures, ..self })
+    }
+
+    /// Track and wheels at a speed \[m/s\].
+    fn structures(&self, speed: f64) -> Result<StructuresInTime, CaseError> {
+        match (&self.structures, self.case.feedback.general()) {
+            (Some(structures), _) => Ok(structures.clone()),
+            (None, Some(feedback)) => {
+                self.case
+                    .structures_in_time(feedback, speed, &self.natural_frequencies)
+            }
+            (None, None) => self.case.one_wheel_in_time(speed),
+        }
     }
 
     /// `Ok` if waves of a profile settle at a speed \[m/s\].
@@ -103,12 +110,12 @@ impl CaseInTime<'_> {
         Ok(())
     }
 
-    fn at(&self, speed: f64) -> Result<LoopInTime, CaseError> {
-        Ok(match &self.of_loop {
-            OfLoop::Longitudinal(creep) => self.case.passage_on(creep, speed)?.into(),
-            OfLoop::General(feedback, parts) => {
-                self.case.all_axes_at(feedback, parts, speed)?.into()
-            }
+    fn at(&self, speed: f64) -> Result<PassageModel, CaseError> {
+        Ok(PassageModel {
+            structures: self.structures(speed)?,
+            contacts: self.contacts.clone(),
+            contact_filter: None,
+            speed,
         })
     }
 

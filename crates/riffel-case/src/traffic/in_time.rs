@@ -28,7 +28,7 @@ pub struct VehicleInTime {
 impl Traffic {
     /// The wheels of every vehicle on a case, at each of the [`nodes`](riffel::forecast::SpeedDistribution::nodes) of its speed.
     ///
-    /// Cost: that of [`Case::passage`] for each, on all threads.
+    /// Cost: that of [`Case::in_time`] for each, on all threads.
     ///
     /// # Errors
     /// [`CaseError`] with the key of the vehicle, and those of [`Case::passing_wheel`].

@@ -1,6 +1,6 @@
 //! Wheels over a wave in time, as an output of a study.
 
-use riffel::passage::{Evolution, EvolutionStep, LoopInTime, PassingWheel, Settled, Sinusoid};
+use riffel::passage::{Evolution, EvolutionStep, PassageModel, PassingWheel, Settled, Sinusoid};
 use riffel_case::Case;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -129,7 +129,7 @@ impl WaveFile {
 }
 
 /// The settled state of the first contact.
-fn first(model: &LoopInTime, wave: Sinusoid, steps: usize) -> Result<Settled, riffel::Error> {
+fn first(model: &PassageModel, wave: Sinusoid, steps: usize) -> Result<Settled, riffel::Error> {
     Ok(model.settle(wave, steps)?.swap_remove(0))
 }
 
@@ -141,7 +141,7 @@ fn worn(
     steps: usize,
     passages: u64,
 ) -> Result<f64, riffel::Error> {
-    let ring = wave.ring(wheel.model.support_spacing())?;
+    let ring = wave.ring(wheel.model.structures.support_spacing())?;
     let mut rail = Evolution::new(&ring);
     let length = rail.heights().len() as f64 * rail.spacing();
     let waves = (length / wave.wavelength).round() as usize;

@@ -1,12 +1,7 @@
 //! Wheels along a given profile.
 
-use std::f64::consts::TAU;
-
-use super::on_rail::OnRail;
-use super::over_supports::ONSET_BAYS;
-use super::{ContactInstant, PassageModel};
+use super::{ContactInstant, March, PassageModel};
 use crate::Error;
-use crate::contact::ContactFilter;
 use crate::roughness::Profile;
 
 /// What wheels did along a profile.
@@ -27,48 +22,12 @@ pub struct Passage {
 }
 
 impl PassageModel {
-    /// Distance \[m\] after which a step of the rail is forgotten: the normal force stays within 10⁻⁴ of its largest
-    /// change, which is that of the contact's spring, ten times that of the wheel on the track. On discrete supports the
-    /// change is that of the force which passing them makes, and the distance over which their sag sets in is added.
+    /// All wheels along a profile, in steps of at most the length given \[m\]; heights between samples are those of cubics through four of
+    /// them. The first wheel stands at the heights, the others behind it; contacts on the opposite rail follow what their rail has of the
+    /// same profile.
     ///
-    /// # Errors
-    /// [`Error::NotConverged`] where two seconds of rolling do not suffice.
-    pub fn memory(&self) -> Result<f64, Error> {
-        /// \[s\]: a fiftieth of the period of the contact's own oscillations.
-        const STEP: f64 = 2e-5;
-        /// \[s\]
-        const PATIENCE: f64 = 2.0;
-        const FORGOTTEN: f64 = 1e-4;
-        /// Small beside any approach \[m\].
-        const HEIGHT: f64 = 1e-8;
-        let load = self.spring.normal_force();
-        let mut march = self.march(STEP * self.speed)?;
-        let spacing = self.track.support_spacing();
-        let mut smooth = spacing.map(|_| march.clone());
-        let steps = (PATIENCE / STEP) as usize;
-        let mut change = || {
-            let without = smooth
-                .as_mut()
-                .map_or(load, |smooth| smooth.advance(0.0).normal_force);
-            (march.advance(HEIGHT).normal_force - without).abs()
-        };
-        let changes: Vec<f64> = (0..steps).map(|_| change()).collect();
-        let last = last_remembered(
-            &changes,
-            FORGOTTEN,
-            "motion of the wheel after a step of the rail, two seconds later,",
-            "give the rail more loss, or damping in N s/m in the place of loss factors: what is nearly free of \
-             loss may swing up in time",
-        )?;
-        let onset = spacing.map_or(0.0, |spacing| ONSET_BAYS * spacing);
-        Ok(onset + (last + 2) as f64 * STEP * self.speed)
-    }
-
-    /// The wheel along a profile, in steps of at most the length given \[m\]; heights between samples are those of cubics
-    /// through four of them.
-    ///
-    /// With a contact filter the wheel feels the mean over the patch; beyond the ends of the profile its last heights go on.
-    /// On discrete supports the profile begins over one of them. The wheel comes from a smooth rail: before the profile lies
+    /// With a contact filter the wheels feel the mean over the patch; beyond the ends of the profile its last heights go on.
+    /// On discrete supports the profile begins over one of them. The wheels come from a smooth rail: before the profile lies
     /// its own beginning, mirrored on the straight line through it and faded in over [`memory`](Self::memory), so that the
     /// motion is that of a rail which was rough before. A rail that slopes where it begins has a kink there: over the first
     /// length of the memory forces may be off by a tenth of their range.
@@ -76,96 +35,51 @@ impl PassageModel {
     /// # Errors
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
-        let start = |step, before| self.march_before(step, before);
-        pass(
-            profile,
-            largest_step,
-            self.memory()?,
-            self.contact_filter,
-            start,
-        )
-    }
-}
-
-/// The last of some changes that is above a share of the largest.
-///
-/// # Errors
-/// [`Error::NotConverged`] with the problem and its remedy, if that is the last of all.
-pub(super) fn last_remembered(
-    changes: &[f64],
-    share: f64,
-    problem: &'static str,
-    remedy: &'static str,
-) -> Result<usize, Error> {
-    let largest = changes.iter().copied().fold(0.0, f64::max);
-    let remembered = |change: &f64| *change > share * largest;
-    let last = changes.iter().rposition(remembered).unwrap_or(0);
-    if last + 1 < changes.len() {
-        return Ok(last);
-    }
-    Err(Error::NotConverged {
-        problem,
-        residual: changes[last] / largest,
-        tolerance: share,
-        remedy,
-    })
-}
-
-/// What a contact filter, if there is one, leaves of a wave \[m\].
-pub(super) fn felt(filter: Option<ContactFilter>, wavelength: f64) -> f64 {
-    filter.map_or(1.0, |filter| filter.amplitude(TAU / wavelength, 0.0))
-}
-
-/// A march along a profile after a run-in of the length of a memory \[m\]; `start` begins it with a step, a distance before the
-/// profile \[m\].
-pub(super) fn pass<M: OnRail>(
-    profile: &Profile,
-    largest_step: f64,
-    memory: f64,
-    contact_filter: Option<ContactFilter>,
-    start: impl FnOnce(f64, f64) -> Result<M, Error>,
-) -> Result<Passage, Error> {
-    let spacing = profile.spacing();
-    let averaged = contact_filter.map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
-    let heights = averaged.as_deref().unwrap_or(profile.heights());
-    let run_in = (memory / spacing).ceil() as usize;
-    if run_in + 1 >= heights.len() {
-        return Err(Error::ProfileTooShort {
-            length: profile.length(),
-            memory,
+        let spacing = profile.spacing();
+        let filter = self.contact_filter;
+        let averaged = filter.map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
+        let heights = averaged.as_deref().unwrap_or(profile.heights());
+        let memory = self.memory()?;
+        let run_in = (memory / spacing).ceil() as usize;
+        if run_in + 1 >= heights.len() {
+            return Err(Error::ProfileTooShort {
+                length: profile.length(),
+                memory,
+            });
+        }
+        let trend = Line::through(&heights[..=run_in]);
+        let rail = |index: isize| match usize::try_from(index) {
+            // Past the end the last height goes on, which only the cubic before it sees.
+            Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
+            Err(_) => {
+                let before = index.unsigned_abs().min(run_in);
+                let rough = heights[before] - trend.at(before as f64);
+                let share = 1.0 - before as f64 / run_in as f64;
+                (trend.slope * index as f64 + rough) * faded(share)
+            }
+        };
+        let substeps = (spacing / largest_step).ceil().max(1.0);
+        let mut march = self.march_before(spacing / substeps, run_in as f64 * spacing)?;
+        let mut roll = Roll::new(&mut march, substeps as usize, spacing);
+        roll.along(rail, -(run_in as isize), 0, |_| ());
+        roll.begin_to_count();
+        let first = roll.march.now();
+        let mut contacts: Vec<Vec<ContactInstant>> =
+            first.iter().map(|&first| vec![first]).collect();
+        roll.along(rail, 0, heights.len() as isize - 1, |now| {
+            for (contacts, now) in contacts.iter_mut().zip(now) {
+                contacts.push(*now);
+            }
         });
+        Ok(Passage {
+            contact_loss: roll.contact_loss(),
+            normal_force: roll.normal_force,
+            step: spacing / substeps,
+            run_in: run_in as f64 * spacing,
+            contacts: contacts.remove(0),
+            others: contacts,
+        })
     }
-    let trend = Line::through(&heights[..=run_in]);
-    let rail = |index: isize| match usize::try_from(index) {
-        // Past the end the last height goes on, which only the cubic before it sees.
-        Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
-        Err(_) => {
-            let before = index.unsigned_abs().min(run_in);
-            let rough = heights[before] - trend.at(before as f64);
-            let share = 1.0 - before as f64 / run_in as f64;
-            (trend.slope * index as f64 + rough) * faded(share)
-        }
-    };
-    let substeps = (spacing / largest_step).ceil().max(1.0);
-    let mut march = start(spacing / substeps, run_in as f64 * spacing)?;
-    let mut roll = Roll::new(&mut march, substeps as usize, spacing);
-    roll.along(rail, -(run_in as isize), 0, |_| ());
-    roll.begin_to_count();
-    let first = roll.march.contacts();
-    let mut contacts: Vec<Vec<ContactInstant>> = first.iter().map(|&first| vec![first]).collect();
-    roll.along(rail, 0, heights.len() as isize - 1, |now| {
-        for (contacts, now) in contacts.iter_mut().zip(now) {
-            contacts.push(*now);
-        }
-    });
-    Ok(Passage {
-        contact_loss: roll.contact_loss(),
-        normal_force: roll.normal_force,
-        step: spacing / substeps,
-        run_in: run_in as f64 * spacing,
-        contacts: contacts.remove(0),
-        others: contacts,
-    })
 }
 
 /// The mean of a profile from a semi-axis \[m\] behind each height to one before it, (I(x + a) − I(x − a))/2a.
@@ -242,8 +156,8 @@ pub(super) fn slope_of_faded(share: f64) -> f64 {
 }
 
 /// A march along heights at equal distances, with steps between them, and what is counted of it.
-pub(super) struct Roll<'a, M> {
-    pub(super) march: &'a mut M,
+pub(super) struct Roll<'a, 'm> {
+    march: &'a mut March<'m>,
     substeps: usize,
     /// Distance of the heights \[m\].
     spacing: f64,
@@ -252,8 +166,8 @@ pub(super) struct Roll<'a, M> {
     pub(super) normal_force: [f64; 2],
 }
 
-impl<'a, M: OnRail> Roll<'a, M> {
-    pub(super) fn new(march: &'a mut M, substeps: usize, spacing: f64) -> Self {
+impl<'a, 'm> Roll<'a, 'm> {
+    pub(super) fn new(march: &'a mut March<'m>, substeps: usize, spacing: f64) -> Self {
         Self {
             march,
             substeps,
@@ -289,7 +203,7 @@ impl<'a, M: OnRail> Roll<'a, M> {
             let under_first = around(index);
             for step in 1..=self.substeps {
                 let share = step as f64 / self.substeps as f64;
-                self.march.advance_over(|ahead| {
+                self.march.advance_along(|ahead| {
                     if ahead == 0.0 {
                         return cubic(under_first, share);
                     }
@@ -297,7 +211,7 @@ impl<'a, M: OnRail> Roll<'a, M> {
                     let before = place.floor();
                     cubic(around(index + before as isize), place - before)
                 });
-                for contact in self.march.contacts() {
+                for contact in self.march.now() {
                     let [least, largest] = &mut self.normal_force;
                     *least = least.min(contact.normal_force);
                     *largest = largest.max(contact.normal_force);
@@ -305,7 +219,7 @@ impl<'a, M: OnRail> Roll<'a, M> {
                     self.lost += usize::from(contact.normal_force <= 0.0);
                 }
             }
-            visit(self.march.contacts());
+            visit(self.march.now());
         }
     }
 }
@@ -322,6 +236,8 @@ fn cubic(values: [f64; 4], share: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::TAU;
+
     use super::*;
 
     #[test]

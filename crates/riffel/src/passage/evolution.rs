@@ -6,9 +6,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-use super::LoopInTime;
+use super::PassageModel;
 use super::along_profile::{Roll, faded};
-use super::on_rail::OnRail;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
 
@@ -29,10 +28,10 @@ pub struct WearOfPassages {
 #[derive(Clone)]
 pub struct PassingWheel {
     /// Wheels, track and contacts, at their speed.
-    pub model: LoopInTime,
+    pub model: PassageModel,
     /// What a wheel takes off the rail under study.
     pub wear: WearOfPassages,
-    /// [`memory`](LoopInTime::memory) of the model \[m\].
+    /// [`memory`](PassageModel::memory) of the model \[m\].
     pub memory: f64,
     /// Its share of the passages \[-\], of all one.
     pub share: f64,
@@ -152,7 +151,7 @@ impl Evolution {
         most: u64,
     ) -> Result<PassageExtremes, Error> {
         for wheel in wheels {
-            if let Some(spacing) = wheel.model.support_spacing() {
+            if let Some(spacing) = wheel.model.structures.support_spacing() {
                 self.check_bays(spacing)?;
             }
         }
@@ -234,31 +233,13 @@ impl Evolution {
         wheel: &PassingWheel,
         largest_step: f64,
     ) -> Result<Change, Error> {
-        let before = (wheel.memory / self.spacing).ceil() * self.spacing;
-        let substeps = (self.spacing / largest_step).ceil().max(1.0);
-        let step = self.spacing / substeps;
-        match &wheel.model {
-            LoopInTime::Longitudinal(model) => {
-                self.change_along(heights, wheel, model.march_before(step, before)?, substeps)
-            }
-            LoopInTime::General(model) => {
-                self.change_along(heights, wheel, model.march_before(step, before)?, substeps)
-            }
-        }
-    }
-
-    fn change_along(
-        &self,
-        heights: &[f64],
-        wheel: &PassingWheel,
-        mut march: impl OnRail,
-        substeps: f64,
-    ) -> Result<Change, Error> {
         let PassingWheel { model, wear, .. } = wheel;
+        let run_in = (wheel.memory / self.spacing).ceil();
+        let substeps = (self.spacing / largest_step).ceil().max(1.0);
+        let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
         let averaged = self.felt(heights, model);
         let heights = averaged.as_deref().unwrap_or(heights);
         let count = heights.len() as isize;
-        let run_in = (wheel.memory / self.spacing).ceil();
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
@@ -278,7 +259,7 @@ impl Evolution {
         let length = heights.len() as f64 * self.spacing;
         let mut change = vec![Complex64::ZERO; heights.len() / 2 + 1];
         let mut depth = 0.0;
-        for (energies, (_, along)) in energies.iter().zip(&worn) {
+        for (energies, (contact, along)) in energies.iter().zip(&worn) {
             let waves = spectrum(energies);
             depth += per_energy * waves[0].re / heights.len() as f64;
             for (n, (sum, wave)) in change.iter_mut().zip(waves).enumerate().skip(1) {
@@ -286,15 +267,11 @@ impl Evolution {
                 if wavelength < wear.shortest {
                     continue;
                 }
-                let ahead = match model {
-                    LoopInTime::Longitudinal(model) => match &model.late {
-                        None => -wear.place.lag(wavelength),
-                        Some(late) => TAU * late.behind() / wavelength,
-                    },
-                    LoopInTime::General(_) => {
-                        -wear.place.lag(wavelength) - TAU * along / wavelength
-                    }
+                let left = match &model.contacts[*contact].late {
+                    None => -wear.place.lag(wavelength),
+                    Some(late) => TAU * late.behind() / wavelength,
                 };
+                let ahead = left - TAU * along / wavelength;
                 *sum -= per_energy * wave * Complex64::from_polar(1.0, ahead);
             }
         }
@@ -309,8 +286,8 @@ impl Evolution {
     }
 
     /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.
-    fn felt(&self, heights: &[f64], model: &LoopInTime) -> Option<Vec<f64>> {
-        model.contact_filter()?;
+    fn felt(&self, heights: &[f64], model: &PassageModel) -> Option<Vec<f64>> {
+        model.contact_filter?;
         let length = heights.len() as f64 * self.spacing;
         let mut waves = spectrum(heights);
         for (n, wave) in waves.iter_mut().enumerate().skip(1) {

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::ImpulseResponse;
 use super::track_motion::TrackMotion;
 use super::vector_fitting::{Sampled, residues, shared_poles, starting_lines};
+use super::{ContactInTime, ContactInstant, ImpulseResponse};
 use crate::Error;
 use crate::contact::{CreepLaw, RollingContact};
 
@@ -154,15 +154,6 @@ pub(super) struct LateMotion {
     past: [f64; 4],
 }
 
-/// Load and creepage beside their means, as a law is asked for force or energy.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Felt {
-    /// \[N\]
-    pub(super) load: f64,
-    /// \[-\]
-    pub(super) creepage: f64,
-}
-
 impl LateMotion {
     /// At rest, for steps of the given length \[m\].
     pub(super) fn new(late: &LateContact, step: f64) -> Self {
@@ -175,32 +166,63 @@ impl LateMotion {
         }
     }
 
-    /// A step begins, with load and creepage beside their means.
-    pub(super) fn advance(&mut self, load: f64, creepage: f64) {
+    /// A step of a contact begins.
+    pub(super) fn advance(&mut self, contact: &ContactInTime, now: &ContactInstant) {
+        self.advance_by([
+            now.normal_force - contact.spring.normal_force(),
+            now.creepage - contact.mean.creepages.longitudinal,
+        ]);
+    }
+
+    /// The same, with load and creepage beside their means.
+    fn advance_by(&mut self, [load, creepage]: [f64; 2]) {
         let inputs = [load, creepage, load, creepage];
         for ((filter, past), input) in self.filters.iter_mut().zip(&mut self.past).zip(inputs) {
             *past = filter.advance(input);
         }
     }
 
-    /// What counts for the force if the step ends with these.
-    pub(super) fn for_force(&self, load: f64, creepage: f64) -> Felt {
-        self.felt([0, 1], load, creepage)
+    /// Load \[N\] and creepage at which the law is asked for the force, if the step ends with these.
+    pub(super) fn for_force(
+        &self,
+        contact: &ContactInTime,
+        load: f64,
+        creepage: f64,
+    ) -> (f64, f64) {
+        self.felt([0, 1], contact, load, creepage)
     }
 
-    /// What counts for the energy.
-    pub(super) fn for_energy(&self, load: f64, creepage: f64) -> Felt {
-        self.felt([2, 3], load, creepage)
+    /// Those for the energy.
+    pub(super) fn for_energy(
+        &self,
+        contact: &ContactInTime,
+        load: f64,
+        creepage: f64,
+    ) -> (f64, f64) {
+        self.felt([2, 3], contact, load, creepage)
     }
 
-    fn felt(&self, [by_load, by_creepage]: [usize; 2], load: f64, creepage: f64) -> Felt {
-        let at_end = |filter: usize, input: f64| {
-            self.past[filter] + self.filters[filter].by_new_force() * input
-        };
-        Felt {
-            load: at_end(by_load, load),
-            creepage: at_end(by_creepage, creepage),
-        }
+    fn felt(
+        &self,
+        filters: [usize; 2],
+        contact: &ContactInTime,
+        load: f64,
+        creepage: f64,
+    ) -> (f64, f64) {
+        let mean = [
+            contact.spring.normal_force(),
+            contact.mean.creepages.longitudinal,
+        ];
+        let [felt_load, felt_creepage] =
+            self.beside_mean(filters, [load - mean[0], creepage - mean[1]]);
+        (mean[0] + felt_load, mean[1] + felt_creepage)
+    }
+
+    fn beside_mean(&self, filters: [usize; 2], at_end: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|input| {
+            let filter = filters[input];
+            self.past[filter] + self.filters[filter].by_new_force() * at_end[input]
+        })
     }
 }
 
@@ -284,12 +306,12 @@ mod tests {
         for index in 1..=settling + wave {
             let [before, middle, now] = [1.0, 0.5, 0.0].map(|back| at(index as f64 - back));
             let exact = stepped.roll(now[0], Creepages::longitudinal(middle[1]))?;
-            motion.advance(before[0] - LOAD, before[1] - mean);
-            let felt = motion.for_force(now[0] - LOAD, now[1] - mean);
+            motion.advance_by([before[0] - LOAD, before[1] - mean]);
+            let felt = motion.beside_mean([0, 1], [now[0] - LOAD, now[1] - mean]);
             if index > settling {
                 forces.push([
                     exact.forces.longitudinal,
-                    law(LOAD + felt.load, mean + felt.creepage),
+                    law(LOAD + felt[0], mean + felt[1]),
                     law(now[0], now[1]),
                 ]);
             }

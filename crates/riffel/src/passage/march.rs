@@ -1,10 +1,10 @@
-//! The motion of a wheel along a rail, step by step.
+//! The motion of wheels along rails, step by step.
 
-use super::along_profile::faded;
 use super::late_contact::LateMotion;
-use super::over_supports::ONSET_BAYS;
-use super::track_motion::TrackMotion;
-use super::{PassageModel, Turning};
+use super::structures_motion::StructuresMotion;
+use super::tangent_equation::{Slopes, TangentEquation};
+use super::{ContactInTime, PassageModel};
+use crate::contact::CreepForces;
 
 /// The contact at one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,7 +21,7 @@ pub struct ContactInstant {
     pub lateral_creepage: f64,
     /// Approach δ of wheel and rail \[m\]; below zero their distance.
     pub approach: f64,
-    /// Energy left on a metre of rail \[J/m\]: Qξ of a steady law, and of a contact that answers late what the place
+    /// Energy left on a metre of rail \[J/m\]: Qξ + Q_tη of a steady law, and of a contact that answers late what the place
     /// [`behind`](super::LateContact::behind) has received.
     pub energy_at_rail: f64,
 }
@@ -34,188 +34,228 @@ impl ContactInstant {
     }
 }
 
-/// A wheel under way; on discrete supports it begins over one of them.
+/// Wheels under way.
 ///
-/// Over a step all forces are linear in time, and track, wheel and rotation move exactly under them; the forces at its
-/// end follow from one equation for P, then one for Q. Second order in the step: without loss of contact halving it
-/// quarters the error, ω²h²/12 of the part of a force that oscillates with ω (test `second_order`). Stable at any step
-/// (forces at the end of a step are implicit).
+/// Over a step all forces are linear in time, and track and wheels move exactly under them; the forces at its end follow from
+/// one equation for P and two for Q at each contact in turn, until those of the others change nothing. Second order in the step:
+/// without loss of contact halving it quarters the error, ω²h²/12 of the part of a force that oscillates with ω (tests `second_order`
+/// and `second_order_on_all_axes`). Stable at any step (forces at the end of a step are implicit).
 #[derive(Clone)]
 pub struct March<'a> {
     model: &'a PassageModel,
-    track: TrackMotion,
-    /// \[s\]
-    step: f64,
-    /// Displacement and speed of the wheel from its position at rest, downward \[m, m/s\].
-    wheel: [f64; 2],
-    now: ContactInstant,
-    late: Option<LateMotion>,
-    /// R²h/(2I_wV) \[1/N\]: what Q − Q₀ at the beginning or end of a step takes off the creepage; zero if held.
-    creepage_per_force: f64,
-    /// Share of the sag between supports that has set in, and what each step adds.
-    onset: f64,
-    onset_step: f64,
-    /// dQ/dξ met last \[N\].
-    slope: f64,
-    /// Change of the creepage over the last step, at which the next begins.
-    drift: f64,
+    motion: StructuresMotion<'a>,
+    now: Vec<ContactInstant>,
+    /// f − f₀ at the contacts and axes.
+    forces: Vec<f64>,
+    /// Displacements and speeds at the end of the step but for the forces there.
+    displacement: Vec<f64>,
+    speed: Vec<f64>,
+    /// Of the contacts that answer late.
+    late: Vec<Option<LateMotion>>,
+    /// dQ/dξ met last at the contacts.
+    slopes: Vec<Slopes>,
+    /// Changes of the creepages and of the forces over the last step, at which the next begins.
+    drift: Vec<[f64; 2]>,
+    force_drift: Vec<f64>,
+    /// Scratch: creepages and forces before a step, and heights of the rails under the contacts.
+    before: Vec<[f64; 2]>,
+    forces_before: Vec<f64>,
+    heights: Vec<f64>,
 }
 
 impl<'a> March<'a> {
-    /// Steady rolling on a smooth rail, with steps of the given length \[m\], from a distance before a support \[m\].
+    /// On discrete supports the first wheel begins a distance before one of them \[m\].
     pub(super) fn new(model: &'a PassageModel, step: f64, distance: f64) -> Self {
-        let late = model.late.as_deref();
-        let late = late.map(|late| LateMotion::new(late, step));
-        let step = step / model.speed;
-        let creepage = model.mean.creepages.longitudinal;
+        let size = model.structures.size();
+        let mean_forces = model.contacts.iter().flat_map(|contact| {
+            let CreepForces {
+                longitudinal,
+                lateral,
+            } = contact.mean.forces;
+            [longitudinal, lateral, contact.spring.normal_force()]
+        });
+        let at_rest = |contact: &ContactInTime| {
+            let (mean, forces) = (contact.mean.creepages, contact.mean.forces);
+            let energy = contact.mean.energy_per_metre();
+            ContactInstant {
+                normal_force: contact.spring.normal_force(),
+                tangential_force: forces.longitudinal,
+                lateral_force: forces.lateral,
+                creepage: mean.longitudinal,
+                lateral_creepage: mean.lateral,
+                approach: contact.spring.approach(),
+                energy_at_rail: energy,
+            }
+        };
         Self {
-            track: TrackMotion::new(&model.track, step, model.speed, distance),
-            onset: model.track.support_spacing().map_or(1.0, |_| 0.0),
-            onset_step: match model.track.support_spacing() {
-                Some(spacing) => step * model.speed / (ONSET_BAYS * spacing),
-                None => 0.0,
-            },
-            step,
-            wheel: [0.0; 2],
-            now: ContactInstant {
-                normal_force: model.spring.normal_force(),
-                tangential_force: model.mean.forces.longitudinal,
-                lateral_force: 0.0,
-                creepage,
-                lateral_creepage: 0.0,
-                approach: model.spring.approach(),
-                energy_at_rail: model.mean.forces.longitudinal * creepage,
-            },
-            late,
-            creepage_per_force: match model.turning {
-                Turning::Inertia {
-                    inertia,
-                    rolling_radius,
-                } => rolling_radius * rolling_radius * step / (2.0 * inertia * model.speed),
-                Turning::Held => 0.0,
-            },
-            slope: model.mean.forces.longitudinal / creepage,
-            drift: 0.0,
+            motion: StructuresMotion::new(
+                &model.structures,
+                mean_forces.collect(),
+                step / model.speed,
+                model.speed,
+                distance,
+            ),
+            now: model.contacts.iter().map(at_rest).collect(),
+            forces: vec![0.0; size],
+            displacement: vec![0.0; size],
+            speed: vec![0.0; size],
+            late: model
+                .contacts
+                .iter()
+                .map(|contact| Some(LateMotion::new(contact.late.as_deref()?, step)))
+                .collect(),
+            slopes: vec![Slopes::default(); model.contacts.len()],
+            drift: vec![[0.0; 2]; model.contacts.len()],
+            force_drift: vec![0.0; size],
+            before: Vec::with_capacity(model.contacts.len()),
+            forces_before: vec![0.0; size],
+            heights: vec![0.0; model.contacts.len()],
             model,
         }
     }
 
-    /// The contact where the march stands.
-    pub fn now(&self) -> ContactInstant {
-        self.now
-    }
-
-    pub(super) fn at_contact(&self) -> &ContactInstant {
+    /// The contacts where the march stands.
+    pub fn now(&self) -> &[ContactInstant] {
         &self.now
     }
 
-    /// One step on, to a place where the profile has the height r \[m\], upward.
-    pub fn advance(&mut self, height: f64) -> ContactInstant {
-        let spring = &self.model.spring;
-        let load = spring.normal_force();
-        let [place, speed] = self.wheel;
-        let (h, mass) = (self.step, self.model.wheel_mass);
-        // m_w z'' = −f, f = P − P₀ linear: what the force at the beginning does, and what that at the end adds.
-        let force = self.now.normal_force - load;
-        let mean_creepage = self.model.mean.creepages.longitudinal;
-        if let Some(late) = &mut self.late {
-            late.advance(force, self.now.creepage - mean_creepage);
-        }
-        let mut rail = self.track.advance(force);
-        if self.onset_step > 0.0 {
-            self.onset += self.onset_step;
-            rail += load * self.track.sag() * faded(self.onset);
-        }
-        let wheel = place + h * speed - h * h / (3.0 * mass) * force;
-        let wheel_by_new = h * h / (6.0 * mass);
-        let give_way = self.track.by_new_force() + wheel_by_new;
-        let gap = spring.approach() + wheel - rail + height + give_way * load;
-        let (approach, normal_force) = spring.meet(gap, give_way, self.now.approach);
-        let new_force = normal_force - load;
-        self.wheel = [
-            wheel - wheel_by_new * new_force,
-            speed - 0.5 * h / mass * (force + new_force),
-        ];
-        let (tangential_force, creepage) = self.creep(normal_force);
-        self.now = ContactInstant {
-            normal_force,
-            tangential_force,
-            lateral_force: 0.0,
-            creepage,
-            lateral_creepage: 0.0,
-            approach,
-            energy_at_rail: match &self.late {
-                None => tangential_force * creepage,
-                Some(late) => {
-                    let felt = late.for_energy(new_force, creepage - mean_creepage);
-                    let creepage = mean_creepage + felt.creepage;
-                    creepage * self.model.steady_force(load + felt.load, creepage)
-                }
-            },
-        };
-        self.now
-    }
-
-    /// Q and ξ at the end of a step: ξ + cQ(P, ξ) = ξ_before − c(Q_before − 2Q₀), c the creepage per force.
-    ///
-    /// The left side grows with ξ where Q does. Secants within a bracket, since |Q| ≤ μP; bisection where they leave it.
-    fn creep(&mut self, normal_force: f64) -> (f64, f64) {
-        /// Last change of the creepage, as a part of its change over the step: a secant leaves of it no more than
-        /// c ΔdQ/dξ, 10⁻³ or less. And as a part of itself, where it does not change.
-        const TOLERANCE: f64 = 1e-4;
-        const ROUNDING: f64 = 1e-13;
-        let c = self.creepage_per_force;
-        let mean = self.model.mean.forces.longitudinal;
-        let goal = self.now.creepage - c * (self.now.tangential_force - 2.0 * mean);
-        if normal_force <= 0.0 {
-            return (0.0, goal);
-        }
-        let model = self.model;
-        let bound = model.law.friction() * normal_force;
-        let (load, mean_creepage) = (
-            model.spring.normal_force(),
-            model.mean.creepages.longitudinal,
-        );
-        let force = |creepage: f64| match &self.late {
-            None => model.steady_force(normal_force, creepage),
-            Some(late) => {
-                let felt = late.for_force(normal_force - load, creepage - mean_creepage);
-                let force = model.steady_force(load + felt.load, mean_creepage + felt.creepage);
-                force.clamp(-bound, bound)
+    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals.
+    pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
+        /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
+        const SWEEPS: usize = 40;
+        const REST: f64 = 1e-8;
+        self.motion
+            .advance(&self.forces, &mut self.displacement, &mut self.speed);
+        let contacts = self.model.contacts.iter().zip(&self.now);
+        for (late, (contact, now)) in self.late.iter_mut().zip(contacts) {
+            if let Some(late) = late {
+                late.advance(contact, now);
             }
-        };
-        if c == 0.0 {
-            return (force(goal), goal);
         }
-        let most = c * bound;
-        let (mut low, mut high) = (goal - most, goal + most);
-        let mut creepage = (self.now.creepage + self.drift).clamp(low, high);
-        let mut tangential_force = force(creepage);
-        for _ in 0..100 {
-            let excess = creepage + c * tangential_force - goal;
-            if excess > 0.0 {
-                high = creepage;
-            } else {
-                low = creepage;
+        self.before.clear();
+        let creepages = self.now.iter();
+        self.before
+            .extend(creepages.map(|now| [now.creepage, now.lateral_creepage]));
+        for (now, drift) in self.now.iter_mut().zip(&self.drift) {
+            now.creepage += drift[0];
+            now.lateral_creepage += drift[1];
+        }
+        let forces = self.forces.iter_mut().zip(&mut self.forces_before);
+        for ((force, before), drift) in forces.zip(&self.force_drift) {
+            *before = *force;
+            *force += drift;
+        }
+        // Creep forces of a lone wheel do not move it along its normal: nothing comes back.
+        let [by_new_force, _] = &self.motion.by_new_force;
+        let alone = matches!(by_new_force[..], [.., along, across, _] if self.now.len() == 1 && along == 0.0 && across == 0.0);
+        let sweeps = if alone { 1 } else { SWEEPS };
+        for sweep in 0..sweeps {
+            let mut change = 0f64;
+            for (index, height) in heights.iter().enumerate() {
+                change = change.max(self.meet(index, *height, sweep > 0));
             }
-            let secant = creepage - excess / (1.0 + c * self.slope);
-            let next = match secant > low && secant < high {
-                true => secant,
-                false => 0.5 * (low + high),
-            };
-            let before = (creepage, tangential_force);
-            creepage = next;
-            let change = (creepage - self.now.creepage).abs();
-            if (creepage - before.0).abs() <= TOLERANCE * change + ROUNDING * creepage.abs() {
-                // The force that goes with the creepage in the equation of the wheel, to second order in what is left.
-                tangential_force += self.slope * (creepage - before.0);
+            if change < REST {
                 break;
             }
-            tangential_force = force(creepage);
-            let slope = (tangential_force - before.1) / (creepage - before.0);
-            self.slope = slope.max(0.0);
         }
-        self.drift = creepage - self.now.creepage;
-        (tangential_force, creepage)
+        let pairs = self.before.iter().zip(&self.now).zip(&mut self.drift);
+        for ((before, now), drift) in pairs {
+            *drift = [now.creepage - before[0], now.lateral_creepage - before[1]];
+        }
+        let pairs = self.forces.iter().zip(&self.forces_before);
+        for (drift, (now, before)) in self.force_drift.iter_mut().zip(pairs) {
+            *drift = now - before;
+        }
+        self.motion.end(&self.forces);
+        &self.now
+    }
+
+    /// One step on along a rail whose height under study is told at a distance ahead of the first wheel \[m\].
+    pub(super) fn advance_along(&mut self, height: impl Fn(f64) -> f64) {
+        let mut heights = std::mem::take(&mut self.heights);
+        for (own, contact) in heights.iter_mut().zip(&self.model.contacts) {
+            *own = match contact.profile {
+                0.0 => 0.0,
+                profile => profile * height(contact.along),
+            };
+        }
+        self.advance(&heights);
+        self.heights = heights;
+    }
+
+    /// One contact under the present forces of all others; the change of its forces over its mean load. It `is_met` where its
+    /// creep forces are those of its creepages already.
+    fn meet(&mut self, index: usize, height: f64, is_met: bool) -> f64 {
+        /// Change of the normal force, over the load, that creep forces need not know of.
+        const SAME: f64 = 1e-9;
+        let size = self.forces.len();
+        let [displacement_by, speed_by] = &self.motion.by_new_force;
+        let contact = &self.model.contacts[index];
+        let own = 3 * index;
+        let load = contact.spring.normal_force();
+        let sum = |by: &[f64], row: usize| -> f64 {
+            let row = &by[row * size..][..size];
+            row.iter().zip(&self.forces).map(|(a, b)| a * b).sum()
+        };
+        let entry = |by: &[f64], row: usize, column: usize| by[row * size + column];
+        let normal = own + 2;
+        let give_way = entry(displacement_by, normal, normal);
+        let others = self.displacement[normal] + sum(displacement_by, normal)
+            - give_way * self.forces[normal];
+        let gap = contact.spring.approach() + height - others + give_way * load;
+        let before = self.now[index];
+        let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
+
+        let mean = &contact.mean;
+        let at_rest = [mean.creepages.longitudinal, mean.creepages.lateral];
+        let v = self.model.speed;
+        let mut equation = TangentEquation {
+            contact,
+            late: self.late[index].as_ref(),
+            normal_force,
+            known: at_rest,
+            by_force: [[0.0; 2]; 2],
+        };
+        for axis in [0, 1].into_iter().filter(|&axis| !contact.held[axis]) {
+            let row = own + axis;
+            let by_own = [0, 1].map(|to| entry(speed_by, row, own + to));
+            let by_load =
+                entry(speed_by, row, normal) * (normal_force - load - self.forces[normal]);
+            // But for that by its own creep forces.
+            let speed = self.speed[row] + sum(speed_by, row) + by_load
+                - (by_own[0] * self.forces[own] + by_own[1] * self.forces[own + 1]);
+            equation.known[axis] -= speed / v;
+            equation.by_force[axis] = by_own.map(|by| by / v);
+        }
+        let near = [before.creepage, before.lateral_creepage];
+        let is_met = is_met && (normal_force - before.normal_force).abs() <= SAME * load;
+        let force = match is_met {
+            true => [before.tangential_force, before.lateral_force],
+            false => equation.force(near),
+        };
+        let (creepage, force) =
+            equation.solve(self.before[index], near, force, &mut self.slopes[index]);
+        let new = [
+            force[0] - mean.forces.longitudinal,
+            force[1] - mean.forces.lateral,
+            normal_force - load,
+        ];
+        let old = &mut self.forces[own..=normal];
+        let change = old
+            .iter()
+            .zip(new)
+            .fold(0f64, |most, (old, new)| most.max((old - new).abs()));
+        old.copy_from_slice(&new);
+        let energy_at_rail = equation.energy(creepage, force);
+        self.now[index] = ContactInstant {
+            normal_force,
+            tangential_force: force[0],
+            lateral_force: force[1],
+            creepage: creepage[0],
+            lateral_creepage: creepage[1],
+            approach,
+            energy_at_rail,
+        };
+        change / load
     }
 }

@@ -5,11 +5,10 @@
 //! surfaces part, and the creep force at the normal force and creepage of the instant. Small amplitudes give the linear
 //! loop again.
 //!
-//! [`LoopInTime`] is a loop of either kind. Of one wheel along one axis [`ImpulseResponse`] is the track in time, [`PassageModel`] track, wheel and contact together, [`March`] their motion,
-//! and [`Settled`] the state over a sinusoid that repeats itself with every wave;
-//! [`GeneralPassage`] is any number of contacts on all axes.
+//! [`StructuresInTime`] are track and wheels in time, of which [`ImpulseResponse`] is one axis, [`PassageModel`] they and their
+//! contacts, [`March`] their motion, and [`Settled`] the state over a sinusoid that repeats itself with every wave;
+//! [`SmoothRail`] is what becomes of a loop that is unstable without any profile.
 
-mod all_axes;
 mod along_profile;
 mod eigenvalues;
 mod evolution;
@@ -17,29 +16,30 @@ mod hertz_spring;
 mod impulse_response;
 mod late_contact;
 mod least_squares;
-mod loop_in_time;
 mod march;
+mod memory;
 mod model;
-mod on_rail;
 mod over_supports;
+mod rail_in_time;
 mod ring;
 mod settled;
+mod smooth_rail;
 mod step_weights;
+mod structures;
+mod structures_motion;
+mod tangent_equation;
 mod track_motion;
 mod transient_contact;
 mod vector_fitting;
 
-pub use all_axes::{
-    ContactInTime, ContactSwing, GeneralMarch, GeneralPassage, Outcome, SmoothRail,
-    StructuresInTime,
-};
 pub use along_profile::Passage;
 pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
 pub use hertz_spring::HertzSpring;
 pub use impulse_response::ImpulseResponse;
 pub use late_contact::LateContact;
-pub use loop_in_time::LoopInTime;
 pub use march::{ContactInstant, March};
-pub use model::{PassageModel, Turning};
+pub use model::{ContactInTime, PassageModel};
 pub use settled::{Harmonic, Settled, Sinusoid};
+pub use smooth_rail::{ContactSwing, Outcome, SmoothRail};
+pub use structures::StructuresInTime;
 pub use transient_contact::{TransientContact, TransientSettled};

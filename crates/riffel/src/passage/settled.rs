@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::along_profile::{faded, felt};
-use super::on_rail::OnRail;
+use super::along_profile::faded;
 use super::{ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
 
@@ -31,7 +30,7 @@ impl Sinusoid {
     pub const MOST_STEPS: usize = 16384;
 
     /// `Ok` if it is a wave that so many steps resolve.
-    pub(super) fn check(&self, steps: usize) -> Result<(), Error> {
+    fn check(&self, steps: usize) -> Result<(), Error> {
         Error::unless_positive("amplitude", self.amplitude, "m")?;
         Error::unless_positive("wavelength", self.wavelength, "m")?;
         match steps < Self::LEAST_STEPS {
@@ -100,19 +99,20 @@ pub struct Settled {
 
 /// Time over which a settled state no longer changes \[s\], and the largest change of any harmonic of normal force or
 /// creepage, over the first: waves follow one another a hundred times faster.
-pub(super) const REST: f64 = 0.1;
-pub(super) const CHANGE: f64 = 1e-5;
+const REST: f64 = 0.1;
+const CHANGE: f64 = 1e-5;
 /// Of rolling, after which a state that is not settled is given up \[s\].
-pub(super) const PATIENCE: f64 = 20.0;
+const PATIENCE: f64 = 20.0;
 
 /// Share of the time without contact above which the wheel hops from crest to crest.
-pub(super) const MOST_LOSS: f64 = 0.9;
+const MOST_LOSS: f64 = 0.9;
 
 impl PassageModel {
-    /// The settled state over a sinusoid, in `steps` steps to a wave: a march whose amplitude grows from nothing and that
-    /// goes on until harmonics of a tenth of a second ago are those of now to 10⁻⁵ of the first.
+    /// The settled state of every contact over a sinusoid, in `steps` steps to a wave, the first wheel first: a march whose amplitude grows
+    /// from nothing and that goes on until harmonics of a tenth of a second ago are those of now to 10⁻⁵ of the first. They are relative to
+    /// the profile Δ cos ωt under the first wheel, along the normal of its contact.
     ///
-    /// With a contact filter the wheel feels what this leaves of the amplitude.
+    /// With a contact filter the wheels feel what this leaves of the amplitude.
     ///
     /// On discrete supports no wave is like the one before. There harmonics are those of 16 bays and eight waves or more after
     /// the memory of the track, under a window of Blackman and Harris: means over the places of the bay, free to 10⁻⁴ of
@@ -120,69 +120,54 @@ impl PassageModel {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless amplitude and wavelength are positive and there are 20 steps or more;
-    /// [`Error::NotSettled`] where the motion does not take the period of the profile within 20 s of rolling, and
-    /// [`Error::Airborne`] where the wheel is in the air for more than nine tenths of a wave.
-    pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Settled, Error> {
+    /// [`Error::NotSettled`] where the motion does not take the period of the profile within 20 s of rolling, as of a loop that is unstable
+    /// without a profile too, and [`Error::Airborne`] where a wheel is in the air for more than nine tenths of a wave.
+    pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Vec<Settled>, Error> {
         profile.check(steps)?;
-        let Sinusoid {
-            amplitude,
-            wavelength,
-        } = profile;
-        let amplitude = amplitude * felt(self.contact_filter, wavelength);
-        if let Some(spacing) = self.track.support_spacing() {
-            let felt = Sinusoid {
-                amplitude,
-                wavelength,
-            };
-            let start = |step, before| self.march_before(step, before);
-            let mut settled = settle_over_supports(felt, steps, spacing, self.memory()?, start)?;
-            return Ok(settled.swap_remove(0));
+        let felt = Sinusoid {
+            amplitude: profile.amplitude * self.felt(profile.wavelength),
+            ..profile
+        };
+        if let Some(spacing) = self.structures.support_spacing() {
+            return self.settle_over_supports(felt, steps, spacing);
         }
+        let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
-        let period = wavelength / self.speed;
-        let waves_of = |time: f64| (time / period).ceil();
+        let waves_of = |time: f64| (time * self.speed / wavelength).ceil();
         let (rest, patience) = (waves_of(REST) as usize, waves_of(PATIENCE) as usize);
         let onset = waves_of(0.5 * REST).max(4.0);
-        let heights: Vec<f64> = (1..=steps)
-            .map(|step| amplitude * (TAU * step as f64 / steps as f64).cos())
-            .collect();
-        let mut wave = Vec::with_capacity(steps);
-        let mut before: Option<[Harmonic; 6]> = None;
+        let mut waves = vec![Vec::with_capacity(steps); self.contacts.len()];
+        let mut before: Option<Vec<[Harmonic; 6]>> = None;
         let mut change = f64::INFINITY;
-        for number in 0..patience {
-            wave.clear();
-            for (step, height) in heights.iter().enumerate() {
-                let rolled = (number as f64 + (step + 1) as f64 / steps as f64) / onset;
-                wave.push(march.advance(height * faded(rolled)));
+        for number in 1..=patience {
+            waves.iter_mut().for_each(Vec::clear);
+            for step in 1..=steps {
+                let share = step as f64 / steps as f64;
+                let grown = felt.amplitude * faded(((number - 1) as f64 + share) / onset);
+                march.advance_along(|ahead| grown * (TAU * share + TAU * ahead / wavelength).cos());
+                for (wave, instant) in waves.iter_mut().zip(march.now()) {
+                    wave.push(*instant);
+                }
             }
-            let share = contact_loss(&wave);
-            if share > MOST_LOSS {
-                return Err(Error::Airborne {
-                    share,
-                    amplitude,
-                    wavelength,
-                });
-            }
-            if (number + 1) % rest != 0 {
+            let losses = losses(&waves, &profile)?;
+            if !number.is_multiple_of(rest) {
                 continue;
             }
-            let now = harmonics(&wave);
+            let now: Vec<[Harmonic; 6]> = waves.iter().map(|wave| harmonics(wave)).collect();
             if let Some(before) = before {
                 change = largest_change(&before, &now);
                 if change <= CHANGE {
-                    let forces = wave.iter().map(|instant| instant.normal_force);
-                    return Ok(Settled {
-                        harmonics: now,
-                        contact_loss: share,
-                        normal_force: [
-                            forces.clone().fold(f64::INFINITY, f64::min),
-                            forces.fold(f64::NEG_INFINITY, f64::max),
-                        ],
+                    let contacts = now.into_iter().zip(losses).zip(waves);
+                    let settled = contacts.map(|((harmonics, contact_loss), wave)| Settled {
+                        harmonics,
+                        contact_loss,
+                        normal_force: range(&wave),
                         // Every wave is like the one before.
                         crest: wave[steps - 1],
                         wave,
-                        waves: number + 1,
+                        waves: number,
                     });
+                    return Ok(settled.collect());
                 }
             }
             before = Some(now);
@@ -192,66 +177,71 @@ impl PassageModel {
             change,
         })
     }
-}
 
-/// The settled state of every contact over a sinusoid as the wheels feel it, on discrete supports at a spacing \[m\], after the length of
-/// a memory \[m\]; `start` begins a march with a step, a distance before the wave \[m\].
-pub(super) fn settle_over_supports<M: OnRail>(
-    profile: Sinusoid,
-    steps: usize,
-    spacing: f64,
-    memory: f64,
-    start: impl FnOnce(f64, f64) -> Result<M, Error>,
-) -> Result<Vec<Settled>, Error> {
-    const WAVES: f64 = 8.0;
-    let Sinusoid {
-        amplitude,
-        wavelength,
-    } = profile;
-    let waves_of = |length: f64| (length / wavelength).ceil() as usize;
-    let (before, counted) = (
-        waves_of(memory),
-        waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
-    );
-    let mut march = start(wavelength / steps as f64, before as f64 * wavelength)?;
-    let mut contacts = vec![Vec::with_capacity(counted * steps); march.contacts().len()];
-    let onset = 0.25 * (before * steps) as f64;
-    for index in 1..=(before + counted) * steps {
-        let share = faded(index as f64 / onset);
-        let angle = TAU * (index % steps) as f64 / steps as f64;
-        march.advance_over(|ahead| amplitude * share * (angle + TAU * ahead / wavelength).cos());
-        if index > before * steps {
-            for (contacts, now) in contacts.iter_mut().zip(march.contacts()) {
-                contacts.push(*now);
-            }
-        }
-    }
-    let shares = contacts.iter().map(|contacts| contact_loss(contacts));
-    let share = shares.clone().fold(0.0, f64::max);
-    if share > MOST_LOSS {
-        return Err(Error::Airborne {
-            share,
+    /// The same of a sinusoid as the wheels feel it, on discrete supports at a spacing \[m\].
+    fn settle_over_supports(
+        &self,
+        profile: Sinusoid,
+        steps: usize,
+        spacing: f64,
+    ) -> Result<Vec<Settled>, Error> {
+        const WAVES: f64 = 8.0;
+        let Sinusoid {
             amplitude,
             wavelength,
-        });
-    }
-    let settled = shares.collect::<Vec<f64>>().into_iter().zip(contacts);
-    Ok(settled
-        .map(|(contact_loss, mut contacts)| {
-            let forces = contacts.iter().map(|instant| instant.normal_force);
-            Settled {
-                harmonics: windowed_harmonics(&contacts, steps),
-                contact_loss,
-                normal_force: [
-                    forces.clone().fold(f64::INFINITY, f64::min),
-                    forces.fold(f64::NEG_INFINITY, f64::max),
-                ],
-                crest: contacts[contacts.len() - steps - 1],
-                wave: contacts.split_off(contacts.len() - steps),
-                waves: before + counted,
+        } = profile;
+        let waves_of = |length: f64| (length / wavelength).ceil() as usize;
+        let (before, counted) = (
+            waves_of(self.memory()?),
+            waves_of(f64::max(BAYS * spacing, WAVES * wavelength)),
+        );
+        let mut march = self.march_before(wavelength / steps as f64, before as f64 * wavelength)?;
+        let mut contacts = vec![Vec::with_capacity(counted * steps); self.contacts.len()];
+        let onset = 0.25 * (before * steps) as f64;
+        for index in 1..=(before + counted) * steps {
+            let grown = amplitude * faded(index as f64 / onset);
+            let angle = TAU * (index % steps) as f64 / steps as f64;
+            march.advance_along(|ahead| grown * (angle + TAU * ahead / wavelength).cos());
+            if index > before * steps {
+                for (contacts, now) in contacts.iter_mut().zip(march.now()) {
+                    contacts.push(*now);
+                }
             }
-        })
-        .collect())
+        }
+        let settled = losses(&contacts, &profile)?.into_iter().zip(contacts);
+        let settled = settled.map(|(contact_loss, mut contacts)| Settled {
+            harmonics: windowed_harmonics(&contacts, steps),
+            contact_loss,
+            normal_force: range(&contacts),
+            crest: contacts[contacts.len() - steps - 1],
+            wave: contacts.split_off(contacts.len() - steps),
+            waves: before + counted,
+        });
+        Ok(settled.collect())
+    }
+}
+
+/// Shares of the time without contact, if no wheel is in the air for nearly all of it.
+fn losses(contacts: &[Vec<ContactInstant>], profile: &Sinusoid) -> Result<Vec<f64>, Error> {
+    let losses: Vec<f64> = contacts.iter().map(|wave| contact_loss(wave)).collect();
+    let share = losses.iter().copied().fold(0.0, f64::max);
+    match share > MOST_LOSS {
+        true => Err(Error::Airborne {
+            share,
+            amplitude: profile.amplitude,
+            wavelength: profile.wavelength,
+        }),
+        false => Ok(losses),
+    }
+}
+
+/// Least and largest normal force.
+fn range(contacts: &[ContactInstant]) -> [f64; 2] {
+    let forces = contacts.iter().map(|instant| instant.normal_force);
+    [
+        forces.clone().fold(f64::INFINITY, f64::min),
+        forces.fold(f64::NEG_INFINITY, f64::max),
+    ]
 }
 
 /// Those of many waves, under a window whose sidelobes are below 3·10⁻⁵ from four lines on (Harris 1978).
@@ -307,23 +297,38 @@ fn weighted_harmonics<'a>(
     harmonics
 }
 
-/// Largest difference of normal force and of creepage, each over its first harmonic.
-pub(super) fn largest_change(before: &[Harmonic; 6], now: &[Harmonic; 6]) -> f64 {
-    let largest = |of: fn(&Harmonic) -> Complex64| {
-        let pairs = before.iter().zip(now);
-        let changes = pairs.map(|(before, now)| (of(now) - of(before)).norm());
-        let first = of(&now[1]).norm();
+/// Largest difference of normal force and creepages at any contact, each over the largest first harmonic.
+pub(super) fn largest_change(before: &[[Harmonic; 6]], now: &[[Harmonic; 6]]) -> f64 {
+    let largest = |of: fn(&Harmonic) -> f64, difference: fn(&Harmonic, &Harmonic) -> f64| {
+        let firsts = now.iter().map(|harmonics| of(&harmonics[1]));
+        let first = firsts.fold(0.0, f64::max);
+        let pairs = before.iter().flatten().zip(now.iter().flatten());
+        let changes = pairs.map(|(before, now)| difference(before, now));
         match first > 0.0 {
             true => changes.fold(0.0, f64::max) / first,
-            // Held creepage.
+            // Held creepages.
             false => 0.0,
         }
     };
-    largest(|harmonic| harmonic.normal_force).max(largest(|harmonic| harmonic.creepage))
+    let creepage = |harmonic: &Harmonic| {
+        harmonic
+            .creepage
+            .norm()
+            .hypot(harmonic.lateral_creepage.norm())
+    };
+    let normal = largest(
+        |harmonic| harmonic.normal_force.norm(),
+        |before, now| (now.normal_force - before.normal_force).norm(),
+    );
+    let tangential = largest(creepage, |before, now| {
+        let along = (now.creepage - before.creepage).norm();
+        along.hypot((now.lateral_creepage - before.lateral_creepage).norm())
+    });
+    normal.max(tangential)
 }
 
 /// Share of a wave with the approach below zero, linear between steps.
-pub(super) fn contact_loss(wave: &[ContactInstant]) -> f64 {
+fn contact_loss(wave: &[ContactInstant]) -> f64 {
     let following = wave.iter().skip(1).chain(wave.first());
     let parts = wave.iter().zip(following).map(|(one, other)| {
         let (one, other) = (one.approach, other.approach);

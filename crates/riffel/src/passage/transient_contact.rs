@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::settled::{harmonics, largest_change};
-use super::{ContactInstant, Harmonic, PassageModel, Settled, Sinusoid, Turning};
+use super::{ContactInstant, Harmonic, PassageModel, Settled, Sinusoid};
 use crate::Error;
 use crate::contact::{Creepages, HertzContact, TransientRolling};
 
@@ -55,7 +55,15 @@ impl PassageModel {
         steps: usize,
         contact: TransientContact,
     ) -> Result<TransientSettled, Error> {
-        if let Some(spacing) = self.track.support_spacing() {
+        if self.contacts.len() > 1 || self.structures.are_fitted_together() {
+            return Err(Error::OutOfRange {
+                quantity: "number of contacts beside a transient one",
+                value: self.contacts.len() as f64 - 1.0,
+                unit: "",
+                rule: "must be none, under a free wheel with longitudinal creepage",
+            });
+        }
+        if let Some(spacing) = self.structures.support_spacing() {
             return Err(Error::OutOfRange {
                 quantity: "support spacing under a transient contact",
                 value: spacing,
@@ -71,7 +79,7 @@ impl PassageModel {
                 rule: "must be even, since half as many are rolled too",
             });
         }
-        let settled = self.settle(profile, steps)?;
+        let settled = self.settle(profile, steps)?.swap_remove(0);
         let elements = contact.elements_of_a_wave(&settled, profile.wavelength)?;
         let rolled = |across: usize, elements: usize| {
             let contact = contact.with_elements(across, profile.wavelength / elements as f64)?;
@@ -169,12 +177,10 @@ impl RollingOverWave {
         contact: TransientRolling,
     ) -> Self {
         let step = contact.step_length();
-        let creepage_per_force = match model.turning {
-            Turning::Inertia {
-                inertia,
-                rolling_radius,
-            } => rolling_radius * rolling_radius * step / (inertia * model.speed * model.speed),
-            Turning::Held => 0.0,
+        let wheel = &model.contacts[0];
+        let creepage_per_force = match wheel.held[0] {
+            false => model.structures.free()[0] * step / (model.speed * model.speed),
+            true => 0.0,
         };
         let largest = contact.hertz();
         let semi_axes = step / largest.semi_axis_longitudinal();
@@ -186,7 +192,7 @@ impl RollingOverWave {
             least: largest.normal_force() * semi_axes.powi(3),
             creepage: settled.harmonics[0].creepage.re,
             creepage_per_force,
-            mean_force: model.mean.forces.longitudinal,
+            mean_force: wheel.mean.forces.longitudinal,
             wave: Vec::with_capacity(count),
             energy: vec![0.0; count],
             contact,
@@ -197,7 +203,7 @@ impl RollingOverWave {
     fn settle(&mut self, speed: f64) -> Result<usize, Error> {
         const MOST_WAVES: usize = 1024;
         const CHANGE: f64 = 1e-3;
-        let mut before: Option<[Harmonic; 6]> = None;
+        let mut before: Option<[[Harmonic; 6]; 1]> = None;
         let mut change = f64::INFINITY;
         let mut until = 4;
         for number in 1..=MOST_WAVES {
@@ -206,7 +212,7 @@ impl RollingOverWave {
                 continue;
             }
             until *= 2;
-            let now = harmonics(&self.wave);
+            let now = [harmonics(&self.wave)];
             if let Some(before) = before {
                 change = largest_change(&before, &now);
                 if change <= CHANGE {

@@ -39,6 +39,11 @@ impl RigidInertia {
     pub fn inertia(&self) -> f64 {
         self.inertia
     }
+
+    /// I/R² \[kg\], the mass that moves along the rail as the surface of the wheel does.
+    pub fn mass_along(&self) -> f64 {
+        -self.per_mass.recip()
+    }
 }
 
 impl Receptance for RigidInertia {

@@ -23,6 +23,11 @@ impl RigidMass {
         Error::unless_positive("mass", mass, "kg")?;
         Ok(Self { mass })
     }
+
+    /// Mass \[kg\].
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
 }
 
 impl Receptance for RigidMass {

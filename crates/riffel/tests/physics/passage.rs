@@ -8,8 +8,8 @@ use riffel::contact::{
     OscillatingCreepages, QuasiStatic, ShenHedrickElkins,
 };
 use riffel::passage::{
-    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, LateContact, PassageModel,
-    PassingWheel, Settled, Sinusoid, TransientContact, Turning, WearOfPassages,
+    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, LateContact, PassageModel,
+    PassingWheel, Settled, Sinusoid, StructuresInTime, TransientContact, WearOfPassages,
 };
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
@@ -72,26 +72,22 @@ fn both(
     let contact = QuasiStatic::new(law.clone(), 50e3, mean).unwrap();
     let mean = riffel::RollingContact::steady(&contact);
     let inertia = RigidInertia::reduced_inertia(MASS, RADIUS);
+    let rotation = RigidInertia::new(inertia, RADIUS).unwrap();
+    let wheel = RigidMass::new(MASS).unwrap();
+    let response = ImpulseResponse::of(&*track, speed).unwrap();
+    let in_time = ContactInTime::of_one_wheel(mean, hertz.stiffness(), law);
     let passage = PassageModel {
-        track: ImpulseResponse::of(&*track, speed).unwrap(),
-        wheel_mass: MASS,
-        spring: HertzSpring::new(50e3, hertz.stiffness()).unwrap(),
-        law,
-        late: None,
+        structures: StructuresInTime::of_one_wheel(response, &wheel, Some(&rotation)),
+        contacts: vec![in_time.unwrap()],
         contact_filter: None,
-        turning: Turning::Inertia {
-            inertia,
-            rolling_radius: RADIUS,
-        },
-        mean,
         speed,
     };
     let feedback = FeedbackLoop {
         track,
-        wheel: Arc::new(RigidMass::new(MASS).unwrap()),
+        wheel: Arc::new(wheel),
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
-        rotation: Motion::compliant(RigidInertia::new(inertia, RADIUS).unwrap()),
+        rotation: Motion::compliant(rotation),
         rolling_radius: RADIUS,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, ratio),
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
@@ -109,7 +105,7 @@ fn settle(model: &PassageModel, amplitude: f64, wavelength: f64, steps: usize) -
         amplitude,
         wavelength,
     };
-    model.settle(profile, steps).unwrap()
+    model.settle(profile, steps).unwrap().swap_remove(0)
 }
 
 /// Causal tracks to 10⁻⁵ rms, with pads that let rail and sleeper ring as well.
@@ -194,7 +190,10 @@ fn small_amplitudes_are_the_linear_loop() {
         }
         let mean = settled.harmonics[0];
         assert!((mean.normal_force.re / 50e3 - 1.0).abs() < 1e-8);
-        assert!((mean.tangential_force.re / model.mean.forces.longitudinal - 1.0).abs() < 1e-8);
+        assert!(
+            (mean.tangential_force.re / model.contacts[0].mean.forces.longitudinal - 1.0).abs()
+                < 1e-8
+        );
     }
 }
 
@@ -221,12 +220,12 @@ fn comes_to_rest_on_a_step_of_the_rail() {
     let mut march = model.march(5e-4).unwrap();
     let steps = (2.0 * 30.0 / 5e-4) as usize;
     for _ in 0..steps {
-        march.advance(1e-5);
+        march.advance(&[1e-5]);
     }
-    let rest = march.now();
+    let rest = march.now()[0];
     assert!((rest.normal_force / 50e3 - 1.0).abs() < 1e-9, "{rest:?}");
-    assert!((rest.approach / model.spring.approach() - 1.0).abs() < 1e-9);
-    assert!((rest.creepage / model.mean.creepages.longitudinal - 1.0).abs() < 1e-9);
+    assert!((rest.approach / model.contacts[0].spring.approach() - 1.0).abs() < 1e-9);
+    assert!((rest.creepage / model.contacts[0].mean.creepages.longitudinal - 1.0).abs() < 1e-9);
 }
 
 /// Work that the profile does over a settled wave is what the track carries away, −½ Σ nω Im H |P_n|², with loss of
@@ -265,7 +264,7 @@ fn mean_dissipation_is_that_of_the_drive() {
     let (_, model) = both(two_layers(), carter, 0.3, 33.0, 1.0);
     for amplitude in [20e-6, 100e-6] {
         let mean = settle(&model, amplitude, 0.04, 256).harmonics[0];
-        let drive = model.mean.forces.longitudinal * mean.creepage.re;
+        let drive = model.contacts[0].mean.forces.longitudinal * mean.creepage.re;
         let error = mean.dissipation.re / drive - 1.0;
         assert!(error.abs() < 1e-6, "{amplitude}: {error:e}");
     }
@@ -337,7 +336,7 @@ fn growth_over_passages_is_linear_growth() {
         let mut evolution = Evolution::new(&profile);
         let wheel = PassingWheel {
             memory: model.memory().unwrap(),
-            model: model.into(),
+            model,
             wear,
             share: 1.0,
             traction_share: 1.0,
@@ -391,11 +390,9 @@ fn a_late_contact_is_that_of_the_linear_loop() {
         contact: table.clone(),
         ..feedback
     };
-    let model = PassageModel {
-        mean: riffel::RollingContact::steady(&*table),
-        late: Some(Arc::new(late)),
-        ..model
-    };
+    let mut model = model;
+    model.contacts[0].mean = riffel::RollingContact::steady(&*table);
+    model.contacts[0].late = Some(Arc::new(late));
     for wavelength in [0.06, 5.0 * a, 2.0 * a] {
         let linear = feedback.at(wavelength, 30.0);
         let first = settle(&model, 1e-7, wavelength, 512).harmonics[1];
@@ -411,7 +408,7 @@ fn a_late_contact_is_that_of_the_linear_loop() {
     }
     let wheel = PassingWheel {
         memory: model.memory().unwrap(),
-        model: model.into(),
+        model,
         wear: WearOfPassages {
             wear: feedback.wear,
             place: feedback.place_of_wear,

@@ -6,8 +6,8 @@ use std::sync::{Arc, OnceLock};
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::growth::{Bay, GrowthWithNeighbours};
 use riffel::passage::{
-    Evolution, EvolutionStep, HertzSpring, ImpulseResponse, PassageModel, PassingWheel, Sinusoid,
-    Turning, WearOfPassages,
+    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, Sinusoid,
+    StructuresInTime, WearOfPassages,
 };
 use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, Support};
 use riffel::roughness::Profile;
@@ -109,18 +109,14 @@ fn model() -> PassageModel {
     let hertz = HertzContact::new(steel(), 0.46, 0.3, 50e3).unwrap();
     let law = Carter3d::new(hertz, 0.35).unwrap();
     let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3)).unwrap();
+    let rotation = RigidInertia::new(RigidInertia::reduced_inertia(350.0, 0.46), 0.46).unwrap();
+    let wheel = RigidMass::new(350.0).unwrap();
+    let in_time =
+        ContactInTime::of_one_wheel(contact.steady(), hertz.stiffness(), Arc::new(law)).unwrap();
     PassageModel {
-        track: response().clone(),
-        wheel_mass: 350.0,
-        spring: HertzSpring::new(50e3, hertz.stiffness()).unwrap(),
-        late: None,
+        structures: StructuresInTime::of_one_wheel(response().clone(), &wheel, Some(&rotation)),
+        contacts: vec![in_time],
         contact_filter: None,
-        law: Arc::new(law),
-        turning: Turning::Inertia {
-            inertia: RigidInertia::reduced_inertia(350.0, 0.46),
-            rolling_radius: 0.46,
-        },
-        mean: contact.steady(),
         speed: SPEED,
     }
 }
@@ -162,7 +158,7 @@ fn small_waves_are_the_harmonic_balance() {
     let mut without = model.march(step).unwrap();
     let start = without.clone();
     let smooth: Vec<f64> = (0..run_in + counted)
-        .map(|_| without.advance(0.0).normal_force)
+        .map(|_| without.advance(&[0.0])[0].normal_force)
         .collect();
     for wavelength in [0.047, 0.0293] {
         let feedback = feedback(amplitude);
@@ -172,7 +168,7 @@ fn small_waves_are_the_harmonic_balance() {
         for (index, smooth) in (1..).zip(&smooth) {
             let x = index as f64 * step;
             let height = amplitude * (TAU * x / wavelength).cos();
-            let force = with.advance(height).normal_force - smooth;
+            let force = with.advance(&[height])[0].normal_force - smooth;
             if index > run_in {
                 // A window of Blackman and Harris over 16 bays parts lines that are one per bay apart.
                 let share = TAU * (index - run_in) as f64 / counted as f64;
@@ -206,7 +202,7 @@ fn a_settled_wave_is_the_mean_over_the_bay() {
         amplitude,
         wavelength,
     };
-    let settled = model.settle(profile, 200).unwrap();
+    let settled = model.settle(profile, 200).unwrap().swap_remove(0);
     let dissipation = -growth.alone() * amplitude / feedback.wear.depth_per_energy();
     let error = (settled.harmonics[1].dissipation - dissipation).norm() / dissipation.norm();
     // As above, and the load that varies by 2.6 % makes the creep force answer by as much more and less, in the mean its square.
@@ -224,11 +220,11 @@ fn smooth_rails_shake_with_the_supports() {
     let mut march = model.march(SPACING / f64::from(steps)).unwrap();
     let bays = (memory / SPACING).ceil() as i32 + 6;
     for _ in 0..bays * steps {
-        march.advance(0.0);
+        march.advance(&[0.0]);
     }
     let mut bay = || -> Vec<f64> {
         (0..steps)
-            .map(|_| march.advance(0.0).normal_force - 50e3)
+            .map(|_| march.advance(&[0.0])[0].normal_force - 50e3)
             .collect()
     };
     let (one, other) = (bay(), bay());
@@ -275,7 +271,7 @@ const STEP: EvolutionStep = EvolutionStep {
 
 fn wheel(feedback: &FeedbackLoop, model: PassageModel, memory: f64) -> PassingWheel {
     PassingWheel {
-        model: model.into(),
+        model,
         wear: WearOfPassages {
             wear: feedback.wear,
             place: feedback.place_of_wear,
@@ -329,8 +325,7 @@ fn wheels_wear_by_their_shares() {
         model: PassageModel {
             speed: 35.0,
             ..model()
-        }
-        .into(),
+        },
         share: 0.4,
         traction_share: 0.5,
         ..slow.clone()

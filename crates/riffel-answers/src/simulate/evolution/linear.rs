@@ -58,7 +58,7 @@ impl Linear {
             let mut mean = Complex64::ZERO;
             for vehicle in vehicles {
                 for wheel in &vehicle.wheels {
-                    let rate = rate(&vehicle.case, wavelength, wheel.model.speed())?;
+                    let rate = rate(&vehicle.case, wavelength, wheel.model.speed)?;
                     let felt = wheel.model.felt(wavelength);
                     mean += wheel.share * wheel.traction_share * felt * rate;
                 }

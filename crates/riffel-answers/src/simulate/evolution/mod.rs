@@ -95,7 +95,7 @@ impl EvolutionRun {
             for vehicle in &mut vehicles {
                 let filter = Some(ContactFilter::of(&vehicle.case.hertz));
                 let wheels = vehicle.wheels.iter_mut();
-                wheels.for_each(|wheel| wheel.model.set_contact_filter(filter));
+                wheels.for_each(|wheel| wheel.model.contact_filter = filter);
             }
         }
         let wheels = || vehicles.iter().flat_map(|vehicle| &vehicle.wheels);
@@ -227,10 +227,14 @@ impl EvolutionRun {
         let profiles: Vec<WornProfile> = profiles.entries.into_iter().chain([profile]).collect();
         let last = &stages[stages.len() - 1];
         let tracks = self.wheels().map(|wheel| &wheel.model);
-        let worst = tracks.max_by(|one, other| one.share_cut().total_cmp(&other.share_cut()));
+        let worst = tracks.max_by(|one, other| {
+            one.structures
+                .share_cut()
+                .total_cmp(&other.structures.share_cut())
+        });
         let airborne = last.is_airborne();
         let airborne = airborne.then(|| remarks::of_air(last.passages));
-        let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed());
+        let passing = self.wheels().map(|wheel| wheel.share * wheel.model.speed);
         Ok(EvolutionAnswer {
             linear: Linear::new(
                 &self.vehicles,
@@ -242,7 +246,7 @@ impl EvolutionRun {
             vehicles: self.vehicles.iter().map(PassingVehicle::of).collect(),
             step: spacing_m / (spacing_m / self.step.largest_step).ceil().max(1.0),
             spacing: spacing_m,
-            share_cut: worst.map_or(0.0, |track| track.share_cut()),
+            share_cut: worst.map_or(0.0, |track| track.structures.share_cut()),
             remarks: worst
                 .and_then(remarks::of_track)
                 .into_iter()

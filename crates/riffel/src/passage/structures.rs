@@ -5,14 +5,13 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 use rayon::prelude::*;
 
-use super::over_supports::{TrackOverSupports, is_along, places};
+use super::ImpulseResponse;
+use super::rail_in_time::{RailInTime, is_along, places};
+use super::vector_fitting::{Sampled, residues, shared_poles, starting_poles, worst_frequencies};
 use crate::Error;
 use crate::feedback::GeneralLoop;
-use crate::passage::ImpulseResponse;
-use crate::passage::vector_fitting::{
-    Sampled, residues, shared_poles, starting_poles, worst_frequencies,
-};
 use crate::receptance::SpatialMovingLoad;
+use crate::wheelset::{RigidInertia, RigidMass};
 
 /// Displacement of the wheels against the rail after impulses at all contacts of a loop, in their axes x, t, n:
 ///
@@ -29,6 +28,8 @@ use crate::receptance::SpatialMovingLoad;
 /// Accuracy: [`share_cut`](Self::share_cut) and [`largest_error`](Self::largest_error) up to 3 kHz; 10⁻⁴ rms on viscous tracks under
 /// flexible wheelsets. A loss factor is not causal, see [`ImpulseResponse`]. Cost: some seconds for two contacts.
 ///
+/// Of [one wheel](Self::of_one_wheel) along one axis the track is fitted by itself, and the motion of the wheel is exact.
+///
 /// Over discrete supports the rail is taken apart, down and across: its answer is that of the place where the first wheel is when the
 /// impulse comes, [`ImpulseResponse::over_supports`] for each pair of contacts and axes, with poles of its own. Along itself it
 /// is even, see [`SpatialMovingLoad`].
@@ -41,8 +42,8 @@ pub struct StructuresInTime {
     residues: Vec<Vec<Complex64>>,
     /// A by rows.
     free: Vec<f64>,
-    /// The rail down and across, where supports are discrete.
-    over_supports: Option<TrackOverSupports>,
+    /// The rail down and across, where it is fitted by itself.
+    rail: Option<RailInTime>,
     share_cut: f64,
     largest_error: f64,
 }
@@ -79,6 +80,29 @@ impl StructuresInTime {
         Self::fitted(feedback, &receptances, natural_frequencies)
     }
 
+    /// Those of one wheel that moves down as a mass and turns as a rigid body, under the dead load and the constant torque of its drive,
+    /// equation (15), or evenly where no rotation is given; its track answers downward alone.
+    ///
+    /// Range of validity: a wheel without a suspension of its own, so above some 10 Hz.
+    pub fn of_one_wheel(
+        track: ImpulseResponse,
+        wheel: &RigidMass,
+        rotation: Option<&RigidInertia>,
+    ) -> Self {
+        let mut free = vec![0.0; 9];
+        free[0] = rotation.map_or(0.0, |rotation| rotation.mass_along().recip());
+        free[8] = wheel.mass().recip();
+        Self {
+            size: 3,
+            poles: Vec::new(),
+            residues: Vec::new(),
+            free,
+            share_cut: track.share_cut(),
+            largest_error: track.largest_error(),
+            rail: Some(RailInTime::under_one_wheel(track)),
+        }
+    }
+
     /// Those of a loop on discrete supports, under wheels that pass them at the speed of the moving load.
     ///
     /// # Errors
@@ -88,26 +112,26 @@ impl StructuresInTime {
         track: &SpatialMovingLoad,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
-        let over_supports = TrackOverSupports::of(feedback, track)?;
+        let rail = RailInTime::over_supports(feedback, track)?;
         let places = places(feedback);
         let size = places.len();
         let receptances = |w: f64| {
             let [whole, mut fitted] = feedback.receptances_with_those_of_wheels(w, track.speed());
             let even = track.evenly(w, &places);
             // The axes of contacts and track are the same along the rail.
-            for (index, rail) in even.at(0).into_iter().flatten().enumerate() {
+            for (index, along) in even.at(0).into_iter().flatten().enumerate() {
                 if is_along(index / size) && is_along(index % size) {
-                    fitted[index] += rail;
+                    fitted[index] += along;
                 }
             }
             [whole, fitted]
         };
         let even = Self::fitted(feedback, &receptances, natural_frequencies)?;
-        let [share_cut, largest_error] = over_supports.errors();
+        let [share_cut, largest_error] = rail.errors();
         Ok(Self {
             share_cut: even.share_cut.max(share_cut),
             largest_error: even.largest_error.max(largest_error),
-            over_supports: Some(over_supports),
+            rail: Some(rail),
             ..even
         })
     }
@@ -177,15 +201,20 @@ impl StructuresInTime {
                 *entry += 0.5 * (residue * one + residue.conj() * other);
             }
         }
-        if let Some(track) = &self.over_supports {
-            track.add_mean_receptances(angular_frequency, &mut sum);
+        if let Some(rail) = &self.rail {
+            rail.add_mean_receptances(angular_frequency, &mut sum);
         }
         sum
     }
 
     /// Distance of the supports \[m\] that pass under the wheels; none on a track that is even.
     pub fn support_spacing(&self) -> Option<f64> {
-        self.over_supports.as_ref().map(TrackOverSupports::spacing)
+        self.rail.as_ref().and_then(RailInTime::spacing)
+    }
+
+    /// Whether track and wheels are fitted together, and not the track by itself under wheels that are free masses.
+    pub fn are_fitted_together(&self) -> bool {
+        !self.poles.is_empty()
     }
 
     /// Mean square of the relative error of the receptances up to 3 kHz, over frequencies that are even on a logarithmic scale.
@@ -209,9 +238,9 @@ impl StructuresInTime {
         &self.free
     }
 
-    /// The rail down and across, where supports are discrete.
-    pub(super) fn track_over_supports(&self) -> Option<&TrackOverSupports> {
-        self.over_supports.as_ref()
+    /// The rail down and across, where it is fitted by itself.
+    pub(super) fn rail(&self) -> Option<&RailInTime> {
+        self.rail.as_ref()
     }
 }
 
@@ -351,7 +380,7 @@ impl Transfer {
             poles,
             residues: matrices,
             free: self.free.clone(),
-            over_supports: None,
+            rail: None,
             // Wheels that nothing holds leave nothing to fit.
             share_cut: match weights > 0.0 {
                 true => share_cut / weights,

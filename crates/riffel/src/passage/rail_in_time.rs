@@ -1,22 +1,22 @@
-//! A rail on discrete supports under several wheels in time, down and across.
+//! A rail in time that is fitted by itself, pair by pair of contacts and axes.
 
 use num_complex::Complex64;
 use rayon::prelude::*;
 
+use super::ImpulseResponse;
+use super::along_profile::{faded, slope_of_faded};
+use super::over_supports::{AlongBay, ONSET_BAYS, frequencies, is_discrete};
+use super::track_motion::TrackMotion;
 use crate::feedback::GeneralLoop;
-use crate::passage::ImpulseResponse;
-use crate::passage::along_profile::{faded, slope_of_faded};
-use crate::passage::over_supports::{AlongBay, ONSET_BAYS, frequencies, is_discrete};
-use crate::passage::track_motion::TrackMotion;
 use crate::receptance::{HarmonicMatrices, SpatialMovingLoad};
 use crate::{Direction, Error, Place, Rail};
 
-/// The answers of a rail to impulses at all contacts, down and across in the axes of the track, where they depend on the place of
-/// the first wheel in its bay: [`ImpulseResponse::over_supports`] for every pair of contacts and axes.
+/// The answers of a rail to impulses at all contacts, down and across in the axes of the track: an [`ImpulseResponse`] for every pair
+/// of contacts and axes that is not zero. On discrete supports they depend on the place of the first wheel in its bay.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct TrackOverSupports {
-    /// \[m\]
-    spacing: f64,
+pub(super) struct RailInTime {
+    /// Of discrete supports \[m\].
+    spacing: Option<f64>,
     entries: Vec<Entry>,
     /// Sine, with the sign of its rail, and cosine of the angle of each contact.
     angles: Vec<[f64; 2]>,
@@ -26,15 +26,37 @@ pub(super) struct TrackOverSupports {
 struct Entry {
     row: usize,
     column: usize,
+    /// Whether its motion has a part in the plane of contact, where speeds count.
+    creeps: bool,
     response: ImpulseResponse,
 }
 
-impl TrackOverSupports {
-    /// Those of the contacts of a loop under loads that move along a track.
+/// The axis down among the three of a contact.
+const DOWN: usize = 2;
+
+impl RailInTime {
+    /// A rail under one wheel that only moves down.
+    pub(super) fn under_one_wheel(response: ImpulseResponse) -> Self {
+        Self {
+            spacing: response.support_spacing(),
+            entries: vec![Entry {
+                row: DOWN,
+                column: DOWN,
+                creeps: false,
+                response,
+            }],
+            angles: vec![[0.0, 1.0]],
+        }
+    }
+
+    /// That of the contacts of a loop under loads that move along a track.
     ///
     /// # Errors
     /// Those of [`ImpulseResponse::over_supports`].
-    pub(super) fn of(feedback: &GeneralLoop, track: &SpatialMovingLoad) -> Result<Self, Error> {
+    pub(super) fn over_supports(
+        feedback: &GeneralLoop,
+        track: &SpatialMovingLoad,
+    ) -> Result<Self, Error> {
         /// Of √|H_ii H_jj|: an entry below is rounding.
         const NOTHING: f64 = 1e-6;
         let most = ImpulseResponse::MOST_HARMONICS;
@@ -85,6 +107,7 @@ impl TrackOverSupports {
                 entries.push(Entry {
                     row,
                     column,
+                    creeps: row % 3 != DOWN || feedback.contacts()[row / 3].angle != 0.0,
                     response,
                 });
             }
@@ -98,14 +121,14 @@ impl TrackOverSupports {
             }
         });
         Ok(Self {
-            spacing: track.spacing(),
+            spacing: Some(track.spacing()),
             entries,
             angles: angles.collect(),
         })
     }
 
-    /// Support spacing \[m\].
-    pub(super) fn spacing(&self) -> f64 {
+    /// Spacing of discrete supports \[m\].
+    pub(super) fn spacing(&self) -> Option<f64> {
         self.spacing
     }
 
@@ -131,6 +154,7 @@ impl TrackOverSupports {
             row,
             column,
             response,
+            ..
         } in &self.entries
         {
             own[row * size + column] = response.receptance(angular_frequency);
@@ -146,6 +170,30 @@ impl TrackOverSupports {
                 *entry += value;
             }
         }
+    }
+
+    /// Cells of a matrix by rows in the axes of the contacts that an entry counts for, and how much of it.
+    fn cells(&self, entry: &Entry) -> Vec<(usize, f64)> {
+        let size = 3 * self.angles.len();
+        let shares = |row: usize| {
+            let (contact, axis) = (row / 3, row % 3);
+            let [sine, cosine] = self.angles[contact];
+            let (across, normal) = (3 * contact + 1, 3 * contact + 2);
+            match axis {
+                1 => [(across, cosine), (normal, sine)],
+                _ => [(across, -sine), (normal, cosine)],
+            }
+        };
+        let rows = shares(entry.row).into_iter();
+        let cells = rows.flat_map(|(row, at)| {
+            shares(entry.column).map(|(column, from)| (row * size + column, at * from))
+        });
+        cells.filter(|(_, share)| *share != 0.0).collect()
+    }
+
+    /// Whether the axes of the contacts are those of the track.
+    fn is_upright(&self) -> bool {
+        self.angles.iter().all(|[sine, _]| *sine == 0.0)
     }
 
     /// Turn motions or forces of all contacts from the axes of the track to those of the contacts, u_t = u_y cos γ ∓ u_z sin γ and
@@ -195,52 +243,62 @@ pub(super) fn is_along(row: usize) -> bool {
     row.is_multiple_of(3)
 }
 
-/// A track on discrete supports under forces that are given from step to step.
+/// A rail under forces that are given from step to step.
 #[derive(Debug, Clone)]
-pub(super) struct MotionOverSupports<'a> {
-    track: &'a TrackOverSupports,
+pub(super) struct RailMotion<'a> {
+    rail: &'a RailInTime,
     motions: Vec<TrackMotion>,
+    /// Of each entry T H Tᵀ: where it stands in a matrix by rows in the axes of the contacts, and how much of it.
+    cells: Vec<Vec<(usize, f64)>>,
+    /// What a steady load makes of the rail between supports.
+    sag: Option<Sag>,
+    /// Forces, displacements and speeds in the axes of the track.
+    scratch: [Vec<f64>; 3],
+}
+
+/// The rail between discrete supports under the mean forces, which sets in over some bays.
+#[derive(Debug, Clone)]
+struct Sag {
     /// Mean forces in the axes of the track \[N\].
     mean: Vec<f64>,
     /// V \[m/s\].
     speed: f64,
-    /// Share of the sag between supports that has set in, and what each step and each second adds.
+    /// Share that has set in, and what each step and each second adds.
     onset: f64,
     onset_step: f64,
     onset_rate: f64,
-    /// Scratch.
-    forces: Vec<f64>,
-    displacement: Vec<f64>,
-    velocity: Vec<f64>,
 }
 
-impl<'a> MotionOverSupports<'a> {
+impl<'a> RailMotion<'a> {
     /// At rest under mean forces in the axes of the contacts \[N\], the first wheel a distance before a support \[m\], for steps of the
     /// given time \[s\] at a speed \[m/s\].
     pub(super) fn new(
-        track: &'a TrackOverSupports,
+        rail: &'a RailInTime,
         mut mean: Vec<f64>,
         step: f64,
         speed: f64,
         distance: f64,
     ) -> Self {
-        track.turn_back(&mut mean);
+        rail.turn_back(&mut mean);
         let size = mean.len();
-        let motions = track.entries.iter();
-        let onset_rate = speed / (ONSET_BAYS * track.spacing);
+        let motions = rail.entries.iter();
         Self {
             motions: motions
                 .map(|entry| TrackMotion::new(&entry.response, step, speed, distance))
                 .collect(),
-            mean,
-            speed,
-            onset: 0.0,
-            onset_step: onset_rate * step,
-            onset_rate,
-            forces: vec![0.0; size],
-            displacement: vec![0.0; size],
-            velocity: vec![0.0; size],
-            track,
+            sag: rail.spacing.map(|spacing| {
+                let onset_rate = speed / (ONSET_BAYS * spacing);
+                Sag {
+                    mean,
+                    speed,
+                    onset: 0.0,
+                    onset_step: onset_rate * step,
+                    onset_rate,
+                }
+            }),
+            cells: rail.entries.iter().map(|entry| rail.cells(entry)).collect(),
+            scratch: [(); 3].map(|()| vec![0.0; size]),
+            rail,
         }
     }
 
@@ -252,57 +310,83 @@ impl<'a> MotionOverSupports<'a> {
         displacement: &mut [f64],
         velocity: &mut [f64],
     ) {
-        self.forces.copy_from_slice(forces);
-        self.track.turn_back(&mut self.forces);
-        self.onset += self.onset_step;
-        let (share, rate) = (
-            faded(self.onset),
-            self.onset_rate * slope_of_faded(self.onset),
-        );
-        self.displacement.fill(0.0);
-        self.velocity.fill(0.0);
-        for (entry, motion) in self.track.entries.iter().zip(&mut self.motions) {
-            let [moved, moving] = motion.advance_with_speed(self.forces[entry.column]);
-            let mean = self.mean[entry.column];
-            let (sag, slope) = (mean * motion.sag(), mean * motion.slope_of_sag());
-            self.displacement[entry.row] += moved + share * sag;
-            self.velocity[entry.row] += moving + share * self.speed * slope + rate * sag;
+        if let Some(sag) = &mut self.sag {
+            sag.onset += sag.onset_step;
         }
-        self.track.turn(&mut self.displacement);
-        self.track.turn(&mut self.velocity);
-        for (sum, own) in displacement.iter_mut().zip(&self.displacement) {
-            *sum += own;
+        if self.rail.is_upright() {
+            return self.add(forces, displacement, velocity);
         }
-        for (sum, own) in velocity.iter_mut().zip(&self.velocity) {
-            *sum += own;
+        let mut own = std::mem::take(&mut self.scratch);
+        own[0].copy_from_slice(forces);
+        self.rail.turn_back(&mut own[0]);
+        own[1].fill(0.0);
+        own[2].fill(0.0);
+        let [forces, moved, moving] = &mut own;
+        self.add(forces, moved, moving);
+        for (sum, own) in [(displacement, moved), (velocity, moving)] {
+            self.rail.turn(own);
+            for (sum, own) in sum.iter_mut().zip(own) {
+                *sum += *own;
+            }
         }
+        self.scratch = own;
     }
 
-    /// What the forces at the end of the step add to displacement and speed \[m/N, m/(s N)\], to matrices by rows in the axes of
-    /// the contacts.
-    pub(super) fn add_by_new_force(&self, [displacement, velocity]: &mut [Vec<f64>; 2]) {
-        let size = self.mean.len();
-        for (entry, motion) in self.track.entries.iter().zip(&self.motions) {
-            let (by_force, speed_by_force) = (motion.by_new_force(), motion.speed_by_new_force());
-            // T H Tᵀ of one entry.
-            for (row, at) in self.shares(entry.row) {
-                for (column, from) in self.shares(entry.column) {
-                    let share = at * from;
-                    displacement[row * size + column] += share * by_force;
-                    velocity[row * size + column] += share * speed_by_force;
-                }
+    /// The same in the axes of the track.
+    fn add(&mut self, forces: &[f64], displacement: &mut [f64], velocity: &mut [f64]) {
+        for (entry, motion) in self.rail.entries.iter().zip(&mut self.motions) {
+            let force = forces[entry.column];
+            let [moved, moving] = match entry.creeps {
+                true => motion.advance_with_speed(force),
+                false => [motion.advance(force), 0.0],
+            };
+            displacement[entry.row] += moved;
+            velocity[entry.row] += moving;
+            if let Some(sag) = &self.sag {
+                let [moved, moving] = sag.of(motion, entry);
+                displacement[entry.row] += moved;
+                velocity[entry.row] += moving;
             }
         }
     }
 
-    /// Rows in the axes of a contact that a row in those of the track counts for, and how much of it.
-    fn shares(&self, row: usize) -> [(usize, f64); 2] {
-        let (contact, axis) = (row / 3, row % 3);
-        let [sine, cosine] = self.track.angles[contact];
-        let (across, normal) = (3 * contact + 1, 3 * contact + 2);
-        match axis {
-            1 => [(across, cosine), (normal, sine)],
-            _ => [(across, -sine), (normal, cosine)],
+    /// What the forces at the end of the step add to displacement and speed \[m/N, m/(s N)\], to matrices by rows in the axes of
+    /// the contacts, of which those without the rail are given.
+    pub(super) fn set_by_new_force(
+        &self,
+        [displacement, velocity]: &mut [Vec<f64>; 2],
+        [still, unmoving]: &[Vec<f64>; 2],
+    ) {
+        for &(cell, _) in self.cells.iter().flatten() {
+            displacement[cell] = still[cell];
+            velocity[cell] = unmoving[cell];
         }
+        let motions = self.rail.entries.iter().zip(&self.motions);
+        for ((entry, motion), cells) in motions.zip(&self.cells) {
+            let by_force = motion.by_new_force();
+            let speed_by_force = match entry.creeps {
+                true => motion.speed_by_new_force(),
+                false => 0.0,
+            };
+            for &(cell, share) in cells {
+                displacement[cell] += share * by_force;
+                velocity[cell] += share * speed_by_force;
+            }
+        }
+    }
+}
+
+impl Sag {
+    /// Displacement and speed of an entry by its mean force.
+    fn of(&self, motion: &TrackMotion, entry: &Entry) -> [f64; 2] {
+        let mean = self.mean[entry.column];
+        let share = faded(self.onset);
+        let sag = mean * motion.sag();
+        if !entry.creeps {
+            return [share * sag, 0.0];
+        }
+        let rate = self.onset_rate * slope_of_faded(self.onset);
+        let slope = mean * motion.slope_of_sag();
+        [share * sag, share * self.speed * slope + rate * sag]
     }
 }

@@ -4,9 +4,8 @@ use std::f64::consts::PI;
 
 use realfft::RealFftPlanner;
 
-use super::GeneralPassage;
+use super::{ContactInstant, PassageModel};
 use crate::Error;
-use crate::passage::ContactInstant;
 
 /// What wheels on a smooth rail do after a push.
 #[derive(Debug, Clone, PartialEq)]
@@ -62,7 +61,7 @@ pub struct ContactSwing {
 const WINDOW: f64 = 0.1;
 const WINDOWS: usize = 5;
 
-impl GeneralPassage {
+impl PassageModel {
     /// Longest step in time on a smooth rail \[s\]: twenty to a period of the highest frequency at which the structures are known.
     pub const LONGEST_TIME_STEP: f64 = 1e-5;
 

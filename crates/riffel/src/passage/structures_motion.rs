@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 
 use super::StructuresInTime;
-use super::over_supports::MotionOverSupports;
-use crate::passage::step_weights::Weights;
+use super::rail_in_time::RailMotion;
+use super::step_weights::Weights;
 
 /// u(t) = ∫ g(t − τ) f(τ) dτ of structures at rest before, and du/dt, under forces that are linear over every step: exact,
 /// with one complex number of memory for each term and axis.
@@ -23,8 +23,8 @@ pub(super) struct StructuresMotion<'a> {
     twice: Vec<f64>,
     /// Displacement and speed by the forces at the end of a step, by rows \[m/N, m/(s N)\].
     pub(super) by_new_force: [Vec<f64>; 2],
-    /// The rail on discrete supports, and `by_new_force` without it.
-    over_supports: Option<(MotionOverSupports<'a>, [Vec<f64>; 2])>,
+    /// The rail where it is fitted by itself, and `by_new_force` without it.
+    rail: Option<(RailMotion<'a>, [Vec<f64>; 2])>,
 }
 
 impl<'a> StructuresMotion<'a> {
@@ -64,15 +64,18 @@ impl<'a> StructuresMotion<'a> {
             *displacement += free * step * step / 6.0;
             *speed += free * step / 2.0;
         }
-        let by_new_force = [displacement, speed];
-        let over_supports = structures.track_over_supports().map(|track| {
-            let track = MotionOverSupports::new(track, mean, step, speed_along, distance);
-            (track, by_new_force.clone())
+        let mut by_new_force = [displacement, speed];
+        let rail = structures.rail();
+        let rail = rail.map(|rail| {
+            let rail = RailMotion::new(rail, mean, step, speed_along, distance);
+            let without = by_new_force.clone();
+            rail.set_by_new_force(&mut by_new_force, &without);
+            (rail, without)
         });
         Self {
             structures,
             step,
-            over_supports,
+            rail,
             decay: decays,
             by_force,
             states: vec![Complex64::ZERO; count * size],
@@ -114,12 +117,11 @@ impl<'a> StructuresMotion<'a> {
                 *speed += (pole * sum).re;
             }
         }
-        if let Some((track, without)) = &mut self.over_supports {
-            track.advance(forces, displacement, speed);
-            for (by, without) in self.by_new_force.iter_mut().zip(without) {
-                by.copy_from_slice(without);
+        if let Some((rail, without)) = &mut self.rail {
+            rail.advance(forces, displacement, speed);
+            if self.structures.support_spacing().is_some() {
+                rail.set_by_new_force(&mut self.by_new_force, without);
             }
-            track.add_by_new_force(&mut self.by_new_force);
         }
     }
 

@@ -1,0 +1,94 @@
+//! Track and wheels of a case in time.
+
+use std::f64::consts::TAU;
+
+use riffel::Error;
+use riffel::feedback::{Contact, GeneralLoop};
+use riffel::passage::{ImpulseResponse, StructuresInTime};
+use riffel::receptance::SpatialMovingLoad;
+use riffel::wheelset::{RigidInertia, RigidMass};
+use riffel_keys::CaseError;
+
+use crate::Case;
+
+impl Case {
+    /// Those of one wheel along one axis.
+    pub(super) fn one_wheel_in_time(&self, speed: f64) -> Result<StructuresInTime, CaseError> {
+        let (keys, wheel) = (&self.keys, &self.file.wheel);
+        let key = match self.keys.given.track {
+            Some(_) => "receptance of the track",
+            None => "track.model",
+        };
+        let response = match self.track.support_spacing() {
+            Some(_) => ImpulseResponse::over_supports(&self.moving_load_on_supports(speed)?),
+            None => ImpulseResponse::of(&*self.track.receptance, speed),
+        };
+        let mass = RigidMass::new(keys.required("wheel.mass", wheel.mass)?.si());
+        let inertia = keys.required("wheel.inertia", wheel.inertia)?.si();
+        let inertia = RigidInertia::new(inertia, self.hertz.rolling_radius());
+        Ok(StructuresInTime::of_one_wheel(
+            keys.physics(key, response)?,
+            &keys.physics("wheel.mass", mass)?,
+            Some(&keys.physics("wheel.inertia", inertia)?),
+        ))
+    }
+
+    /// Track and wheels of a loop on all axes.
+    pub(super) fn structures_in_time(
+        &self,
+        feedback: &GeneralLoop,
+        speed: f64,
+        natural_frequencies: &[f64],
+    ) -> Result<StructuresInTime, CaseError> {
+        let structures = match self.spatial_track {
+            Some(track) if track.support_spacing().is_some() => {
+                let track = SpatialMovingLoad::new(&track, speed);
+                let track = self.keys.physics("track.model", track)?;
+                StructuresInTime::over_supports(feedback, &track, natural_frequencies)
+            }
+            _ => StructuresInTime::of(feedback, speed, natural_frequencies),
+        };
+        let furthest = feedback.contacts().iter().map(|contact| -contact.along);
+        let furthest = furthest.fold(0.0, f64::max);
+        if let Err(Error::NotCausal { share, .. }) = structures
+            && furthest > 0.0
+            && self.wheel_alone_is_causal(feedback, speed, natural_frequencies)
+        {
+            let per_cent = 100.0 * share.sqrt();
+            let message = format!(
+                "the waves that run along this rail over the {furthest} m from the first wheel to the last are not told by so few \
+                 oscillations as are fitted in time, {per_cent:.1} % rms off; give fewer or nearer wheels, or a track that damps more"
+            );
+            return Err(self.refuse("train.wheels", &message));
+        }
+        self.keys.physics("track.model", structures)
+    }
+
+    /// Whether the first wheel by itself could be followed.
+    fn wheel_alone_is_causal(
+        &self,
+        feedback: &GeneralLoop,
+        speed: f64,
+        natural_frequencies: &[f64],
+    ) -> bool {
+        let contacts = feedback.contacts().iter();
+        let first: Vec<Contact> = contacts
+            .filter(|contact| contact.along == 0.0)
+            .cloned()
+            .collect();
+        let alone = feedback.clone().with_contacts(first);
+        alone.is_ok_and(|alone| StructuresInTime::of(&alone, speed, natural_frequencies).is_ok())
+    }
+
+    /// Of the wheelset \[rad/s\], as far as its receptances are followed.
+    pub(super) fn natural_frequencies_of_wheels(&self) -> Result<Vec<f64>, CaseError> {
+        let Some(wheelset) = &self.wheelset else {
+            return Ok(Vec::new());
+        };
+        let modes = self.wheelset_modes(wheelset, StructuresInTime::KNOWN)?;
+        let mut frequencies: Vec<f64> = modes.iter().map(|mode| TAU * mode.frequency).collect();
+        // Bending in either plane has the same.
+        frequencies.dedup_by(|later, earlier| *later - *earlier < 1e-3 * *earlier);
+        Ok(frequencies)
+    }
+}
