@@ -174,6 +174,7 @@ two-points-join-under-load = das Rad steht auf zwei Punkten, die unter Last zu e
 ## Ranges of validity, further
 
 ellipse-too-wide = die Kontaktellipse ist { $width } mm breit: darüber hat kein Profil eine einzige Krümmung, und die Theorie von Hertz endet
+loop-not-judged = ob der Kreis bei { $speed } km/h stabil ist, ist nicht zu erkennen: seine Phase springt, wie an einer Resonanz ohne Dämpfung oder außerhalb gemessener Frequenzen; Radsatz, Schiene und Zwischenlagen einen Verlustfaktor geben
 loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz schwingt er ohne jedes Profil (Quietschen, Haften und Gleiten), und Wachstumsraten bedeuten dort nichts
 wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: contact.longitudinal_radius angeben
 track-moves-downward-only = dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr

@@ -182,6 +182,7 @@ two-points-join-under-load = the wheel stands on two points, which a patch under
 ## Ranges of validity, further
 
 ellipse-too-wide = the ellipse of the contact is { $width } mm wide: over that no profile has one curvature, and Hertz's theory ends
+loop-not-judged = whether the loop is stable at { $speed } km/h cannot be told: its phase jumps, as at a resonance without damping or beyond measured frequencies; give wheelset, rail and pads a loss factor
 loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz it oscillates without any profile (squeal, stick and slip), and growth rates mean nothing there
 wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give contact.longitudinal_radius
 track-moves-downward-only = this track moves downward alone; along and across the rail it is taken as rigid

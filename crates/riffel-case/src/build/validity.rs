@@ -1,7 +1,8 @@
 //! Where the models of a case leave their range of validity.
 
 use riffel::contact::EllipticContact;
-use riffel::{Axis, Direction, HertzContact, Loop};
+use riffel::feedback::Stability;
+use riffel::{Axis, Direction, Error, HertzContact, Loop};
 use riffel_keys::{Message, fixed, number, say};
 
 use crate::checked_keys::CheckedKeys;
@@ -161,12 +162,17 @@ pub(crate) fn of_contact(
     remarks
 }
 
-/// A loop on all axes that oscillates by itself at a speed of the window; only they can.
-///
-/// A loop whose phase cannot be followed, for want of any loss or of measured frequencies, is not judged.
+/// A loop on all axes that oscillates by itself at a speed of the window, or of which that cannot be told, for want of any loss or
+/// of measured frequencies; only these can.
 fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
-    let (speed, frequency) = stability::over(feedback, speed)
-        .find_map(|(speed, stability)| Some((speed, stability.frequency?)))?;
+    let judged: Vec<_> = stability::over(feedback, speed).collect();
+    let grows = |(speed, stability): &(f64, Result<Stability, Error>)| {
+        Some((*speed, stability.as_ref().ok()?.frequency?))
+    };
+    let Some((speed, frequency)) = judged.iter().find_map(grows) else {
+        let (speed, _) = judged.iter().find(|(_, stability)| stability.is_err())?;
+        return Some(say!(loop_not_judged, speed = fixed(3.6 * speed, 0)));
+    };
     Some(say!(
         loop_unstable,
         speed = fixed(3.6 * speed, 0),

@@ -71,3 +71,19 @@ fn every_remark_says_the_same_in_german() {
         assert!(told(words), "{words}");
     }
 }
+
+/// An axle almost without loss makes the phase of the loop jump: the check of stability ends, and says so.
+#[test]
+fn a_loop_whose_stability_cannot_be_told_says_so() {
+    let text = include_str!("../../cases/curve.toml");
+    let overrides = ["wheelset.axle.loss_factor=1e-9".to_owned()];
+    let case = Case::parse("curve.toml", text, &overrides).unwrap();
+    let is_told = |remark: &String| remark.contains("whether the loop is stable");
+    assert!(
+        case.remarks
+            .iter()
+            .map(ToString::to_string)
+            .any(|remark| is_told(&remark))
+    );
+    assert_eq!(case.stability(20.0), None);
+}
