@@ -82,6 +82,24 @@ pub enum NetworkError {
         reason: String,
     },
 
+    /// What the store says of itself is not what was written.
+    #[error("{path} is damaged: {reason}", path = path.display())]
+    #[diagnostic(help("restore it from a copy: it says what cells and bands the store has"))]
+    DamagedStore {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+
+    /// Surveys are lost or damaged.
+    #[error("surveys that are damaged or lost: {damaged}")]
+    #[diagnostic(help("ingest each again, with --replace"))]
+    NotWhole {
+        /// How many.
+        damaged: usize,
+    },
+
     /// The line has another survey of the date.
     #[error("{line} has another survey of {date} already, from {source_name}")]
     #[diagnostic(help("--replace puts this one in its place"))]

@@ -1,10 +1,12 @@
 //! A survey into the store.
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
+use std::io::Write;
 use std::path::Path;
 
 use riffel_rail::read_date;
+use riffel_study::whole_file;
 use riffel_study::zarr::{Array, DataType, Values};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -16,7 +18,7 @@ use crate::store::{ROWS, Store, array, write_document};
 use crate::{NetworkError, SurveyFile};
 
 /// Most cells of a survey: a line of 10 000 km at 0.1 m.
-const MOST_CELLS: f64 = 1e8;
+pub(crate) const MOST_CELLS: f64 = 1e8;
 
 /// What became of a survey.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -79,7 +81,7 @@ impl Store {
         self.check_writable(line)?;
         let network = self.begin(&file.bands(), file.usual_block)?;
         let folder = self.line_folder(line);
-        let surveys = self.surveys()?;
+        let (surveys, mut damage) = self.records()?;
         let is_known = surveys.iter().any(|survey| survey.line == line);
         let is_alike = |survey: &&SurveyRecord| plain(&survey.line) == plain(line);
         let alike = surveys.iter().find(is_alike).filter(|_| !is_known);
@@ -96,17 +98,24 @@ impl Store {
         let there = surveys
             .iter()
             .find(|survey| survey.line == line && survey.date == day);
+        let mut broken = damage.remove(&folder.join(record_name(day)));
         if let Some(survey) = there {
-            if survey.sha256 == file.sha256 {
-                return Ok(done(survey, true));
+            broken = self.check_arrays(survey).err();
+            match broken {
+                None if survey.sha256 == file.sha256 => return Ok(done(survey, true)),
+                None if !replace => {
+                    return Err(NetworkError::Conflict {
+                        line: line.to_owned(),
+                        date: day.to_string(),
+                        source_name: survey.source.clone(),
+                    });
+                }
+                _ => {}
             }
-            if !replace {
-                return Err(NetworkError::Conflict {
-                    line: line.to_owned(),
-                    date: day.to_string(),
-                    source_name: survey.source.clone(),
-                });
-            }
+        }
+        let there = there.filter(|_| broken.is_none());
+        if let Some(error) = broken.filter(|_| !replace) {
+            return Err(error);
         }
         let resolution = network.resolution_m;
         let first = (file.ends[0] / resolution + 1e-6).floor();
@@ -142,7 +151,9 @@ impl Store {
         write_arrays(&half, file, &network, &mut survey, progress)?;
         let arrays = folder.join(&survey.folder);
         fs::rename(half, &arrays).map_err(NetworkError::write(&arrays))?;
+        whole_file::synchronise(&folder)?;
         write_document(&folder.join(record_name(day)), &json!(survey))?;
+        whole_file::synchronise(&folder)?;
         Self::sweep(&folder, day, &survey.folder)?;
         Ok(done(&survey, false))
     }
@@ -155,7 +166,7 @@ fn plain(name: &str) -> String {
 }
 
 /// The name of the array of a rail: its own where that is a plain word, which no coordinate has.
-fn array_name(rail: &str, index: usize) -> String {
+pub(crate) fn array_name(rail: &str, index: usize) -> String {
     let plain = rail
         .bytes()
         .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
@@ -297,7 +308,8 @@ fn coordinates(
 fn write(path: &Path, bytes: &[u8]) -> Result<(), NetworkError> {
     let parent = path.parent().unwrap_or_else(|| Path::new("."));
     fs::create_dir_all(parent)
-        .and_then(|()| fs::write(path, bytes))
+        .and_then(|()| File::create(path))
+        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_data()))
         .map_err(NetworkError::write(path))
 }
 

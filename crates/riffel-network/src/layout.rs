@@ -27,6 +27,13 @@ pub(crate) fn arrays_name(date: Date, sha256: &str) -> String {
     format!("{date}-{}.zarr", sha256.get(..DIGITS).unwrap_or(sha256))
 }
 
+/// The day of arrays, if a folder has a name as [`arrays_name`] gives it.
+fn day_of_arrays(name: &str) -> Option<Date> {
+    let (day, digits) = name.strip_suffix(".zarr")?.rsplit_once('-')?;
+    let is_own = digits.len() == DIGITS && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    day.parse().ok().filter(|_| is_own)
+}
+
 /// The file of the record of a survey, in the folder of its line.
 pub(crate) fn record_name(date: Date) -> String {
     format!("{date}.json")
@@ -127,6 +134,19 @@ impl Store {
         Ok(files.map(|(name, _)| folder.join(name)).collect())
     }
 
+    /// Arrays in the folder of a line whose day has none of these records.
+    pub(crate) fn arrays_without(
+        folder: &Path,
+        records: &[PathBuf],
+    ) -> Result<Vec<PathBuf>, NetworkError> {
+        let is_lost = |(name, kind): &(String, fs::FileType)| {
+            let day = day_of_arrays(name).filter(|_| kind.is_dir());
+            day.is_some_and(|day| !records.contains(&folder.join(record_name(day))))
+        };
+        let lost = entries(folder)?.into_iter().filter(is_lost);
+        Ok(lost.map(|(name, _)| folder.join(name)).collect())
+    }
+
     /// `Ok` if a survey of the line may be written: no link or file stands in the way, and no line that is called the same but
     /// for capitals, whose folder is the same on systems that ignore them.
     pub(crate) fn check_writable(&self, line: &str) -> Result<(), NetworkError> {
@@ -164,17 +184,9 @@ impl Store {
         for (name, kind) in entries(folder)? {
             let path = folder.join(&name);
             let is_half_written = whole_file::is_half_written(&name);
-            let is_replaced = || {
-                let digits = name.strip_prefix(&format!("{day}-"));
-                let digits = digits.and_then(|rest| rest.strip_suffix(".zarr"));
-                name != recorded
-                    && digits.is_some_and(|digits| {
-                        digits.len() == DIGITS
-                            && digits.bytes().all(|digit| digit.is_ascii_hexdigit())
-                    })
-            };
+            let is_replaced = name != recorded && day_of_arrays(&name) == Some(day);
             let removed = if kind.is_dir()
-                && (is_half_written && path.join(HALF_WRITTEN).is_file() || is_replaced())
+                && (is_half_written && path.join(HALF_WRITTEN).is_file() || is_replaced)
             {
                 fs::remove_dir_all(&path)
             } else if kind.is_file() && is_half_written {

@@ -52,6 +52,21 @@ pub struct RailRecord {
 }
 
 impl NetworkRecord {
+    /// `Ok` if a store may be so.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        if self.format != FORMAT {
+            return Err(format!("its format is {}, not {FORMAT}", self.format));
+        }
+        if !(0.1..=1e3).contains(&self.resolution_m) {
+            return Err(format!("its cells are {} m long", self.resolution_m));
+        }
+        match self.bands() {
+            Ok(bands) if bands.is_empty() => Err("it has no band of wavelength".to_owned()),
+            Ok(_) => Ok(()),
+            Err(error) => Err(error.to_string()),
+        }
+    }
+
     /// The bands; what was written is valid.
     pub(crate) fn bands(&self) -> Result<Vec<WavelengthBand>, riffel::Error> {
         let bands = self.bands_m.iter();

@@ -10,7 +10,8 @@ use riffel_study::zarr::{Array, DataType, Values};
 use serde_json::json;
 
 use crate::NetworkError;
-use crate::layout::{RECORD, arrays_name, record_name};
+use crate::damage::Damage;
+use crate::layout::{RECORD, record_name};
 use crate::record::{FORMAT, NetworkRecord, RailRecord, SurveyRecord};
 
 /// Cells of a chunk.
@@ -33,6 +34,8 @@ pub struct StoreSettings {
 pub struct Store {
     pub(crate) folder: PathBuf,
     settings: StoreSettings,
+    /// Surveys that are left out.
+    pub(crate) damage: Damage,
 }
 
 impl Store {
@@ -54,6 +57,7 @@ impl Store {
         let store = Self {
             folder: folder.to_owned(),
             settings,
+            damage: Damage::new(),
         };
         if let Some(record) = store.record()? {
             let there = record.resolution_m;
@@ -70,17 +74,22 @@ impl Store {
         Ok(store)
     }
 
-    /// A store that is there.
+    /// A store that is there. All of it is read, and surveys of which something is lost or damaged are left out: see
+    /// [`damaged`](Self::damaged).
     ///
     /// # Errors
-    /// [`NetworkError::NoNetwork`] where there is none.
+    /// [`NetworkError::NoNetwork`] where there is none; [`NetworkError::DamagedStore`].
     pub fn open(folder: &Path) -> Result<Self, NetworkError> {
-        let store = Self {
+        let mut store = Self {
             folder: folder.to_owned(),
             settings: StoreSettings::default(),
+            damage: Damage::new(),
         };
         match store.record()? {
-            Some(_) => Ok(store),
+            Some(_) => {
+                store.damage = store.find_damage()?;
+                Ok(store)
+            }
             None => Err(NetworkError::NoNetwork {
                 folder: folder.to_owned(),
             }),
@@ -91,14 +100,11 @@ impl Store {
         let path = self.folder.join(RECORD);
         match fs::read(&path) {
             Ok(bytes) => {
-                let record: NetworkRecord = parsed(&path, &bytes)?;
-                if record.format == FORMAT {
-                    return Ok(Some(record));
-                }
-                Err(NetworkError::Damaged {
-                    path,
-                    reason: format!("its format is {}, not {FORMAT}", record.format),
-                })
+                let record: Result<NetworkRecord, _> = serde_json::from_slice(&bytes);
+                let checked = record.map_err(|error| error.to_string());
+                let checked = checked.and_then(|record| record.check().map(|()| record));
+                let wrong = |reason| NetworkError::DamagedStore { path, reason };
+                checked.map(Some).map_err(wrong)
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(None),
             Err(error) => Err(NetworkError::read(&path)(error)),
@@ -127,7 +133,7 @@ impl Store {
         let path = self.folder.join(RECORD);
         self.there()?
             .bands()
-            .map_err(|error| NetworkError::Damaged {
+            .map_err(|error| NetworkError::DamagedStore {
                 path,
                 reason: error.to_string(),
             })
@@ -163,27 +169,15 @@ impl Store {
     /// The surveys that are there, by line and date.
     ///
     /// # Errors
-    /// [`NetworkError::Read`], or [`NetworkError::Damaged`] for a record that is none.
+    /// [`NetworkError::Read`].
     pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
-        let mut surveys = Vec::new();
-        for line in self.line_folders()? {
-            for path in Self::record_files(&line)? {
-                let bytes = fs::read(&path).map_err(NetworkError::read(&path))?;
-                let survey: SurveyRecord = parsed(&path, &bytes)?;
-                let named = line.join(record_name(survey.date));
-                if self.line_folder(&survey.line) != line
-                    || named != path
-                    || survey.folder != arrays_name(survey.date, &survey.sha256)
-                {
-                    return Err(NetworkError::Damaged {
-                        path,
-                        reason: "it is the record of another survey".to_owned(),
-                    });
-                }
-                surveys.push(survey);
-            }
-        }
-        surveys.sort_by(|a: &SurveyRecord, b| (&a.line, a.date).cmp(&(&b.line, b.date)));
+        let (mut surveys, _) = self.records()?;
+        surveys.retain(|survey| {
+            let record = self
+                .line_folder(&survey.line)
+                .join(record_name(survey.date));
+            !self.damage.contains_key(&record)
+        });
         Ok(surveys)
     }
 
@@ -257,7 +251,10 @@ pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
     texts.join(", ")
 }
 
-fn parsed<T: serde::de::DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, NetworkError> {
+pub(crate) fn parsed<T: serde::de::DeserializeOwned>(
+    path: &Path,
+    bytes: &[u8],
+) -> Result<T, NetworkError> {
     serde_json::from_slice(bytes).map_err(|error| NetworkError::Damaged {
         path: path.to_owned(),
         reason: error.to_string(),

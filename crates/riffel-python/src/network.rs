@@ -40,7 +40,7 @@ pub(crate) fn network_ingest(
 /// What `riffel network status --json` prints.
 #[pyfunction]
 pub(crate) fn network_status(py: Python<'_>, store: PathBuf) -> PyResult<Bound<'_, PyAny>> {
-    answer(py, move || status(&Store::open(&store)?))
+    answer(py, move || status(&Store::open(&store)?.whole()?))
 }
 
 /// What `riffel network worst --json` prints.
@@ -124,7 +124,7 @@ pub(crate) fn network_chart(
 }
 
 fn opened((store, limit, section): &Judged) -> Result<(Store, Judgement, f64), NetworkError> {
-    let store = Store::open(store)?;
+    let store = Store::open(store)?.whole()?;
     let judgement = Judgement::new(&store, &LimitTable::find(limit)?)?;
     Ok((store, judgement, *section))
 }

@@ -47,6 +47,21 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
     })
 }
 
+/// Have the names in a folder written to the disk, where the system does so.
+///
+/// # Errors
+/// [`StudyError::Write`].
+pub fn synchronise(folder: &Path) -> Result<(), StudyError> {
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    let synchronised = fs::File::open(folder).and_then(|folder| folder.sync_all());
+    synchronised.map_err(|reason| StudyError::Write {
+        path: folder.to_owned(),
+        reason,
+    })
+}
+
 /// Remove half-written files below a folder.
 ///
 /// # Errors

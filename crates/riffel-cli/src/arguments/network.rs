@@ -32,6 +32,8 @@ pub(crate) enum NetworkCommand {
     Plan(Plan),
     /// Every survey of a line, kilometre by date, as a picture and a table.
     Chart(Chart),
+    /// Read all of a store and name what is lost or damaged.
+    Check(Check),
 }
 
 #[derive(Args)]
@@ -68,6 +70,14 @@ pub(crate) struct Ingest {
     /// Print one JSON document.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel network check railway")]
+pub(crate) struct Check {
+    /// Folder of the store.
+    #[arg(value_name = "STORE")]
+    pub(crate) store: PathBuf,
 }
 
 #[derive(Args)]

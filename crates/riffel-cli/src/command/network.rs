@@ -1,8 +1,9 @@
 //! `riffel network`
 
 use riffel_network::{
-    Aim, Budget, GrindingPlan, Judgement, SectionGrowth, Status, Store, StoreSettings, StripChart,
-    SurveyFile, WorstPlace, growth, plan, rails_without_growth, status, worst,
+    Aim, Budget, GrindingPlan, Judgement, NetworkError, SectionGrowth, Status, Store,
+    StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan, rails_without_growth, status,
+    worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -20,15 +21,18 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
     match &arguments.command {
         NetworkCommand::Ingest(arguments) => ingest(arguments),
         NetworkCommand::Status(arguments) => {
-            let found = status(&Store::open(&arguments.store)?)?;
-            say(arguments.json, &found, || status_in_words(&found))
+            let store = Store::open(&arguments.store)?;
+            let found = status(&store)?;
+            say(arguments.json, &found, || status_in_words(&found))?;
+            tell_left_out(&store)
         }
         NetworkCommand::Worst(arguments) => {
             let (store, judgement, section) = judged(&arguments.judged)?;
             let until = arguments.until.as_deref().map(|text| day("--until", text));
             let most = arguments.most as usize;
             let found = worst(&store, &judgement, section, until.transpose()?, most)?;
-            say(arguments.judged.json, &found, || worst_in_words(&found))
+            say(arguments.judged.json, &found, || worst_in_words(&found))?;
+            tell_left_out(&store)
         }
         NetworkCommand::Growth(arguments) => {
             let (store, judgement, section) = judged(&arguments.judged)?;
@@ -40,7 +44,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             found.truncate(arguments.most as usize);
             say(arguments.judged.json, &found, || growth_in_words(&found))?;
             print_remarks(&rails_without_growth(&store, between)?);
-            Ok(())
+            tell_left_out(&store)
         }
         NetworkCommand::Chart(arguments) => chart(arguments),
         NetworkCommand::Plan(arguments) => {
@@ -62,9 +66,30 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
                 plan_in_words(&found, arguments.money.is_some())
             })?;
             print_remarks(&found.remarks);
-            Ok(())
+            tell_left_out(&store)
+        }
+        NetworkCommand::Check(arguments) => {
+            let store = Store::open(&arguments.store)?;
+            tell_left_out(&store)?;
+            match store.damaged().count() {
+                0 => Ok(print(&format!(
+                    "{} surveys are whole\n",
+                    store.surveys()?.len()
+                ))?),
+                damaged => Err(NetworkError::NotWhole { damaged }.into()),
+            }
         }
     }
+}
+
+/// Name the surveys of which something is lost or damaged.
+fn tell_left_out(store: &Store) -> miette::Result<()> {
+    let damaged = store.damaged();
+    let remarks: Vec<String> = damaged
+        .map(|error| format!("{error}; the survey is left out"))
+        .collect();
+    print_remarks(&remarks);
+    Ok(())
 }
 
 fn say(
@@ -121,6 +146,7 @@ fn chart(arguments: &network::Chart) -> miette::Result<()> {
     let (store, judgement, section) = judged(&arguments.judged)?;
     let (line, rail) = (arguments.line.as_deref(), arguments.rail.as_deref());
     let chart = StripChart::new(&store, &judgement, section, line, rail)?;
+    tell_left_out(&store)?;
     if chart.lines.is_empty() {
         return Ok(print("no survey is in the store\n")?);
     }

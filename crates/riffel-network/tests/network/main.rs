@@ -325,7 +325,8 @@ fn what_the_store_has_not_written_stays() -> Result<(), NetworkError> {
     // A record under another name would speak of arrays that are not its own.
     let copy = network.join("surveys/Main/2026-02-01.json");
     fs::copy(network.join("surveys/Main/2026-01-01.json"), &copy).unwrap();
-    assert!(matches!(store.surveys(), Err(NetworkError::Damaged { .. })));
+    assert_eq!(store.surveys()?.len(), 2);
+    assert_eq!(Store::open(&network)?.damaged().count(), 1);
     fs::remove_file(copy).unwrap();
 
     #[cfg(unix)]
@@ -457,6 +458,57 @@ fn what_is_wrong_is_refused_with_its_line() {
     assert!(worst(&store, &grassie(&store), 0.5, None, 1).is_err());
     let foreign = Store::create_or_open(folder.path(), StoreSettings::default());
     assert!(matches!(foreign, Err(NetworkError::NotANetwork { .. })));
+}
+
+/// A survey of which a file is lost, empty or changed is named and left out, and keeps no other from being read or added; the
+/// same file takes its place if that is asked for.
+#[test]
+fn what_is_damaged_is_left_out_and_can_be_replaced() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let network = folder.path().join("network");
+    let (_, file) = survey(folder.path(), "a.csv", [0, 10], |_, _| 5.0);
+    take(&store, "A", "2026-01-01", &file);
+    let record = network.join("surveys/A/2026-01-01.json");
+    let text = fs::read_to_string(&record).unwrap();
+    let entries = fs::read_dir(record.parent().unwrap()).unwrap();
+    let mut entries = entries.map(|entry| entry.unwrap().path());
+    let arrays = entries.find(|path| path.is_dir()).unwrap();
+    let chunk = arrays.join("left/c/0/0");
+    let damages: [(&str, &dyn Fn()); 5] = [
+        ("an empty record", &|| fs::write(&record, "").unwrap()),
+        ("a record beyond reason", &|| {
+            let text = text.replace("\"cells\": 10", "\"cells\": 10000000000");
+            fs::write(&record, text).unwrap();
+        }),
+        ("a lost record", &|| fs::remove_file(&record).unwrap()),
+        ("a lost chunk", &|| fs::remove_file(&chunk).unwrap()),
+        ("lost arrays", &|| fs::remove_dir_all(&arrays).unwrap()),
+    ];
+    for (number, (what, damage)) in damages.into_iter().enumerate() {
+        damage();
+        let opened = Store::open(&network)?;
+        assert_eq!(opened.damaged().count(), 1, "{what}");
+        let of_line = opened.surveys()?;
+        assert!(of_line.iter().all(|survey| survey.line != "A"), "{what}");
+        take(&store, &format!("other {number}"), "2026-01-01", &file);
+        if what != "a lost record" {
+            let refusal = store.ingest("A", "2026-01-01", &file, false, &|_| ());
+            assert!(refusal.is_err(), "{what}");
+        }
+        store.ingest("A", "2026-01-01", &file, true, &|_| ())?;
+        assert_eq!(Store::open(&network)?.damaged().count(), 0, "{what}");
+    }
+    fs::write(
+        network.join("network.json"),
+        "{\"format\":1,\"riffel_version\":\"0\",\"resolution_m\":1,\"bands_m\":[]}",
+    )
+    .unwrap();
+    assert!(matches!(
+        Store::open(&network),
+        Err(NetworkError::DamagedStore { .. })
+    ));
+    Ok(())
 }
 
 /// A byte that changed on the disk is found.
