@@ -78,6 +78,7 @@ fn rail(length: f64) -> Profile {
 fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
     let speed = journey.speed;
     let model = case.in_time(speed).unwrap();
+    let mass = case.file.wheel.mass.unwrap().si();
     let circumference = TAU * case.hertz.rolling_radius();
     let time = journey.length / speed;
     let samples = (time * journey.rate) as usize;
@@ -117,7 +118,7 @@ fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
         .iter()
         .enumerate()
         .map(|(index, contact)| Sample {
-            acceleration: (contact.normal_force - load) / model.wheel_mass
+            acceleration: (contact.normal_force - load) / mass
                 + journey.noise * normal(),
             position: position(index),
         })
