@@ -26,6 +26,7 @@ mod language;
 pub mod message;
 pub mod quantity;
 mod range;
+pub mod table;
 pub mod text_file;
 mod unit;
 pub mod universal_file;

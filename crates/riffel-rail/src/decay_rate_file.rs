@@ -4,11 +4,10 @@ use std::path::Path;
 
 use riffel::noise::FrequencyBand;
 use riffel_keys::CaseError;
+use riffel_keys::table::{HeadedTable, Row, words};
+use riffel_keys::text_file::{LARGEST_KEYS, decode, read_bounded};
 
-use crate::heading::tokens;
 use crate::refusal::Refusal;
-use crate::sniff::Table;
-use crate::{input, number, rows};
 
 /// Decay rates \[dB/m\] by one-third octave, from a table with a head that has a column of frequencies \[Hz\] and one of
 /// decay rates \[dB/m\]; `riffel receptance` writes such a table. Other columns are left alone.
@@ -16,39 +15,35 @@ use crate::{input, number, rows};
 /// # Errors
 /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line and the rule if it is no such table.
 pub fn read_decay_rates(path: &Path) -> Result<Vec<(FrequencyBand, f64)>, CaseError> {
-    let bytes = input::read(path, &|_| Ok(()))?;
-    parse(&bytes).map_err(|refusal| refusal.of(path))
+    let refuse = |refusal: Refusal| refusal.of(path);
+    let text = decode(read_bounded(path, "file", LARGEST_KEYS)?);
+    let text = text.map_err(|byte| refuse(Refusal::new(Some(byte.line), byte.to_string())))?;
+    parse(&text).map_err(refuse)
 }
 
-fn parse(bytes: &[u8]) -> Result<Vec<(FrequencyBand, f64)>, Refusal> {
-    let refuse = |line: Option<usize>, message: String| Refusal::new(line, message);
-    let missing = || {
-        refuse(
+fn parse(text: &str) -> Result<Vec<(FrequencyBand, f64)>, Refusal> {
+    let column = |names: &[String], word: &str| {
+        let is_named = |name: &String| words(name).iter().any(|own| own == word);
+        names.iter().position(is_named)
+    };
+    let find = |names: &[String]| {
+        let columns = column(names, "frequency").zip(column(names, "decay"));
+        columns.ok_or(())
+    };
+    let is_row = |&(frequency, _): &(usize, usize), row: &Row<'_>| row.number(frequency).is_ok();
+    let table = HeadedTable::find(text, find, is_row).map_err(|_| {
+        Refusal::new(
             None,
-            "a table of decay rates has a head with a column `frequency_hz` and one `decay_rate_db_per_m`"
-                .to_owned(),
+            "a table of decay rates has a head with a column `frequency_hz` and one `decay_rate_db_per_m`",
         )
-    };
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let table = Table::find(bytes).ok_or_else(missing)?;
-    let header = table.heading.names.as_deref().ok_or_else(missing)?;
-    let column = |word: &str| {
-        let named = |name: &String| tokens(name).iter().any(|token| token == word);
-        header.iter().position(named).ok_or_else(missing)
-    };
-    let (frequency, rate) = (column("frequency")?, column("decay")?);
+    })?;
+    let (frequency, rate) = table.columns;
     let mut rates: Vec<(FrequencyBand, f64)> = Vec::new();
-    for (index, line) in rows::lines(bytes).enumerate().skip(table.header_lines) {
-        if rows::is_comment(line) {
-            continue;
-        }
-        let at = |message: String| refuse(Some(index + 1), message);
-        let cells = rows::cells(line, table.delimiter);
+    for row in table.rows() {
+        let at = |message: String| Refusal::new(Some(row.line), message);
         let value = |column: usize, what: &str| {
-            cells
-                .get(column)
-                .and_then(|cell| number::parse(cell, table.decimal.byte()))
-                .ok_or_else(|| at(format!("the {what} is no number")))
+            let value = row.value(column);
+            value.ok_or_else(|| at(format!("the {what} is no number")))
         };
         let hertz = value(frequency, "frequency")?;
         let band = FrequencyBand::containing(hertz)
@@ -81,7 +76,7 @@ mod tests {
 
     fn of(rows: &str) -> Result<Vec<(FrequencyBand, f64)>, String> {
         let text = format!("section,frequency_hz,decay_rate_db_per_m\n{rows}");
-        parse(text.as_bytes()).map_err(|refusal| refusal.message)
+        parse(&text).map_err(|refusal| refusal.message)
     }
 
     #[test]
@@ -97,7 +92,7 @@ mod tests {
             let refusal = of(rows).unwrap_err();
             assert!(refusal.contains(part), "{refusal}");
         }
-        let refusal = parse(b"a,b\n1,2\n3,4\n").unwrap_err();
+        let refusal = parse("a,b\n1,2\n3,4\n").unwrap_err();
         assert!(refusal.message.contains("decay_rate_db_per_m"));
     }
 }

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::table::{DecimalMark, Delimiter};
 use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile};
 use serde::{Deserialize, Serialize};
@@ -29,6 +30,9 @@ pub struct ReaderFormat {
     pub position: Option<Column>,
     /// Columns of heights, one for each rail or line of measurement.
     pub rails: Vec<Column>,
+    /// Columns, from 1, whose cells tell records apart: rows that differ in them are no one rail.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub labels: Vec<usize>,
 }
 
 /// A column and its unit.
@@ -44,82 +48,14 @@ pub struct Column {
     pub name: String,
 }
 
-/// What stands between two cells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Delimiter {
-    /// A comma.
-    Comma,
-    /// A semicolon.
-    Semicolon,
-    /// A tabulator.
-    Tab,
-    /// One or more blanks or tabulators.
-    Space,
-}
-
-/// What stands before the decimals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DecimalMark {
-    /// A point.
-    #[default]
-    Point,
-    /// A comma.
-    Comma,
-}
-
-impl Delimiter {
-    pub(super) const fn byte(self) -> u8 {
-        match self {
-            Self::Comma => b',',
-            Self::Semicolon => b';',
-            Self::Tab => b'\t',
-            Self::Space => b' ',
-        }
-    }
-
-    /// In words, as in "separated by semicolons".
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Comma => "commas",
-            Self::Semicolon => "semicolons",
-            Self::Tab => "tabs",
-            Self::Space => "blanks",
-        }
-    }
-}
-
-impl DecimalMark {
-    pub(super) const fn byte(self) -> u8 {
-        match self {
-            Self::Point => b'.',
-            Self::Comma => b',',
-        }
-    }
-
-    pub(super) const fn other(self) -> Self {
-        match self {
-            Self::Point => Self::Comma,
-            Self::Comma => Self::Point,
-        }
-    }
-
-    /// In words.
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::Point => "decimal point",
-            Self::Comma => "decimal comma",
-        }
-    }
-}
-
 impl Column {
     /// Size of the unit in metres; None if it is no length.
     pub(super) fn metres(&self) -> Option<f64> {
         metres(&self.unit)
     }
 }
+
+const ZERO: &str = "has the column 0, but columns count from 1";
 
 impl ReaderFormat {
     /// Read a reader profile.
@@ -152,13 +88,6 @@ impl ReaderFormat {
                 "write rails = [{ column = 2, unit = \"um\", name = \"left\" }]",
             ));
         }
-        if self.delimiter == Delimiter::Comma && self.decimal == DecimalMark::Comma {
-            return Err(source.invalid(
-                "decimal",
-                "is \"comma\", but so is the delimiter",
-                "use another delimiter",
-            ));
-        }
         match (&self.spacing, &self.position) {
             (Some(_), Some(_)) => {
                 return Err(source.invalid(
@@ -182,11 +111,14 @@ impl ReaderFormat {
             }
             _ => {}
         }
+        if self.labels.contains(&0) {
+            return Err(source.invalid("labels", ZERO, ""));
+        }
         let position = self.position.iter().map(|column| ("position", column));
         let rails = self.rails.iter().map(|column| ("rails", column));
         for (key, column) in position.chain(rails) {
             if column.column == 0 {
-                return Err(source.invalid(key, "has the column 0, but columns count from 1", ""));
+                return Err(source.invalid(key, ZERO, ""));
             }
             if column.metres().is_none() {
                 let rule = format!("has the unit \"{}\", which is no length", column.unit);
@@ -241,8 +173,8 @@ mod tests {
             ),
             ("rail = 3", "`rail`"),
             (
-                "rails = [{ column = 1, unit = \"um\" }]\nspacing = 0.001\ndecimal = \"comma\"",
-                "so is the delimiter",
+                "rails = [{ column = 1, unit = \"um\" }]\nspacing = 0.001\nlabels = [0]",
+                "column 0",
             ),
         ] {
             let error = ReaderFormat::parse("f.toml", &format!("{start}{rest}")).unwrap_err();

@@ -1,8 +1,7 @@
 //! The reference of levels, from the name of their column.
 
+use riffel_keys::table::{foreign_unit, length_in};
 use riffel_keys::{Exponents, Unit};
-
-use crate::heading::{foreign_unit, length_in};
 
 /// What is added to the levels of a column to have them in dB re 1 µm: 0 for a name without a reference, as in
 /// `level_db`, -60 for `level [dB re 1 nm]`.

@@ -92,11 +92,15 @@ impl Record {
     /// As [`RecordPart::of_rails`].
     pub fn part(mut self, path: &Path, part: &RecordPart) -> Result<Self, CaseError> {
         if let Some(name) = &part.rail {
-            // Columns are in the order of the rails.
+            // Columns are in the order of the rails, again for each record.
             let kept: Vec<bool> = self.rails.iter().map(|rail| rail.name == *name).collect();
             if kept.contains(&true) {
-                let mut kept = kept.into_iter();
-                self.format.rails.retain(|_| kept.next().unwrap_or(false));
+                let columns = self.format.rails.len();
+                let mut column = 0..;
+                self.format.rails.retain(|_| {
+                    let column = column.next().unwrap_or(0);
+                    kept.iter().skip(column).step_by(columns).any(|&kept| kept)
+                });
             }
         }
         self.rails = part.of_rails(path, self.rails)?;

@@ -1,14 +1,14 @@
 //! A measured profile of one or more rails.
 
 use riffel::roughness::Profile;
+use riffel_keys::table::NumberRows;
 
 use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
-use crate::format::ReaderFormat;
+use crate::format::{Column, ReaderFormat};
 use crate::plausibility;
 use crate::rail::Rail;
 use crate::refusal::Refusal;
 use crate::resampling::resampled;
-use crate::rows::Rows;
 
 /// Shortest stretch that says anything \[m\]: the shortest segment of EN 15610.
 const SHORTEST: f64 = 1.0;
@@ -18,6 +18,8 @@ const CLIPPED_RUN: usize = 4;
 const MOST_CLIPPED: f64 = 0.01;
 /// Largest height of a rail over the zero of the instrument, drift included \[m\].
 const LARGEST_HEIGHT: f64 = 100.0;
+/// Share by which the steps of records in one file may differ.
+const SAME_SPACING: f64 = 0.01;
 /// Samples in which the smallest step of the sensor is looked for.
 const SAMPLE: usize = 100_000;
 
@@ -34,7 +36,7 @@ pub struct Record {
     pub to: f64,
     /// Whether positions fall from line to line; heights here are in the order of rising position.
     pub falling: bool,
-    /// The rails, in the order of the format.
+    /// The rails, in the order of the format, for one record after the other.
     pub rails: Vec<Rail>,
     /// Defects of the file that were put right, each counted.
     pub warnings: Vec<String>,
@@ -44,86 +46,64 @@ impl Record {
     /// `insisted` on the unit of the heights, a user is not refused because they are unlike any rail.
     pub(super) fn new(
         format: ReaderFormat,
-        rows: Rows,
+        rows: NumberRows,
         assumptions: Vec<String>,
         insisted: bool,
     ) -> Result<Self, Refusal> {
         let mut warnings = assumptions;
-        let count = rows.columns.first().map_or(0, Vec::len);
-        if count < 2 {
-            return Err(Refusal::new(
-                None,
-                "the file has less than two rows of numbers, which are no profile",
-            ));
+        let columns = format.position.iter().chain(&format.rails);
+        for (column, marked) in columns.zip(&rows.marked) {
+            warnings.extend(marked.map(|marked| {
+                format!(
+                    "column {} has {} in {} rows, which is taken for a missing value; the first is line {}",
+                    column.column,
+                    marked.mark,
+                    marked.count,
+                    rows.line(marked.first)
+                )
+            }));
         }
-        let mut columns = rows.columns.iter();
-        let unit = |column: &crate::format::Column| column.metres().unwrap_or(1.0);
-        let chainage = match (&format.position, format.spacing) {
-            (Some(column), _) => {
-                let positions = columns.next().map_or(&[][..], Vec::as_slice);
-                let scale = unit(column);
-                let metres: Vec<f64> = positions.iter().map(|position| scale * position).collect();
-                Chainage::new(&metres)
-                    .map_err(|defect| Refusal::new(Some(rows.line(defect.row)), defect.message))?
-            }
-            (None, spacing) => Chainage {
-                spacing: spacing.map_or(0.0, |spacing| spacing.si()),
-                falling: false,
-                stretches: vec![Stretch {
-                    start: 0.0,
-                    rows: vec![(0, 0..count)],
-                }],
-                uneven: None,
-                warnings: Vec::new(),
-            },
-        };
-        if let Some(column) = &format.position {
-            plausibility::check_spacing(chainage.spacing, Some((&column.unit, unit(column))))?;
-        }
-        warnings.extend(chainage.warnings.iter().map(|defect| {
-            format!(
-                "{}; the first is line {}",
-                defect.message,
-                rows.line(defect.row)
-            )
-        }));
+        let records = rows.by_label();
+        let (first_label, count) = (records[0].0.clone(), records.len());
         let mut rails = Vec::new();
-        for (column, heights) in format.rails.iter().zip(columns) {
-            let name = match &column.name[..] {
-                "" => format!("column {}", column.column),
-                name => name.to_owned(),
-            };
-            let reader = RailReader {
-                name: &name,
-                heights,
-                scale: unit(column),
-                chainage: &chainage,
-                rows: &rows,
-            };
-            let (stretches, remarks) = reader.read()?;
-            warnings.extend(remarks);
-            rails.push(Rail { name, stretches });
+        let mut read: Option<Chainage> = None;
+        for (label, rows) in records {
+            let label = if count > 1 { &label[..] } else { "" };
+            let chainage = read_record(&format, &rows, label, &mut rails, &mut warnings)?;
+            if let Some(first) = &read
+                && (chainage.spacing / first.spacing - 1.0).abs() > SAME_SPACING
+            {
+                let message = format!(
+                    "samples of {label} are {:.4} mm apart, but those of {first_label} {:.4} mm: give each record a file \
+                     of its own",
+                    1e3 * chainage.spacing,
+                    1e3 * first.spacing
+                );
+                return Err(Refusal::new(Some(rows.line(0)), message));
+            }
+            read.get_or_insert(chainage);
         }
-        let read: Vec<(&Rail, &str, f64)> = rails
+        let (spacing, falling) = read.map_or((0.0, false), |read| (read.spacing, read.falling));
+        let checked: Vec<(&Rail, &str, f64)> = rails
             .iter()
-            .zip(&format.rails)
-            .map(|(rail, column)| (rail, column.unit.as_str(), unit(column)))
+            .zip(format.rails.iter().cycle())
+            .map(|(rail, column)| (rail, column.unit.as_str(), size(column)))
             .collect();
-        match plausibility::check_heights(&read) {
+        match plausibility::check_heights(&checked) {
             Err(refusal) if insisted => warnings.push(refusal.message),
             checked => checked?,
         }
-        warnings.extend(coarse_sampling(chainage.spacing));
+        warnings.extend(coarse_sampling(spacing));
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
         let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
         let to = all().map(end).fold(f64::NEG_INFINITY, f64::max);
         Ok(Self {
             format,
-            spacing: chainage.spacing,
+            spacing,
             from,
             to,
-            falling: chainage.falling,
+            falling,
             rails,
             warnings,
         })
@@ -133,6 +113,82 @@ impl Record {
     pub fn length(&self) -> f64 {
         self.rails.iter().map(Rail::length).sum::<f64>() / self.rails.len().max(1) as f64
     }
+}
+
+/// Size of the unit of a column \[m\].
+fn size(column: &Column) -> f64 {
+    column.metres().unwrap_or(1.0)
+}
+
+/// The rails of the rows of one label, which is empty where there is one record only.
+fn read_record(
+    format: &ReaderFormat,
+    rows: &NumberRows,
+    label: &str,
+    rails: &mut Vec<Rail>,
+    warnings: &mut Vec<String>,
+) -> Result<Chainage, Refusal> {
+    let count = rows.columns.first().map_or(0, Vec::len);
+    if count < 2 {
+        return Err(Refusal::new(
+            None,
+            "the file has less than two rows of numbers, which are no profile",
+        ));
+    }
+    let of_label = match label {
+        "" => String::new(),
+        label => format!("{label}: "),
+    };
+    let mut columns = rows.columns.iter();
+    let chainage = match (&format.position, format.spacing) {
+        (Some(column), _) => {
+            let positions = columns.next().map_or(&[][..], Vec::as_slice);
+            let scale = size(column);
+            let metres: Vec<f64> = positions.iter().map(|position| scale * position).collect();
+            Chainage::new(&metres).map_err(|defect| {
+                Refusal::new(
+                    Some(rows.line(defect.row)),
+                    of_label.clone() + &defect.message,
+                )
+            })?
+        }
+        (None, spacing) => Chainage {
+            spacing: spacing.map_or(0.0, |spacing| spacing.si()),
+            falling: false,
+            stretches: vec![Stretch {
+                start: 0.0,
+                rows: vec![(0, 0..count)],
+            }],
+            uneven: None,
+            warnings: Vec::new(),
+        },
+    };
+    if let Some(column) = &format.position {
+        plausibility::check_spacing(chainage.spacing, Some((&column.unit, size(column))))?;
+    }
+    warnings.extend(chainage.warnings.iter().map(|defect| {
+        let line = rows.line(defect.row);
+        format!("{of_label}{}; the first is line {line}", defect.message)
+    }));
+    for (column, heights) in format.rails.iter().zip(columns) {
+        let name = match (&column.name[..], label) {
+            (_, label) if !label.is_empty() && format.rails.len() == 1 => label.to_owned(),
+            ("", label) => format!("{label} column {}", column.column),
+            (name, label) => format!("{label} {name}"),
+        };
+        let name = name.trim_start().to_owned();
+        let reader = RailReader {
+            name: &name,
+            heights,
+            scale: size(column),
+            chainage: &chainage,
+            rows,
+        };
+        let (stretches, remarks) = reader.read()?;
+        warnings.extend(remarks);
+        rails.push(Rail { name, stretches });
+    }
+    Ok(chainage)
 }
 
 /// What to say of samples too far apart \[m\] for EN 15610.
@@ -151,7 +207,7 @@ struct RailReader<'a> {
     heights: &'a [f64],
     scale: f64,
     chainage: &'a Chainage,
-    rows: &'a Rows,
+    rows: &'a NumberRows,
 }
 
 impl RailReader<'_> {

@@ -3,16 +3,16 @@
 use std::path::Path;
 
 use riffel_keys::CaseError;
+use riffel_keys::table::{NumberColumns, Table, is_comment, lines, rows};
 use riffel_keys::text_file::Encoding;
 
 use crate::format::ReaderFormat;
 use crate::labelled_spectrum::LabelledSpectrum;
 use crate::layout::Layout;
+use crate::profile_columns::ProfileTable;
 use crate::record::Record;
 use crate::refusal::Refusal;
-use crate::rows::Cells;
-use crate::sniff::Table;
-use crate::{input, number, plausibility, rows, spectra};
+use crate::{input, plausibility, spectra};
 
 /// What a file of roughness holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,31 +72,9 @@ impl RoughnessFile {
             }
             None => {
                 let table = Table::find(bytes).ok_or_else(|| no_table(bytes))?;
-                if table.has_decimal_commas() {
-                    let message = format!(
-                        "has {} columns, but its head has {}; where commas divide columns, numbers have a decimal point",
-                        table.count,
-                        table.count / 2
-                    );
-                    return Err(Refusal {
-                        line: Some(table.header_lines + 1),
-                        message,
-                        help: Some(
-                            "write the file with semicolons or tabs between its columns".to_owned(),
-                        ),
-                    });
-                }
-                if table.mixed_marks {
-                    let message = format!(
-                        "numbers have a {} from here on, but a {} above",
-                        table.decimal.words(),
-                        table.decimal.other().words()
-                    );
-                    return Err(Refusal::new(Some(table.header_lines + 1), message));
-                }
+                check_marks(&table)?;
                 if let Some(header) = table.heading.names.as_deref()
-                    && let Some(columns) =
-                        spectra::Columns::of(header, &table.numeric, table.decimal)
+                    && let Some(columns) = spectra::Columns::of(header, &table)
                 {
                     for (argument, given) in [
                         ("--height-unit", &layout.height_unit),
@@ -109,28 +87,22 @@ impl RoughnessFile {
                             return Err(Refusal::new(None, message));
                         }
                     }
-                    let above = table.header_lines;
                     progress(bytes.len());
-                    let rows = spectra::Rows {
-                        text: from_line(bytes, above),
-                        above,
-                        header,
-                        delimiter: table.delimiter,
-                        decimal: table.decimal,
-                    };
+                    let rows = spectra::Rows::new(bytes, &table, header);
                     return spectra::read(&rows, &columns).map(Self::Spectra);
                 }
-                let format = table.format(layout).map_err(|message| Refusal {
+                let profile = ProfileTable::new(&table, bytes, layout);
+                let format = profile.format().map_err(|message| Refusal {
                     line: None,
                     message,
                     help: Some(HELP.to_owned()),
                 })?;
-                let assumptions = table.assumptions(&format, layout);
-                (format, table.count, table.text_behind, assumptions)
+                let assumptions = profile.assumptions(&format);
+                (format, table.count(), table.text_behind, assumptions)
             }
         };
         let start = bytes.len() - from_line(bytes, format.header_lines).len();
-        let rows = Cells::new(&format, count, text_behind)
+        let rows = number_columns(&format, count, text_behind)
             .parse(bytes, start, format.header_lines + 1, progress)
             .map_err(|error| Refusal::new(Some(error.line), error.message))?;
         let insisted = layout.height_unit.is_some();
@@ -150,8 +122,43 @@ impl RoughnessFile {
     }
 }
 
+/// Refuse a table whose decimal marks leave doubts.
+fn check_marks(table: &Table) -> Result<(), Refusal> {
+    let line = Some(table.header_lines + 1);
+    if table.has_decimal_commas() {
+        let message = format!(
+            "has {} columns, but its head has {}; where commas divide columns, numbers have a decimal point",
+            table.count(),
+            table.count() / 2
+        );
+        let help = "write the file with semicolons or tabs between its columns";
+        return Err(Refusal {
+            help: Some(help.to_owned()),
+            ..Refusal::new(line, message)
+        });
+    }
+    if table.mixed_marks {
+        let message = format!(
+            "numbers have a {} from here on, but a {} above",
+            table.decimal.words(),
+            table.decimal.other().words()
+        );
+        return Err(Refusal::new(line, message));
+    }
+    Ok(())
+}
+
+/// The cells of a format: the position, if there is one, then the rails, and the labels.
+fn number_columns(format: &ReaderFormat, count: usize, text_behind: bool) -> NumberColumns {
+    let columns = format.position.iter().chain(&format.rails);
+    let columns: Vec<usize> = columns.map(|column| column.column - 1).collect();
+    let labels: Vec<usize> = format.labels.iter().map(|label| label - 1).collect();
+    let marks = (format.delimiter, format.decimal);
+    NumberColumns::new(marks, &columns, &labels, count, text_behind)
+}
+
 fn no_table(bytes: &[u8]) -> Refusal {
-    let first = rows::lines(bytes).position(|line| !rows::is_comment(line));
+    let first = lines(bytes).position(|line| !is_comment(line));
     Refusal {
         line: first.map(|line| line + 1),
         message: "no table of numbers begins here or below".to_owned(),
@@ -179,32 +186,42 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
 /// and whether text stands behind them.
 fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusal> {
     let columns = format.position.iter().chain(&format.rails);
-    let needed = columns.map(|column| column.column).max().unwrap_or(0);
-    let body = from_line(bytes, format.header_lines);
-    let first = rows::lines(body)
-        .enumerate()
-        .find(|(_, line)| !rows::is_comment(line));
-    let Some((index, line)) = first else {
+    let columns = columns.map(|column| column.column);
+    let needed = columns
+        .chain(format.labels.iter().copied())
+        .max()
+        .unwrap_or(0);
+    let first = rows(
+        bytes,
+        format.header_lines,
+        format.delimiter,
+        Some(format.decimal),
+    )
+    .next();
+    let Some(row) = first else {
         let message = format!(
             "nothing follows the {} lines of the header",
             format.header_lines
         );
         return Err(Refusal::new(None, message));
     };
-    let cells = rows::cells(line, format.delimiter);
-    let number = |cell: &&[u8]| number::parse(cell, format.decimal.byte()).is_some();
-    let numbers = cells.iter().rposition(number).map_or(0, |last| last + 1);
-    if cells.len() >= needed {
-        let count = numbers.max(needed);
-        return Ok((count, count < cells.len()));
+    let refuse = |message: String| Err(Refusal::new(Some(row.line), message));
+    if format.delimiter.byte() == format.decimal.byte()
+        && !row.cells.iter().any(|cell| cell.starts_with(b"\""))
+    {
+        let rule = "the reader profile has commas between cells and in numbers, which then stand in quotes";
+        return refuse(rule.to_owned());
     }
-    Err(Refusal::new(
-        Some(format.header_lines + index + 1),
-        format!(
-            "the reader profile asks for column {needed}, but there are {}, separated by {}",
-            cells.len(),
-            format.delimiter.words()
-        ),
+    let has = row.cells.iter().rposition(|cell| !cell.is_empty());
+    let has = has.map_or(0, |last| last + 1);
+    let numbers = (0..has).rfind(|&column| row.value(column).is_some());
+    if row.cells.len() >= needed {
+        let count = numbers.map_or(0, |last| last + 1).max(needed);
+        return Ok((count, count < has));
+    }
+    refuse(format!(
+        "the reader profile asks for column {needed}, but there are {has}, separated by {}",
+        format.delimiter.words()
     ))
 }
 

@@ -3,21 +3,24 @@
 use std::collections::BTreeMap;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_keys::text_file::{printable, text_of};
+use riffel_keys::table::{
+    DecimalMark, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words,
+};
 
-use crate::date::read_dates;
-use crate::format::{DecimalMark, Delimiter};
-use crate::heading::{foreign_unit, is_date, length_in, tokens};
+use crate::date::{is_date, read_dates};
 use crate::labelled_spectrum::LabelledSpectrum;
 use crate::length_unit::metres;
 use crate::level_unit::level_shift;
+use crate::plausibility;
+use crate::profile_columns::is_statistic;
 use crate::refusal::Refusal;
-use crate::{number, plausibility, rows};
 
 /// Names of the column of wavelengths.
-const WAVELENGTH: [&str; 5] = ["wavelength", "lambda", "λ", "wellenlaenge", "wellenlänge"];
+const WAVELENGTH: &str = "wavelength lambda λ wellenlaenge wellenlänge";
 /// Names of the column of levels.
-const LEVEL: [&str; 5] = ["level", "db", "pegel", "niveau", "roughness"];
+const LEVEL: &str = "level db pegel niveau roughness";
+/// Names of what lies about the levels of a rail, and is none where there are others.
+const EXTREME: &str = "min max minimum maximum";
 
 /// Where a table of spectra has its wavelengths and levels.
 pub(super) enum Columns {
@@ -27,6 +30,8 @@ pub(super) enum Columns {
         wavelength: usize,
         /// Columns of levels.
         levels: Vec<usize>,
+        /// Columns that tell spectra apart.
+        labels: Vec<usize>,
     },
     /// A column for each band.
     Wide {
@@ -39,39 +44,49 @@ pub(super) enum Columns {
 
 /// The rows of a table.
 pub(super) struct Rows<'a> {
-    /// From the first row on.
-    pub(super) text: &'a [u8],
-    /// Lines above it.
-    pub(super) above: usize,
+    text: &'a [u8],
+    table: &'a Table,
     /// Names of the columns.
-    pub(super) header: &'a [String],
-    pub(super) delimiter: Delimiter,
-    pub(super) decimal: DecimalMark,
+    header: &'a [String],
 }
 
 impl Columns {
-    /// The columns of a table of spectra by their names; None for other tables. `numeric` tells which hold numbers.
-    pub(super) fn of(header: &[String], numeric: &[bool], decimal: DecimalMark) -> Option<Self> {
-        let named = |index: usize, words: &[&str]| {
-            let tokens = tokens(&header[index]);
-            tokens.iter().any(|token| words.contains(&token.as_str()))
+    /// The columns of a table of spectra by their names; None for other tables.
+    pub(super) fn of(header: &[String], table: &Table) -> Option<Self> {
+        let is_numeric =
+            |index: usize| table.kinds.get(index).is_some_and(|kind| kind.is_numeric());
+        let named = |index: usize, known: &str| {
+            let own = words(&header[index]);
+            own.iter().any(|word| is_one_of(word, known))
         };
-        let others =
-            |wavelength: usize| (0..header.len()).filter(move |&index| index != wavelength);
-        if let Some(wavelength) = (0..header.len()).find(|&index| named(index, &WAVELENGTH))
-            && numeric.get(wavelength) == Some(&true)
-        {
-            // The column of wavelengths is none of levels, whatever else its name says.
-            let mut levels: Vec<usize> = others(wavelength)
-                .filter(|&index| named(index, &LEVEL))
-                .collect();
-            if levels.is_empty() {
-                let holds_numbers = |index: &usize| numeric.get(*index) == Some(&true);
-                levels = others(wavelength).filter(holds_numbers).collect();
-            }
-            return (!levels.is_empty()).then_some(Self::Long { wavelength, levels });
-        }
-        Self::wide(header, decimal)
+        let wavelength = (0..header.len()).find(|&index| named(index, WAVELENGTH));
+        let Some(wavelength) = wavelength.filter(|&index| is_numeric(index)) else {
+            return Self::wide(header, table.decimal);
+        };
+        // The column of wavelengths is none of levels, whatever else its name says.
+        let others: Vec<usize> = (0..header.len())
+            .filter(|&index| index != wavelength && !table.is_index(index))
+            .collect();
+        let of = |is: &dyn Fn(usize) -> bool, columns: &[usize]| -> Option<Vec<usize>> {
+            let kept: Vec<usize> = columns.iter().copied().filter(|&index| is(index)).collect();
+            (!kept.is_empty()).then_some(kept)
+        };
+        let levels = of(&|index| named(index, LEVEL), &others)
+            .or_else(|| of(&|index| is_numeric(index), &others))?;
+        // Limits, scatter and extremes stand beside the levels of rails.
+        let levels = of(&|index| !is_statistic(&words(&header[index])), &levels).unwrap_or(levels);
+        let levels = of(&|index| !named(index, EXTREME), &levels).unwrap_or(levels);
+        let is_left_out = |index: usize| {
+            is_numeric(index) && (is_statistic(&words(&header[index])) || named(index, EXTREME))
+        };
+        let labels = others.into_iter();
+        let labels = labels.filter(|&index| !levels.contains(&index) && !is_left_out(index));
+        let labels = labels.collect();
+        Some(Self::Long {
+            wavelength,
+            levels,
+            labels,
+        })
     }
 
     fn wide(header: &[String], decimal: DecimalMark) -> Option<Self> {
@@ -90,10 +105,7 @@ impl Columns {
             .iter()
             .enumerate()
             .filter(|(index, name)| {
-                !bands.contains(index)
-                    && tokens(name)
-                        .iter()
-                        .any(|word| WAVELENGTH.contains(&word.as_str()))
+                !bands.contains(index) && words(name).iter().any(|word| is_one_of(word, WAVELENGTH))
             })
             .find_map(|(_, name)| unit(name).ok());
         let unit = named.iter().find_map(|band| band.2).or(corner);
@@ -120,19 +132,11 @@ impl Columns {
 /// "25".
 fn band_name(name: &str, decimal: DecimalMark) -> Option<(f64, Option<f64>)> {
     let begin = name.find(|c: char| c.is_ascii_digit())?;
-    let before = tokens(&name[..begin]);
-    let known = [
-        "l",
-        "lambda",
-        "λ",
-        "band",
-        "w",
-        "wavelength",
-        "level",
-        "pegel",
-        "db",
-    ];
-    if !before.iter().all(|word| known.contains(&word.as_str())) {
+    const KNOWN: &str = "l lambda λ band w wavelength level pegel db";
+    if !words(&name[..begin])
+        .iter()
+        .all(|word| is_one_of(word, KNOWN))
+    {
         return None;
     }
     let rest = &name[begin..];
@@ -141,7 +145,7 @@ fn band_name(name: &str, decimal: DecimalMark) -> Option<(f64, Option<f64>)> {
         .unwrap_or(rest.len());
     let mark = char::from(decimal.byte());
     let number = rest[..length].replace([mark, ','], ".");
-    let behind = tokens(&rest[length..]);
+    let behind = words(&rest[length..]);
     let unit = match behind.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] | ["db"] => None,
         ["mm"] | ["mm", "db"] => Some(1e-3),
@@ -169,60 +173,68 @@ fn band_of(length: f64) -> Result<ThirdOctave, String> {
 }
 
 impl<'a> Rows<'a> {
-    /// Line and cells of each row.
-    fn cells(&self) -> impl Iterator<Item = Result<(usize, Vec<&'a [u8]>), Refusal>> {
-        let lines = rows::lines(self.text).enumerate();
-        lines
-            .filter(|(_, line)| !rows::is_comment(line))
-            .map(|(index, line)| {
-                let line_number = self.above + index + 1;
-                let mut cells = rows::cells(line, self.delimiter);
-                // An empty label at the end leaves no cell.
-                if cells.len() + 1 == self.header.len()
-                    && line.trim_ascii_end().ends_with(&[self.delimiter.byte()])
-                {
-                    cells.push(b"");
-                }
-                let (has, columns) = (cells.len(), self.header.len());
-                if has == columns {
-                    return Ok((line_number, cells));
-                }
-                let message = format!("has {has} columns, the header has {columns}");
-                Err(Refusal::new(Some(line_number), message))
-            })
+    /// `text` is that in which the table was found under a header.
+    pub(super) fn new(text: &'a [u8], table: &'a Table, header: &'a [String]) -> Self {
+        Self {
+            text,
+            table,
+            header,
+        }
     }
 
-    /// A number; not a number where there is none.
-    fn number(&self, line: usize, cells: &[&[u8]], index: usize) -> Result<f64, Refusal> {
-        number::parse(cells[index], self.decimal.byte())
-            .ok_or_else(|| self.no_number(line, cells, index))
+    fn rows(&self) -> impl Iterator<Item = Result<Row<'a>, Refusal>> {
+        let (table, columns) = (self.table, self.header.len());
+        let rows = rows(
+            self.text,
+            table.header_lines,
+            table.delimiter,
+            Some(table.decimal),
+        );
+        rows.map(move |mut row| {
+            while row.cells.len() > columns && row.cells.last().is_some_and(|cell| cell.is_empty())
+            {
+                row.cells.pop();
+            }
+            let has = row.cells.len();
+            if has == columns {
+                return Ok(row);
+            }
+            let message = format!("has {has} columns, the header has {columns}");
+            Err(Refusal::new(Some(row.line), message))
+        })
     }
 
-    fn no_number(&self, line: usize, cells: &[&[u8]], index: usize) -> Refusal {
-        let (name, cell) = (&self.header[index], label(cells[index]));
+    /// A number; NaN where there is none, or the mark of a missing one, which no level is.
+    fn number(&self, row: &Row<'_>, index: usize) -> Result<f64, Refusal> {
+        let value = row.value(index).ok_or_else(|| self.no_number(row, index))?;
+        Ok(if is_mark(value) { f64::NAN } else { value })
+    }
+
+    fn no_number(&self, row: &Row<'_>, index: usize) -> Refusal {
+        let (name, cell) = (&self.header[index], row.text(index));
         Refusal::new(
-            Some(line),
+            Some(row.line),
             format!("column `{name}` is \"{cell}\", not a finite number"),
         )
     }
-}
 
-/// Text of a cell as it is shown.
-fn label(cell: &[u8]) -> String {
-    let text = text_of(cell);
-    let text = text
-        .strip_prefix('"')
-        .and_then(|text| text.strip_suffix('"'))
-        .unwrap_or(&text);
-    printable(text.trim()).into_owned()
+    /// A refusal of the header.
+    fn in_header(&self, message: String) -> Refusal {
+        Refusal::new(Some(self.table.header_lines), message)
+    }
 }
 
 /// Read the rows of a table. With a row for each band, those whose other columns agree make a spectrum.
 pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<Vec<LabelledSpectrum>, Refusal> {
     let mut spectra = match columns {
-        Columns::Long { wavelength, levels } => read_long(rows, *wavelength, levels)?,
+        Columns::Long {
+            wavelength,
+            levels,
+            labels,
+        } => read_long(rows, *wavelength, levels, labels)?,
         Columns::Wide { bands, unit } => read_wide(rows, bands, *unit)?,
     };
+    refuse_octaves(&spectra)?;
     let levels = spectra
         .iter()
         .flat_map(|spectrum| spectrum.spectrum.levels());
@@ -231,67 +243,81 @@ pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<Vec<LabelledSpe
     Ok(spectra)
 }
 
+/// Octaves are no one-third octaves: each of their levels is the sum of three.
+fn refuse_octaves(spectra: &[LabelledSpectrum]) -> Result<(), Refusal> {
+    const FEWEST: usize = 4;
+    let are_octaves = |spectrum: &LabelledSpectrum| {
+        let bands = spectrum
+            .spectrum
+            .levels()
+            .iter()
+            .map(|level| level.band.index());
+        let mut bands: Vec<i32> = bands.collect();
+        bands.sort_unstable();
+        bands.len() >= FEWEST && bands.windows(2).all(|pair| pair[1] - pair[0] == 3)
+    };
+    if !spectra.is_empty() && spectra.iter().all(are_octaves) {
+        let message = "the wavelengths are those of octaves, but limits and spectra are of one-third octaves, whose levels \
+                       are lower";
+        return Err(Refusal::new(None, message));
+    }
+    Ok(())
+}
+
 /// A band for each row.
 fn read_long(
     rows: &Rows<'_>,
     wavelength: usize,
     levels: &[usize],
+    labels: &[usize],
 ) -> Result<Vec<LabelledSpectrum>, Refusal> {
     let header = rows.header;
-    let in_header = |message: String| Refusal::new(Some(rows.above), message);
-    let metres = unit(&header[wavelength]).map_err(in_header)?;
+    let metres = unit(&header[wavelength]).map_err(|message| rows.in_header(message))?;
     let shifts = levels
         .iter()
-        .map(|&level| level_shift(&header[level]).map_err(in_header))
+        .map(|&level| level_shift(&header[level]).map_err(|message| rows.in_header(message)))
         .collect::<Result<Vec<f64>, Refusal>>()?;
     let mut spectra: BTreeMap<usize, Vec<(ThirdOctave, f64)>> = BTreeMap::new();
     let mut known: Vec<Vec<String>> = Vec::new();
-    for row in rows.cells() {
-        let (line, cells) = row?;
-        let length = metres * rows.number(line, &cells, wavelength)?;
+    for row in rows.rows() {
+        let row = row?;
+        let at = |message: String| Refusal::new(Some(row.line), message);
+        let length = metres * rows.number(&row, wavelength)?;
         if !length.is_finite() {
-            return Err(rows.no_number(line, &cells, wavelength));
+            return Err(rows.no_number(&row, wavelength));
         }
-        let written = label(cells[wavelength]);
-        let band = check_length(length, &written, &header[wavelength])
+        let band = check_length(length, &row.text(wavelength), &header[wavelength])
             .and_then(|()| band_of(length))
-            .map_err(|message| Refusal::new(Some(line), message))?;
+            .map_err(at)?;
         for (&level, shift) in levels.iter().zip(&shifts) {
-            let value = rows.number(line, &cells, level)? + shift;
+            let value = rows.number(&row, level)? + shift;
             if !value.is_finite() {
                 // One of several may have no level in a band.
                 if levels.len() > 1 {
                     continue;
                 }
-                return Err(rows.no_number(line, &cells, level));
+                return Err(rows.no_number(&row, level));
             }
-            let mut labels: Vec<String> = (0..header.len())
-                .filter(|index| *index != wavelength && !levels.contains(index))
-                .map(|index| label(cells[index]))
-                .collect();
+            let mut own: Vec<String> = labels.iter().map(|&label| row.text(label)).collect();
             if levels.len() > 1 {
-                labels.push(header[level].clone());
+                own.push(header[level].clone());
             }
-            let place = known
-                .iter()
-                .position(|other| *other == labels)
-                .unwrap_or_else(|| {
-                    known.push(labels);
-                    known.len() - 1
-                });
+            let place = known.iter().position(|other| *other == own);
+            let place = place.unwrap_or_else(|| {
+                known.push(own);
+                known.len() - 1
+            });
             let levels = spectra.entry(place).or_default();
             if levels.iter().any(|(other, _)| *other == band) {
                 let wavelength = band.nominal_millimetres();
-                let message = format!("{wavelength} mm is there twice in one spectrum");
-                return Err(Refusal::new(Some(line), message));
+                return Err(at(format!(
+                    "{wavelength} mm is there twice in one spectrum"
+                )));
             }
             levels.push((band, value));
         }
     }
-    let mut names: Vec<String> = (0..header.len())
-        .filter(|index| *index != wavelength && !levels.contains(index))
-        .map(|index| header[index].clone())
-        .collect();
+    let mut names: Vec<String> = labels.iter().map(|&label| header[label].clone()).collect();
     if levels.len() > 1 {
         let taken = names.iter().any(|name| name == "rail");
         names.push(if taken { "column" } else { "rail" }.to_owned());
@@ -309,7 +335,7 @@ fn read_wide(
     unit: Option<f64>,
 ) -> Result<Vec<LabelledSpectrum>, Refusal> {
     let header = rows.header;
-    let wrong = |message: String| Refusal::new(Some(rows.above), message);
+    let wrong = |message: String| rows.in_header(message);
     let Some(unit) = unit else {
         let (first, last) = (bands[0].0, bands[bands.len() - 1].0);
         return Err(wrong(format!(
@@ -332,20 +358,20 @@ fn read_wide(
         .filter(|index| found.iter().all(|(band, _)| band != index))
         .collect();
     let names: Vec<String> = others.iter().map(|&index| header[index].clone()).collect();
-    rows.cells()
+    rows.rows()
         .map(|row| {
-            let (line, cells) = row?;
+            let row = row?;
             let mut levels = Vec::new();
             for &(index, band) in &found {
-                let value = rows.number(line, &cells, index)?;
+                let value = rows.number(&row, index)?;
                 if value.is_finite() {
                     levels.push((band, value));
                 }
             }
             if levels.is_empty() {
-                return Err(Refusal::new(Some(line), "has no level in any band"));
+                return Err(Refusal::new(Some(row.line), "has no level in any band"));
             }
-            let labels: Vec<String> = others.iter().map(|&index| label(cells[index])).collect();
+            let labels: Vec<String> = others.iter().map(|&index| row.text(index)).collect();
             labelled(&names, &labels, levels)
         })
         .collect()

@@ -8,8 +8,7 @@ use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
 use riffel_keys::CaseError;
 
-use crate::date::{read_date, read_dates};
-use crate::heading::is_date;
+use crate::date::{is_date, read_date, read_dates};
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, RoughnessFile};
 

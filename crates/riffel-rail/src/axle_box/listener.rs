@@ -1,8 +1,8 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
-use crate::axle_box_file::{AxleBoxHead, PlaceBy};
+use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
+use super::sensor::Sensor;
 use crate::refusal::Refusal;
-use crate::sensor::Sensor;
 
 /// Largest fall of an odometer that is rounding \[m\].
 const ROUNDING: f64 = 1e-3;
@@ -10,42 +10,6 @@ const ROUNDING: f64 = 1e-3;
 const LARGEST_COUNT: f64 = 20.0;
 /// Faster than any train on rails has run, 574.8 km/h on 3 April 2007 \[m/s\].
 const FASTEST: f64 = 160.0;
-
-/// One reading, in SI; what is missing is NaN.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Row<'a> {
-    /// Of every channel \[m/s²\].
-    pub(super) accelerations: &'a [f64],
-    /// \[s\]; none where a rate was given.
-    pub(super) time: Option<f64>,
-    /// Speed \[m/s\] or odometer \[m\], whichever the file tells the place by.
-    pub(super) place: f64,
-    /// Line of the file or number of the sample, from 1.
-    pub(super) number: usize,
-}
-
-/// How readings are counted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Counting {
-    Lines,
-    Samples,
-}
-
-impl Counting {
-    pub(super) fn at(self, number: usize) -> String {
-        match self {
-            Self::Lines => format!("line {number}"),
-            Self::Samples => format!("sample {number}"),
-        }
-    }
-
-    pub(super) fn refuse(self, number: usize, message: impl Into<String>) -> Refusal {
-        match self {
-            Self::Lines => Refusal::new(Some(number), message),
-            Self::Samples => Refusal::new(None, format!("{}: {}", self.at(number), message.into())),
-        }
-    }
-}
 
 /// What is known while a run is read.
 pub(super) struct Listener<'a> {
@@ -66,6 +30,8 @@ pub(super) struct Listener<'a> {
     leaps: Counted,
     jumps: Counted,
     missing: Counted,
+    /// The first number that marks a missing value, and how often there is one.
+    marked: (f64, Counted),
 }
 
 /// How often something was found, and where the first time.
@@ -111,6 +77,7 @@ impl<'a> Listener<'a> {
             leaps: Counted::default(),
             jumps: Counted::default(),
             missing: Counted::default(),
+            marked: (0.0, Counted::default()),
         }
     }
 
@@ -137,6 +104,12 @@ impl<'a> Listener<'a> {
         }
         if leap {
             self.leaps.at(row.number);
+        }
+        if let Some(mark) = row.marked {
+            if self.marked.1.count == 0 {
+                self.marked.0 = mark;
+            }
+            self.marked.1.at(row.number);
         }
         there &= match self.head.place {
             PlaceBy::Constant(speed) => self.advance(speed),
@@ -228,15 +201,18 @@ impl<'a> Listener<'a> {
     /// What is to be said at the end.
     pub(super) fn finish(self) -> Result<Vec<String>, Refusal> {
         let counting = self.head.counting;
-        let mut remarks: Vec<String> = [
+        let found = [
             self.leaps.remark("the time leaps", counting),
             self.jumps
                 .remark("the odometer leaps by more than 20 m", counting),
             self.missing.remark("a value is missing", counting),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
+            self.marked.1.remark(
+                &format!("{} marks a missing value", self.marked.0),
+                counting,
+            ),
+        ];
+        let mut remarks = self.head.remarks.clone();
+        remarks.extend(found.into_iter().flatten());
         if self.rows == 0 {
             return Err(Refusal::new(None, "there is no reading"));
         }

@@ -1,8 +1,8 @@
 //! Which columns of a table hold what an axle box felt, and where the train was.
 
 use riffel::STANDARD_GRAVITY;
+use riffel_keys::table::{Heading, is_one_of, length_in, words};
 
-use crate::heading::{Heading, length_in, tokens};
 use crate::length_unit::metres;
 
 /// What a column holds, with the size of its unit in SI.
@@ -14,30 +14,22 @@ pub(super) enum Content {
     Time(f64),
 }
 
-const ACCELERATION: [&str; 8] = [
-    "acceleration",
-    "accel",
-    "acc",
-    "beschleunigung",
-    "axlebox",
-    "abox",
-    "a",
-    "az",
-];
-const SPEED: [&str; 4] = ["speed", "velocity", "geschwindigkeit", "v"];
-const ODOMETER: [&str; 10] = [
-    "odometer",
-    "odo",
-    "position",
-    "pos",
-    "chainage",
-    "distance",
-    "station",
-    "weg",
-    "x",
-    "kilometrierung",
-];
-const TIME: [&str; 3] = ["time", "zeit", "t"];
+impl Content {
+    /// The same in units of this many.
+    pub(super) fn scaled(self, scale: f64) -> Self {
+        match self {
+            Self::Acceleration(unit) => Self::Acceleration(scale * unit),
+            Self::Speed(unit) => Self::Speed(scale * unit),
+            Self::Odometer(unit) => Self::Odometer(scale * unit),
+            Self::Time(unit) => Self::Time(scale * unit),
+        }
+    }
+}
+
+const ACCELERATION: &str = "acceleration accel acc beschleunigung axlebox abox a az";
+const SPEED: &str = "speed velocity geschwindigkeit v";
+const ODOMETER: &str = "odometer odo position pos chainage distance station weg x kilometrierung";
+const TIME: &str = "time zeit t";
 
 /// What the head of a column says; none for a column of something else.
 ///
@@ -49,43 +41,37 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
     };
     let below = heading.unit_below(column).unwrap_or_default();
     let written = format!("{name} {below}").to_lowercase();
-    let words = tokens(name);
-    let first = |known: &[&str]| {
-        words
-            .first()
-            .is_some_and(|word| known.contains(&word.as_str()))
+    let own = words(name);
+    let is = |known: &str| {
+        let mut own = own.iter().enumerate();
+        own.any(|(place, word)| (place == 0 || word.len() > 2) && is_one_of(word, known))
     };
-    let any = |known: &[&str]| {
-        let long = words.iter().filter(|word| word.len() > 2);
-        long.into_iter().any(|word| known.contains(&word.as_str()))
-    };
-    let is = |known: &[&str]| first(known) || any(known);
     let missing = |example: &str| {
         Err(format!(
             "column `{name}` has no unit known here; call it {example}"
         ))
     };
-    if is(&ACCELERATION) {
+    if is(ACCELERATION) {
         return match acceleration(&written) {
             Some(unit) => Ok(Some(Content::Acceleration(unit))),
             None => missing("acceleration_m_per_s2 or acceleration_g"),
         };
     }
-    if is(&SPEED) {
+    if is(SPEED) {
         return match speed(&written) {
             Some(unit) => Ok(Some(Content::Speed(unit))),
             None => missing("speed_km_per_h or speed_m_per_s"),
         };
     }
-    if is(&ODOMETER) {
+    if is(ODOMETER) {
         return match length_in(&written).and_then(metres) {
             Some(unit) => Ok(Some(Content::Odometer(unit))),
             None => missing("odometer_m or odometer_km"),
         };
     }
-    if is(&TIME) {
-        let words = tokens(&written);
-        let unit = words.iter().rev().find_map(|word| match word.as_str() {
+    if is(TIME) {
+        let written = words(&written);
+        let unit = written.iter().rev().find_map(|word| match word.as_str() {
             "s" | "sec" | "seconds" => Some(1.0),
             "ms" => Some(1e-3),
             _ => None,
@@ -103,7 +89,7 @@ fn acceleration(written: &str) -> Option<f64> {
     if SI.iter().any(|unit| written.contains(unit)) {
         return Some(1.0);
     }
-    tokens(written)
+    words(written)
         .iter()
         .rev()
         .find_map(|word| match word.as_str() {
@@ -128,31 +114,40 @@ fn speed(written: &str) -> Option<f64> {
 
 /// What the head calls a channel, without its unit and the words that all have.
 pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
-    const OF_ALL: [&str; 9] = ["m", "s2", "s", "per", "g", "mg", "gn", "box", "axle"];
-    let words = tokens(heading.name(column).unwrap_or_default());
-    let own: Vec<String> = words
-        .into_iter()
-        .filter(|word| !ACCELERATION.contains(&word.as_str()) && !OF_ALL.contains(&word.as_str()))
-        .collect();
+    const OF_ALL: &str = "m s2 s per g mg gn box axle";
+    let mut own = words(heading.name(column).unwrap_or_default());
+    own.retain(|word| !is_one_of(word, ACCELERATION) && !is_one_of(word, OF_ALL));
     match own.is_empty() {
         true => format!("column {}", column + 1),
         false => own.join(" "),
     }
 }
 
+/// Which of some channels are along or across the rail: those named as one that is vertical, z, but for their axis, x or y.
+pub(super) fn other_axes(names: &[&str]) -> Vec<bool> {
+    let split = |name: &&str| {
+        let mut own = words(name);
+        let axis = own.iter().position(|word| is_one_of(word, "x y z"));
+        let axis = axis.map(|place| own.remove(place));
+        (axis.unwrap_or_default(), own)
+    };
+    let split: Vec<(String, Vec<String>)> = names.iter().map(split).collect();
+    let has_vertical = |own: &[String]| {
+        split
+            .iter()
+            .any(|(axis, other)| axis == "z" && other == own)
+    };
+    let is_other =
+        |(axis, own): &(String, Vec<String>)| matches!(&axis[..], "x" | "y") && has_vertical(own);
+    split.iter().map(is_other).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::format::Delimiter;
 
     fn of(name: &str) -> Result<Option<Content>, String> {
-        let heading = Heading::read(
-            &[format!("{name};other").as_bytes()],
-            Delimiter::Semicolon,
-            2,
-            2,
-        );
-        content(&heading, 0)
+        content(&Heading::of_name(name), 0)
     }
 
     #[test]
@@ -178,5 +173,11 @@ mod tests {
         ] {
             assert!(of(name).unwrap_err().contains(part), "{name}");
         }
+    }
+
+    #[test]
+    fn only_vertical_axes_of_a_box_tell_of_the_rail() {
+        let names = ["acc_x_g", "acc_y_g", "acc_z_g", "acc left y [g]"];
+        assert_eq!(other_axes(&names), [true, true, false, false]);
     }
 }

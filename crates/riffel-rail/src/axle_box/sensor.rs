@@ -2,7 +2,7 @@
 
 use riffel::STANDARD_GRAVITY;
 
-use crate::axle_box_listener::Counting;
+use super::head::Counting;
 use crate::refusal::Refusal;
 
 /// Time for which a channel that is alive keeps no value to the last digit \[s\].

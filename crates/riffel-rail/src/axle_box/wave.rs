@@ -6,11 +6,10 @@ use std::path::Path;
 
 use hound::{SampleFormat, WavReader};
 use riffel_keys::CaseError;
+use riffel_keys::table::Heading;
 
-use crate::axle_box_columns::{Content, channel_name, content};
-use crate::axle_box_file::{AxleBoxHead, AxleBoxLayout, PlaceBy};
-use crate::axle_box_listener::{Counting, Row};
-use crate::heading::Heading;
+use super::columns::{Content, channel_name, content};
+use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, Signals};
 use crate::refusal::Refusal;
 
 /// What `--channels` looks like.
@@ -53,7 +52,7 @@ impl AxleBoxWave {
             )));
         }
         let mut names = Vec::new();
-        let (mut channels, mut speed, mut odometer) = (Vec::new(), None, None);
+        let mut signals = Signals::default();
         for (channel, said) in layout.channels.iter().enumerate() {
             let (name, scale) = said.split_once('=').unwrap_or((said, ""));
             let scale = scale.trim().parse::<f64>().ok();
@@ -66,37 +65,27 @@ impl AxleBoxWave {
             let heading = Heading::of_name(name.trim());
             let found =
                 content(&heading, 0).map_err(|message| refuse(format!("--channels: {message}")))?;
-            match found {
-                Some(Content::Acceleration(unit)) => {
-                    channels.push((channel, scale * unit));
-                    names.push(match channel_name(&heading, 0) {
-                        name if name.starts_with("column ") => format!("channel {}", channel + 1),
-                        name => name,
-                    });
-                }
-                Some(Content::Speed(unit)) => speed = speed.or(Some((channel, scale * unit))),
-                Some(Content::Odometer(unit)) => {
-                    odometer = odometer.or(Some((channel, scale * unit)));
-                }
-                Some(Content::Time(_)) | None => {}
+            if let Some(Content::Acceleration(_)) = found {
+                names.push(match channel_name(&heading, 0) {
+                    name if name.starts_with("column ") => format!("channel {}", channel + 1),
+                    name => name,
+                });
+            }
+            if let Some(content) = found {
+                signals.push(channel, content.scaled(scale));
             }
         }
-        if channels.is_empty() {
+        if signals.channels.is_empty() {
             return Err(refuse(format!(
                 "--channels names no acceleration, as in {EXAMPLE}"
             )));
         }
-        let (place, by) = match (layout.speed, odometer, speed) {
-            (Some(speed), _, _) => (None, PlaceBy::Constant(speed)),
-            (None, Some(odometer), _) => (Some(odometer), PlaceBy::Odometer),
-            (None, None, Some(speed)) => (Some(speed), PlaceBy::Speed),
-            (None, None, None) => {
-                return Err(refuse(
-                    "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
-                     --speed where it was constant"
-                        .to_owned(),
-                ));
-            }
+        let Some((place, by)) = signals.place(layout.speed) else {
+            return Err(refuse(
+                "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
+                 --speed where it was constant"
+                    .to_owned(),
+            ));
         };
         let rate = f64::from(spec.sample_rate);
         if layout.rate.is_some_and(|given| given != rate) {
@@ -109,7 +98,9 @@ impl AxleBoxWave {
             rate,
             place: by,
             counting: Counting::Samples,
+            remarks: Vec::new(),
         };
+        let channels = signals.channels;
         Ok((Self { channels, place }, head))
     }
 
@@ -159,6 +150,7 @@ impl AxleBoxWave {
                 place: self
                     .place
                     .map_or(f64::NAN, |(channel, scale)| scale * sample[channel]),
+                marked: None,
                 number,
             })?;
         }

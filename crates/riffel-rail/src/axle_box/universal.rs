@@ -10,8 +10,9 @@ use riffel_keys::universal_file::{
 };
 use riffel_keys::{CaseError, Exponents, Unit};
 
-use crate::axle_box_file::{AxleBoxHead, AxleBoxLayout, PlaceBy, unreadable};
-use crate::axle_box_listener::{Counting, Row};
+use super::columns::Content;
+use super::head::Signals as Found;
+use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
 use crate::refusal::Refusal;
 
 /// Share by which steps of signals may differ that are one: they are printed with six digits.
@@ -56,7 +57,7 @@ impl AxleBoxUniversal {
         let found = Signals::find(BufReader::with_capacity(1 << 20, file));
         let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
         let refuse = |message: String| Err(CaseError::data(path, message));
-        let (mut channels, mut speed, mut odometer) = (Vec::new(), None, None);
+        let mut found = Found::default();
         for signal in signals {
             let function = &signal.function;
             if function.abscissa_axis.kind != TIME && function.function_type != 1 {
@@ -71,33 +72,30 @@ impl AxleBoxUniversal {
             };
             let unit =
                 unit_of(&signal, exponents, units, what).map_err(|refusal| refusal.of(path))?;
-            match kind {
+            let content = match kind {
                 ACCELERATION => {
                     let sign = f64::from(function.response.direction.signum());
-                    let sign = if sign == 0.0 { 1.0 } else { sign };
-                    channels.push((signal, sign * unit));
+                    Content::Acceleration(if sign == 0.0 { unit } else { sign * unit })
                 }
-                VELOCITY => speed = speed.or(Some((signal, unit))),
-                _ => odometer = odometer.or(Some((signal, unit))),
-            }
+                VELOCITY => Content::Speed(unit),
+                _ => Content::Odometer(unit),
+            };
+            found.push(signal, content);
         }
+        let place = found.place(layout.speed);
+        let channels = found.channels;
         let Some((first, _)) = channels.first() else {
             return refuse(
                 "the file has no acceleration over time (dataset 58 with an abscissa of kind 17 and an ordinate of kind 12)"
                     .to_owned(),
             );
         };
-        let (place, by) = match (layout.speed, odometer, speed) {
-            (Some(speed), _, _) => (None, PlaceBy::Constant(speed)),
-            (None, Some(odometer), _) => (Some(odometer), PlaceBy::Odometer),
-            (None, None, Some(speed)) => (Some(speed), PlaceBy::Speed),
-            (None, None, None) => {
-                return refuse(
-                    "the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by --speed where \
-                     it was constant"
-                        .to_owned(),
-                );
-            }
+        let Some((place, by)) = place else {
+            return refuse(
+                "the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by --speed where \
+                 it was constant"
+                    .to_owned(),
+            );
         };
         let names = names(&channels);
         let (points, step) = (first.points, first.step.unwrap_or(1.0));
@@ -129,6 +127,7 @@ impl AxleBoxUniversal {
             rate,
             place: by,
             counting: Counting::Samples,
+            remarks: Vec::new(),
         };
         Ok((Self { channels, place }, head))
     }
@@ -165,6 +164,7 @@ impl AxleBoxUniversal {
                 accelerations: &sample[..count],
                 time: None,
                 place: sample.get(count).copied().unwrap_or(f64::NAN),
+                marked: None,
                 number,
             })?;
             progress(number * size / points - (number - 1) * size / points);

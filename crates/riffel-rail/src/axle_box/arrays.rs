@@ -2,8 +2,7 @@
 
 use riffel_keys::CaseError;
 
-use crate::axle_box_file::PlaceBy;
-use crate::axle_box_listener::Row;
+use super::head::{PlaceBy, Row};
 
 /// Where the train was while its axle boxes were listened to.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +57,7 @@ impl AxleBoxArrays {
                 accelerations: &accelerations,
                 time: None,
                 place: place.map_or(f64::NAN, |values| values[index]),
+                marked: None,
                 number: index + 1,
             })?;
             progress(1);

@@ -6,26 +6,15 @@ use std::path::{Path, PathBuf};
 
 use riffel_keys::CaseError;
 
-use crate::axle_box_arrays::{AxleBoxArrays, AxleBoxPlace};
-use crate::axle_box_listener::{Counting, Listener, Row};
-use crate::axle_box_table::AxleBoxTable;
-use crate::axle_box_universal::{AxleBoxUniversal, is_universal};
-use crate::axle_box_wave::{AxleBoxWave, is_wave};
+use super::arrays::{AxleBoxArrays, AxleBoxPlace};
+use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
+use super::listener::Listener;
+use super::table::AxleBoxTable;
+use super::universal::{AxleBoxUniversal, is_universal};
+use super::wave::{AxleBoxWave, is_wave};
 
-/// Bytes that are looked at first.
-const HEAD: u64 = 1 << 16;
-
-/// What a user says of a file of axle-box acceleration.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct AxleBoxLayout {
-    /// Samples per second \[Hz\], in place of a column of times.
-    pub rate: Option<f64>,
-    /// Speed of the train \[m/s\], in place of a column.
-    pub speed: Option<f64>,
-    /// Channels of a WAV file in their order, each as a column is called, and its value at full scale:
-    /// `acceleration_left_g=50`.
-    pub channels: Vec<String>,
-}
+/// Bytes that are looked at first: one more than a table is found by, so that it knows of a line cut in two.
+const HEAD: u64 = (1 << 16) + 1;
 
 /// A run of readings, which is read as often as it is asked and never held whole.
 #[derive(Debug)]
@@ -33,26 +22,6 @@ pub struct AxleBoxFile {
     path: PathBuf,
     head: AxleBoxHead,
     source: Source,
-}
-
-/// What is known before the first reading.
-#[derive(Debug)]
-pub(super) struct AxleBoxHead {
-    /// Of the channels.
-    pub(super) names: Vec<String>,
-    /// Samples per second \[Hz\].
-    pub(super) rate: f64,
-    pub(super) place: PlaceBy,
-    pub(super) counting: Counting,
-}
-
-/// How a run tells where the train is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum PlaceBy {
-    Odometer,
-    Speed,
-    /// \[m/s\].
-    Constant(f64),
 }
 
 #[derive(Debug)]
@@ -143,6 +112,7 @@ impl AxleBoxFile {
             rate,
             place: place.by(),
             counting: Counting::Samples,
+            remarks: Vec::new(),
         };
         Self::checked(
             path,
@@ -205,14 +175,6 @@ impl AxleBoxFile {
             Source::Arrays(arrays) => arrays.each(&mut take, progress)?,
         }
         listener.finish().map_err(|refusal| refusal.of(&self.path))
-    }
-}
-
-pub(super) fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
-    CaseError::Read {
-        what: "file",
-        path: path.to_owned(),
-        reason,
     }
 }
 

@@ -1,0 +1,131 @@
+//! What is known of a run before its first reading, and its readings.
+
+use std::path::Path;
+
+use riffel_keys::CaseError;
+
+use super::columns::Content;
+use crate::refusal::Refusal;
+
+/// What a user says of a file of axle-box acceleration.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AxleBoxLayout {
+    /// Samples per second \[Hz\], in place of a column of times.
+    pub rate: Option<f64>,
+    /// Speed of the train \[m/s\], in place of a column.
+    pub speed: Option<f64>,
+    /// Channels of a WAV file in their order, each as a column is called, and its value at full scale:
+    /// `acceleration_left_g=50`.
+    pub channels: Vec<String>,
+}
+
+/// What is known before the first reading.
+#[derive(Debug)]
+pub(super) struct AxleBoxHead {
+    /// Of the channels.
+    pub(super) names: Vec<String>,
+    /// Samples per second \[Hz\].
+    pub(super) rate: f64,
+    pub(super) place: PlaceBy,
+    pub(super) counting: Counting,
+    /// What is to be said of the channels.
+    pub(super) remarks: Vec<String>,
+}
+
+/// How a run tells where the train is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum PlaceBy {
+    Odometer,
+    Speed,
+    /// \[m/s\].
+    Constant(f64),
+}
+
+/// How readings are counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Counting {
+    Lines,
+    Samples,
+}
+
+impl Counting {
+    pub(super) fn at(self, number: usize) -> String {
+        match self {
+            Self::Lines => format!("line {number}"),
+            Self::Samples => format!("sample {number}"),
+        }
+    }
+
+    pub(super) fn refuse(self, number: usize, message: impl Into<String>) -> Refusal {
+        match self {
+            Self::Lines => Refusal::new(Some(number), message),
+            Self::Samples => Refusal::new(None, format!("{}: {}", self.at(number), message.into())),
+        }
+    }
+}
+
+/// One reading, in SI; what is missing is NaN.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Row<'a> {
+    /// Of every channel \[m/s²\].
+    pub(super) accelerations: &'a [f64],
+    /// \[s\]; none where a rate was given.
+    pub(super) time: Option<f64>,
+    /// Speed \[m/s\] or odometer \[m\], whichever the file tells the place by.
+    pub(super) place: f64,
+    /// A number that marks a missing value.
+    pub(super) marked: Option<f64>,
+    /// Line of the file or number of the sample, from 1.
+    pub(super) number: usize,
+}
+
+/// Where a file has its channels and the place, each with the SI units in one of its own.
+#[derive(Debug)]
+pub(super) struct Signals<T> {
+    pub(super) channels: Vec<(T, f64)>,
+    pub(super) speed: Option<(T, f64)>,
+    pub(super) odometer: Option<(T, f64)>,
+    pub(super) time: Option<(T, f64)>,
+}
+
+impl<T> Default for Signals<T> {
+    fn default() -> Self {
+        Self {
+            channels: Vec::new(),
+            speed: None,
+            odometer: None,
+            time: None,
+        }
+    }
+}
+
+impl<T> Signals<T> {
+    /// Take in what a signal is, of channels every one, of others the first.
+    pub(super) fn push(&mut self, signal: T, content: Content) {
+        let (place, unit) = match content {
+            Content::Acceleration(unit) => return self.channels.push((signal, unit)),
+            Content::Speed(unit) => (&mut self.speed, unit),
+            Content::Odometer(unit) => (&mut self.odometer, unit),
+            Content::Time(unit) => (&mut self.time, unit),
+        };
+        place.get_or_insert((signal, unit));
+    }
+
+    /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any.
+    pub(super) fn place(&mut self, given: Option<f64>) -> Option<(Option<(T, f64)>, PlaceBy)> {
+        match (given, self.odometer.take(), self.speed.take()) {
+            (Some(speed), _, _) => Some((None, PlaceBy::Constant(speed))),
+            (None, Some(odometer), _) => Some((Some(odometer), PlaceBy::Odometer)),
+            (None, None, Some(speed)) => Some((Some(speed), PlaceBy::Speed)),
+            (None, None, None) => None,
+        }
+    }
+}
+
+pub(super) fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {
+    CaseError::Read {
+        what: "file",
+        path: path.to_owned(),
+        reason,
+    }
+}

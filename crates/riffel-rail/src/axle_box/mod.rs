@@ -1,0 +1,15 @@
+//! Runs of axle-box acceleration: text in columns, WAV, universal files and arrays, read sample by sample.
+
+mod arrays;
+mod columns;
+mod file;
+mod head;
+mod listener;
+mod sensor;
+mod table;
+mod universal;
+mod wave;
+
+pub use arrays::AxleBoxPlace;
+pub use file::{AxleBoxFile, AxleBoxReading};
+pub use head::AxleBoxLayout;
