@@ -5,7 +5,7 @@ use riffel_keys::table::{is_one_of, words};
 
 /// Whether the name of a column is that of dates.
 pub(super) fn is_date(name: &str) -> bool {
-    words(name).iter().any(|word| is_one_of(word, "date datum"))
+    words(name).iter().any(|word| is_one_of(word, "date|datum"))
 }
 
 /// The numbers of a date in the order in which they are written.

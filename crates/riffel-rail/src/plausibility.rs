@@ -1,5 +1,7 @@
 //! Whether heights, steps and levels are those of a rail.
 
+use std::ops::RangeInclusive;
+
 use riffel::roughness::Profile;
 
 use crate::rail::Rail;
@@ -13,6 +15,8 @@ const RMS: (f64, f64) = (0.4e-6, 1e-3);
 /// Step between the samples of a record that shows corrugation, least and most \[m\]: a wave of 20 mm needs two samples,
 /// and no instrument on a rail resolves hundredths of a millimetre.
 const SPACING: (f64, f64) = (0.01e-3, 10e-3);
+/// Step between the samples of track geometry \[m\]: recording cars write one each 0.25 m, some each 0.16 m, 0.5 m or foot.
+const GEOMETRY: RangeInclusive<f64> = 0.15..=0.55;
 /// Median of one-third-octave levels of a rail, least and most \[dB re 1 µm\].
 const LEVEL: (f64, f64) = (-50.0, 60.0);
 /// Windows of the two moving means whose difference passes the band \[m\].
@@ -25,6 +29,14 @@ pub(super) fn check_spacing(spacing: f64, unit: Option<(&str, f64)>) -> Result<(
     // Positions are rounded.
     if (0.99 * SPACING.0..=1.01 * SPACING.1).contains(&spacing) {
         return Ok(());
+    }
+    if GEOMETRY.contains(&spacing) {
+        let message = format!(
+            "the samples are {} m apart, as those of track geometry are; a record that shows corrugation has a sample every \
+             0.01 to 10 mm",
+            short(spacing)
+        );
+        return Err(Refusal::new(None, message));
     }
     let (known, factor) = unit.unwrap_or(("m", 1.0));
     let fits = |other: f64| (SPACING.0..=SPACING.1).contains(&(spacing / factor * other));

@@ -233,17 +233,17 @@ impl<'a> ProfileTable<'a> {
     }
 }
 
-const POSITION: &str = "position pos chainage station distance dist abscissa location kilometre kilometer mileage weg \
-                        strecke pk x s km way abszisse abscisse kilometrierung";
-const IGNORED: &str = "index sample samples nr no number id time zeit speed date temperature latitude longitude lat lon \
-                       event velocity geschwindigkeit temperatur datum uhrzeit lfd";
+const POSITION: &str = "position|pos|chainage|station|distance|dist|abscissa|location|kilometre|kilometer|mileage|weg|\
+                        strecke|pk|x|s|km|way|abszisse|abscisse|kilometrierung";
+const IGNORED: &str = "index|sample|samples|nr|no|number|id|time|zeit|speed|date|temperature|latitude|longitude|lat|lon|\
+                        event|velocity|geschwindigkeit|temperatur|datum|uhrzeit|lfd";
 /// Units of columns that hold something else.
 const OTHER_UNITS: [&str; 9] = [
     "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
 ];
 /// Words for columns that tell records apart.
-const LABELS: &str = "rail side schiene seite track gleis line linie strecke date datum run lauf fahrt record messung \
-                      site ort section abschnitt campaign kampagne";
+const LABELS: &str = "rail|side|schiene|seite|track|gleis|line|linie|strecke|date|datum|run|lauf|fahrt|record|messung|\
+                        site|ort|section|abschnitt|campaign|kampagne";
 
 /// Whether the head of a column names neither a position nor a height.
 fn is_something_else(table: &Table, column: usize) -> bool {
@@ -257,10 +257,10 @@ fn is_something_else(table: &Table, column: usize) -> bool {
 
 /// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.
 fn left_out(table: &Table, column: usize) -> Option<&'static str> {
-    const GEOMETRY: &str = "cant superelevation überhöhung ueberhoehung gauge spurweite versine pfeilhöhe pfeilhoehe \
-                            twist verwindung curvature krümmung kruemmung alignment";
+    const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|versine|pfeilhöhe|pfeilhoehe|\
+                        twist|verwindung|curvature|krümmung|kruemmung|alignment";
     /// Lines along the head of a rail.
-    const LINES: &str = "corner side face";
+    const LINES: &str = "corner|side|face";
     if table.heading.is(column, GEOMETRY) && !table.heading.is(column, LINES) {
         return Some("it is geometry of the track");
     }
@@ -270,10 +270,10 @@ fn left_out(table: &Table, column: usize) -> Option<&'static str> {
 
 /// Whether the words of a name are those of a scatter, a count or a limit.
 pub(super) fn is_statistic(name: &[String]) -> bool {
-    const STATISTICS: &str = "std stdev stddev sd sigma stdabw standardabweichung count anzahl quality limit limits \
-                              grenzwert grenzwerte grenzkurve tolerance toleranz iso tsi";
+    const STATISTICS: &str = "std|stdev|stddev|sd|sigma|stdabw|standardabweichung|count|anzahl|quality|limit|limits|\
+                        grenzwert|grenzwerte|grenzkurve|tolerance|toleranz|iso|tsi";
     let is_norm = |pair: &[String]| {
-        is_one_of(&pair[0], "en din") && pair[1].starts_with(|c: char| c.is_ascii_digit())
+        is_one_of(&pair[0], "en|din") && pair[1].starts_with(|c: char| c.is_ascii_digit())
     };
     name.iter().any(|word| is_one_of(word, STATISTICS)) || name.windows(2).any(is_norm)
 }

@@ -54,8 +54,9 @@ impl Record {
         let columns = format.position.iter().chain(&format.rails);
         for (column, marked) in columns.zip(&rows.marked) {
             warnings.extend(marked.map(|marked| {
+                let rows_of = if marked.count == 1 { "row" } else { "rows" };
                 format!(
-                    "column {} has {} in {} rows, which is taken for a missing value; the first is line {}",
+                    "column {} has {} in {} {rows_of}, taken for a missing value; the first is line {}",
                     column.column,
                     marked.mark,
                     marked.count,

@@ -424,6 +424,123 @@ mod tests {
         assert_eq!(record.rails.len(), 1);
     }
 
+    /// Ways of other programs to write the same record.
+    #[test]
+    fn the_same_rail_in_many_tables() {
+        let written = |head: &str, row: &dyn Fn(usize) -> String| {
+            let rows: Vec<String> = (0..1500).map(row).collect();
+            let record = profile(&format!("{head}{}\n", rows.join("\n")));
+            assert_eq!(record.rails.len(), 1, "{head}");
+            record.rails[0].stretches.clone()
+        };
+        let x = |row: usize| 1e-3 * row as f64;
+        let plain = written("", &|row| format!("{:.3},{:.1}", x(row), height(row)));
+        let comma = |value: f64| format!("{value:.3}").replace('.', ",");
+        let fortran = |value: f64| format!("{value:.6e}").replace('e', "D");
+        let others: [(&str, &dyn Fn(usize) -> String); 7] = [
+            (",x_m,height_um\n", &|row| {
+                format!("{row},{:.3},{:.1}", x(row), height(row))
+            }),
+            ("\"x (m)\",\"z (um)\"\n", &|row| {
+                format!("\"{}\",\"{}\"", comma(x(row)), comma(height(row)))
+            }),
+            ("", &|row| {
+                format!("  {} {}", fortran(x(row)), fortran(height(row)))
+            }),
+            ("x_m,z_um\n", &|row| {
+                format!("{:.3},{:.1}", x(row), height(row)).replace('-', "\u{2212}")
+            }),
+            ("x_m,z [um],cant [mm]\n", &|row| {
+                format!("{:.3},{:.1},0.{}", x(row), height(row), row % 7)
+            }),
+            ("x_m,z_um,limit_um\n", &|row| {
+                format!("{:.3},{:.1},5", x(row), height(row))
+            }),
+            ("rail,x_m,z_um\n", &|row| {
+                format!("L,{:.3},{:.1}", x(row), height(row))
+            }),
+        ];
+        for (head, row) in others {
+            assert_eq!(written(head, row), plain, "{head}");
+        }
+    }
+
+    #[test]
+    fn rows_of_other_labels_are_other_rails() {
+        let of = |rail: &str, size: f64| -> Vec<String> {
+            let rows = (0..1500).map(|row| (1e-3 * row as f64, size * height(row)));
+            rows.map(|(x, z)| format!("{rail},{x:.3},{z:.1}\n"))
+                .collect()
+        };
+        let (left, right) = (of("L", 1.0), of("R", 2.0));
+        let blocks = format!("rail,x_m,z_um\n{}{}", left.concat(), right.concat());
+        let mixed: String = left
+            .iter()
+            .zip(&right)
+            .map(|(l, r)| l.clone() + r)
+            .collect();
+        for text in [blocks, format!("rail,x_m,z_um\n{mixed}")] {
+            let record = profile(&text);
+            let names: Vec<&str> = record.rails.iter().map(|rail| &rail.name[..]).collect();
+            assert_eq!(names, ["L", "R"]);
+            assert_eq!((record.from, record.to), (0.0, 1.499));
+            let height = |rail: usize| record.rails[rail].stretches[0].heights()[3];
+            assert!((height(1) - 2.0 * height(0)).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn marks_of_missing_values_are_no_heights() {
+        for mark in ["-9999", "-999", "9999", "-32768"] {
+            let mut rows = rows(2000);
+            rows[700] = format!("10.700,{mark}");
+            let record = profile(&rows.join("\n"));
+            let said = format!("column 2 has {mark} in 1 row,");
+            assert!(
+                record
+                    .warnings
+                    .iter()
+                    .any(|warning| warning.starts_with(&said)),
+                "{mark}"
+            );
+            let heights = record.rails[0].stretches[0].heights();
+            assert!(heights.iter().all(|height| height.abs() < 6e-6), "{mark}");
+        }
+    }
+
+    #[test]
+    fn limits_and_scatter_are_no_levels_and_octaves_no_third_octaves() {
+        let names = |head: &str, row: &str| {
+            let bands = ["50", "40", "31.5", "25"].map(|band| format!("{band},{row}\n"));
+            match parse(format!("{head}\n{}", bands.concat()).as_bytes(), None) {
+                Ok(RoughnessFile::Spectra(spectra)) => spectra.len(),
+                other => panic!("{head}: {other:?}"),
+            }
+        };
+        assert_eq!(
+            names("wavelength_mm,mean_db,min_db,max_db,std_db", "2,-1,5,1"),
+            1
+        );
+        assert_eq!(
+            names("wavelength_mm,L (dB),R (dB),ISO 3095 (dB)", "2,-1,5"),
+            2
+        );
+        let octaves = "wavelength_mm,level_db\n500,10\n250,8\n125,6\n63,4\n31.5,2\n";
+        let wrong = parse(octaves.as_bytes(), None).unwrap_err();
+        assert!(wrong.contains("those of octaves"), "{wrong}");
+    }
+
+    #[test]
+    fn track_geometry_is_called_so() {
+        let rows = (0..400).map(|row| format!("{},0.0{}\n", 0.25 * f64::from(row), row % 9));
+        let text = format!("chainage_m,left_mm\n{}", rows.collect::<String>());
+        let wrong = parse(text.as_bytes(), None).unwrap_err();
+        assert!(
+            wrong.contains("0.25 m apart, as those of track geometry"),
+            "{wrong}"
+        );
+    }
+
     #[test]
     fn spectra_are_told_by_their_header() {
         let text = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-3.0\nB,19.95,-6\n";

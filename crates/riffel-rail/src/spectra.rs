@@ -16,11 +16,11 @@ use crate::profile_columns::is_statistic;
 use crate::refusal::Refusal;
 
 /// Names of the column of wavelengths.
-const WAVELENGTH: &str = "wavelength lambda λ wellenlaenge wellenlänge";
+const WAVELENGTH: &str = "wavelength|lambda|λ|wellenlaenge|wellenlänge";
 /// Names of the column of levels.
-const LEVEL: &str = "level db pegel niveau roughness";
+const LEVEL: &str = "level|db|pegel|niveau|roughness";
 /// Names of what lies about the levels of a rail, and is none where there are others.
-const EXTREME: &str = "min max minimum maximum";
+const EXTREME: &str = "min|max|minimum|maximum";
 
 /// Where a table of spectra has its wavelengths and levels.
 pub(super) enum Columns {
@@ -132,7 +132,7 @@ impl Columns {
 /// "25".
 fn band_name(name: &str, decimal: DecimalMark) -> Option<(f64, Option<f64>)> {
     let begin = name.find(|c: char| c.is_ascii_digit())?;
-    const KNOWN: &str = "l lambda λ band w wavelength level pegel db";
+    const KNOWN: &str = "l|lambda|λ|band|w|wavelength|level|pegel|db";
     if !words(&name[..begin])
         .iter()
         .all(|word| is_one_of(word, KNOWN))

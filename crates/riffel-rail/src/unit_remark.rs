@@ -21,10 +21,10 @@ impl Kind {
 
     /// Whether a word of a remark speaks of heights or of positions.
     fn of(word: &str) -> Option<Self> {
-        const HEIGHTS: &str = "height heights hoehe hoehen höhe höhen hauteur amplitude amplitudes profile profil \
-                               roughness rauheit rauigkeit z ordinate";
-        const POSITIONS: &str = "position positions chainage station distance abscissa abszisse abscisse location weg \
-                                 strecke pk x kilometrierung";
+        const HEIGHTS: &str = "height|heights|hoehe|hoehen|höhe|höhen|hauteur|amplitude|amplitudes|profile|profil|\
+                        roughness|rauheit|rauigkeit|z|ordinate";
+        const POSITIONS: &str = "position|positions|chainage|station|distance|abscissa|abszisse|abscisse|location|weg|\
+                        strecke|pk|x|kilometrierung";
         if is_one_of(word, HEIGHTS) {
             Some(Self::Height)
         } else {
@@ -87,7 +87,7 @@ impl UnitRemarks {
                 }
             }
         }
-        const UNITS: &str = "unit units einheit einheiten unité unités";
+        const UNITS: &str = "unit|units|einheit|einheiten|unité|unités";
         let speaks_of_units = words(remark).iter().any(|word| is_one_of(word, UNITS));
         if by_kind || !speaks_of_units {
             return;

@@ -1,5 +1,7 @@
 //! Which column of a table holds what.
 
+use riffel_keys::table::{is_one_of, words};
+
 use super::MeasurementError;
 use crate::file::Measurement;
 
@@ -11,11 +13,13 @@ pub(super) struct Columns {
     pub(super) coherence: Option<usize>,
 }
 
-/// The two columns of a complex value.
+/// The columns of a complex value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parts {
     Cartesian([usize; 2]),
     Polar([usize; 2]),
+    /// One column of complex numbers.
+    Complex(usize),
 }
 
 /// What a column holds by its name.
@@ -32,64 +36,30 @@ pub(super) enum Role {
 impl Role {
     /// From a word of the name, in English or German; the first role that has one is taken, so that "phase of the frequency response" is
     /// a phase.
-    const WORDS: [(Self, &'static [&'static str]); 6] = [
+    const WORDS: [(Self, &'static str); 6] = [
         (
             Self::Coherence,
-            &[
-                "coherence",
-                "coh",
-                "kohärenz",
-                "kohaerenz",
-                "gamma2",
-                "γ²",
-                "γ2",
-            ],
+            "coherence|coh|kohärenz|kohaerenz|gamma2|γ²|γ2",
         ),
-        (
-            Self::Phase,
-            &["phase", "arg", "angle", "winkel", "phasenwinkel"],
-        ),
+        (Self::Phase, "phase|arg|angle|winkel|phasenwinkel"),
         (
             Self::Imaginary,
-            &[
-                "im",
-                "imag",
-                "imaginary",
-                "imaginär",
-                "imaginärteil",
-                "imaginaerteil",
-            ],
+            "im|imag|imaginary|imaginär|imaginärteil|imaginaerteil",
         ),
-        (Self::Real, &["re", "real", "realteil"]),
+        (Self::Real, "re|real|realteil"),
         (
             Self::Modulus,
-            &[
-                "modulus",
-                "mod",
-                "magnitude",
-                "mag",
-                "abs",
-                "amplitude",
-                "amp",
-                "betrag",
-            ],
+            "modulus|mod|magnitude|mag|abs|amplitude|amp|betrag|receptance|mobility|accelerance|inertance|compliance|\
+             rezeptanz|mobilität|akzeleranz",
         ),
-        (
-            Self::Frequency,
-            &["frequency", "freq", "f", "frequenz", "hz"],
-        ),
+        (Self::Frequency, "frequency|freq|f|frequenz|hz"),
     ];
 
     pub(super) fn of(name: &str) -> Option<Self> {
         let own = without_unit(name);
-        let words: Vec<String> = own
-            .split(|c: char| !c.is_alphanumeric())
-            .map(str::to_lowercase)
-            .collect();
-        let role = Self::WORDS.into_iter().find(|(_, known)| {
-            let mut words = words.iter();
-            words.any(|word| known.contains(&word.as_str()))
-        });
+        let words = words(own);
+        let mut roles = Self::WORDS.into_iter();
+        let role = roles.find(|(_, known)| words.iter().any(|word| is_one_of(word, known)));
         match role {
             // |H| is a modulus whatever it is called.
             None if own.trim().starts_with('|') => Some(Self::Modulus),
@@ -103,6 +73,35 @@ impl Columns {
     pub(super) fn find(
         header: &[String],
         measurement: &Measurement,
+    ) -> Result<Self, MeasurementError> {
+        Ok(Self {
+            values: Parts::find(header, measurement)?,
+            ..Self::with(header, measurement, Parts::Complex(0))?
+        })
+    }
+
+    /// The columns where values are complex numbers in the only other column.
+    pub(super) fn complex(
+        header: &[String],
+        measurement: &Measurement,
+    ) -> Result<Self, MeasurementError> {
+        let columns = Self::with(header, measurement, Parts::Complex(0))?;
+        let known = [Some(columns.frequency), columns.coherence];
+        let mut others = (0..header.len())
+            .filter(|&column| !known.contains(&Some(column)) && !header[column].is_empty());
+        match (others.next(), others.next()) {
+            (Some(column), None) => Ok(Self {
+                values: Parts::Complex(column),
+                ..columns
+            }),
+            _ => Err(MeasurementError::file("has no column of complex numbers")),
+        }
+    }
+
+    fn with(
+        header: &[String],
+        measurement: &Measurement,
+        values: Parts,
     ) -> Result<Self, MeasurementError> {
         let frequency = match &measurement.frequency {
             Some(name) => named(header, "frequency", name)?,
@@ -120,22 +119,31 @@ impl Columns {
         };
         Ok(Self {
             frequency,
-            values: Parts::find(header, measurement)?,
+            values,
             coherence,
         })
     }
 
     /// All of them.
-    pub(super) fn all(&self) -> impl Iterator<Item = usize> {
-        let (Parts::Cartesian(values) | Parts::Polar(values)) = self.values;
-        [self.frequency].into_iter().chain(values)
+    pub(super) fn all(&self) -> Vec<usize> {
+        let mut columns = self.values.all();
+        columns.push(self.frequency);
+        columns
     }
 }
 
 impl Parts {
-    /// The column of the real part or the modulus, which names the unit.
+    /// All of them.
+    pub(super) fn all(self) -> Vec<usize> {
+        match self {
+            Self::Cartesian(columns) | Self::Polar(columns) => columns.to_vec(),
+            Self::Complex(column) => vec![column],
+        }
+    }
+
+    /// The column of the real part, the modulus or the whole, which names the unit.
     pub(super) fn first(self) -> usize {
-        let (Self::Cartesian([first, _]) | Self::Polar([first, _])) = self;
+        let (Self::Cartesian([first, _]) | Self::Polar([first, _]) | Self::Complex(first)) = self;
         first
     }
 

@@ -1,10 +1,11 @@
 //! A frequency response in a table of text.
 
 use riffel::Complex64;
+use riffel_keys::table::marks;
 use riffel_keys::{Exponents, Message, Unit};
 
 use super::columns::{Columns, Parts};
-use super::layout::{Chosen, Layout};
+use super::layout::{Layout, find, rows, unit};
 use super::response_unit::{Decoded, ValueUnit};
 use super::{FrequencyResponse, MeasurementError};
 use crate::file::{AngleUnit, Measurement};
@@ -15,17 +16,28 @@ pub(super) struct Table {
     pub(super) remarks: Vec<Message>,
 }
 
-impl Chosen for Columns {
-    fn numbers(&self) -> Vec<usize> {
-        self.all().collect()
-    }
-}
-
-/// Read a table, laid out as [`Layout`] says.
+/// Read a table below the names of its columns.
 pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, MeasurementError> {
-    let layout = Layout::find(text, "frequency_hz,real,imaginary", |header| {
-        Columns::find(header, measurement)
-    })?;
+    let example = "frequency_hz,real,imaginary";
+    let in_parts = find(
+        text,
+        example,
+        |header| Columns::find(header, measurement),
+        Columns::all,
+    );
+    let layout = match in_parts {
+        Ok(layout) => layout,
+        // Whole numbers may be complex where names tell of no parts.
+        Err(reason) => {
+            let columns = |header: &[String]| Columns::complex(header, measurement);
+            let whole = find(text, example, columns, Columns::all).ok();
+            let is_complex = |layout: &Layout<'_, Columns>| {
+                let mut rows = layout.rows();
+                rows.any(|row| row.is_complex(layout.columns.values.first()))
+            };
+            whole.filter(is_complex).ok_or(reason)?
+        }
+    };
     let units = Units::new(&layout, measurement)?;
     let Columns {
         frequency,
@@ -43,16 +55,22 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
         remarks: units.decoded.remarks.clone(),
     };
     let mut largest_phase = 0.0_f64;
-    for row in layout.rows(text) {
+    // As they stand in the file, column by column.
+    let mut written: Vec<Vec<f64>> = vec![Vec::new(); values.all().len()];
+    for row in rows(&layout) {
         let row = row?;
         let response = &mut table.response;
         response
             .frequencies
             .push(units.to_hertz * row.number(frequency)?);
+        for (column, written) in values.all().into_iter().zip(&mut written) {
+            written.push(row.complex(column)?.re);
+        }
         response.values.push(match values {
             Parts::Cartesian([real, imaginary]) => {
                 units.decoded.linear() * Complex64::new(row.number(real)?, row.number(imaginary)?)
             }
+            Parts::Complex(column) => units.decoded.linear() * row.complex(column)?,
             Parts::Polar([modulus, phase]) => {
                 let (size, angle) = (row.number(modulus)?, row.number(phase)?);
                 largest_phase = largest_phase.max(angle.abs());
@@ -77,6 +95,16 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
         }
         response.places.push(row.place);
     }
+    for (column, written) in values.all().into_iter().zip(&written) {
+        if let Some(marked) = marks(written) {
+            let (place, name) = (&table.response.places[marked.first], &layout.names[column]);
+            let message = format!(
+                "{place}: column `{name}` is {}, which marks a missing value: leave the line out",
+                marked.mark
+            );
+            return Err(MeasurementError::file(message));
+        }
+    }
     // Half a turn and rounding: no phase of a rail stays within 3.2 degrees.
     const HALF_A_TURN: f64 = 3.2;
     if let Parts::Polar([_, phase]) = values
@@ -89,7 +117,7 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
             format!(
                 "is left out, and column `{}` stays within ±{largest_phase:.2}: write \"radians\", or \"degrees\" if it \
                  is so",
-                layout.header[phase]
+                layout.names[phase]
             ),
         ));
     }
@@ -105,21 +133,24 @@ struct Units {
 }
 
 impl Units {
-    fn new(layout: &Layout<Columns>, measurement: &Measurement) -> Result<Self, MeasurementError> {
+    fn new(
+        layout: &Layout<'_, Columns>,
+        measurement: &Measurement,
+    ) -> Result<Self, MeasurementError> {
         let phase_in_header = match layout.columns.values {
-            Parts::Polar([_, phase]) => layout.unit(phase).and_then(angle),
-            Parts::Cartesian(_) => None,
+            Parts::Polar([_, phase]) => unit(layout, phase).and_then(angle),
+            Parts::Cartesian(_) | Parts::Complex(_) => None,
         };
         let phase = measurement.phase_unit.or(phase_in_header);
         let (column, is_modulus) = match layout.columns.values {
             Parts::Polar([modulus, _]) => (modulus, true),
-            Parts::Cartesian([real, _]) => (real, false),
+            Parts::Cartesian([column, _]) | Parts::Complex(column) => (column, false),
         };
         let decoded = ValueUnit {
             key: measurement.unit.as_deref(),
             quantity: measurement.quantity,
-            column: &layout.header[column],
-            in_file: layout.unit(column),
+            column: &layout.names[column],
+            in_file: unit(layout, column),
             is_modulus,
         }
         .decode()?;
@@ -152,7 +183,7 @@ pub(super) fn hertz_of(unit: &str) -> Option<f64> {
 }
 
 /// Hertz of the unit of the column of frequencies, as the key or else the head says it; 1 where neither does.
-fn to_hertz(layout: &Layout<Columns>, key: Option<&String>) -> Result<f64, MeasurementError> {
+fn to_hertz(layout: &Layout<'_, Columns>, key: Option<&String>) -> Result<f64, MeasurementError> {
     let wrong = |message: String| MeasurementError::new("frequency_unit", message);
     if let Some(unit) = key {
         return hertz_of(unit).ok_or_else(|| {
@@ -162,13 +193,13 @@ fn to_hertz(layout: &Layout<Columns>, key: Option<&String>) -> Result<f64, Measu
         });
     }
     let column = layout.columns.frequency;
-    match layout.unit(column) {
+    match unit(layout, column) {
         None => Ok(1.0),
         Some(unit) => hertz_of(unit).ok_or_else(|| {
             wrong(format!(
                 "is left out, but column `{}` is in {unit}, which is no unit of a frequency: convert it, or write \
                  \"Hz\", \"kHz\" or \"rad/s\"",
-                layout.header[column]
+                layout.names[column]
             ))
         }),
     }

@@ -7,7 +7,7 @@ use riffel::wheelset::{ElasticMode, ModalWheelset, RigidWheelset};
 use riffel_keys::{Exponents, Unit};
 
 use super::columns::{unit_in_name, without_unit};
-use super::layout::{Chosen, Layout, Row};
+use super::layout::{Layout, Row, find, rows};
 use super::table::hertz_of;
 use super::{MeasurementError, bytes_of, decoded};
 
@@ -43,7 +43,7 @@ impl WheelsetModes {
 
     fn parse(text: &str) -> Result<Self, MeasurementError> {
         let example = "frequency_hz,damping_ratio,generalised_mass_kg,left_x,left_y,left_z,right_x,right_y,right_z";
-        let layout = Layout::find(text, example, ModeColumns::find)?;
+        let layout = find(text, example, ModeColumns::find, ModeColumns::numbers)?;
         let units = Units::of(&layout)?;
         let mut read = Self {
             modes: Vec::new(),
@@ -52,7 +52,7 @@ impl WheelsetModes {
             residual_places: Vec::new(),
         };
         let columns = &layout.columns;
-        for row in layout.rows(text) {
+        for row in rows(&layout) {
             let row = row?;
             if row.text(columns.frequency).eq_ignore_ascii_case(RESIDUAL) {
                 read.residual.push(shape(&row, columns, 1.0)?);
@@ -111,11 +111,7 @@ fn at(places: &[String], error: riffel::Error) -> MeasurementError {
     MeasurementError::file(error.to_string())
 }
 
-fn shape(
-    row: &Row<'_, ModeColumns>,
-    columns: &ModeColumns,
-    unit: f64,
-) -> Result<[f64; 6], MeasurementError> {
+fn shape(row: &Row<'_>, columns: &ModeColumns, unit: f64) -> Result<[f64; 6], MeasurementError> {
     let mut shape = [0.0; 6];
     for (value, &column) in shape.iter_mut().zip(&columns.shape) {
         *value = unit * row.number(column)?;
@@ -155,7 +151,8 @@ impl ModeColumns {
     }
 }
 
-impl Chosen for ModeColumns {
+impl ModeColumns {
+    /// All columns.
     fn numbers(&self) -> Vec<usize> {
         let mut columns = self.shape.to_vec();
         columns.extend([self.frequency, self.damping_ratio]);
@@ -199,7 +196,7 @@ struct Units {
 }
 
 impl Units {
-    fn of(layout: &Layout<ModeColumns>) -> Result<Self, MeasurementError> {
+    fn of(layout: &Layout<'_, ModeColumns>) -> Result<Self, MeasurementError> {
         let ModeColumns {
             frequency,
             damping_ratio,
@@ -208,7 +205,7 @@ impl Units {
         } = layout.columns;
         let unit = |column: usize| unit_of(layout, column);
         let wrong = |column: usize, rule: &str| {
-            let (name, unit) = (&layout.header[column], unit(column));
+            let (name, unit) = (&layout.names[column], unit(column));
             MeasurementError::file(format!("has column `{name}` in \"{unit}\": {rule}"))
         };
         let to_hertz = match &unit(frequency)[..] {
@@ -236,7 +233,7 @@ impl Units {
         let of_shape = match generalised_mass {
             Some(mass) => {
                 if let Some(&column) = shape.iter().find(|&&column| !plain(column)) {
-                    let mass = &layout.header[mass];
+                    let mass = &layout.names[mass];
                     let rule = format!(
                         "beside `{mass}` a shape has no unit; leave that column out if the shapes are mass-normalised"
                     );
@@ -249,7 +246,7 @@ impl Units {
                     return Err(MeasurementError::file(format!(
                         "does not say how its shapes are normalised: give a column `generalised_mass_kg`, or, if they \
                          are mass-normalised, their unit, as in `{} [1/√kg]`",
-                        without_unit(&layout.header[column]).trim()
+                        without_unit(&layout.names[column]).trim()
                     )));
                 }
                 let factors = shape.map(|column| per_root_of_mass(&unit(column)));
@@ -262,7 +259,7 @@ impl Units {
                 if let Some(other) = factors.iter().position(|&factor| factor != Some(first)) {
                     let rule = format!(
                         "all shapes have one unit, that of `{}`",
-                        layout.header[shape[0]]
+                        layout.names[shape[0]]
                     );
                     return Err(wrong(shape[other], &rule));
                 }
@@ -279,8 +276,8 @@ impl Units {
 }
 
 /// The unit of a column: in the row of units, in brackets, or behind its name; empty where there is none.
-fn unit_of(layout: &Layout<ModeColumns>, column: usize) -> String {
-    let name = &layout.header[column];
+fn unit_of(layout: &Layout<'_, ModeColumns>, column: usize) -> String {
+    let name = &layout.names[column];
     let written = layout.unit_below(column).or_else(|| unit_in_name(name));
     if let Some(unit) = written {
         return unit.to_owned();

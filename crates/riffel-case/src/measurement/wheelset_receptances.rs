@@ -8,7 +8,7 @@ use riffel::{Complex64, Direction, Rail};
 use riffel_keys::{Message, fixed, say};
 
 use super::columns::{Parts, Role, without_unit};
-use super::layout::{Chosen, Layout, Row};
+use super::layout::{Layout, Row, find, rows, unit};
 use super::response_unit::{Decoded, ValueUnit, after_decibel, response_of};
 use super::table::{angle, hertz_of};
 use super::{FrequencyResponse, MeasurementError, bytes_of, decoded};
@@ -31,9 +31,10 @@ impl WheelsetReceptances {
     }
 
     fn parse(text: &str, rail: Rail) -> Result<Self, MeasurementError> {
-        let layout = Layout::find(text, "frequency_hz,zz_re,zz_im", EntryColumns::find)?;
+        let example = "frequency_hz,zz_re,zz_im";
+        let layout = find(text, example, EntryColumns::find, EntryColumns::numbers)?;
         let EntryColumns { frequency, entries } = &layout.columns;
-        let to_hertz = match layout.unit(*frequency) {
+        let to_hertz = match unit(&layout, *frequency) {
             None => 1.0,
             Some(unit) => hertz_of(unit).ok_or_else(|| {
                 wrong(
@@ -48,8 +49,8 @@ impl WheelsetReceptances {
         for entry in entries {
             let units = Units::of(&layout, entry.values)?;
             // Once for all.
-            if remarks.is_empty() && layout.unit(entry.values.first()).is_none() {
-                let column = &layout.header[entry.values.first()];
+            if remarks.is_empty() && unit(&layout, entry.values.first()).is_none() {
+                let column = &layout.names[entry.values.first()];
                 remarks.push(say!(column_of_wheelset_without_unit, column = column));
             }
             let response = FrequencyResponse {
@@ -61,7 +62,7 @@ impl WheelsetReceptances {
             };
             responses.push((units, response));
         }
-        for row in layout.rows(text) {
+        for row in rows(&layout) {
             let row = row?;
             let frequency = to_hertz * row.number(*frequency)?;
             for (entry, (units, response)) in entries.iter().zip(&mut responses) {
@@ -148,9 +149,9 @@ fn axis_name(direction: Direction) -> &'static str {
     }
 }
 
-fn wrong(layout: &Layout<EntryColumns>, column: usize, rule: &str) -> MeasurementError {
-    let unit = layout.unit(column).unwrap_or_default();
-    let name = &layout.header[column];
+fn wrong(layout: &Layout<'_, EntryColumns>, column: usize, rule: &str) -> MeasurementError {
+    let unit = unit(layout, column).unwrap_or_default();
+    let name = &layout.names[column];
     MeasurementError::file(format!("has column `{name}` in \"{unit}\": {rule}"))
 }
 
@@ -310,14 +311,11 @@ impl EntryColumns {
     }
 }
 
-impl Chosen for EntryColumns {
+impl EntryColumns {
+    /// All columns.
     fn numbers(&self) -> Vec<usize> {
-        let mut columns = vec![self.frequency];
-        for entry in &self.entries {
-            let (Parts::Cartesian(values) | Parts::Polar(values)) = entry.values;
-            columns.extend(values);
-        }
-        columns
+        let entries = self.entries.iter().flat_map(|entry| entry.values.all());
+        [self.frequency].into_iter().chain(entries).collect()
     }
 }
 
@@ -339,13 +337,13 @@ struct Units {
 }
 
 impl Units {
-    fn of(layout: &Layout<EntryColumns>, values: Parts) -> Result<Self, MeasurementError> {
+    fn of(layout: &Layout<'_, EntryColumns>, values: Parts) -> Result<Self, MeasurementError> {
         let column = values.first();
-        let in_file = layout.unit(column);
+        let in_file = unit(layout, column);
         let value_unit = ValueUnit {
             key: None,
             quantity: None,
-            column: &layout.header[column],
+            column: &layout.names[column],
             in_file,
             is_modulus: matches!(values, Parts::Polar(_)),
         };
@@ -357,12 +355,12 @@ impl Units {
             wrong(layout, column, rule)
         })?;
         let to_radians = match values {
-            Parts::Cartesian(_) => 1.0,
-            Parts::Polar([_, phase]) => match layout.unit(phase).and_then(angle) {
+            Parts::Cartesian(_) | Parts::Complex(_) => 1.0,
+            Parts::Polar([_, phase]) => match unit(layout, phase).and_then(angle) {
                 Some(AngleUnit::Degrees) => PI / 180.0,
                 Some(AngleUnit::Radians) => 1.0,
                 None => {
-                    let name = &layout.header[phase];
+                    let name = &layout.names[phase];
                     let message = format!(
                         "has column `{name}` without its unit: write `{name} [deg]` or `{name} [rad]`"
                     );
@@ -376,16 +374,13 @@ impl Units {
         })
     }
 
-    fn value(
-        &self,
-        row: &Row<'_, EntryColumns>,
-        values: Parts,
-    ) -> Result<Complex64, MeasurementError> {
+    fn value(&self, row: &Row<'_>, values: Parts) -> Result<Complex64, MeasurementError> {
         match values {
             Parts::Cartesian([real, imaginary]) => {
                 let value = Complex64::new(row.number(real)?, row.number(imaginary)?);
                 Ok(self.decoded.linear() * value)
             }
+            Parts::Complex(column) => Ok(self.decoded.linear() * row.complex(column)?),
             Parts::Polar([modulus, phase]) => {
                 let (size, angle) = (row.number(modulus)?, row.number(phase)?);
                 let size = self.decoded.modulus(size).ok_or_else(|| {

@@ -130,9 +130,9 @@ fn reason<C, E>(text: &[u8], find: impl Fn(&[String]) -> Result<C, E>) -> NoHead
         return NoHead::Numbers;
     }
     let line = above.get(first.map_or(0, |first| first - 1)).copied();
-    let ways = DELIMITERS.iter().rev();
-    let names = ways.map(|&delimiter| names_of(line.unwrap_or_default(), delimiter));
-    match find(&names.max_by_key(Vec::len).unwrap_or_default()) {
+    let names = |delimiter| names_of(line.unwrap_or_default(), delimiter);
+    let mut ways = DELIMITERS.into_iter().map(names);
+    match find(&ways.find(|names| names.len() > 1).unwrap_or_default()) {
         Err(error) => NoHead::Names(error),
         Ok(_) => NoHead::NoRows,
     }

@@ -99,11 +99,11 @@ impl Heading {
         unit.contains(char::is_alphanumeric).then_some(unit)
     }
 
-    /// Whether the name of a column has one of these words, divided by blanks; a word of more than four letters may go on.
+    /// Whether the name of a column has one of these words, divided by bars; a word of more than four letters may go on.
     pub fn is(&self, column: usize, known: &str) -> bool {
         let own = words(self.name(column).unwrap_or_default());
         own.iter().any(|own| {
-            let mut known = known.split(' ');
+            let mut known = known.split('|');
             known.any(|word| own == word || word.len() > 4 && own.starts_with(word))
         })
     }
@@ -130,7 +130,7 @@ fn without_mark(line: &[u8]) -> &[u8] {
 
 /// Whether a line speaks of units in words, as in "heights are in mm", rather than naming columns.
 fn is_sentence(line: &[u8]) -> bool {
-    const WORDS: &str = "in are is of sind ist von en unit units einheit einheiten";
+    const WORDS: &str = "in|are|is|of|sind|ist|von|en|unit|units|einheit|einheiten";
     let text = text_of(line);
     text.contains(": ") || words(&text).iter().any(|word| is_one_of(word, WORDS))
 }
@@ -174,7 +174,7 @@ fn names_of(
 
 /// Whether every cell is a unit or empty, as in "m;µm;µm" or "[m] [mm]".
 fn is_row_of_units(cells: &[String]) -> bool {
-    const OTHERS: &str = "s h hz db v g c deg km/h m/s m/s2 m/s²";
+    const OTHERS: &str = "s|h|hz|db|v|g|c|deg|km/h|m/s|m/s2|m/s²";
     let is_unit = |cell: &String| {
         let written = cell.to_lowercase();
         let written = written.trim_matches(|c: char| "[]() -".contains(c));

@@ -4,29 +4,29 @@ use crate::Unit;
 
 /// Units of length, each with the words for it.
 const LENGTHS: [(&str, &str); 12] = [
-    ("m", "m meter metre meters metres"),
-    ("km", "km kilometer kilometre kilometers kilometres"),
-    ("dm", "dm decimeter decimetre dezimeter"),
+    ("m", "m|meter|metre|meters|metres"),
+    ("km", "km|kilometer|kilometre|kilometers|kilometres"),
+    ("dm", "dm|decimeter|decimetre|dezimeter"),
     (
         "mm",
-        "mm millimeter millimetre millimeters millimetres millimètres",
+        "mm|millimeter|millimetre|millimeters|millimetres|millimètres",
     ),
-    ("cm", "cm centimeter centimetre"),
+    ("cm", "cm|centimeter|centimetre"),
     (
         "um",
-        "um µm μm micron microns micrometer micrometers micrometre micrometres mikrometer micromètres",
+        "um|µm|μm|micron|microns|micrometer|micrometers|micrometre|micrometres|mikrometer|micromètres",
     ),
-    ("nm", "nm nanometer nanometre"),
-    ("in", "inch inches zoll"),
-    ("ft", "ft foot feet"),
-    ("yd", "yd yard yards"),
-    ("mi", "mi mile miles"),
-    ("mil", "mil mils thou thous"),
+    ("nm", "nm|nanometer|nanometre"),
+    ("in", "inch|inches|zoll"),
+    ("ft", "ft|foot|feet"),
+    ("yd", "yd|yard|yards"),
+    ("mi", "mi|mile|miles"),
+    ("mil", "mil|mils|thou|thous"),
 ];
 /// Units of other things at the end of a name, as in "t_s".
-const AT_THE_END: &str = "s sec ms min hz khz db dba deg rad rpm kmh mph kph pa upa";
+const AT_THE_END: &str = "s|sec|ms|min|hz|khz|db|dba|deg|rad|rpm|kmh|mph|kph|pa|upa";
 /// Units that are no other word.
-const ALWAYS: &str = "furlong furlongs fuss fuß hm hectometre";
+const ALWAYS: &str = "furlong|furlongs|fuss|fuß|hm|hectometre";
 
 /// Words of a name, in small letters.
 pub fn words(name: &str) -> Vec<String> {
@@ -37,9 +37,9 @@ pub fn words(name: &str) -> Vec<String> {
         .collect()
 }
 
-/// Whether a word is one of a list that is divided by blanks.
+/// Whether a word is one of a list that is divided by bars.
 pub fn is_one_of(word: &str, list: &str) -> bool {
-    list.split(' ').any(|known| known == word)
+    list.split('|').any(|known| known == word)
 }
 
 /// The unit of length that a word is, wherever it stands. "in" is one at the end of a name only.

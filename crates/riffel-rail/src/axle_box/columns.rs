@@ -26,10 +26,10 @@ impl Content {
     }
 }
 
-const ACCELERATION: &str = "acceleration accel acc beschleunigung axlebox abox a az";
-const SPEED: &str = "speed velocity geschwindigkeit v";
-const ODOMETER: &str = "odometer odo position pos chainage distance station weg x kilometrierung";
-const TIME: &str = "time zeit t";
+const ACCELERATION: &str = "acceleration|accel|acc|beschleunigung|axlebox|abox|a|az";
+const SPEED: &str = "speed|velocity|geschwindigkeit|v";
+const ODOMETER: &str = "odometer|odo|position|pos|chainage|distance|station|weg|x|kilometrierung";
+const TIME: &str = "time|zeit|t";
 
 /// What the head of a column says; none for a column of something else.
 ///
@@ -114,7 +114,7 @@ fn speed(written: &str) -> Option<f64> {
 
 /// What the head calls a channel, without its unit and the words that all have.
 pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
-    const OF_ALL: &str = "m s2 s per g mg gn box axle";
+    const OF_ALL: &str = "m|s2|s|per|g|mg|gn|box|axle";
     let mut own = words(heading.name(column).unwrap_or_default());
     own.retain(|word| !is_one_of(word, ACCELERATION) && !is_one_of(word, OF_ALL));
     match own.is_empty() {
@@ -127,7 +127,7 @@ pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
 pub(super) fn other_axes(names: &[&str]) -> Vec<bool> {
     let split = |name: &&str| {
         let mut own = words(name);
-        let axis = own.iter().position(|word| is_one_of(word, "x y z"));
+        let axis = own.iter().position(|word| is_one_of(word, "x|y|z"));
         let axis = axis.map(|place| own.remove(place));
         (axis.unwrap_or_default(), own)
     };

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 
 use riffel_keys::{clipped, say};
 
-use super::table::number;
+use super::table::{number, without_comment};
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
 use crate::file::ProfileKind;
 
@@ -28,7 +28,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     let mut open: Vec<(String, usize)> = Vec::new();
     let mut keys: BTreeMap<String, (String, usize)> = BTreeMap::new();
     for (index, line) in text.lines().enumerate() {
-        let line = line.split('!').next().unwrap_or_default().trim();
+        let line = without_comment(line);
         let lower = line.to_lowercase();
         if line.is_empty() {
             continue;
