@@ -115,29 +115,27 @@ impl UnitRemarks {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rstest::rstest;
 
-    #[rstest]
-    #[case("# heights in mm", Some("mm"), None)]
-    #[case("# Position in m, Höhe in µm", Some("um"), Some("m"))]
-    #[case("Höhen [mm]; Weg [km]", Some("mm"), Some("km"))]
-    #[case("% units: m, mm", Some("mm"), Some("m"))]
-    #[case("Einheit: mm", Some("mm"), None)]
-    #[case("# z: micrometres", Some("um"), None)]
-    #[case("# heights every 1 mm", None, None)]
-    #[case("# wheel radius in mm", None, None)]
-    #[case("# profile over 100 m", None, None)]
-    #[case("# made in spring", None, None)]
-    fn remarks_give_units(
-        #[case] remark: &str,
-        #[case] height: Option<&str>,
-        #[case] position: Option<&str>,
-    ) {
-        let units = UnitRemarks::of(&[(1, remark.to_owned())], 2);
-        assert_eq!(units.unit(Kind::Height).map(|stated| stated.unit), height);
-        assert_eq!(
-            units.unit(Kind::Position).map(|stated| stated.unit),
-            position
-        );
+    #[test]
+    fn remarks_give_units() {
+        for (remark, height, position) in [
+            ("# heights in mm", Some("mm"), None),
+            ("# Position in m, Höhe in µm", Some("um"), Some("m")),
+            ("Höhen [mm]; Weg [km]", Some("mm"), Some("km")),
+            ("% units: m, mm", Some("mm"), Some("m")),
+            ("Einheit: mm", Some("mm"), None),
+            ("# z: micrometres", Some("um"), None),
+            ("# heights every 1 mm", None, None),
+            ("# wheel radius in mm", None, None),
+            ("# profile over 100 m", None, None),
+            ("# made in spring", None, None),
+        ] {
+            let units = UnitRemarks::of(&[(1, remark.to_owned())], 2);
+            assert_eq!(units.unit(Kind::Height).map(|stated| stated.unit), height);
+            assert_eq!(
+                units.unit(Kind::Position).map(|stated| stated.unit),
+                position
+            );
+        }
     }
 }

@@ -118,8 +118,7 @@ fn signal(case: &Case, journey: &Journey, rail: &Profile) -> Vec<Sample> {
         .iter()
         .enumerate()
         .map(|(index, contact)| Sample {
-            acceleration: (contact.normal_force - load) / mass
-                + journey.noise * normal(),
+            acceleration: (contact.normal_force - load) / mass + journey.noise * normal(),
             position: position(index),
         })
         .collect()

@@ -104,35 +104,33 @@ pub fn foreign_unit(name: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rstest::rstest;
 
-    #[rstest]
-    #[case("x [ft]", Some("ft"), None)]
-    #[case("left_in", Some("in"), None)]
-    #[case("Höhe [Zoll]", Some("in"), None)]
-    #[case("height (thou)", Some("mil"), None)]
-    #[case("Miles", Some("mi"), None)]
-    #[case("x [dm]", Some("dm"), None)]
-    #[case("distance in metres", Some("m"), None)]
-    #[case("z (mm, filtered)", Some("mm"), None)]
-    #[case("height [furlong]", None, Some("furlong"))]
-    #[case("Weg [Fuss]", None, Some("Fuss"))]
-    #[case("x [hm]", None, Some("hm"))]
-    #[case("left [°]", None, Some("°"))]
-    #[case("left (dB)", None, Some("dB"))]
-    #[case("left [10 um]", Some("um"), Some("10 um"))]
-    #[case("slope [µm/m]", Some("m"), Some("µm/m"))]
-    #[case("t_s", None, Some("s"))]
-    #[case("s", None, None)]
-    #[case("rail (left)", None, None)]
-    #[case("z[0]", None, None)]
-    #[case("[2Jz um", Some("um"), None)]
-    fn heads_give_units(
-        #[case] name: &str,
-        #[case] length: Option<&str>,
-        #[case] foreign: Option<&str>,
-    ) {
-        assert_eq!(length_in(name), length);
-        assert_eq!(foreign_unit(name).as_deref(), foreign);
+    #[test]
+    fn heads_give_units() {
+        for (name, length, foreign) in [
+            ("x [ft]", Some("ft"), None),
+            ("left_in", Some("in"), None),
+            ("Höhe [Zoll]", Some("in"), None),
+            ("height (thou)", Some("mil"), None),
+            ("Miles", Some("mi"), None),
+            ("x [dm]", Some("dm"), None),
+            ("distance in metres", Some("m"), None),
+            ("z (mm, filtered)", Some("mm"), None),
+            ("height [furlong]", None, Some("furlong")),
+            ("Weg [Fuss]", None, Some("Fuss")),
+            ("x [hm]", None, Some("hm")),
+            ("left [°]", None, Some("°")),
+            ("left (dB)", None, Some("dB")),
+            ("left [10 um]", Some("um"), Some("10 um")),
+            ("slope [µm/m]", Some("m"), Some("µm/m")),
+            ("t_s", None, Some("s")),
+            ("s", None, None),
+            ("rail (left)", None, None),
+            ("z[0]", None, None),
+            ("[2Jz um", Some("um"), None),
+        ] {
+            assert_eq!(length_in(name), length);
+            assert_eq!(foreign_unit(name).as_deref(), foreign);
+        }
     }
 }

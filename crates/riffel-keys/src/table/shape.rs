@@ -300,7 +300,6 @@ fn most_frequent(values: impl Iterator<Item = usize>) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rstest::rstest;
 
     /// Rows of position and height written in a way.
     fn text(delimiter: &str, decimal: &str, header: &str) -> String {
@@ -316,46 +315,43 @@ mod tests {
         header.to_owned() + &rows.collect::<String>()
     }
 
-    #[rstest]
-    #[case(",", ".", "", Delimiter::Comma, DecimalMark::Point)]
-    #[case(
-        ";",
-        ",",
-        "Position [m];links [µm];rechts [µm]\n",
-        Delimiter::Semicolon,
-        DecimalMark::Comma
-    )]
-    #[case(
-        ";",
-        ".",
-        "a title\n\nx;l;r\n",
-        Delimiter::Semicolon,
-        DecimalMark::Point
-    )]
-    #[case("\t", ",", "", Delimiter::Tab, DecimalMark::Comma)]
-    #[case(
-        "\t",
-        ".",
-        "# pos_m\tleft_um\tright_um\n",
-        Delimiter::Tab,
-        DecimalMark::Point
-    )]
-    #[case("   ", ".", "", Delimiter::Space, DecimalMark::Point)]
-    #[case(" ", ",", "", Delimiter::Space, DecimalMark::Comma)]
-    fn finds_how_a_table_is_written(
-        #[case] between: &str,
-        #[case] mark: &str,
-        #[case] header: &str,
-        #[case] delimiter: Delimiter,
-        #[case] decimal: DecimalMark,
-    ) {
-        let table = Table::find(text(between, mark, header).as_bytes()).unwrap();
-        assert_eq!(
-            (table.delimiter, table.decimal, table.count()),
-            (delimiter, decimal, 3)
-        );
-        assert_eq!(table.header_lines, header.lines().count());
-        assert_eq!(table.heading.names.is_some(), !header.is_empty());
+    #[test]
+    fn finds_how_a_table_is_written() {
+        for (between, mark, header, delimiter, decimal) in [
+            (",", ".", "", Delimiter::Comma, DecimalMark::Point),
+            (
+                ";",
+                ",",
+                "Position [m];links [µm];rechts [µm]\n",
+                Delimiter::Semicolon,
+                DecimalMark::Comma,
+            ),
+            (
+                ";",
+                ".",
+                "a title\n\nx;l;r\n",
+                Delimiter::Semicolon,
+                DecimalMark::Point,
+            ),
+            ("\t", ",", "", Delimiter::Tab, DecimalMark::Comma),
+            (
+                "\t",
+                ".",
+                "# pos_m\tleft_um\tright_um\n",
+                Delimiter::Tab,
+                DecimalMark::Point,
+            ),
+            ("   ", ".", "", Delimiter::Space, DecimalMark::Point),
+            (" ", ",", "", Delimiter::Space, DecimalMark::Comma),
+        ] {
+            let table = Table::find(text(between, mark, header).as_bytes()).unwrap();
+            assert_eq!(
+                (table.delimiter, table.decimal, table.count()),
+                (delimiter, decimal, 3)
+            );
+            assert_eq!(table.header_lines, header.lines().count());
+            assert_eq!(table.heading.names.is_some(), !header.is_empty());
+        }
     }
 
     #[test]
