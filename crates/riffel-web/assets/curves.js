@@ -42,9 +42,17 @@ export function layout(more = {}) {
   };
 }
 
+/** How many curves are being drawn. */
+export const drawings = { open: 0 };
+
 export async function draw(place, traces, shape) {
-  const { react } = await plotly();
-  await react(place, traces, shape, CONFIG);
+  drawings.open++;
+  try {
+    const { react } = await plotly();
+    await react(place, traces, shape, CONFIG);
+  } finally {
+    drawings.open--;
+  }
 }
 
 const line = (x, y, name, color, more = {}) => ({ type: 'scatter', mode: 'lines', x, y, name, line: { color, width: 1.6, ...more.line }, hovertemplate: `%{x:.4~g} · %{y:.3~g}<extra>${name}</extra>`, ...more.trace });

@@ -4,7 +4,7 @@ import { Banner } from './banner.js';
 import { theme } from './colors.js';
 import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
-import { drawForce, drawGrowth, drawReceptance } from './curves.js';
+import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
 import { Form } from './form.js';
 import { get, pack, si, unpack } from './keys.js';
@@ -373,6 +373,7 @@ let saved = '';
 function saveAddress(asStep = false) {
   clearTimeout(saving);
   const write = () => {
+    saving = 0;
     const { point, view: tab, variants } = state;
     const address = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(variants.length && { variants }), ...(traffic.given && { traffic: traffic.given }) })}`;
     if (address === saved) return;
@@ -551,5 +552,5 @@ if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => maps.idle && points.idle && !drawing };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !drawings.open && !work.running.size && !saving };
 export { Fault };

@@ -173,16 +173,22 @@ export function startMotion({ state, listen, banner, labels, save }) {
     step();
   }
 
-  /** The share of the amplitude that is drawn: one that stands still is drawn where it is largest. */
+  /** The share of the amplitude that is drawn: one that stands still is drawn where it is largest, and nothing moves unseen. */
   let frame = 0;
+  let seen = false;
+  new IntersectionObserver(([entry]) => {
+    seen = entry.isIntersecting;
+    step();
+  }).observe(picture);
   function step(now = performance.now()) {
     cancelAnimationFrame(frame);
     const mode = modes.answer?.modes[modes.chosen];
     play.textContent = t(modes.playing ? 'wheelset_stop' : 'wheelset_play');
-    if (!mode || state.view !== 'motion') return;
+    if (!mode) return;
+    const moves = modes.playing && seen;
     modes.begun ||= now - SWING / 4;
-    modes.drawing.draw(mode, modes.playing ? Math.sin((2 * Math.PI * (now - modes.begun)) / SWING) : 1);
-    if (modes.playing) frame = requestAnimationFrame(step);
+    modes.drawing.draw(mode, moves ? Math.sin((2 * Math.PI * (now - modes.begun)) / SWING) : 1);
+    if (moves) frame = requestAnimationFrame(step);
   }
   play.addEventListener('click', () => {
     modes.playing = !modes.playing;
@@ -218,7 +224,6 @@ export function startMotion({ state, listen, banner, labels, save }) {
       askModes();
       if (what === 'view' && state.view === 'motion') {
         if (passage.answer) showPassage();
-        step();
       }
     }
   });

@@ -22,6 +22,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = os.environ.get("RIFFEL", str(ROOT / "target/debug/riffel"))
 CHROMIUM = os.environ.get("CHROMIUM") or shutil.which("chromium")
 SCREENSHOTS = pathlib.Path(os.environ.get("SCREENSHOTS", ROOT / "target/browser-tests/screenshots"))
+# The longest wait for any state [s]: far more than a busy machine needs, so that only what never comes runs out of it.
+PATIENCE = 300
 # Nothing that Chromium does by itself reaches for a network.
 ARGUMENTS = [
     "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -47,7 +49,7 @@ class Served:
 
     def end(self, signal_=signal.SIGTERM):
         self.process.send_signal(signal_)
-        return self.process.wait(timeout=20)
+        return self.process.wait(timeout=PATIENCE)
 
 
 @pytest.fixture(scope="session")
@@ -55,6 +57,16 @@ def served(tmp_path_factory):
     served = Served(tmp_path_factory.mktemp("served"))
     yield served
     served.end()
+
+
+@pytest.fixture(autouse=True)
+def closed_afterwards(browser):
+    """Close what a test has opened, whatever becomes of it: a page that stays open goes on painting beside the others."""
+    before = browser.contexts
+    yield
+    for context in browser.contexts:
+        if context not in before:
+            context.close()
 
 
 @pytest.fixture(scope="session")
@@ -73,8 +85,9 @@ class Page:
 
     def __init__(self, browser, url, curves=True, visited=None, **context):
         self.context = browser.new_context(
-            **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, **context}
+            **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, "reduced_motion": "reduce", **context}
         )
+        self.context.set_default_timeout(1000 * PATIENCE)
         if not curves:
             script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
             self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
@@ -97,23 +110,28 @@ class Page:
         self.page.goto(url)
         self.settle()
 
-    def settle(self, seconds=60):
-        """Wait until nothing is asked or drawn any more. The policy of the page forbids evaluated conditions."""
-        end = time.monotonic() + seconds
+    def settle(self):
+        """Wait until nothing is asked, drawn or written any more."""
         quiet = 0
-        while time.monotonic() < end:
+
+        def at_rest():
+            nonlocal quiet
             idle = self.page.evaluate("() => Boolean(window.riffel?.state.at && window.riffel.idle())")
             quiet = quiet + 1 if idle else 0
-            if quiet >= 3:
-                return
-            self.page.wait_for_timeout(50)
-        raise AssertionError("the page does not come to rest")
+            return quiet >= 3
 
-    def until(self, condition, seconds=30):
-        end = time.monotonic() + seconds
+        self.until(at_rest)
+
+    def until(self, condition):
+        """Wait for a state. The policy of the page forbids conditions that the browser evaluates by itself."""
+        end = time.monotonic() + PATIENCE
         while not condition():
             assert time.monotonic() < end, "waited in vain"
             self.page.wait_for_timeout(50)
+
+    def pause(self):
+        """A moment for what must not happen; what must happen is waited for by its state."""
+        self.page.wait_for_timeout(300)
 
     def map(self):
         """The colours of the map, as one number that changes with any of them."""

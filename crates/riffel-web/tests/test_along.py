@@ -18,8 +18,8 @@ def measured(page, text, name="trolley.csv"):
 
 
 def along(page):
-    page.until(page.page.locator("#along-panel").is_visible, seconds=60)
-    page.until(lambda: page.page.evaluate(DATA), seconds=30)
+    page.until(page.page.locator("#along-panel").is_visible)
+    page.until(lambda: page.page.evaluate(DATA))
     return {curve["name"]: curve for curve in page.page.evaluate(DATA)}
 
 
@@ -36,7 +36,7 @@ def two_rails(metres=120, start=0.0):
 
 def test_moving_rms_limits_and_sections_along_the_line(page):
     measured(page, two_rails())
-    page.until(page.page.locator("#along-panel").is_visible, seconds=60)
+    page.until(page.page.locator("#along-panel").is_visible)
     page.page.select_option("#along-rail", "left")
     curves = along(page)
     course, limit = curves["30–100 mm"], curves["limit 30–100 mm"]
@@ -52,8 +52,7 @@ def test_moving_rms_limits_and_sections_along_the_line(page):
     assert start == pytest.approx(40, abs=1) and end == pytest.approx(70, abs=1)
     page.page.select_option("#along-rail", "right")
     page.until(lambda: max(page.page.evaluate(DATA)[0]["y"]) < 2)
-    page.page.wait_for_timeout(300)
-    assert max(page.page.evaluate(DATA)[2]["y"]) < 2
+    page.until(lambda: max(page.page.evaluate(DATA)[2]["y"]) < 2)
 
 
 def test_a_click_shows_the_spectrum_there(page):
@@ -62,16 +61,16 @@ def test_a_click_shows_the_spectrum_there(page):
     # Kilometres where the line is long.
     assert 5.0 <= min(curves["30–100 mm"]["x"]) and max(curves["30–100 mm"]["x"]) < 5.2
     page.page.locator("#along").scroll_into_view_if_needed()
-    page.page.wait_for_timeout(300)
+    page.settle()
 
     def level_at(share):
         box = page.page.locator("#along .nsewdrag").first.bounding_box()
         page.page.mouse.move(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
-        page.page.wait_for_timeout(200)
+        page.until(lambda: page.page.evaluate("() => document.getElementById('along')._hoverdata?.length"))
         page.page.mouse.click(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
         wanted = f"{5000 + 120 * share:.0f}"[:3]
-        page.until(lambda: page.page.locator("#place-panel").is_visible() and wanted in page.text("#place-panel h2"), seconds=30)
-        page.page.wait_for_timeout(500)
+        page.until(lambda: page.page.locator("#place-panel").is_visible() and wanted in page.text("#place-panel h2"))
+        page.settle()
         data = page.page.evaluate("() => document.getElementById('place-spectrum').data.map(({ name, x, y }) => ({ name, x, y }))")
         [here] = [curve for curve in data if curve["name"] == "rail left, here"]
         return dict(zip((round(x) for x in here["x"]), here["y"]))[63]
@@ -88,7 +87,7 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
         f"{float(x) / 1000:.6f};80;{float(left) / 1000:.7f};{float(right) / 1000:.7f};1435\n".replace(".", ",") for x, left, right in rows
     )
     measured(page, text)
-    page.until(page.page.locator("#trouble .said").is_visible, seconds=60)
+    page.until(page.page.locator("#trouble .said").is_visible)
     # The program takes the gauge for a rail, and says so; the columns open by themselves.
     assert "gauge" in page.text("#trouble")
     page.until(page.page.locator("#columns-use").is_visible)
@@ -103,9 +102,9 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
     # Another record takes its place; undo reads the first by its columns again.
     refused = len(page.complaints)
     measured(page, two_rails(80))
-    page.until(lambda: "rail left" in page.page.locator("#along-rail option").all_inner_texts(), seconds=60)
+    page.until(lambda: "rail left" in page.page.locator("#along-rail option").all_inner_texts())
     page.page.locator("#notice button").first.click()
-    page.until(lambda: sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"], seconds=60)
+    page.until(lambda: sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"])
     assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
     assert selects() == ["position", "km", "none", "height", "mm", "height", "mm", "none"]
     assert len(page.complaints) == refused
@@ -130,7 +129,7 @@ def test_the_sample_says_what_it_is(open_page, locale):
     # The same file, the same words as from the program.
     made = subprocess.run([PROGRAM, "roughness", "--synthesise"], capture_output=True, check=True, text=True).stdout
     assert f"{len(made) / 1e6:.2f}".replace(".", "," if locale == "de-DE" else ".") in page.text("#record-state")
-    page.page.wait_for_timeout(500)
+    page.settle()
     page.keep(f"along-{locale}", whole=True)
     page.close()
 
@@ -148,7 +147,7 @@ def test_one_column_of_heights_has_a_step_of_its_own(open_page):
         step.press("Tab")
         assert refused in page.text("#columns-spacing-fault")
         page.page.click("#columns-use")
-        page.page.wait_for_timeout(200)
+        page.pause()
         assert not page.page.locator("#report").is_visible()
     step.fill("0,5")
     step.press("Tab")
@@ -189,7 +188,7 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
     page.page.route("**/api/roughness", roughness)
     state = lambda: page.text("#record-state")
     measured(page, two_rails(40), name="first.csv")
-    page.until(lambda: page.page.locator("#report").is_visible() and state().startswith("first.csv"), seconds=60)
+    page.until(lambda: page.page.locator("#report").is_visible() and state().startswith("first.csv"))
     levels = page.text("#along-panel")
     answers.append("refuse")
     measured(page, two_rails(20), name="huge.csv")
@@ -209,12 +208,12 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
     measured(page, two_rails(20), name="slow.csv")
     page.until(lambda: state().startswith("slow.csv"))
     measured(page, two_rails(30), name="last.csv")
-    page.until(lambda: state().startswith("last.csv, ") and page.page.locator("#report").is_visible(), seconds=60)
+    page.until(lambda: state().startswith("last.csv, ") and page.page.locator("#report").is_visible())
     page.settle()
     assert state().startswith("last.csv, ")
     # Undo leads to the record that was there before.
     page.page.locator("#notice button").first.click()
-    page.until(lambda: state().startswith("first.csv, ") and page.page.locator("#report").is_visible(), seconds=60)
+    page.until(lambda: state().startswith("first.csv, ") and page.page.locator("#report").is_visible())
     page.complaints.clear()
 
 

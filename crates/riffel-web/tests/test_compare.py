@@ -85,7 +85,7 @@ def test_a_link_holds_all_variants_and_an_old_one_opens(page, open_page):
     name = page.page.locator(".variants input").first
     name.fill("dry rail")
     name.press("Tab")
-    page.page.wait_for_timeout(400)
+    page.settle()
     other = open_page("#" + page.page.url.split("#")[1])
     assert variants(other) == [["dry rail", 0.4], ["B", 0.3]]
     settled(other, 4)

@@ -92,7 +92,7 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
     page.page.on("response", lambda response: response.url.endswith("/api/measure") and response.ok and given.update(json.loads(response.text())))
     page.page.fill("#record-date", DATES[1])
     page.page.locator("#earlier-records input").fill(DATES[0])
-    page.until(lambda: (given.get("forecast") or {}).get("wear_fit"), seconds=60)
+    page.until(lambda: (given.get("forecast") or {}).get("wear_fit"))
 
     for name, text in texts.items():
         (tmp_path / f"{name}.csv").write_text(text)
@@ -121,7 +121,7 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
     levels = spectra(page)
     at = lambda name: levels[name][min(levels[name], key=lambda wavelength: abs(wavelength - 40))]
     assert at("rail left, Now") - at(f"rail left, {DATES[0]}") == pytest.approx(20 * math.log10(14 / 8), abs=0.3)
-    page.page.wait_for_timeout(300)
+    page.settle()
     page.keep("earlier", whole=True)
     # The report has the dates, too, and no name of a file that the user does not know.
     with page.page.expect_download() as download:
@@ -167,7 +167,7 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     page.until(page.page.locator("#earlier").is_visible)
     good = record(8, metres=3)
     page.page.set_input_files("#earlier-file", files=files(last=good, older=good) + [{"name": "notes.txt", "mimeType": "text/plain", "buffer": b"no table\n"}])
-    page.until(lambda: rows.count() == 3 and rows.nth(2).locator(".fault").last.is_visible(), seconds=60)
+    page.until(lambda: rows.count() == 3 and rows.nth(2).locator(".fault").last.is_visible())
     # What cannot be read says so under the name that the user knows, and the rest is asked for without it.
     assert "notes.txt" in rows.nth(2).inner_text() and "earlier-3" not in rows.nth(2).inner_text()
     page.until(lambda: questions and asked() == [("last.csv", None), ("older.csv", None)])
@@ -185,9 +185,9 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     date(0).fill("2024-05-01")
     page.until(lambda: "older.csv" in rows.nth(1).inner_text() and rows.nth(1).locator(".fault").first.is_visible())
     date(0).fill("2025-05-01")
-    page.until(lambda: asked() == [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")] and questions[-1]["date"] == "2026-05-01", seconds=60)
-    page.until(lambda: page.page.locator(".course").count() > 0 and "im Jahr" in page.page.locator(".course").first.inner_text(), seconds=60)
-    page.until(lambda: page.page.locator("#noise-panel:not(.stale)").is_visible(), seconds=60)
+    page.until(lambda: asked() == [("older.csv", "2024-05-01"), ("last.csv", "2025-05-01")] and questions[-1]["date"] == "2026-05-01")
+    page.until(lambda: page.page.locator(".course").count() > 0 and "im Jahr" in page.page.locator(".course").first.inner_text())
+    page.until(lambda: page.page.locator("#noise-panel:not(.stale)").is_visible())
     assert "kein Verschleißbeiwert" in page.text("#view-measure")
     assert english(panels(page, "measure")) == []
     assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
@@ -195,7 +195,7 @@ def test_earlier_records_are_dated_left_out_removed_and_kept(open_page):
     # A reload finds files and dates; one that is removed is gone from the answer.
     page.page.reload()
     page.settle()
-    page.until(lambda: page.page.locator(".course").count() > 0, seconds=60)
+    page.until(lambda: page.page.locator(".course").count() > 0)
     assert [date(k).input_value() for k in range(2)] == ["2025-05-01", "2024-05-01"]
     rows.nth(1).locator("button").click()
     page.until(lambda: asked() == [("last.csv", "2025-05-01")])
@@ -218,19 +218,19 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
     page.page.set_input_files("#record", files=files(now=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
     page.page.set_input_files("#earlier-file", files=files(older=good, last=good))
-    page.until(lambda: rows.count() == 2 and page.page.locator(".course").count() > 0, seconds=60)
+    page.until(lambda: rows.count() == 2 and page.page.locator(".course").count() > 0)
     page.page.locator("#record-date").fill("2026-05-01")
     for k, (_, day) in enumerate(dated):
         rows.nth(k).locator("input").fill(day)
-    page.until(lambda: [one.get("date") for one in questions[-1].get("earlier", [])] == [day for _, day in dated], seconds=60)
+    page.until(lambda: [one.get("date") for one in questions[-1].get("earlier", [])] == [day for _, day in dated])
     page.page.set_input_files("#record", files=files(another=good))
-    page.until(lambda: questions[-1]["name"] == "another.csv" and "earlier" not in questions[-1], seconds=60)
+    page.until(lambda: questions[-1]["name"] == "another.csv" and "earlier" not in questions[-1])
     page.page.locator("#notice button").first.click()
-    page.until(lambda: questions[-1]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2, seconds=60)
+    page.until(lambda: questions[-1]["name"] == "now.csv" and len(questions[-1].get("earlier", [])) == 2)
     assert asked() == dated and questions[-1]["date"] == "2026-05-01"
     assert page.page.locator("#record-date").input_value() == "2026-05-01"
     assert [rows.nth(k).locator("input").input_value() for k in range(2)] == [day for _, day in dated]
-    page.until(lambda: page.page.locator(".course").count() > 0 and "a year" in page.page.locator(".course").first.inner_text(), seconds=60)
+    page.until(lambda: page.page.locator(".course").count() > 0 and "a year" in page.page.locator(".course").first.inner_text())
 
 
 @pytest.mark.without_curves
@@ -287,7 +287,7 @@ def test_vehicles_make_a_traffic_or_say_why_not(page):
     # Undo, a link, and what is left of the shares where one goes.
     page.page.click("#undo")
     page.until(lambda: page.page.locator("#vehicle-1-wheel").input_value() == "55")
-    page.page.wait_for_timeout(400)
+    page.settle()
     link = page.page.url
     page.page.click("#vehicles [role=group]:first-child button")
     page.until(lambda: page.page.locator("#vehicles [role=group]").count() == 1)

@@ -38,7 +38,7 @@ def corner(png):
 @pytest.mark.parametrize("place", ["map", "phasors", "growth"])
 def test_a_figure_comes_as_svg_png_and_csv_on_white(open_page, place):
     page = open_page(color_scheme="dark")
-    page.page.wait_for_timeout(300)
+    page.settle()
     svg = ElementTree.fromstring(given(page, place, "svg"))
     assert svg.tag == f"{SVG}svg"
     assert svg.find(f"{SVG}rect").get("fill") == "#fff"
@@ -68,7 +68,7 @@ def test_a_figure_comes_as_svg_png_and_csv_on_white(open_page, place):
 
 def test_on_paper_there_is_the_view_alone_on_white(open_page, tmp_path):
     page = open_page(color_scheme="dark")
-    page.page.wait_for_timeout(300)
+    page.settle()
     before = page.page.locator("#growth .main-svg").first.bounding_box()
     page.page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
     for selector in [".tabs", ".tools", ".case", ".take", "#hold", "#to-highest"]:
@@ -82,7 +82,6 @@ def test_on_paper_there_is_the_view_alone_on_white(open_page, tmp_path):
     assert ink == "rgb(83, 92, 102)"
     page.page.evaluate("() => dispatchEvent(new Event('afterprint'))")
     page.settle()
-    page.page.wait_for_timeout(300)
     assert page.page.locator(".paper-map").count() == 0
     assert page.page.evaluate("() => document.documentElement.dataset.theme") == "dark"
     assert page.page.locator("#growth .main-svg").first.bounding_box()["width"] == before["width"]
@@ -121,7 +120,7 @@ def test_curve_and_paper_hand_out_their_figures(open_page):
     page.page.click("#tab-paper")
     figure = page.page.locator("#figure-4")
     figure.scroll_into_view_if_needed()
-    page.until(lambda: figure.locator(".take").count() > 0, seconds=60)
+    page.until(lambda: figure.locator(".take").count() > 0)
     asked = page.page.evaluate("async () => (await fetch('/api/figure', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ number: 4, contact: 'quasi-static' }) })).json()")
     panel = asked["maps"][0]
     caption = figure.locator("figcaption").first
@@ -149,8 +148,8 @@ def test_curve_and_paper_on_paper_say_what_was_asked(page, view, tmp_path):
         page.until(lambda: page.page.locator("#curvatures .main-svg").count() > 0)
     else:
         page.page.locator("#figure-4").scroll_into_view_if_needed()
-        page.until(lambda: page.page.locator("#figure-4 .take").count() > 0, seconds=60)
-    page.page.wait_for_timeout(500)
+        page.until(lambda: page.page.locator("#figure-4 .take").count() > 0)
+    page.settle()
     page.page.evaluate("() => dispatchEvent(new Event('beforeprint'))")
     assert page.page.locator("#curve-radius" if view == "curve" else "#paper-contact").is_visible()
     for selector in [".take", ".strip .plain", ".waiting"]:
@@ -167,7 +166,7 @@ def test_curve_and_paper_on_paper_say_what_was_asked(page, view, tmp_path):
             box = legend.bounding_box()
             assert box["y"] >= title["y"] + title["height"] - 1 or box["y"] + box["height"] <= title["y"], "a legend on the title of an axis"
     page.page.evaluate("() => dispatchEvent(new Event('afterprint'))")
-    page.page.wait_for_timeout(300)
+    page.settle()
     page.page.pdf(path=tmp_path / "page.pdf", prefer_css_page_size=True, print_background=True)
     pdf = (tmp_path / "page.pdf").read_bytes()
     assert 1 <= pdf.count(b"/Type /Page\n") <= (2 if view == "curve" else 4)

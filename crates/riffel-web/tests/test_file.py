@@ -148,8 +148,6 @@ def test_a_wrong_value_is_told_at_its_field(file):
 def test_a_reload_keeps_what_is_shown(file):
     file.set("contact.friction", "0.25")
     file.settle()
-    # The address is written a moment later.
-    file.page.wait_for_timeout(400)
     file.page.reload()
     file.settle()
     assert float(file.page.evaluate("() => window.riffel.state.keys.contact.friction")) == 0.25

@@ -79,9 +79,8 @@ def test_a_wheelset_moves_in_its_modes(open_page):
     before = shape()
     page.until(lambda: shape() != before)
     page.page.click("#wheelset-play")
-    page.page.wait_for_timeout(100)
     held = shape()
-    page.page.wait_for_timeout(200)
+    page.pause()
     assert shape() == held
     page.page.locator("#wheelset-modes input").nth(next(k for k, name in enumerate(modes) if "torsion" in name)).check()
     assert shape() != held
@@ -96,13 +95,12 @@ def test_a_wheelset_moves_in_its_modes(open_page):
 def test_who_asks_for_no_motion_sees_none(open_page):
     page = open_page(reduced_motion="reduce")
     open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
-    page.page.wait_for_timeout(300)
     page.settle()
     page.page.click("#tab-motion")
     page.until(lambda: page.page.locator("#wheelset-drawing svg").count() > 0)
     shape = lambda: page.page.locator("#wheelset-drawing svg").inner_html()
     still = shape()
-    page.page.wait_for_timeout(300)
+    page.pause()
     assert shape() == still
     page.page.click("#wheelset-play")
     page.until(lambda: shape() != still)

@@ -20,7 +20,7 @@ def heard(page, case=CASE):
     page.until(lambda: page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.keys.rail)"))
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
-    page.until(page.page.locator("#noise-panel").is_visible, seconds=60)
+    page.until(page.page.locator("#noise-panel").is_visible)
 
 
 def by_the_program(folder, *more, case=CASE):
@@ -61,7 +61,7 @@ def test_the_level_is_that_of_the_program(page, tmp_path):
     assert bands["total"]["y"] == pytest.approx(level["total_db"], abs=1e-6)
     [course] = data(page, "noise-course")
     assert course["x"] == pytest.approx(own["course"]["month"], rel=1e-6) and course["y"] == pytest.approx(own["course"]["total_dba"], abs=1e-6)
-    page.page.wait_for_timeout(300)
+    page.settle()
     page.keep("noise", whole=True)
 
 
@@ -72,7 +72,7 @@ def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
     heard(page)
     page.until(lambda: answers and answers[-1]["wheel_modes"] is None)
     page.page.select_option("#noise-wheel", "straight-web-920")
-    page.until(lambda: answers[-1]["wheel_modes"] == "straight-web-920" and not page.page.locator("#noise-panel.stale").count(), seconds=60)
+    page.until(lambda: answers[-1]["wheel_modes"] == "straight-web-920" and not page.page.locator("#noise-panel.stale").count())
     own = by_the_program(tmp_path, "--wheel-modes", "straight-web-920")["level"]
     assert answers[-1]["level"]["total_dba"] == pytest.approx(own["total_dba"], rel=0, abs=1e-9)
     assert abs(own["wheel_dba"] - answers[0]["level"]["wheel_dba"]) > 0.5
@@ -81,7 +81,7 @@ def test_a_wheel_that_rings_is_that_of_the_program(page, tmp_path):
     page.page.select_option("#language", "de")
     assert page.page.locator("#noise-wheel option").all_text_contents() == ["starr", "gerader Steg, 920 mm"]
     page.page.reload()
-    page.until(page.page.locator("#noise-panel").is_visible, seconds=60)
+    page.until(page.page.locator("#noise-panel").is_visible)
     assert page.page.locator("#noise-wheel").input_value() == "straight-web-920" and answers[-1]["wheel_modes"] == "straight-web-920"
 
 
@@ -98,7 +98,7 @@ def test_a_limit_of_ones_own_is_told_in_months(open_page, tmp_path):
     page.until(lambda: f"sind in {months:.3g} Monaten erreicht".replace(".", ",") in page.text("#noise-outlook"))
     page.until(lambda: [curve["y"] for curve in data(page, "noise-course") if curve["name"] == "Grenze"] == [[limit, limit]])
     assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
-    page.page.wait_for_timeout(300)
+    page.settle()
     page.keep("noise-dark-360", whole=True)
     # Every measure in the language of the page.
     titles = [row[0] for row in cells(page, "noise-measures")]
@@ -123,7 +123,7 @@ def test_a_track_without_a_level_says_so(page):
     # A free rail carries vibration on without end; what a moving one carries is not known.
     for model in ["free-beam", "moving-beam"]:
         page.set("track.model", model)
-        page.until(lambda: page.page.locator("#noise-panel").is_visible() and not page.page.locator("#noise-panel.stale").count(), seconds=60)
+        page.until(lambda: page.page.locator("#noise-panel").is_visible() and not page.page.locator("#noise-panel.stale").count())
         assert "has no level" in page.text("#noise-verdict")
         assert not page.page.locator("#noise-parts").is_visible() and not page.page.locator("#noise-help-panel").is_visible()
     page.page.select_option("#language", "de")

@@ -13,7 +13,7 @@ import urllib.request
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 
-from conftest import PROGRAM, ROOT, Served
+from conftest import PATIENCE, PROGRAM, ROOT, Served
 
 NOMINAL = (ROOT / "cases/nominal.toml").read_text()
 VIEWS = ["explore", "compare", "measure", "curve", "motion", "paper"]
@@ -277,7 +277,6 @@ def test_a_link_opens_what_was_seen(page, open_page):
     page.page.locator("#compare-difference").wait_for()
     page.set("contact.friction", "0.31")
     page.settle()
-    page.page.wait_for_timeout(600)
     address = page.page.url
     other = open_page(address.split("/", 3)[3])
     assert other.page.locator("#key-contact-friction").input_value() == "0.31"
@@ -330,7 +329,7 @@ def test_the_figures_of_the_paper_are_drawn(page):
         figure.scroll_into_view_if_needed()
         page.until(lambda: f"Figure {number}." in figure.locator("h2").inner_text())
         page.until(lambda: figure.locator("canvas, .main-svg").count() > 0)
-    page.page.wait_for_timeout(500)
+    page.settle()
     # No curve reaches into the panel beside it.
     over = "() => [...document.querySelectorAll('#view-paper figure')].filter((one) => one.scrollWidth > one.clientWidth + 1).length"
     assert page.page.evaluate(over) == 0
@@ -354,13 +353,12 @@ def profile(metres=60):
 def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
-    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0, seconds=60)
+    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     assert "over the limit" in page.text("#view-measure")
     assert page.page.locator(".findings h3").first.inner_text().startswith("40")
     page.settle()
-    page.page.wait_for_timeout(800)
     page.keep("measure", whole=True)
-    with page.page.expect_download(timeout=60_000) as download:
+    with page.page.expect_download() as download:
         page.page.click("#report")
     download.value.save_as(tmp_path / "report.html")
     report = (tmp_path / "report.html").read_text()
@@ -368,7 +366,7 @@ def test_a_measured_rail_is_read_judged_and_reported(page, served, tmp_path):
     assert download.value.suggested_filename == "trolley-report.html"
     page.page.click("#tab-explore")
     page.page.get_by_text("Take away").click()
-    with page.page.expect_download(timeout=60_000) as again:
+    with page.page.expect_download() as again:
         page.page.click("[data-take=report]")
     assert again.value.suggested_filename == "trolley-report.html"
 
@@ -411,7 +409,6 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.until(lambda: not page.page.locator("#curve-gauge-fault").is_visible())
     page.until(lambda: page.page.locator("#view-curve .panel.stale").count() == 0)
     page.settle()
-    page.page.wait_for_timeout(300)
     page.keep("curve", whole=True)
     # What cannot be read says so in the name of the user.
     broken = {"name": "scan.csv", "mimeType": "text/csv", "buffer": b"x_mm,y_mm\n1,2\n3,x\n"}
@@ -442,7 +439,7 @@ def test_fields_of_a_curve_read_the_separators_and_units_of_people(open_page):
             assert page.page.locator(field).input_value() == text
         else:
             page.until(page.page.locator(f"{field}-fault").is_visible)
-            page.page.wait_for_timeout(100)
+            page.pause()
             assert len(asked) == count
             assert "Was ist gemeint?" in page.text(f"{field}-fault") or field != "#bogie-axle-load"
             page.page.fill(field, "")
@@ -470,7 +467,7 @@ def test_a_curve_survives_a_reload_and_a_program_that_does_not_answer(page):
     page.settle()
     page.until(lambda: page.page.locator("#view-curve .panel.stale").count() == 0)
     told = page.text("#wheels")
-    page.page.wait_for_timeout(400)
+    page.settle()
     page.page.reload()
     page.until(lambda: rows.count() == 4 and page.text("#wheels") == told)
     assert page.page.locator("#profile-wheel").input_value() == "wheel.whl" and page.page.locator("#profile-rail").input_value() == "60E2"
@@ -498,7 +495,7 @@ def test_a_curve_survives_a_reload_and_a_program_that_does_not_answer(page):
 @pytest.mark.without_curves
 def test_a_report_without_a_measured_rail_is_that_of_the_case(page, tmp_path):
     page.page.get_by_text("Take away").click()
-    with page.page.expect_download(timeout=60_000) as download:
+    with page.page.expect_download() as download:
         page.page.click("[data-take=report]")
     assert download.value.suggested_filename == "br-main-line-tangent-track-report.html"
     download.value.save_as(tmp_path / "report.html")
@@ -598,14 +595,14 @@ def test_any_size_of_window(open_page, name, width, height):
     page = open_page(viewport={"width": width, "height": height})
     for view in VIEWS:
         page.page.click(f"#tab-{view}")
-        page.page.wait_for_timeout(300)
+        page.settle()
         if view == "curve":
             page.page.wait_for_selector("#wheels tbody tr")
         wide = page.page.evaluate("() => document.documentElement.scrollWidth")
         assert wide <= width, f"{view} is {wide} wide"
         if view == "compare":
             # Nothing lies over the button.
-            page.page.click("#keep", timeout=5000)
+            page.page.click("#keep")
             page.page.locator("#compare-difference").wait_for()
     page.page.click("#tab-explore")
     page.settle()
@@ -623,7 +620,6 @@ def test_rules_of_accessibility(open_page, scheme):
             page.page.locator("#compare-difference").wait_for()
         page.page.evaluate("() => document.querySelectorAll('details').forEach((group) => (group.open = true))")
         page.settle()
-        page.page.wait_for_timeout(500)
         # Colours alone differ on a dark page.
         options = {"resultTypes": ["violations"], **({"runOnly": ["color-contrast"]} if scheme == "dark" else {})}
         # What stands beside every view is looked at with the first.
@@ -674,25 +670,30 @@ def test_the_map_follows_a_slider(open_page, size, capsys):
 def test_curves_wait_until_the_map_is_on_the_screen(open_page):
     page = open_page()
     page.page.wait_for_function("() => document.getElementById('growth').data")
-    drawn = page.page.evaluate(
-        """async () => {
-          const pause = (wait) => new Promise((done) => setTimeout(done, wait));
-          let drawn = 0;
-          document.getElementById('growth').on('plotly_afterplot', () => drawn++);
+    page.settle()
+    page.page.evaluate(
+        """() => {
+          window.drawn = 0;
+          document.getElementById('growth').on('plotly_afterplot', () => window.drawn++);
           // A screen that is late.
-          const frame = window.requestAnimationFrame.bind(window);
-          window.requestAnimationFrame = (draw) => setTimeout(() => frame(draw), 1500);
+          const [frame, late] = [window.requestAnimationFrame.bind(window), []];
+          window.requestAnimationFrame = (draw) => late.push(draw);
+          window.paint = () => {
+            window.requestAnimationFrame = frame;
+            late.forEach((draw) => frame(draw));
+          };
+          performance.clearMarks('riffel-map-shown');
           const slider = document.getElementById('slide-key-contact-friction');
           slider.value = 0.405;
           slider.dispatchEvent(new Event('input'));
-          await pause(1200);
-          const early = drawn;
-          await pause(1500);
-          return [early, drawn];
         }"""
     )
+    page.until(lambda: page.page.evaluate("() => performance.getEntriesByName('riffel-map-shown').length"))
+    page.pause()
+    assert page.page.evaluate("() => window.drawn") == 0
+    page.page.evaluate("() => window.paint()")
+    page.until(lambda: page.page.evaluate("() => window.drawn") == 1)
     page.close()
-    assert drawn == [0, 1]
 
 
 @pytest.mark.without_curves
@@ -734,7 +735,7 @@ def test_a_busy_program_is_asked_again(open_page):
 
     page.page.route("**/api/map", busy)
     drag(page, "contact-friction", 0.6)
-    page.page.wait_for_timeout(200)
+    page.until(lambda: turned_away)
     page.settle()
     assert len(turned_away) == 1
     assert page.page.evaluate("() => window.riffel.state.head.complete.contact.friction") == 0.6
@@ -749,12 +750,12 @@ def test_other_machines_are_let_in_with_a_warning_only(tmp_path):
     )
     assert program.stdout.readline().startswith("http://127.0.0.1:")
     program.terminate()
-    assert "warning: other machines can reach this page" in program.communicate(timeout=20)[1]
+    assert "warning: other machines can reach this page" in program.communicate(timeout=PATIENCE)[1]
 
 
 def test_a_port_that_is_taken_is_told(served):
     port = served.url.rsplit(":", 1)[1].strip("/")
-    outcome = subprocess.run([PROGRAM, "serve", "--port", port], capture_output=True, text=True, timeout=20)
+    outcome = subprocess.run([PROGRAM, "serve", "--port", port], capture_output=True, text=True, timeout=PATIENCE)
     assert outcome.returncode == 2
     assert f"cannot listen on 127.0.0.1:{port}" in outcome.stderr and "--port 0" in outcome.stderr
 

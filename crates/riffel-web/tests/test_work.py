@@ -81,19 +81,19 @@ def test_comparison_and_measurement_pale_with_the_case(page):
     release()
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
-    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0, seconds=60)
+    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     page.until(lambda: pale(page, "measure") == 0)
     release = hold(page, "**/api/measure")
     page.set("contact.friction", "0.25")
     page.until(lambda: pale(page, "measure") >= 4)
     release()
-    page.until(lambda: pale(page, "measure") == 0, seconds=60)
+    page.until(lambda: pale(page, "measure") == 0)
 
 
 @pytest.mark.parametrize("damage", [lambda link: link[:-40], lambda link: link[:60] + "!" + link[61:], lambda link: link[:60] + ("A" if link[60] != "A" else "B") + link[61:]])
 def test_a_damaged_link_says_so_and_keeps_what_is_open(page, open_page, damage):
     page.set("contact.friction", "0.27")
-    page.page.wait_for_timeout(600)
+    page.settle()
     link = page.page.url.split("#")[1]
     page.page.evaluate("(link) => (location.hash = link)", damage(link))
     page.until(page.page.locator("#trouble .said").is_visible)
@@ -118,7 +118,7 @@ def test_a_case_that_never_had_an_answer_is_not_said_to_be_shown(page):
     page.set("wheel.mass", "350 stones")
     page.until(page.page.locator("#trouble [data-field]").is_visible)
     assert "is the last case without an error" in page.text("#trouble")
-    page.page.wait_for_timeout(400)
+    page.settle()
     page.page.reload()
     page.until(page.page.locator("#trouble [data-field]").is_visible)
     assert "nothing can be shown before" in page.text("#trouble")
@@ -270,11 +270,11 @@ def test_a_reload_loses_nothing(page):
     page.page.press("#traffic-daily", "Tab")
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile()}])
-    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0, seconds=60)
-    page.page.wait_for_timeout(600)
+    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
+    page.settle()
     page.page.reload()
     page.settle()
-    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0, seconds=60)
+    page.until(lambda: page.page.locator(".sentences li.bad").count() > 0)
     assert "trolley.csv" in page.text("#record-state")
     assert page.page.locator("#traffic-daily").input_value() == "4000"
     assert friction(page) == 0.3
@@ -286,7 +286,7 @@ def test_a_reload_loses_nothing(page):
 
 def test_a_visit_without_a_link_goes_on_where_the_last_one_ended(page):
     page.set("contact.friction", "0.3")
-    page.page.wait_for_timeout(600)
+    page.settle()
     later = page.context.new_page()
     later.goto(page.page.url.split("#")[0])
     later.locator("#notice").wait_for()
@@ -350,5 +350,5 @@ def test_a_double_click_gives_one_file(page):
     page.page.locator("[popovertarget=take-away]").click()
     page.page.locator("[data-take=csv]").dblclick()
     page.until(lambda: given)
-    page.page.wait_for_timeout(700)
+    page.pause()
     assert (len(asked), len(given)) == (1, 1)
