@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use riffel_keys::CaseError;
-use riffel_study::StudyError;
 use thiserror::Error;
 
 /// A store that cannot be made, read or added to, and why, in a sentence.
@@ -16,11 +15,6 @@ pub enum NetworkError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Input(#[from] CaseError),
-
-    /// An array cannot be written.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Study(#[from] StudyError),
 
     /// A file of the store cannot be read.
     #[error("cannot read {path}: {reason}", path = path.display())]

@@ -5,11 +5,10 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
 
+use riffel_arrays::{Array, Values, whole_file};
 use riffel_rail::read_date;
-use riffel_study::whole_file;
-use riffel_study::zarr::{Array, DataType, Values};
 use serde::Serialize;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::grid::Gridded;
 use crate::layout::{arrays_name, record_name};
@@ -151,9 +150,10 @@ impl Store {
         write_arrays(&half, file, &network, &mut survey, progress)?;
         let arrays = folder.join(&survey.folder);
         fs::rename(half, &arrays).map_err(NetworkError::write(&arrays))?;
-        whole_file::synchronise(&folder)?;
-        write_document(&folder.join(record_name(day)), &json!(survey))?;
-        whole_file::synchronise(&folder)?;
+        let synchronise = || whole_file::synchronise(&folder).map_err(NetworkError::write(&folder));
+        synchronise()?;
+        write_document(&folder.join(record_name(day)), &survey)?;
+        synchronise()?;
         Self::sweep(&folder, day, &survey.folder)?;
         Ok(done(&survey, false))
     }
@@ -231,77 +231,41 @@ fn coordinates(
     survey: &SurveyRecord,
     arrays: &[Array],
 ) -> Result<(), NetworkError> {
-    let mut metadata = serde_json::Map::new();
-    let mut describe = |array: &Array| -> Result<(), NetworkError> {
-        let document = array.metadata();
-        let path = folder.join(&array.name).join("zarr.json");
-        write(&path, &pretty(&document))?;
-        metadata.insert(array.name.clone(), document);
-        Ok(())
-    };
-    for array in arrays {
-        describe(array)?;
-    }
-    let axis = |name: &str, dimension, length: u64, rows, words: &str| Array {
-        name: name.to_owned(),
-        data_type: DataType::Float64,
-        shape: vec![length],
-        rows_per_chunk: rows,
-        dimensions: vec![dimension],
-        attributes: json!({ "units": "m", "long_name": words }),
-    };
-    let place = axis(
+    let mut place = Array::axis(
         "place",
         "place",
         survey.cells,
-        ROWS,
+        "m",
         "middle of a cell along the line",
     );
-    describe(&place)?;
+    place.rows_per_chunk = ROWS;
+    let axes = riffel_arrays::band_axes(&network.bands_m);
+    let coordinates = [&place]
+        .into_iter()
+        .chain(axes.iter().map(|(array, _)| array));
+    let all = || arrays.iter().chain(coordinates.clone());
+    for array in all() {
+        let path = folder.join(&array.name).join("zarr.json");
+        write(&path, &riffel_arrays::json(&array.metadata()))?;
+    }
     for chunk in 0..survey.cells.div_ceil(ROWS) {
         let middle = |row: u64| survey.start_m + (row as f64 + 0.5) * network.resolution_m;
         let rows = chunk * ROWS..((chunk + 1) * ROWS).min(survey.cells);
         let bytes = place.encode(&Values::Numbers(rows.map(middle).collect()));
         write(&folder.join(place.file(chunk)), &bytes)?;
     }
-    let count = network.bands_m.len() as u64;
-    let bands = |value: &dyn Fn([f64; 2]) -> f64| {
-        Values::Numbers(network.bands_m.iter().map(|&band| value(band)).collect())
-    };
-    for (name, words, values) in [
-        (
-            "band",
-            "centre of the band in the logarithm of wavelength",
-            bands(&|[from, to]| (from * to).sqrt()),
-        ),
-        (
-            "band_from",
-            "shortest wavelength of the band",
-            bands(&|band| band[0]),
-        ),
-        (
-            "band_to",
-            "longest wavelength of the band",
-            bands(&|band| band[1]),
-        ),
-    ] {
-        let array = axis(name, "band", count, count, words);
-        describe(&array)?;
-        write(&folder.join(array.file(0)), &array.encode(&values))?;
+    for (array, values) in &axes {
+        write(&folder.join(array.file(0)), &array.encode(values))?;
     }
-    let group = json!({
-        "zarr_format": 3,
-        "node_type": "group",
-        "attributes": {
-            "title": survey.line,
-            "date": survey.date.to_string(),
-            "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
-            "Conventions": "CF-1.8",
-            "coordinates": "band_from band_to",
-        },
-        "consolidated_metadata": { "kind": "inline", "must_understand": false, "metadata": metadata },
+    let attributes = json!({
+        "title": survey.line,
+        "date": survey.date.to_string(),
+        "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
+        "Conventions": "CF-1.8",
+        "coordinates": "band_from band_to",
     });
-    write(&folder.join("zarr.json"), &pretty(&group))
+    let group = riffel_arrays::group(attributes, all());
+    write(&folder.join("zarr.json"), &riffel_arrays::json(&group))
 }
 
 /// Write a file of a folder that is not there yet for anybody else.
@@ -311,10 +275,4 @@ fn write(path: &Path, bytes: &[u8]) -> Result<(), NetworkError> {
         .and_then(|()| File::create(path))
         .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_data()))
         .map_err(NetworkError::write(path))
-}
-
-fn pretty(document: &Value) -> Vec<u8> {
-    let mut text = serde_json::to_vec_pretty(document).unwrap_or_default();
-    text.push(b'\n');
-    text
 }

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
-use riffel_study::whole_file;
+use riffel_arrays::whole_file;
 use tempfile::TempDir;
 
 use crate::NetworkError;

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
-use riffel_study::whole_file;
-use riffel_study::zarr::{Array, DataType, Values};
+use riffel_arrays::{Array, DataType, Values, whole_file};
+use serde::Serialize;
 use serde_json::json;
 
 use crate::NetworkError;
@@ -162,7 +162,7 @@ impl Store {
             resolution_m: self.settings.resolution.unwrap_or(block),
             bands_m,
         };
-        write_document(&self.folder.join(RECORD), &json!(record))?;
+        write_document(&self.folder.join(RECORD), &record)?;
         Ok(record)
     }
 
@@ -261,12 +261,6 @@ pub(crate) fn parsed<T: serde::de::DeserializeOwned>(
     })
 }
 
-pub(crate) fn write_document(
-    path: &Path,
-    document: &serde_json::Value,
-) -> Result<(), NetworkError> {
-    // A document made of values is always written.
-    let mut text = serde_json::to_vec_pretty(document).unwrap_or_default();
-    text.push(b'\n');
-    Ok(whole_file::write(path, &text)?)
+pub(crate) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), NetworkError> {
+    whole_file::write(path, &riffel_arrays::json(document)).map_err(NetworkError::write(path))
 }

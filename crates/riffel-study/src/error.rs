@@ -1,7 +1,7 @@
 //! What can be wrong with a study.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use riffel_keys::CaseError;
@@ -139,4 +139,11 @@ pub enum StudyError {
         /// Why not.
         reason: &'static str,
     },
+}
+
+impl StudyError {
+    pub(crate) fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        |reason| Self::Write { path, reason }
+    }
 }

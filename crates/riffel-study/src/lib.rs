@@ -33,8 +33,6 @@ mod results;
 mod run;
 pub mod sensitivity;
 mod study;
-pub mod whole_file;
-pub mod zarr;
 
 pub use design::Design;
 pub use distribution::Distribution;

@@ -129,11 +129,11 @@ const LEFT: &[(&str, &[&str])] = &[
     // Descriptions of arrays in a store, for those who open it with other programs.
     (
         "riffel-network/src/ingest.rs",
-        &[
-            "of a cell along the line",
-            "in the logarithm of wavelength",
-            "wavelength of the band",
-        ],
+        &["of a cell along the line"],
+    ),
+    (
+        "riffel-arrays/src/band_axes.rs",
+        &["in the logarithm of wavelength", "wavelength of the band"],
     ),
     (
         "riffel-network/src/store.rs",
@@ -165,11 +165,7 @@ const LEFT: &[(&str, &[&str])] = &[
     ),
     (
         "riffel-study/src/results/arrays.rs",
-        &[
-            "why the sample has no results",
-            "in the logarithm of wavelength",
-            "wavelength of the band",
-        ],
+        &["why the sample has no results"],
     ),
     // Words in drawings and tables on disk, beside sentences that are said.
     (

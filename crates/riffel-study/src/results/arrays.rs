@@ -1,12 +1,12 @@
 //! The arrays of a study: what each holds, and from where in a sample.
 
-use serde_json::{Map, Value, json};
+use riffel_arrays::{Array, DataType, Values, json};
+use serde_json::json;
 
 use crate::StudyError;
 use crate::outputs::Dimension;
 use crate::parameter::ParameterValue;
 use crate::study::{Chunk, Sample, Study};
-use crate::zarr::{Array, DataType, Values};
 
 /// The name of the array that says why a sample failed.
 pub(crate) const FAILURE: &str = "failure";
@@ -79,106 +79,45 @@ impl Arrays {
     /// All files but those of the chunks: metadata, and the coordinates of the dimensions.
     pub(super) fn beginning(&self, study: &Study) -> Vec<(String, Vec<u8>)> {
         let outputs = study.outputs();
-        let mut files = Vec::new();
-        let mut metadata = Map::new();
-        let mut describe = |array: &Array| {
-            let document = array.metadata();
-            files.push((format!("{}/zarr.json", array.name), pretty(&document)));
-            metadata.insert(array.name.clone(), document);
-        };
-        for (_, array) in &self.arrays {
-            describe(array);
-        }
-        let mut coordinates: Vec<&str> = study
-            .parameters()
-            .iter()
-            .map(|parameter| parameter.key.key.as_str())
-            .collect();
-        let mut axes: Vec<(&str, &str, Vec<f64>, &str, &str)> = Vec::new();
+        let parameters = study.parameters().iter();
+        let mut coordinates: Vec<&str> = parameters.map(|it| it.key.key.as_str()).collect();
+        let mut axes = Vec::new();
         for dimension in outputs.dimensions() {
-            let bands = |value: &dyn Fn(f64, f64) -> f64| {
-                outputs
-                    .bands()
-                    .iter()
-                    .map(|band| value(band.from, band.to))
-                    .collect()
-            };
-            match dimension {
-                Dimension::Speed => axes.push((
-                    "speed",
-                    "speed",
-                    outputs.speeds().to_vec(),
-                    "m/s",
-                    "speed of the vehicle",
-                )),
-                Dimension::Wavelength => axes.push((
-                    "wavelength",
-                    "wavelength",
-                    outputs.wavelengths().to_vec(),
-                    "m",
-                    "wavelength of the corrugation",
-                )),
-                Dimension::Band => {
-                    let centre = bands(&|from, to| (from * to).sqrt());
-                    axes.push((
-                        "band",
-                        "band",
-                        centre,
-                        "m",
-                        "centre of the band in the logarithm of wavelength",
-                    ));
-                    axes.push((
-                        "band_from",
-                        "band",
-                        bands(&|from, _| from),
-                        "m",
-                        "shortest wavelength of the band",
-                    ));
-                    axes.push((
-                        "band_to",
-                        "band",
-                        bands(&|_, to| to),
-                        "m",
-                        "longest wavelength of the band",
-                    ));
-                    coordinates.extend(["band_from", "band_to"]);
+            let (name, unit, words, values) = match dimension {
+                Dimension::Speed => ("speed", "m/s", "speed of the vehicle", outputs.speeds()),
+                Dimension::Wavelength => {
+                    let words = "wavelength of the corrugation";
+                    ("wavelength", "m", words, outputs.wavelengths())
                 }
-            }
-        }
-        let mut chunks = Vec::new();
-        for (name, dimension, values, unit, words) in axes {
-            let length = values.len() as u64;
-            let array = Array {
-                name: name.to_owned(),
-                data_type: DataType::Float64,
-                shape: vec![length],
-                rows_per_chunk: length,
-                dimensions: vec![dimension],
-                attributes: json!({ "units": unit, "long_name": words }),
+                Dimension::Band => {
+                    let bands = outputs.bands().iter().map(|band| [band.from, band.to]);
+                    axes.extend(riffel_arrays::band_axes(&bands.collect::<Vec<_>>()));
+                    coordinates.extend(["band_from", "band_to"]);
+                    continue;
+                }
             };
-            describe(&array);
-            chunks.push((array.file(0), array.encode(&Values::Numbers(values))));
+            let array = Array::axis(name, name, values.len() as u64, unit, words);
+            axes.push((array, Values::Numbers(values.to_vec())));
         }
-        files.extend(chunks);
-        let group = json!({
-            "zarr_format": 3,
-            "node_type": "group",
-            "attributes": {
-                "title": study.plan.file.title.as_deref().unwrap_or("Study"),
-                "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
-                "Conventions": "CF-1.8",
-                "coordinates": coordinates.join(" "),
-                "design": study.plan.file.design.method.name(),
-                "fingerprint": study.fingerprint,
-            },
-            // One file to open instead of one for each array.
-            "consolidated_metadata": {
-                "kind": "inline",
-                "must_understand": false,
-                "metadata": metadata,
-            },
+        let own = self.arrays.iter().map(|(_, array)| array);
+        let all = || own.clone().chain(axes.iter().map(|(array, _)| array));
+        let described =
+            |array: &Array| (format!("{}/zarr.json", array.name), json(&array.metadata()));
+        let mut files: Vec<_> = all().map(described).collect();
+        files.extend(
+            axes.iter()
+                .map(|(array, values)| (array.file(0), array.encode(values))),
+        );
+        let attributes = json!({
+            "title": study.plan.file.title.as_deref().unwrap_or("Study"),
+            "source": concat!("riffel ", env!("CARGO_PKG_VERSION")),
+            "Conventions": "CF-1.8",
+            "coordinates": coordinates.join(" "),
+            "design": study.plan.file.design.method.name(),
+            "fingerprint": study.fingerprint,
         });
-        files.push(("zarr.json".to_owned(), pretty(&group)));
+        let group = riffel_arrays::group(attributes, all());
+        files.push(("zarr.json".to_owned(), json(&group)));
         files
     }
 
@@ -240,11 +179,4 @@ impl Content {
             }
         }
     }
-}
-
-fn pretty(document: &Value) -> Vec<u8> {
-    // A document made of values is always written.
-    let mut text = serde_json::to_vec_pretty(document).unwrap_or_default();
-    text.push(b'\n');
-    text
 }

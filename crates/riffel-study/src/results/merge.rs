@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::record::ChunkRecord;
 use super::{ARRAYS, ChunkState, ResultFolder};
-use crate::{Shard, StudyError, Summary, whole_file};
+use crate::{Shard, StudyError, Summary};
 
 /// What a merge did.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -102,9 +102,9 @@ impl ResultFolder {
                 if super::checksum(&bytes) != *checksum {
                     return Err(StudyError::Damaged { path, chunk });
                 }
-                whole_file::write(&target.path.join(ARRAYS).join(name), &bytes)?;
+                super::write(&target.path.join(ARRAYS).join(name), &bytes)?;
             }
-            whole_file::write(&target.record_path(chunk), &super::record::json(&record))?;
+            super::write(&target.record_path(chunk), &riffel_arrays::json(&record))?;
             copied += 1;
         }
         target.report(copied, there_already)

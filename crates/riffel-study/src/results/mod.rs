@@ -20,13 +20,12 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 
 use rayon::prelude::*;
+use riffel_arrays::{Values, json, whole_file};
 
 pub use merge::MergeReport;
 pub use record::{Reason, Summary};
 
 use crate::study::{Chunk, Study};
-use crate::whole_file;
-use crate::zarr::Values;
 use crate::{ParameterValue, Shard, StudyError};
 use arrays::Arrays;
 use record::{ChunkRecord, StudyRecord};
@@ -159,10 +158,10 @@ impl ResultFolder {
 
     /// Write all but the chunks; `study.json` last, so that a folder with it is complete.
     fn write_study(&self, study: &Study) -> Result<(), StudyError> {
-        let write = |name: &str, bytes: &[u8]| whole_file::write(&self.path.join(name), bytes);
+        let write = |name: &str, bytes: &[u8]| write(&self.path.join(name), bytes);
         for folder in [FINISHED, ARRAYS] {
             let path = self.path.join(folder);
-            fs::create_dir_all(&path).map_err(|reason| StudyError::Write { path, reason })?;
+            fs::create_dir_all(&path).map_err(StudyError::write(&path))?;
         }
         write(PLAN, study.plan.text.as_bytes())?;
         write(CASE, study.case_text.as_bytes())?;
@@ -178,7 +177,7 @@ impl ResultFolder {
         for (name, bytes) in self.arrays.beginning(study) {
             write(&format!("{ARRAYS}/{name}"), &bytes)?;
         }
-        write(STUDY, &record::json(&self.study))
+        write(STUDY, &json(&self.study))
     }
 
     fn record_path(&self, chunk: u64) -> PathBuf {
@@ -192,10 +191,10 @@ impl ResultFolder {
     pub fn commit(&self, chunk: &Chunk) -> Result<(), StudyError> {
         let mut record = ChunkRecord::new(chunk);
         for (name, bytes) in self.arrays.encode(chunk) {
-            whole_file::write(&self.path.join(ARRAYS).join(&name), &bytes)?;
+            write(&self.path.join(ARRAYS).join(&name), &bytes)?;
             record.files.insert(name, checksum(&bytes));
         }
-        whole_file::write(&self.record_path(chunk.index), &record::json(&record))
+        write(&self.record_path(chunk.index), &json(&record))
     }
 
     /// What is known of a chunk. Cost: its files are read.
@@ -269,7 +268,7 @@ impl ResultFolder {
     /// # Errors
     /// [`StudyError::Write`].
     pub fn sweep(&self) -> Result<(), StudyError> {
-        whole_file::sweep(&self.path)
+        whole_file::sweep(&self.path).map_err(StudyError::write(&self.path))
     }
 
     /// All values of an output, sample after sample; complex ones as pairs.
@@ -343,6 +342,10 @@ impl ResultFolder {
         }
         Ok(all.unwrap_or(Values::Numbers(Vec::new())))
     }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
+    whole_file::write(path, bytes).map_err(StudyError::write(path))
 }
 
 /// SHA-256 of a file. Not a CRC: the files of the arrays end with their own, and the CRC of any such file is the

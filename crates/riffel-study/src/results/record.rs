@@ -183,13 +183,6 @@ fn without_numbers(sentence: &str) -> String {
     text
 }
 
-pub(super) fn json(record: &impl Serialize) -> Vec<u8> {
-    // Records have string keys and no failing `Serialize`.
-    let mut text = serde_json::to_vec_pretty(record).unwrap_or_default();
-    text.push(b'\n');
-    text
-}
-
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T, StudyError> {
     let text = fs::read(path).map_err(|reason| StudyError::Read {
         path: path.to_owned(),

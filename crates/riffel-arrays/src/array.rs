@@ -46,6 +46,24 @@ pub enum Values {
 }
 
 impl Array {
+    /// The coordinate of a dimension, or one more of it: numbers in one chunk.
+    pub fn axis(
+        name: &str,
+        dimension: &'static str,
+        length: u64,
+        unit: &str,
+        description: &str,
+    ) -> Self {
+        Self {
+            name: name.to_owned(),
+            data_type: DataType::Float64,
+            shape: vec![length],
+            rows_per_chunk: length,
+            dimensions: vec![dimension],
+            attributes: json!({ "units": unit, "long_name": description }),
+        }
+    }
+
     /// The document `zarr.json`.
     pub fn metadata(&self) -> Value {
         let (data_type, fill_value, codec) = match self.data_type {
