@@ -33,6 +33,7 @@ pub mod map;
 pub mod models;
 mod netcdf;
 pub mod noise;
+mod pads;
 pub mod paper;
 mod parameters;
 pub mod point;

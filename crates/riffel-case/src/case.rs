@@ -17,6 +17,7 @@ use crate::contact_tables::ContactTables;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::given::{Given, GivenReceptance};
 use crate::measurement;
+use crate::setting::Setting;
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
 use crate::window::Window;
@@ -60,9 +61,26 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::read_text(path, |text| text.apply(overrides))
+    }
+
+    /// [`read`](Self::read) a case file, and give keys values.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read), and as [`edit`](Self::edit) for the settings.
+    pub fn read_with(path: &Path, settings: &[Setting]) -> Result<Self, CaseError> {
+        Self::read_text(path, |text| text.write(settings))
+    }
+
+    fn read_text(
+        path: &Path,
+        change: impl FnOnce(&mut CaseText) -> Result<(), CaseError>,
+    ) -> Result<Self, CaseError> {
         let text = text_file::read_keys(path, "case file")?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        Self::build(&path.display().to_string(), Some(folder), &text, overrides)
+        let mut text = CaseText::parse(&path.display().to_string(), &text)?;
+        change(&mut text)?;
+        Self::of_text(text, Some(folder), Given::default(), Window::Map)
     }
 
     /// Read a case from TOML; `name` is the one shown in errors. Files that the case names are relative
@@ -163,35 +181,40 @@ impl Case {
     /// # Errors
     /// [`CaseError`] with the key, the value and the rule.
     pub fn with(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
-        self.with_window(sets, Window::Map)
-    }
-
-    /// [`with`](Self::with), where wavelengths and speeds are those of a vehicle and no map's.
-    pub(crate) fn of_vehicle(&self, sets: &[&[String]]) -> Result<Self, CaseError> {
-        self.with_window(sets, Window::Traffic)
-    }
-
-    /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
-    pub(crate) fn keys_with(&self, sets: &[&[String]]) -> Result<CaseFile, CaseError> {
         let mut text = self.unfilled.clone();
         for overrides in sets {
             text.apply(overrides)?;
         }
+        self.rebuilt(text)
+    }
+
+    /// The case of another text, with all that was given beside it.
+    pub(crate) fn rebuilt(&self, text: CaseText) -> Result<Self, CaseError> {
+        self.in_window(text, Window::Map)
+    }
+
+    /// The same with settings after those it was read with, where wavelengths and speeds are those of a vehicle and no
+    /// map's.
+    pub(crate) fn of_vehicle(&self, sets: &[&[Setting]]) -> Result<Self, CaseError> {
+        self.in_window(self.text_with(sets)?, Window::Traffic)
+    }
+
+    /// The keys of [`of_vehicle`](Self::of_vehicle), presets filled in, before anything is built of them.
+    pub(crate) fn keys_with(&self, sets: &[&[Setting]]) -> Result<CaseFile, CaseError> {
+        let mut text = self.text_with(sets)?;
         text.fill_in()?;
         text.deserialize()
     }
 
-    fn with_window(&self, sets: &[&[String]], window: Window) -> Result<Self, CaseError> {
+    pub(crate) fn text_with(&self, sets: &[&[Setting]]) -> Result<CaseText, CaseError> {
         let mut text = self.unfilled.clone();
-        for overrides in sets {
-            text.apply(overrides)?;
-        }
-        Self::of_text(
-            text,
-            self.keys.folder.as_deref(),
-            self.keys.given.clone(),
-            window,
-        )
+        sets.iter().try_for_each(|settings| text.write(settings))?;
+        Ok(text)
+    }
+
+    fn in_window(&self, text: CaseText, window: Window) -> Result<Self, CaseError> {
+        let (folder, given) = (self.keys.folder.as_deref(), self.keys.given.clone());
+        Self::of_text(text, folder, given, window)
     }
 
     /// The case on a track of the receptance given. It goes where the case goes: into overrides, traffic and

@@ -77,20 +77,34 @@ impl CaseText {
             let takes_a_name =
                 PresetKind::ALL.iter().any(|kind| kind.key() == key) || PROFILES.contains(&key);
             set.push(self.keys.set(assignment, takes_a_name)?);
-            spread_axes(&mut self.keys);
+            self.spread_axes();
         }
+        self.replace_others(has_wheelset, set.iter().map(String::as_str));
+        Ok(())
+    }
+
+    /// Axes of the map that are written as ranges become tables.
+    pub(crate) fn spread_axes(&mut self) {
+        spread_axes(&mut self.keys);
+    }
+
+    /// Remove what keys that were set replace, in a text that had a wheelset before or not.
+    pub(crate) fn replace_others<'a>(
+        &mut self,
+        had_wheelset: bool,
+        set: impl Iterator<Item = &'a str> + Clone,
+    ) {
         let [ratio, creepage] = ["contact.tractive_ratio", "contact.creepage"];
-        let sets = |key: &str| set.iter().any(|other| is_within(other, key));
+        let sets = |key: &str| set.clone().any(|other| is_within(other, key));
         match (sets(ratio), sets(creepage)) {
             (true, false) => self.keys.remove(creepage),
             (false, true) => self.keys.remove(ratio),
             _ => {}
         }
-        if !has_wheelset && sets("wheelset") {
+        if !had_wheelset && sets("wheelset") {
             let replaced = REPLACED_BY_WHEELSET.iter().filter(|key| !sets(key));
             replaced.for_each(|key| self.keys.remove(key));
         }
-        Ok(())
     }
 
     /// The keys as types, with defaults in the place of those left out.

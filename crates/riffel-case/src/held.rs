@@ -2,8 +2,11 @@
 
 use riffel::contact::MeanRolling;
 use riffel_keys::CaseError;
+use riffel_keys::quantity::Quantity;
+use toml::Value;
 
 use crate::file::Creepage;
+use crate::setting::Setting;
 use crate::{Case, Hold, Variant};
 
 /// What a variant holds of the mean state of one wheel.
@@ -13,12 +16,12 @@ pub(crate) struct Held {
     steady: MeanRolling,
     /// Friction times load μP₀ \[N\] after it.
     limit: f64,
-    /// The override `key=value` that holds it; none where it is what the case gives.
-    assignment: Option<String>,
+    /// What holds it; none where it is what the case gives.
+    setting: Option<Setting>,
 }
 
 impl Held {
-    /// On the wheel that the overrides `own` make of that of the case, in a window; none where friction and load
+    /// On the wheel that the settings `own` make of that of the case, in a window; none where friction and load
     /// stay, or the variant gives the mean state itself.
     ///
     /// # Errors
@@ -27,8 +30,8 @@ impl Held {
     pub(crate) fn of(
         variant: &Variant,
         case: &Case,
-        own: &[String],
-        window: &[String],
+        own: &[Setting],
+        window: &[Setting],
     ) -> Result<Option<Self>, CaseError> {
         if case.unfilled.keys.has("contact.from") {
             // The curve gives the mean state of every variant.
@@ -42,7 +45,7 @@ impl Held {
         }
         let keys = [
             case.keys_with(&[own]),
-            case.keys_with(&[own, &variant.overrides]),
+            case.keys_with(&[own, &variant.settings]),
         ];
         // What is wrong with the keys is said where the case is built of them.
         let [Ok(before), Ok(after)] = keys else {
@@ -61,34 +64,30 @@ impl Held {
         }
         let steady = case.of_vehicle(&[own, window])?.steady;
         let limit = after.contact.friction.si() * after.contact.normal_load.si();
-        let assignment = variant.hold.map(|hold| match hold {
-            Hold::Force => format!(
-                "contact.tractive_ratio={:e}",
-                steady.forces.longitudinal / limit
-            ),
-            Hold::Ratio => format!("contact.tractive_ratio={:e}", steady.tractive_ratio()),
-            Hold::Creepage => {
-                let creepage = match vector {
-                    Some(vector) => vector.in_override(),
-                    None => format!("{:e}", steady.creepages.longitudinal),
-                };
-                format!("contact.creepage={creepage}")
-            }
+        let ratio = |ratio: f64| ("contact.tractive_ratio".to_owned(), Value::Float(ratio));
+        let setting = variant.hold.map(|hold| match hold {
+            Hold::Force => ratio(steady.forces.longitudinal / limit),
+            Hold::Ratio => ratio(steady.tractive_ratio()),
+            Hold::Creepage => vector
+                .unwrap_or(Creepage::Longitudinal(Quantity::new(
+                    steady.creepages.longitudinal,
+                )))
+                .setting(),
         });
         Ok(Some(Self {
             hold,
             steady,
             limit,
-            assignment,
+            setting,
         }))
     }
 
-    /// The overrides that hold it.
-    pub(crate) fn assignments(held: Option<&Self>) -> &[String] {
-        held.map_or(&[], |held| held.assignment.as_slice())
+    /// What holds it, if anything is held.
+    pub(crate) fn settings(held: Option<&Self>) -> &[Setting] {
+        held.map_or(&[], |held| held.setting.as_slice())
     }
 
-    /// Why it cannot be held, where its override is refused for a reason.
+    /// Why it cannot be held, where its setting is refused for a reason.
     pub(crate) fn refusal(&self, reason: &str) -> String {
         let state = match self.hold {
             Hold::Force => format!(
@@ -127,7 +126,8 @@ impl Variant {
     /// [`CaseError`] with the key of the file of changes that is at fault.
     pub fn applied_to(&self, case: &Case) -> Result<Case, CaseError> {
         let held = Held::of(self, case, &[], &[])?;
-        case.with(&[&self.overrides, Held::assignments(held.as_ref())])
+        case.text_with(&[&self.settings, Held::settings(held.as_ref())])
+            .and_then(|text| case.rebuilt(text))
             .map_err(|error| self.explain(error))
     }
 }

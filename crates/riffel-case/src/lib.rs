@@ -42,6 +42,7 @@ mod portable_case;
 mod preset;
 mod resonances;
 mod sensitivity;
+mod setting;
 mod stability;
 mod track;
 pub mod traffic;
@@ -65,8 +66,9 @@ pub use point::{AllAxes, ContactPoint, Point, PointQuantity, PointValue};
 pub use portable_case::PortableCase;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use sensitivity::Sensitivity;
+pub use setting::{Setting, settings};
 pub use track::{Origin, Track};
-pub use variant::{SpeedChange, Variant, assignments};
+pub use variant::{SpeedChange, Variant};
 pub use wheels_of_curve::{WheelOfCurve, WheelsOfCurve};
 pub use wheelset::{CaseWheelset, WheelsetMode};
 

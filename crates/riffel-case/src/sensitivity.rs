@@ -6,7 +6,7 @@ use serde::Serialize;
 use toml::{Table, Value};
 
 use crate::case_text::CaseText;
-use crate::window::Window;
+use crate::setting::Setting;
 use crate::{Case, CaseKey};
 
 /// Derivative of the growth rate by one parameter, all others held.
@@ -55,18 +55,19 @@ impl Case {
         let at_point = self.point(wavelength, speed)?.growth_rate();
         let whole = self.written_out()?;
         let window = window(wavelength);
-        let changed = |change: Option<String>| -> Result<f64, CaseError> {
+        let changed = |change: Option<(&str, f64)>| -> Result<f64, CaseError> {
             let mut text = whole.clone();
-            text.apply(&window)?;
-            text.apply(change.as_slice())?;
-            let (folder, given) = (self.keys.folder.as_deref(), self.keys.given.clone());
-            let case = Self::of_text(text, folder, given, Window::Map)?;
+            text.write(&window)?;
+            if let Some((key, value)) = change {
+                text.write(&[(key.to_owned(), Value::Float(value))])?;
+            }
+            let case = self.rebuilt(text)?;
             Ok(case.point(wavelength, speed)?.growth_rate())
         };
         let growth = changed(None)?;
         let by_key = |key: &(&'static CaseKey, f64)| {
             let (key, value) = *key;
-            let at = |value: f64| changed(Some(format!("{}={value:e}", key.key))).ok();
+            let at = |value: f64| changed(Some((&key.key, value))).ok();
             let unit = key.quantity.map_or("", |kind| kind.unit);
             relative(&key.key, unit, value, growth, at)
         };
@@ -100,9 +101,9 @@ impl Case {
     }
 }
 
-/// Overrides for a narrow window of the map at a wavelength \[m\]: a contact that is tabulated is tabulated where it is
+/// A narrow window of the map at a wavelength \[m\]: a contact that is tabulated is tabulated where it is
 /// asked.
-fn window(wavelength: f64) -> [String; 2] {
+fn window(wavelength: f64) -> [Setting; 2] {
     const WIDTH: f64 = 1.001;
     let range = PhysicalRange::of("map.wavelength.max");
     let longest = range.map_or(f64::INFINITY, |range| range.hard[1]);
@@ -112,8 +113,8 @@ fn window(wavelength: f64) -> [String; 2] {
         (wavelength / WIDTH, wavelength)
     };
     [
-        format!("map.wavelength.min={min:e}"),
-        format!("map.wavelength.max={max:e}"),
+        ("map.wavelength.min".to_owned(), Value::Float(min)),
+        ("map.wavelength.max".to_owned(), Value::Float(max)),
     ]
 }
 

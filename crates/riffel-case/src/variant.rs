@@ -5,13 +5,14 @@ use std::path::Path;
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Quantity, Ratio, Speed};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile, Message, overridden_key};
+use riffel_keys::{CaseError, KeyFile, Message};
 use serde::Deserialize;
-use toml::{Table, Value};
+use toml::Value;
 
 use crate::case_text::case_keys;
 use crate::file::CaseFile;
 use crate::hold::{Hold, MEAN_STATE, rolls_alike};
+use crate::setting::{Setting, settings};
 
 /// A change of a case and of the speeds on it: "softer pads", "20 km/h less".
 ///
@@ -23,8 +24,8 @@ pub struct Variant {
     pub title: String,
     /// What becomes of the speeds.
     pub speed: SpeedChange,
-    /// Overrides of the case, `key=value`.
-    pub overrides: Vec<String>,
+    /// What becomes of keys of the case.
+    pub settings: Vec<Setting>,
     /// What is held where friction or load change; left out, the creepage where the case or the vehicle gives
     /// that, else the tractive ratio.
     pub hold: Option<Hold>,
@@ -60,7 +61,7 @@ impl Variant {
         Self {
             title: title.to_owned(),
             speed: SpeedChange::default(),
-            overrides: Vec::new(),
+            settings: Vec::new(),
             hold: None,
             remarks: Vec::new(),
             source: None,
@@ -109,8 +110,8 @@ impl Variant {
         let mut keys = source.table().clone();
         keys.remove("title");
         keys.remove("speed");
-        let overrides = assignments(&keys);
-        if overrides.is_empty() && change == SpeedChange::default() {
+        let settings = settings(&keys);
+        if settings.is_empty() && change == SpeedChange::default() {
             return Err(source.invalid(
                 "",
                 "the file of changes changes nothing",
@@ -121,7 +122,7 @@ impl Variant {
         Ok(Self {
             title: own.title.unwrap_or_default(),
             speed: change,
-            overrides,
+            settings,
             hold: None,
             remarks,
             source: Some(source),
@@ -130,8 +131,7 @@ impl Variant {
 
     /// The keys that it changes, dotted.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
-        let keys = self.overrides.iter();
-        keys.map(|assignment| overridden_key(assignment))
+        self.settings.iter().map(|(key, _)| &**key)
     }
 
     /// What it holds of the mean state, from the keys of a vehicle before the change to those after it; none where
@@ -154,14 +154,10 @@ impl Variant {
     /// An error of the case that one of the changes causes, as one of the file of changes.
     pub(crate) fn explain(&self, error: CaseError) -> CaseError {
         match (&self.source, error) {
-            (
-                Some(source),
-                CaseError::Override {
-                    assignment,
-                    message,
-                },
-            ) if self.overrides.contains(&assignment) => {
-                source.refuse(overridden_key(&assignment), &message)
+            (Some(source), CaseError::Changed { key, message })
+                if self.keys().any(|own| own == key) =>
+            {
+                source.refuse(&key, &message)
             }
             (_, error) => error,
         }
@@ -184,24 +180,4 @@ impl SpeedChange {
             None => Ok(scaled),
         }
     }
-}
-
-/// Tables of keys as overrides `key=value`, the values in TOML.
-pub fn assignments(table: &Table) -> Vec<String> {
-    fn walk(parent: &str, table: &Table, assignments: &mut Vec<String>) {
-        for (key, value) in table {
-            let path = if parent.is_empty() {
-                key.clone()
-            } else {
-                format!("{parent}.{key}")
-            };
-            match value {
-                Value::Table(inner) => walk(&path, inner, assignments),
-                value => assignments.push(format!("{path}={value}")),
-            }
-        }
-    }
-    let mut found = Vec::new();
-    walk("", table, &mut found);
-    found
 }

@@ -2,6 +2,7 @@
 
 use riffel::curving::{Curve, VehicleState, WheelState};
 use riffel_keys::CaseError;
+use toml::Value;
 
 use crate::Case;
 use crate::file::{ContactOfWheel, CurveRail, FromCurve};
@@ -94,17 +95,21 @@ impl Case {
         rail: CurveRail,
         contact: ContactOfWheel,
     ) -> Result<Self, CaseError> {
-        let mut keys = vec![
-            format!("contact.from.wheelset={}", state.wheelset),
-            format!("contact.from.rail={}", rail.name()),
+        let set = |key: &str, value: Value| (key.to_owned(), value);
+        let mut settings = vec![
+            set(
+                "contact.from.wheelset",
+                Value::Integer(state.wheelset as i64),
+            ),
+            set("contact.from.rail", rail.name().into()),
         ];
         if from.contact.is_some() || contact == ContactOfWheel::Flange {
-            keys.push(format!("contact.from.contact={}", contact.name()));
+            settings.push(set("contact.from.contact", contact.name().into()));
         }
         if self.unfilled.keys.has("wheelset.rail") {
-            keys.push(format!("wheelset.rail={}", state.rail.name()));
+            settings.push(set("wheelset.rail", state.rail.name().into()));
         }
-        self.with(&[&keys])
+        self.with_settings(&settings)
     }
 }
 

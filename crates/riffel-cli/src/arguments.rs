@@ -199,14 +199,9 @@ impl CaseArguments {
         let Some(position) = position else {
             return self.read();
         };
-        let mut overrides = self.overrides.clone();
-        overrides.push(format!("track.position={position}"));
-        match Case::read(&self.path, &overrides) {
-            // It was not an override that the user wrote.
-            Err(CaseError::Override {
-                assignment,
-                message,
-            }) if Some(&assignment) == overrides.last() => Err(CliError::Position { message })?,
+        let case = Case::read(&self.path, &self.overrides)?;
+        match case.edit(|keys| keys.track.position = Some(position)) {
+            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message })?,
             Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
                 message: format!(
                     "the track is the same everywhere along the rail with track.model = \"{}\"; choose \

@@ -76,6 +76,14 @@ pub enum CaseError {
         message: String,
     },
 
+    /// A value that a program gave a key is not allowed.
+    Changed {
+        /// The key that was given the value, dotted.
+        key: String,
+        /// Key, value and rule.
+        message: String,
+    },
+
     /// A file of data that cannot be used.
     Data {
         /// The file.
@@ -145,7 +153,9 @@ impl CaseError {
                 format!("cannot read the {what} {}: {reason}", path.display())
             }
             Self::Syntax { message, .. } => format!("not valid TOML: {message}"),
-            Self::Invalid { message, .. } | Self::Point { message } => message.clone(),
+            Self::Invalid { message, .. }
+            | Self::Point { message }
+            | Self::Changed { message, .. } => message.clone(),
             Self::NotConverged(error) => error.sentence(),
             Self::Physics { input, error } => format!("{input}: {error}"),
             Self::Override {

@@ -24,8 +24,8 @@ const DEEPEST: usize = 16;
 pub struct KeyFile {
     text: Arc<Text>,
     table: Table,
-    /// Dotted key → the override that set it last.
-    overrides: HashMap<String, String>,
+    /// Dotted key → the override that set it last; none where the program did.
+    overrides: HashMap<String, Option<String>>,
 }
 
 /// What was read; the same however many overrides are applied.
@@ -105,7 +105,9 @@ impl KeyFile {
     ) -> Result<Self, CaseError> {
         Ok(Self {
             table: Self::parse(name, keys)?.table,
-            overrides: overrides.iter().cloned().collect(),
+            overrides: (overrides.iter().cloned())
+                .map(|(key, assignment)| (key, Some(assignment)))
+                .collect(),
             ..Self::parse(name, text)?
         })
     }
@@ -133,7 +135,7 @@ impl KeyFile {
     pub fn overrides(&self) -> Vec<(String, String)> {
         let overrides = self.overrides.iter();
         let mut overrides: Vec<(String, String)> = overrides
-            .map(|(key, assignment)| (key.clone(), assignment.clone()))
+            .filter_map(|(key, assignment)| Some((key.clone(), assignment.clone()?)))
             .collect();
         overrides.sort();
         overrides
@@ -167,17 +169,40 @@ impl KeyFile {
             .unwrap_or_else(|| Value::String(value.to_owned()));
 
         let parts: Vec<&str> = path.split('.').map(str::trim).collect();
-        if parts.len() > DEEPEST {
-            return Err(wrong(format!(
-                "a key has at most {DEEPEST} parts, and this one {}",
-                parts.len()
-            )));
-        }
-        let Some((last, parents)) = parts.split_last() else {
-            return Err(malformed());
-        };
         if parts.iter().any(|part| part.is_empty()) {
             return Err(malformed());
+        }
+        self.insert(&parts, value).map_err(wrong)?;
+        let key = parts.join(".");
+        self.overrides
+            .insert(key.clone(), Some(assignment.to_owned()));
+        Ok(key)
+    }
+
+    /// Give a key a value, whatever the file and its overrides say. An error of it is [`CaseError::Changed`].
+    ///
+    /// # Errors
+    /// [`CaseError::Changed`] for a key within a value.
+    pub fn write(&mut self, key: &str, value: impl Into<Value>) -> Result<(), CaseError> {
+        let parts: Vec<&str> = key.split('.').collect();
+        self.insert(&parts, value.into())
+            .map_err(|message| CaseError::Changed {
+                key: key.to_owned(),
+                message: clipped(&message).into_owned(),
+            })?;
+        self.overrides.insert(key.to_owned(), None);
+        Ok(())
+    }
+
+    fn insert(&mut self, parts: &[&str], value: Value) -> Result<(), String> {
+        let Some((last, parents)) = parts.split_last() else {
+            return Ok(());
+        };
+        if parts.len() > DEEPEST {
+            let count = parts.len();
+            return Err(format!(
+                "a key has at most {DEEPEST} parts, and this one {count}"
+            ));
         }
         let mut table = &mut self.table;
         for parent in parents {
@@ -186,15 +211,12 @@ impl KeyFile {
                 .or_insert_with(|| Value::Table(Table::new()))
                 .as_table_mut()
                 .ok_or_else(|| {
-                    wrong(format!(
-                        "`{parent}` is a value, not a table of keys, in `{path}`"
-                    ))
+                    let path = parts.join(".");
+                    format!("`{parent}` is a value, not a table of keys, in `{path}`")
                 })?;
         }
         table.insert((*last).to_owned(), value);
-        let key = parts.join(".");
-        self.overrides.insert(key.clone(), assignment.to_owned());
-        Ok(key)
+        Ok(())
     }
 
     /// Remove a key.
@@ -413,27 +435,34 @@ impl KeyFile {
         let ends = key.match_indices(['.', '[']).rev();
         let tables = ends.map(|(end, _)| &key[..end]);
         let mut places = std::iter::once(key).chain(tables);
-        let assignment = places.find_map(|place| self.overrides.get(place));
-        if let Some(assignment) = assignment.or_else(|| self.made_of_overrides(key)) {
-            return CaseError::Override {
+        let set = places.find_map(|place| self.overrides.get_key_value(place));
+        let Some((set, assignment)) = set.or_else(|| self.made_of_overrides(key)) else {
+            return self.invalid_at(key, &message, help);
+        };
+        let message = match help {
+            Some(help) => format!("{}; {help}", clipped(&message)),
+            None => clipped(&message).into_owned(),
+        };
+        match assignment {
+            Some(assignment) => CaseError::Override {
                 assignment: clipped(assignment).into_owned(),
-                message: match help {
-                    Some(help) => format!("{}; {help}", clipped(&message)),
-                    None => clipped(&message).into_owned(),
-                },
-            };
+                message,
+            },
+            None => CaseError::Changed {
+                key: set.clone(),
+                message,
+            },
         }
-        self.invalid_at(key, &message, help)
     }
 
     /// The first override of a table that the text does not have.
-    fn made_of_overrides(&self, key: &str) -> Option<&String> {
+    fn made_of_overrides(&self, key: &str) -> Option<(&String, &Option<String>)> {
         if key.is_empty() || self.text.keys.contains_key(key) {
             return None;
         }
         let overrides = self.overrides.iter();
         let inner = overrides.filter(|(overridden, _)| within(overridden, key));
-        inner.min().map(|(_, assignment)| assignment)
+        inner.min()
     }
 
     /// The error, with the text where the key stands.

@@ -19,7 +19,6 @@
 //! Samples do not depend on each other, on the number of threads, on the size of the chunks or on the machine that
 //! computes them: the same plan gives the same numbers bit for bit.
 
-mod case_sentence;
 mod correlation;
 pub mod design;
 mod distribution;

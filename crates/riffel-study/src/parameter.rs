@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use riffel_case::CaseKey;
+use riffel_case::{CaseKey, Setting};
 use serde::Serialize;
+use toml::Value;
 
 use crate::Distribution;
 
@@ -79,11 +80,16 @@ impl Parameter {
         self.key.quantity.is_some()
     }
 
-    /// The override of the case that gives it a value. Numbers are written with all their digits.
-    pub(crate) fn assignment(&self, value: &ParameterValue) -> String {
-        match value {
-            ParameterValue::Number(number) => format!("{}={number:?}", self.key.key),
-            ParameterValue::Text(text) => format!("{}={text}", self.key.key),
-        }
+    /// What gives it a value in a case.
+    pub(crate) fn setting(&self, value: &ParameterValue) -> Setting {
+        let value = match value {
+            ParameterValue::Number(number) => Value::Float(*number),
+            ParameterValue::Text(text) => {
+                // 60E1 is a rail: what takes a number with a fraction is a quantity.
+                let read = text.parse().ok().filter(|value: &Value| !value.is_float());
+                read.unwrap_or_else(|| Value::String(text.clone()))
+            }
+        };
+        (self.key.key.clone(), value)
     }
 }

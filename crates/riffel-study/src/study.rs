@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
-use riffel_case::Case;
+use riffel_case::{Case, Setting};
 use riffel_keys::text_file;
 
 use crate::StudyError;
-use crate::case_sentence::case_sentence;
 use crate::fingerprint::{fingerprint, read_data};
 use crate::outputs::Outputs;
 use crate::parameter::{Parameter, ParameterValue, Spread};
@@ -133,16 +132,16 @@ impl Study {
     /// # Errors
     /// A sentence: the case refuses a value, or an output is not a finite number.
     pub fn evaluate(&self, values: &[ParameterValue]) -> Result<Vec<f64>, String> {
-        let overrides: Vec<String> = self
+        let settings: Vec<Setting> = self
             .parameters()
             .iter()
             .zip(values)
-            .map(|(parameter, value)| parameter.assignment(value))
+            .map(|(parameter, value)| parameter.setting(value))
             .collect();
         let case = self
             .outputs()
-            .on(&self.case, &overrides)
-            .map_err(|error| case_sentence(&error))?;
+            .on(&self.case, &settings)
+            .map_err(|error| error.to_string())?;
         self.outputs().evaluate(&case)
     }
 

@@ -8,6 +8,7 @@ use riffel_case::Case;
 
 use super::LevelRange;
 use crate::AnswerError;
+use crate::pads::with_pads_of;
 
 /// By how much pads may be softer or stiffer than those of the case.
 const FACTOR: f64 = 2.0;
@@ -27,8 +28,7 @@ pub(super) fn ranges(
     let mut others = Vec::new();
     if let Some(stiffness) = pad {
         for factor in [1.0 / FACTOR, FACTOR] {
-            let key = format!("track.pad.stiffness={} N/m", factor * stiffness.si());
-            others.push(transfer(&case.with(&[&[key]])?));
+            others.push(transfer(&with_pads_of(case, factor * stiffness.si())?));
         }
     }
     let levels = spectrum.levels().iter().map(|level| {

@@ -72,7 +72,7 @@ impl Effect {
             .keys()
             .filter_map(|key| Some((key, changed.idle_because(key)?)))
             .collect();
-        let all = idle.len() == variant.overrides.len() && variant.speed == SpeedChange::default();
+        let all = idle.len() == variant.settings.len() && variant.speed == SpeedChange::default();
         let mut reasons: Vec<(Vec<String>, &str)> = Vec::new();
         for (key, reason) in &idle {
             let key = format!("`{key}`");

@@ -5,6 +5,7 @@ use riffel_case::Case;
 
 use super::{NoiseRequest, Part, PassByLevels, levels_of, levels_with_wheel_dampers};
 use crate::AnswerError;
+use crate::pads::with_pads_of;
 
 /// A measure with what it does.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +67,7 @@ pub(super) fn measures(
     // Measured decay rates are those of the pads that are there.
     if let (Some(stiffness), None) = (pad, &request.decay) {
         for (factor, word) in [(0.5, "half"), (2.0, "twice")] {
-            let key = format!("track.pad.stiffness={} N/m", factor * stiffness.si());
-            let other = case.with(&[&[key]])?;
+            let other = with_pads_of(case, factor * stiffness.si())?;
             add(
                 format!("pads of {word} the stiffness"),
                 levels_of(&other, request, &request.roughness, request.speed)?,

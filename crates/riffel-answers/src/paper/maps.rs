@@ -2,6 +2,8 @@
 
 use riffel::{GrowthMap, Ridge};
 use riffel_case::Case;
+use riffel_case::file::CaseFile;
+use riffel_keys::quantity::Quantity;
 use riffel_keys::{Language, say};
 use riffel_plot::{MapFigure, MapPanel};
 
@@ -13,39 +15,38 @@ use crate::parameters::parameters_in;
 /// Tractive ratios of the left and the right panel.
 const TRACTIVE_RATIOS: [f64; 2] = [0.1, 0.95];
 
-/// The window of the paper, as far in speed as the line stays within 80 mm.
-const WINDOW: [&str; 3] = [
-    "map.speed.max=40",
-    "map.speed.points=141",
-    "map.wavelength.points=121",
-];
-
 pub(super) fn figure_4(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let title = say!(figure_4).text(language);
-    maps(language, model.title(&title, language), |overrides| {
-        model.nominal(overrides)
+    maps(language, model.title(&title, language), |ratio| {
+        model.nominal(|keys| in_window(keys, ratio))
     })
 }
 
 pub(super) fn figure_5(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
     let title = say!(figure_5).text(language);
-    maps(language, model.title(&title, language), |overrides| {
-        model.bhaskar_track(overrides)
+    maps(language, model.title(&title, language), |ratio| {
+        model.bhaskar_track(|keys| in_window(keys, ratio))
     })
+}
+
+/// A tractive ratio, over the window of the paper, as far in speed as the line stays within 80 mm.
+fn in_window(keys: &mut CaseFile, tractive_ratio: f64) {
+    keys.map.speed.max = Quantity::new(40.0);
+    keys.map.speed.points = 141;
+    keys.map.wavelength.points = 121;
+    keys.contact.tractive_ratio = Some(Quantity::new(tractive_ratio));
 }
 
 fn maps(
     language: Language,
     title: String,
-    case: impl Fn(&[String]) -> Result<Case, AnswerError>,
+    case: impl Fn(f64) -> Result<Case, AnswerError>,
 ) -> Result<PaperFigure, AnswerError> {
     let mut panels = Vec::new();
     let mut caption = String::new();
     let mut writer = csv::Writer::from_writer(Vec::new());
     for (letter, ratio) in ["a", "b"].into_iter().zip(TRACTIVE_RATIOS) {
-        let mut overrides = WINDOW.map(str::to_owned).to_vec();
-        overrides.push(format!("contact.tractive_ratio={ratio}"));
-        let case = case(&overrides)?;
+        let case = case(ratio)?;
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
         let ridge = Ridge::of_map(&case.feedback, &map);
         panels.push(MapPanel {

@@ -5,6 +5,7 @@ mod maps;
 mod ridges;
 mod vertical;
 
+use riffel_case::file::{CaseFile, ContactDynamics};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
 use riffel_keys::{Language, say};
 use riffel_plot::{LineFigure, MapFigure};
@@ -71,22 +72,29 @@ pub enum Model {
 }
 
 impl Model {
-    fn nominal(self, overrides: &[String]) -> Result<Case, AnswerError> {
-        self.case("cases/nominal.toml", NOMINAL_CASE, overrides)
+    fn nominal(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+        self.case("cases/nominal.toml", NOMINAL_CASE, change)
     }
 
-    fn bhaskar_track(self, overrides: &[String]) -> Result<Case, AnswerError> {
-        self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, overrides)
+    fn bhaskar_track(self, change: impl FnOnce(&mut CaseFile)) -> Result<Case, AnswerError> {
+        self.case("cases/bhaskar-track.toml", BHASKAR_TRACK_CASE, change)
     }
 
-    fn case(self, name: &str, text: &str, overrides: &[String]) -> Result<Case, AnswerError> {
-        let response = match self {
-            Self::QuasiStatic => None,
-            Self::SpringDashpot => Some("contact.response=spring-dashpot".to_owned()),
-            Self::NonSteady => Some("contact.response=non-steady".to_owned()),
-        };
-        let overrides: Vec<String> = overrides.iter().cloned().chain(response).collect();
-        Ok(Case::parse(name, text, &overrides)?)
+    fn case(
+        self,
+        name: &str,
+        text: &str,
+        change: impl FnOnce(&mut CaseFile),
+    ) -> Result<Case, AnswerError> {
+        let case = Case::parse(name, text, &[])?;
+        Ok(case.edit(|keys| {
+            change(keys);
+            match self {
+                Self::QuasiStatic => {}
+                Self::SpringDashpot => keys.contact.response = ContactDynamics::SpringDashpot,
+                Self::NonSteady => keys.contact.response = ContactDynamics::NonSteady,
+            }
+        })?)
     }
 
     /// The title of a figure, with the contact where it is not the paper's.

@@ -4,6 +4,7 @@ use riffel::growth::RidgePoint;
 use riffel::wheelset::{Motion, RigidInertia};
 use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
+use riffel_keys::quantity::Quantity;
 use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
@@ -38,7 +39,7 @@ const INERTIAS: [(&str, Turning, LineStyle); 5] = [
 
 /// The nominal case at a tractive ratio.
 fn at_tractive_ratio(model: Model, ratio: f64) -> Result<Case, AnswerError> {
-    model.nominal(&[format!("contact.tractive_ratio={ratio}")])
+    model.nominal(|keys| keys.contact.tractive_ratio = Some(Quantity::new(ratio)))
 }
 
 /// The case with another rotation of the wheel; its contact stays as it is.
@@ -116,7 +117,7 @@ fn minima(language: Language) -> String {
 }
 
 pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let nominal = model.nominal(&[])?;
+    let nominal = model.nominal(|_| ())?;
     let by_ratio = [0.1, 0.3, 0.5, 0.7, 0.95]
         .iter()
         .map(|ratio| {
@@ -159,7 +160,7 @@ pub(super) fn figure_6(model: Model, language: Language) -> Result<PaperFigure, 
 }
 
 pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let nominal = model.nominal(&[])?;
+    let nominal = model.nominal(|_| ())?;
     let title = say!(figure_7).text(language);
     lines(
         language,
@@ -178,7 +179,7 @@ pub(super) fn figure_7(model: Model, language: Language) -> Result<PaperFigure, 
 }
 
 pub(super) fn figure_8(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let nominal = model.nominal(&[])?;
+    let nominal = model.nominal(|_| ())?;
     // A mean state that takes a table of its own is worth a coarser sweep.
     let steps = if model.is_tabulated() { 20 } else { 100 };
     let ratios: Vec<f64> = (1..steps)

@@ -3,6 +3,7 @@
 use riffel::Complex64;
 use riffel::feedback::State;
 use riffel_case::Case;
+use riffel_case::file::{CaseFile, TrackModel};
 use riffel_keys::{Language, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 
@@ -13,7 +14,10 @@ use crate::track_in_words::track;
 
 /// Speed of both figures \[m/s\].
 const SPEED: f64 = 27.8;
-const MOVING_BEAM: &str = "track.model=moving-beam";
+
+fn moving_beam(keys: &mut CaseFile) {
+    keys.track.model = TrackModel::MovingBeam;
+}
 
 /// Frequencies from 20 Hz to 3 kHz \[Hz\], equally spaced in their logarithm.
 fn frequencies() -> Vec<f64> {
@@ -53,8 +57,8 @@ fn panel(
 }
 
 pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let moving = model.nominal(&[MOVING_BEAM.to_owned()])?;
-    let bhaskar = model.bhaskar_track(&[])?;
+    let moving = model.nominal(moving_beam)?;
+    let bhaskar = model.bhaskar_track(|_| ())?;
     let curves = |value: fn(Complex64) -> f64| {
         vec![
             series(
@@ -106,7 +110,7 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
 }
 
 pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, AnswerError> {
-    let case = model.nominal(&[MOVING_BEAM.to_owned()])?;
+    let case = model.nominal(moving_beam)?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude() / mean;
     let spring = per_mean * case.feedback.contact_stiffness();

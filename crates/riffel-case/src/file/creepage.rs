@@ -8,6 +8,9 @@ use riffel_keys::quantity::{Quantity, Ratio, Spin};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::{Deserialize, Deserializer, Serialize, de};
+use toml::{Table, Value};
+
+use crate::setting::Setting;
 
 /// Steady creepage ξ₀ of wheel and rail: along the rail, or in any direction and with spin.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -47,19 +50,20 @@ impl Creepage {
         matches!(self, Self::Vector(_))
     }
 
-    /// As the value of an override.
-    pub(crate) fn in_override(&self) -> String {
-        let Creepages {
-            longitudinal,
-            lateral,
-            spin,
-        } = self.components();
-        match self {
-            Self::Longitudinal(_) => format!("{longitudinal:e}"),
-            Self::Vector(_) => format!(
-                "{{ longitudinal = {longitudinal:e}, lateral = {lateral:e}, spin = {spin:e} }}"
-            ),
-        }
+    /// What gives it to a case.
+    pub(crate) fn setting(&self) -> Setting {
+        let value = match self {
+            Self::Longitudinal(creepage) => Value::Float(creepage.si()),
+            Self::Vector(vector) => Value::Table(Table::from_iter(
+                [
+                    ("longitudinal", vector.longitudinal.si()),
+                    ("lateral", vector.lateral.si()),
+                    ("spin", vector.spin.si()),
+                ]
+                .map(|(name, size)| (name.to_owned(), Value::Float(size))),
+            )),
+        };
+        ("contact.creepage".to_owned(), value)
     }
 
     /// Its components.

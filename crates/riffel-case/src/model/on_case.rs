@@ -11,6 +11,7 @@ use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, SprungMass};
 use riffel::{FeedbackLoop, Loop};
 use riffel_keys::CaseError;
+use toml::{Table, Value};
 
 use super::joints::{
     ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
@@ -50,11 +51,7 @@ impl NotOnCase {
 
 impl From<CaseError> for NotOnCase {
     fn from(error: CaseError) -> Self {
-        Self(match error {
-            // The override is that of the model, not of the reader.
-            CaseError::Override { message, .. } => message,
-            error => error.to_string(),
-        })
+        Self(error.to_string())
     }
 }
 
@@ -81,8 +78,8 @@ impl ModelOnCase {
         }
         match joints.place_of_wear {
             PlaceOfWearJoint::Own => {}
-            PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase=lag")?,
-            PlaceOfWearJoint::WheelCentre => keys.set("contact.dissipation_phase=none")?,
+            PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase", "lag")?,
+            PlaceOfWearJoint::WheelCentre => keys.set("contact.dissipation_phase", "none")?,
         }
         let ModelKeys { text, given, .. } = keys;
         let folder = case.keys.folder.as_deref();
@@ -166,8 +163,8 @@ struct ModelKeys<'a> {
 }
 
 impl ModelKeys<'_> {
-    fn set(&mut self, assignment: &str) -> Result<(), CaseError> {
-        self.text.apply(&[assignment.to_owned()])
+    fn set(&mut self, key: &str, value: impl Into<Value>) -> Result<(), CaseError> {
+        self.text.write(&[(key.to_owned(), value.into())])
     }
 
     fn remove(&mut self, keys: &[&str]) {
@@ -181,8 +178,8 @@ impl ModelKeys<'_> {
             TrackJoint::Own => {}
             TrackJoint::FreeBeam => {
                 self.given.track = None;
-                self.set("track.model=free-beam")?;
-                self.set("rail.beam=euler-bernoulli")?;
+                self.set("track.model", "free-beam")?;
+                self.set("rail.beam", "euler-bernoulli")?;
                 self.remove(&[
                     "rail.loss_factor",
                     "rail.torsion_constant",
@@ -234,7 +231,7 @@ impl ModelKeys<'_> {
             false => one_layer,
         };
         self.given.track = None;
-        Ok(self.set(&format!("track.model={model}"))?)
+        Ok(self.set("track.model", model)?)
     }
 
     fn wheel(&mut self, joint: WheelJoint) -> Result<(), NotOnCase> {
@@ -242,11 +239,12 @@ impl ModelKeys<'_> {
             WheelJoint::Own => {}
             WheelJoint::Alone(rotation) => {
                 self.alone()?;
-                self.set(match rotation {
-                    Rotation::Inertia => "wheel.rotation=inertia",
-                    Rotation::ConstantCreepage => "wheel.rotation=constant-creepage",
-                    Rotation::ConstantTangentialForce => "wheel.rotation=constant-tangential-force",
-                })?;
+                let rotation = match rotation {
+                    Rotation::Inertia => "inertia",
+                    Rotation::ConstantCreepage => "constant-creepage",
+                    Rotation::ConstantTangentialForce => "constant-tangential-force",
+                };
+                self.set("wheel.rotation", rotation)?;
             }
             WheelJoint::Wheelset | WheelJoint::EvenlyTurningWheelset => {
                 if self.case.file.wheelset.is_none() {
@@ -257,7 +255,7 @@ impl ModelKeys<'_> {
             WheelJoint::ElasticWheelsetOnBothRails => {
                 self.elastic()?;
                 if !self.text.keys.has("wheelset.opposite_rail") {
-                    self.set("wheelset.opposite_rail=smooth")?;
+                    self.set("wheelset.opposite_rail", "smooth")?;
                 }
             }
             WheelJoint::Sprung => {
@@ -280,7 +278,7 @@ impl ModelKeys<'_> {
                     .map_err(|error| NotOnCase(error.to_string()))?;
                 let sprung = GivenReceptance::new(std::sync::Arc::new(sprung));
                 self.given.wheel = Some(sprung);
-                self.set("wheel.rotation=constant-creepage")?;
+                self.set("wheel.rotation", "constant-creepage")?;
             }
         }
         Ok(())
@@ -312,11 +310,11 @@ impl ModelKeys<'_> {
             "rail.torsion_constant",
         ]);
         if self.case.file.wheelset.is_some() {
-            self.set(&format!("wheel.mass={mass:?}"))?;
-            self.set(&format!("wheel.inertia={inertia:?}"))?;
+            self.set("wheel.mass", mass)?;
+            self.set("wheel.inertia", inertia)?;
             // The wheelset may have brought its own.
             let radius = wheel.rolling_radius.si();
-            self.set(&format!("wheel.rolling_radius={radius:?}"))?;
+            self.set("wheel.rolling_radius", radius)?;
         }
         Ok([mass, inertia])
     }
@@ -335,11 +333,11 @@ impl ModelKeys<'_> {
         let half_spacing = 0.5 * Wheelset::default_contact_spacing().si();
         let mass = 2.0 * mass.si();
         self.remove(&["wheel.mass", "wheel.inertia", "wheel.rotation"]);
-        self.set("wheelset.model=rigid")?;
-        self.set(&format!("wheelset.mass={mass:?}"))?;
+        self.set("wheelset.model", "rigid")?;
+        self.set("wheelset.mass", mass)?;
         let roll = mass * half_spacing * half_spacing;
-        self.set(&format!("wheelset.roll_inertia={roll:?}"))?;
-        Ok(self.set(&format!("wheelset.spin_inertia={:?}", 2.0 * inertia.si()))?)
+        self.set("wheelset.roll_inertia", roll)?;
+        Ok(self.set("wheelset.spin_inertia", 2.0 * inertia.si())?)
     }
 
     fn elastic(&self) -> Result<(), NotOnCase> {
@@ -393,7 +391,7 @@ impl ModelKeys<'_> {
             CreepageJoint::Own => Ok(()),
             CreepageJoint::AlongTheRail => {
                 if vector.is_some_and(|creepage| creepage.is_vector()) {
-                    self.set(&format!("contact.creepage={size:?}"))?;
+                    self.set("contact.creepage", size)?;
                 }
                 Ok(())
             }
@@ -404,11 +402,12 @@ impl ModelKeys<'_> {
                 } else {
                     steady.lateral
                 });
-                self.set(&format!("contact.creepage={{ lateral = {lateral:?} }}"))
+                let lateral = Table::from_iter([("lateral".to_owned(), Value::Float(lateral))]);
+                self.set("contact.creepage", lateral)
             }
             CreepageJoint::NearSaturation => {
                 self.remove(&["opposite_contact.creepage"]);
-                self.set(&format!("contact.tractive_ratio={NEAR_SATURATION}"))
+                self.set("contact.tractive_ratio", NEAR_SATURATION)
             }
         }
     }
@@ -417,28 +416,29 @@ impl ModelKeys<'_> {
         match joint {
             // Beyond saturation the exact theory is full sliding, too.
             ContactJoint::Exact if self.case.creep_law().name() == FULL_SLIDING => {
-                self.set("contact.response=quasi-static")
+                self.set("contact.response", "quasi-static")
             }
             ContactJoint::Exact => {
                 self.remove(&["contact.hertz"]);
-                self.set("contact.creep_law=half-space")?;
-                self.set("contact.response=non-steady")
+                self.set("contact.creep_law", "half-space")?;
+                self.set("contact.response", "non-steady")
             }
             ContactJoint::QuasiStatic => {
                 let law: CreepLawName = self.case.creep_law();
-                self.set(&format!("contact.creep_law={}", law.name()))?;
-                self.set("contact.response=quasi-static")
+                self.set("contact.creep_law", law.name())?;
+                self.set("contact.response", "quasi-static")
             }
             ContactJoint::Carter | ContactJoint::SpringDashpot => {
                 for table in ["contact", "opposite_contact"] {
                     self.remove(&[&format!("{table}.creepage.spin")]);
                 }
-                self.set("contact.creep_law=carter-3d")?;
-                self.set("contact.hertz=paper")?;
-                self.set(match joint {
-                    ContactJoint::SpringDashpot => "contact.response=spring-dashpot",
-                    _ => "contact.response=quasi-static",
-                })
+                self.set("contact.creep_law", "carter-3d")?;
+                self.set("contact.hertz", "paper")?;
+                let response = match joint {
+                    ContactJoint::SpringDashpot => "spring-dashpot",
+                    _ => "quasi-static",
+                };
+                self.set("contact.response", response)
             }
         }
     }

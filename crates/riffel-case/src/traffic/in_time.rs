@@ -6,7 +6,7 @@ use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message};
 
-use super::on_case::overrides;
+use super::on_case::settings_of;
 use super::{Traffic, bands_of};
 use crate::file::ContactDynamics;
 use crate::{Case, Variant};
@@ -47,7 +47,7 @@ impl Traffic {
         vehicles
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
-                let wheel = match overrides(vehicle).is_empty()
+                let wheel = match settings_of(vehicle).is_empty()
                     && case.file.contact.response != ContactDynamics::NonSteady
                 {
                     true => case.clone(),

@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use riffel::STANDARD_GRAVITY;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::quantity::{Force, Quantity};
-use riffel_keys::{CaseError, Message, overridden_key, say};
+use riffel_keys::{CaseError, Message, say};
+use toml::Value;
 
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
 use crate::held::Held;
-use crate::variant::assignments;
+use crate::setting::{Setting, settings};
 use crate::{Case, Hold, Variant};
 
 /// Traffic on a case: growth rates, and what the reader should know.
@@ -129,7 +129,7 @@ impl Traffic {
     ) -> Result<WheelOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
-        let own = overrides(vehicle);
+        let own = settings_of(vehicle);
         if case.unfilled.keys.has("contact.from")
             && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
         {
@@ -145,46 +145,35 @@ impl Traffic {
             self.source.refuse(&at(""), &message)
         })?;
         let window = window(lines, &speeds);
-        let own_assignments: Vec<String> = own.iter().map(|(_, text)| text.clone()).collect();
-        let held = Held::of(variant, case, &own_assignments, &window)?;
-        let held_assignment = Held::assignments(held.as_ref());
-        let sets = [
-            &own_assignments[..],
-            &variant.overrides,
-            held_assignment,
-            &window,
-        ];
+        let settings: Vec<Setting> = own.iter().map(|(_, setting)| setting.clone()).collect();
+        let held = Held::of(variant, case, &settings, &window)?;
+        let held_setting = Held::settings(held.as_ref());
+        let sets = [&settings[..], &variant.settings, held_setting, &window];
         let wheel = case.of_vehicle(&sets).map_err(|error| match error {
-            CaseError::Override {
-                assignment,
-                message,
-            } => match own.iter().find(|(_, text)| *text == assignment) {
-                _ if held_assignment.contains(&assignment) => {
+            CaseError::Changed { key, message } => {
+                // The last that set the key is at fault.
+                let sets = |(own, _): &Setting| *own == key;
+                if held_setting.iter().any(sets) {
                     let held = held.as_ref();
                     let why = held.map_or(message.clone(), |held| held.refusal(&message));
-                    variant.refuse(&format!(
+                    return variant.refuse(&format!(
                         "variant \"{}\" changes friction or load under \"{}\"; {why}",
                         variant.title, vehicle.name
-                    ))
+                    ));
                 }
-                _ if variant.overrides.contains(&assignment) => {
-                    variant.explain(CaseError::Override {
-                        assignment,
-                        message,
-                    })
+                if window.iter().any(sets) {
+                    let name = &vehicle.name;
+                    let message = format!("speeds and bands of vehicle \"{name}\": {message}");
+                    return self.source.refuse(&at(""), &message);
                 }
-                Some((key, _)) => {
-                    let message = format!("`{}`: {message}", at(&format!(".{key}")));
-                    self.source.refuse(&at(&format!(".{key}")), &message)
+                match own.iter().find(|(_, setting)| sets(setting)) {
+                    Some((own, _)) if !variant.settings.iter().any(sets) => {
+                        let message = format!("`{}`: {message}", at(&format!(".{own}")));
+                        self.source.refuse(&at(&format!(".{own}")), &message)
+                    }
+                    _ => variant.explain(CaseError::Changed { key, message }),
                 }
-                None => {
-                    let message = format!(
-                        "speeds and bands of vehicle \"{}\": {message}",
-                        vehicle.name
-                    );
-                    self.source.refuse(&at(""), &message)
-                }
-            },
+            }
             error => error,
         })?;
         Ok(WheelOnCase {
@@ -241,66 +230,63 @@ const OF_CURVE: [&str; 4] = [
     "tractive_ratio",
 ];
 
-/// Overrides of the case by a vehicle, each with the key of the vehicle that it comes from.
-pub(super) fn overrides(vehicle: &Vehicle) -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    let mut write = |key: &str, path: &str, value: Option<String>| {
-        if let Some(value) = value {
-            found.push((key.to_owned(), format!("{path}={value}")));
-        }
-    };
-    let creepage = vehicle.creepage.map(|creepage| creepage.in_override());
-    write("creepage", "contact.creepage", creepage);
-    let mut add = |key: &str, path: &str, value: Option<f64>| {
-        write(key, path, value.map(|value| format!("{value:e}")));
-    };
+/// What a vehicle gives the case, each with the key of the vehicle that it comes from.
+pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
     let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
-    let si = |force: Quantity<Force>| force.si();
-    add(
-        "axle_load",
-        "contact.normal_load",
-        vehicle.axle_load.map(|mass| wheel(mass.si())),
-    );
-    add(
-        "wheel_load",
-        "contact.normal_load",
-        vehicle.wheel_load.map(si),
-    );
-    add(
-        "wheel_mass",
-        "wheel.mass",
-        vehicle.wheel_mass.map(|mass| mass.si()),
-    );
-    add(
-        "rolling_radius",
-        "wheel.rolling_radius",
-        vehicle.rolling_radius.map(|radius| radius.si()),
-    );
-    add(
-        "tractive_ratio",
-        "contact.tractive_ratio",
-        vehicle.tractive_ratio.map(|ratio| ratio.si()),
-    );
-    for assignment in assignments(&vehicle.set) {
-        found.push((format!("set.{}", overridden_key(&assignment)), assignment));
-    }
-    found
+    let load = vehicle.axle_load.map(|mass| wheel(mass.si()));
+    let numbers = [
+        ("axle_load", "contact.normal_load", load),
+        (
+            "wheel_load",
+            "contact.normal_load",
+            vehicle.wheel_load.map(|force| force.si()),
+        ),
+        (
+            "wheel_mass",
+            "wheel.mass",
+            vehicle.wheel_mass.map(|mass| mass.si()),
+        ),
+        (
+            "rolling_radius",
+            "wheel.rolling_radius",
+            vehicle.rolling_radius.map(|radius| radius.si()),
+        ),
+        (
+            "tractive_ratio",
+            "contact.tractive_ratio",
+            vehicle.tractive_ratio.map(|ratio| ratio.si()),
+        ),
+    ];
+    let creepage = vehicle
+        .creepage
+        .map(|creepage| ("creepage".to_owned(), creepage.setting()));
+    let numbers = numbers.into_iter().filter_map(|(own, key, value)| {
+        Some((own.to_owned(), (key.to_owned(), Value::Float(value?))))
+    });
+    let others = settings(&vehicle.set).into_iter();
+    let others = others.map(|setting| (format!("set.{}", setting.0), setting));
+    creepage.into_iter().chain(numbers).chain(others).collect()
 }
 
 /// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude
 /// at which no remark on the linear range applies, for the forecast has its own.
-fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<String> {
+fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
     /// A single speed or line is a narrow window.
     const MARGIN: f64 = 1e-6;
-    let (low, high) = speeds.range();
-    let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
     let axis = |key: &str, low: f64, high: f64| {
-        let (low, high) = (low * (1.0 - MARGIN), high * (1.0 + MARGIN));
-        format!("map.{key}={{ min = {low:e}, max = {high:e}, points = 2 }}")
+        let range = [
+            ("min", Value::Float(low * (1.0 - MARGIN))),
+            ("max", Value::Float(high * (1.0 + MARGIN))),
+            ("points", Value::Integer(2)),
+        ];
+        let range = range.map(|(name, value)| (name.to_owned(), value));
+        (key.to_owned(), Value::Table(range.into_iter().collect()))
     };
+    let (low, high) = speeds.range();
+    let amplitude = Value::Float(1e-6);
     vec![
-        axis("wavelength", shortest, longest),
-        axis("speed", low, high),
-        "corrugation.amplitude=1e-6".to_owned(),
+        axis("map.wavelength", lines[0], lines[lines.len() - 1]),
+        axis("map.speed", low, high),
+        ("corrugation.amplitude".to_owned(), amplitude),
     ]
 }

@@ -5,10 +5,9 @@ mod wave;
 
 use riffel::growth::{RidgeRow, RowEvaluator};
 use riffel::{Complex64, Ridge};
-use riffel_case::Case;
+use riffel_case::{Case, Setting};
 use riffel_keys::{CaseError, KeyFile, Message};
 
-use crate::case_sentence::case_sentence;
 use crate::file::{MapQuantity, OutputsFile};
 
 pub use band::Band;
@@ -354,9 +353,9 @@ impl Outputs {
         variables
     }
 
-    /// The case with overrides, if everything asked for can be computed on it.
-    pub(crate) fn on(&self, case: &Case, overrides: &[String]) -> Result<Case, CaseError> {
-        let case = case.with(&[overrides])?;
+    /// The case with settings, if everything asked for can be computed on it.
+    pub(crate) fn on(&self, case: &Case, settings: &[Setting]) -> Result<Case, CaseError> {
+        let case = case.with_settings(settings)?;
         if self.uses_window() {
             case.check_window()?;
         }
@@ -380,7 +379,7 @@ impl Outputs {
             let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
             let state = case
                 .point(wavelength, speed)
-                .map_err(|error| case_sentence(&error))?;
+                .map_err(|error| error.to_string())?;
             for &quantity in &point.quantities {
                 let value = quantity
                     .number(case, &state)

@@ -6,7 +6,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Variable;
-use crate::case_sentence::case_sentence;
 use crate::file::WaveFile;
 
 /// What wheels do over a wave, of the first contact.
@@ -86,10 +85,10 @@ impl WaveFile {
             return Err("the wave passes in more than 0.65 s: what is slower is followed by the whole vehicle".to_owned());
         }
         let model = match self.passages {
-            None => case.in_time(speed).map_err(|error| case_sentence(&error))?,
+            None => case.in_time(speed).map_err(|error| error.to_string())?,
             Some(passages) => {
                 let wheel = case.passing_wheel(speed);
-                let wheel = wheel.map_err(|error| case_sentence(&error))?;
+                let wheel = wheel.map_err(|error| error.to_string())?;
                 let worn = worn(&wheel, wave, steps, passages);
                 wave.amplitude = worn.map_err(|error| error.to_string())?;
                 wheel.model

@@ -1,10 +1,9 @@
 //! Whether the case takes the values of a plan, before anything runs.
 
-use riffel_case::Case;
+use riffel_case::{Case, Setting};
 use riffel_keys::{CaseError, KeyFile};
 
 use super::Plan;
-use crate::case_sentence::case_sentence;
 use crate::distribution::Distribution;
 use crate::parameter::{Parameter, Spread};
 
@@ -20,28 +19,28 @@ const TAIL: f64 = 1e-3;
 /// A refused value is an error of the plan. An infinite tail that the case refuses is a remark: its samples will
 /// fail one by one.
 pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<(), CaseError> {
-    let middle: Vec<String> = plan
+    let middle: Vec<Setting> = plan
         .parameters
         .iter()
-        .map(|p| p.assignment(&p.value(0.5)))
+        .map(|p| p.setting(&p.value(0.5)))
         .collect();
     let mut remarks = Vec::new();
     for (index, parameter) in plan.parameters.iter().enumerate() {
         for (share, place) in trials(parameter) {
             let value = parameter.value(share);
-            let mut overrides = middle.clone();
-            overrides[index] = parameter.assignment(&value);
-            let Err(error) = plan.outputs.on(case, &overrides) else {
+            let mut settings = middle.clone();
+            settings[index] = parameter.setting(&value);
+            let Err(error) = plan.outputs.on(case, &settings) else {
                 continue;
             };
             // The end itself reads better than the number next to it, where it is refused as well.
-            overrides[index] = parameter.assignment(&parameter.value(share.round()));
+            settings[index] = parameter.setting(&parameter.value(share.round()));
             let at_end = plan
                 .outputs
-                .on(case, &overrides)
+                .on(case, &settings)
                 .err()
                 .filter(|_| NEXT_TO_AN_END == share.min(1.0 - share));
-            let sentence = case_sentence(&at_end.unwrap_or(error));
+            let sentence = at_end.unwrap_or(error).to_string();
             let sentence = format!("{sentence}{}", beside(&middle, index));
             match place {
                 Some(place) => {
@@ -63,13 +62,16 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
 const MOST_NAMED: usize = 4;
 
 /// What the other parameters are where one is tried: they may be what makes its value impossible.
-fn beside(middle: &[String], tried: usize) -> String {
+fn beside(middle: &[Setting], tried: usize) -> String {
     let others = (0..middle.len()).filter(|index| *index != tried);
-    let named: Vec<&str> = others
-        .clone()
-        .take(MOST_NAMED)
-        .map(|index| middle[index].as_str())
-        .collect();
+    let named = others.clone().take(MOST_NAMED).map(|index| {
+        let (key, value) = &middle[index];
+        match value.as_str() {
+            Some(text) => format!("{key}={text}"),
+            None => format!("{key}={value}"),
+        }
+    });
+    let named: Vec<String> = named.collect();
     match named.len() {
         0 => String::new(),
         _ => format!(

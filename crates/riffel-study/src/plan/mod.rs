@@ -9,8 +9,8 @@ mod spread;
 use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};
-use riffel_case::{Case, CaseKey, assignments};
-use riffel_keys::{CaseError, KeyFile, overridden_key, text_file};
+use riffel_case::{Case, CaseKey, settings};
+use riffel_keys::{CaseError, KeyFile, text_file};
 
 use crate::correlation::GaussianCopula;
 use crate::design::Design;
@@ -81,15 +81,8 @@ impl Plan {
         text: &str,
         path: &Path,
     ) -> Result<(Self, Case, PathBuf), CaseError> {
-        let overrides = assignments(&file.set);
-        let case = Case::read(path, &overrides).map_err(|error| match error {
-            CaseError::Override {
-                assignment,
-                message,
-            } => {
-                let key = overridden_key(&assignment);
-                source.refuse(&format!("set.{key}"), &message)
-            }
+        let case = Case::read_with(path, &settings(&file.set)).map_err(|error| match error {
+            CaseError::Changed { key, message } => source.refuse(&format!("set.{key}"), &message),
             CaseError::Read { reason, .. } => source.invalid(
                 "case",
                 &format!("cannot read {}: {reason}", path.display()),
