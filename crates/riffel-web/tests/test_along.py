@@ -189,6 +189,7 @@ def test_a_record_stays_where_the_next_one_does_not_arrive(page):
     state = lambda: page.text("#record-state")
     measured(page, two_rails(40), name="first.csv")
     page.until(lambda: page.page.locator("#report").is_visible() and state().startswith("first.csv"))
+    page.settle()
     levels = page.text("#along-panel")
     answers.append("refuse")
     measured(page, two_rails(20), name="huge.csv")
