@@ -15,9 +15,9 @@ use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::contact_tables::ContactTables;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
-use crate::given::{Given, GivenReceptance};
 use crate::measurement;
 use crate::setting::Setting;
+use crate::substitutes::{GivenReceptance, Substitutes};
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
 use crate::window::Window;
@@ -80,7 +80,7 @@ impl Case {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         let mut text = CaseText::parse(&path.display().to_string(), &text)?;
         change(&mut text)?;
-        Self::of_text(text, Some(folder), Given::default(), Window::Map)
+        Self::of_text(text, Some(folder), Substitutes::default(), Window::Map)
     }
 
     /// Read a case from TOML; `name` is the one shown in errors. Files that the case names are relative
@@ -109,14 +109,14 @@ impl Case {
     ) -> Result<Self, CaseError> {
         let mut unfilled = CaseText::parse(name, text)?;
         unfilled.apply(overrides)?;
-        Self::of_text(unfilled, folder, Given::default(), Window::Map)
+        Self::of_text(unfilled, folder, Substitutes::default(), Window::Map)
     }
 
     /// `folder` is the one to which files are relative; without it the case may not name any.
     pub(crate) fn of_text(
         unfilled: CaseText,
         folder: Option<&Path>,
-        given: Given,
+        given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
         let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;

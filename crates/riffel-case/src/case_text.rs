@@ -8,7 +8,6 @@ use toml::{Table, Value};
 
 use crate::CaseKey;
 use crate::file::CaseFile;
-use crate::general_keys::REPLACED_BY_WHEELSET;
 use crate::preset::PresetKind;
 
 /// Keys that take the name of a profile.
@@ -18,6 +17,10 @@ const PROFILES: [&str; 4] = [
     "profiles.rail.left",
     "profiles.rail.right",
 ];
+
+/// Keys of the wheel that a wheelset replaces.
+pub(crate) const REPLACED_BY_WHEELSET: [&str; 3] =
+    ["wheel.mass", "wheel.inertia", "wheel.rotation"];
 
 /// The file of keys of a case, with what its reader should know.
 #[derive(Clone)]

@@ -10,7 +10,7 @@ use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::case_text::CaseText;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName, HertzTheory};
-use crate::given::Given;
+use crate::substitutes::Substitutes;
 use crate::window::Window;
 
 /// Most points along one axis of a map.
@@ -27,7 +27,7 @@ pub(crate) struct CheckedKeys {
     pub(crate) folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
     /// Structures in place of those of the file.
-    pub(crate) given: Given,
+    pub(crate) given: Substitutes,
     /// What wavelengths and speeds of the file are a window of.
     pub(crate) window: Window,
 }
@@ -38,7 +38,7 @@ impl CheckedKeys {
     pub(crate) fn of_text(
         mut text: CaseText,
         folder: Option<&Path>,
-        given: Given,
+        given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
         let unfilled = text.clone();

@@ -14,7 +14,7 @@ use crate::case::Case;
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{CaseFile, ContactDynamics, CreepLawName};
-use crate::given::Given;
+use crate::substitutes::Substitutes;
 use crate::window::Window;
 
 /// The contact of a case, of which nothing else is built: it may creep by spin alone or slide in full, where no loop is
@@ -74,7 +74,7 @@ impl CaseContact {
         let mut text = CaseText::parse(&path.display().to_string(), &text)?;
         text.apply(overrides)?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        let given = Given::default();
+        let given = Substitutes::default();
         let keys = CheckedKeys::of_text(text, Some(folder), given, Window::Map)?;
         Self::of_keys(keys)
     }

@@ -2,8 +2,7 @@
 
 use riffel_keys::{CaseError, say};
 
-use crate::case_text::CaseText;
-use crate::general_keys::REPLACED_BY_WHEELSET;
+use crate::case_text::{CaseText, REPLACED_BY_WHEELSET};
 use crate::preset::{Preset, PresetKind, preset, presets};
 
 impl CaseText {

@@ -36,11 +36,6 @@ impl CaseKey {
         Self::all().iter().find(|known| known.key == key)
     }
 
-    /// The key of this name, of a case or of what curving takes of one, as `contact.friction.left`.
-    pub fn find_with_curving(key: &str) -> Option<&'static Self> {
-        Self::find(key).or_else(|| crate::curving::key_of_curving(key))
-    }
-
     /// The key of this name, also of one in the item of a list, `wheelset.discs[0].mass`.
     pub(crate) fn at(key: &str) -> Option<&'static Self> {
         let Some((list, item)) = key.split_once('[') else {

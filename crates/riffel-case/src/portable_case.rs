@@ -6,7 +6,7 @@ use riffel_keys::{CaseError, KeyFile};
 
 use crate::case::Case;
 use crate::case_text::CaseText;
-use crate::given::{Given, GivenReceptance};
+use crate::substitutes::{GivenReceptance, Substitutes};
 use crate::window::Window;
 
 /// The keys of a case before presets and defaults, with all that its errors show. Files that the case names stay where
@@ -62,10 +62,10 @@ impl Case {
         Self::of_text(
             CaseText::of(KeyFile::restore(name, text, keys, overrides)?),
             portable.folder.as_deref(),
-            Given {
+            Substitutes {
                 track,
                 wheel,
-                ..Given::default()
+                ..Substitutes::default()
             },
             Window::Map,
         )

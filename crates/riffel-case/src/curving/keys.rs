@@ -12,9 +12,11 @@ use crate::key::keys_of;
 static KEYS: LazyLock<Vec<CaseKey>> =
     LazyLock::new(|| keys_of(&schemars::schema_for!(CurvingFile).to_value()));
 
-/// The key of curving of this name.
-pub(crate) fn key_of_curving(key: &str) -> Option<&'static CaseKey> {
-    KEYS.iter().find(|known| known.key == key)
+impl CaseKey {
+    /// The key of this name, of a case or of what curving takes of one, as `contact.friction.left`.
+    pub fn find_with_curving(key: &str) -> Option<&'static Self> {
+        Self::find(key).or_else(|| KEYS.iter().find(|known| known.key == key))
+    }
 }
 
 /// `Ok` if every key is one of curving or of a case.

@@ -6,7 +6,6 @@ mod profile_file;
 mod running_gear;
 mod wheelset;
 
-pub(crate) use keys::key_of_curving;
 pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};

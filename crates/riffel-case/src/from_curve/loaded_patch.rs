@@ -6,8 +6,8 @@ use riffel::profile::{ContactSurface, LoadedContact, ProfileError};
 use riffel::{HertzContact, Rail};
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 
+use super::curve_remarks::on_rail;
 use super::mean_contact::MeanContact;
-use super::told::on_rail;
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
 use crate::file::Patch;

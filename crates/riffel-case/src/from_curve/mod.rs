@@ -1,9 +1,9 @@
 //! The mean state of the contact from a bogie in its curve.
 
+mod curve_remarks;
 mod fill;
 mod loaded_patch;
 mod mean_contact;
-mod told;
 
 #[cfg(test)]
 mod tests;

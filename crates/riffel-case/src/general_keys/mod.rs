@@ -8,16 +8,13 @@ use riffel::contact::{CREEP_LAWS, CreepLawEntry, Creepages, MeanState, ShiftEffe
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
+use crate::case_text::REPLACED_BY_WHEELSET;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{
     Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, RailSide, TrackModel,
 };
 
 pub(crate) use wheelset::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
-
-/// Keys of the wheel that a wheelset replaces.
-pub(crate) const REPLACED_BY_WHEELSET: [&str; 3] =
-    ["wheel.mass", "wheel.inertia", "wheel.rotation"];
 
 /// Wheels that are nearer to one another than this stand at one place \[m\].
 const ONE_PLACE: f64 = 1e-3;

@@ -10,14 +10,14 @@ use super::*;
 use crate::NOMINAL_CASE;
 use crate::case_text::CaseText;
 use crate::file::{CaseFile, Comb, WheelsetModel};
-use crate::given::Given;
+use crate::substitutes::Substitutes;
 use crate::window::Window;
 
 fn keys(text: &str, overrides: &[&str]) -> Result<CheckedKeys, CaseError> {
     let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
     let mut text = CaseText::parse("case.toml", text)?;
     text.apply(&overrides)?;
-    let given = Given::default();
+    let given = Substitutes::default();
     CheckedKeys::of_text(text, Some(Path::new("")), given, Window::Map)
 }
 
@@ -77,7 +77,7 @@ fn keys_go_to_another_process() {
         &keys.overrides(),
     );
     let [here, there] = [written, CaseText::of(again.unwrap())]
-        .map(|text| CheckedKeys::of_text(text, None, Given::default(), Window::Map).unwrap());
+        .map(|text| CheckedKeys::of_text(text, None, Substitutes::default(), Window::Map).unwrap());
     assert_eq!(there.file, here.file);
     let general = there.general().unwrap().unwrap();
     assert_eq!(general.wheels, [0.0, 2.5]);
@@ -230,7 +230,8 @@ fn files_are_relative_to_the_case() {
     let folder = Some(Path::new("cases"));
     let mut text = CaseText::parse("case.toml", &text).unwrap();
     text.apply(&sets.map(str::to_owned)).unwrap();
-    let read = |folder| CheckedKeys::of_text(text.clone(), folder, Given::default(), Window::Map);
+    let read =
+        |folder| CheckedKeys::of_text(text.clone(), folder, Substitutes::default(), Window::Map);
     let keys = read(folder).unwrap();
     assert_eq!(
         keys.file.wheelset.as_ref().unwrap().model,

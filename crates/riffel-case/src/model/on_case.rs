@@ -20,7 +20,7 @@ use crate::Case;
 use crate::case_text::CaseText;
 use crate::file::CreepLawName;
 use crate::file::{Axle, Rotation, Support, TrackModel, Wheelset, WheelsetModel};
-use crate::given::{Given, GivenReceptance};
+use crate::substitutes::{GivenReceptance, Substitutes};
 use crate::window::Window;
 
 /// The creep law of a contact beyond saturation.
@@ -159,7 +159,7 @@ fn adjusted(feedback: Loop, even: bool, by_force: bool) -> Result<Loop, riffel::
 struct ModelKeys<'a> {
     case: &'a Case,
     text: CaseText,
-    given: Given,
+    given: Substitutes,
 }
 
 impl ModelKeys<'_> {

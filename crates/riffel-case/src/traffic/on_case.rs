@@ -9,7 +9,7 @@ use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
-use crate::held::Held;
+use crate::kept_state::KeptState;
 use crate::setting::{Setting, settings};
 use crate::{Case, Hold, Variant};
 
@@ -37,7 +37,7 @@ struct VehicleOnCase {
 pub(super) struct WheelOnCase {
     pub(super) wheel: Case,
     pub(super) speeds: SpeedDistribution,
-    held: Option<Held>,
+    held: Option<KeptState>,
 }
 
 impl TrafficOnCase {
@@ -146,8 +146,8 @@ impl Traffic {
         })?;
         let window = window(lines, &speeds);
         let settings: Vec<Setting> = own.iter().map(|(_, setting)| setting.clone()).collect();
-        let held = Held::of(variant, case, &settings, &window)?;
-        let held_setting = Held::settings(held.as_ref());
+        let held = KeptState::of(variant, case, &settings, &window)?;
+        let held_setting = KeptState::settings(held.as_ref());
         let sets = [&settings[..], &variant.settings, held_setting, &window];
         let wheel = case.of_vehicle(&sets).map_err(|error| match error {
             CaseError::Changed { key, message } => {

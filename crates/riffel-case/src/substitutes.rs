@@ -68,7 +68,7 @@ impl GivenReceptance {
 
 /// What goes with the keys of a case.
 #[derive(Clone, Default)]
-pub(crate) struct Given {
+pub(crate) struct Substitutes {
     /// In place of the model of the track.
     pub(crate) track: Option<GivenReceptance>,
     /// In place of the wheel.

@@ -10,7 +10,7 @@ use crate::setting::Setting;
 use crate::{Case, Hold, Variant};
 
 /// What a variant holds of the mean state of one wheel.
-pub(crate) struct Held {
+pub(crate) struct KeptState {
     pub(crate) hold: Hold,
     /// The mean state before the change.
     steady: MeanRolling,
@@ -20,7 +20,7 @@ pub(crate) struct Held {
     setting: Option<Setting>,
 }
 
-impl Held {
+impl KeptState {
     /// On the wheel that the settings `own` make of that of the case, in a window; none where friction and load
     /// stay, or the variant gives the mean state itself.
     ///
@@ -125,8 +125,8 @@ impl Variant {
     /// # Errors
     /// [`CaseError`] with the key of the file of changes that is at fault.
     pub fn applied_to(&self, case: &Case) -> Result<Case, CaseError> {
-        let held = Held::of(self, case, &[], &[])?;
-        case.text_with(&[&self.settings, Held::settings(held.as_ref())])
+        let held = KeptState::of(self, case, &[], &[])?;
+        case.text_with(&[&self.settings, KeptState::settings(held.as_ref())])
             .and_then(|text| case.rebuilt(text))
             .map_err(|error| self.explain(error))
     }
