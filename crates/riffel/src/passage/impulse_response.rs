@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::over_supports::OverSupports;
+use super::pole_search::{PoleFit, PoleSearch};
 use super::vector_fitting::{PartialFraction, partial_fractions};
 use crate::{Error, Receptance};
 
@@ -53,6 +54,7 @@ impl ImpulseResponse {
         const LEAST_POLES: usize = 24;
         /// An rms below needs no more poles; nor does one that eight more poles do not halve.
         const FINE: f64 = 1e-5;
+        const GAIN: f64 = 0.25;
         let (lowest, highest) = Self::BAND;
         let (low, high) = structure.frequency_range();
         if low > lowest || high < highest {
@@ -85,41 +87,24 @@ impl ImpulseResponse {
         }
         let frequencies_fitted: Vec<f64> = frequencies.iter().copied().step_by(2).collect();
         let values_fitted: Vec<Complex64> = values.iter().copied().step_by(2).collect();
-        let mut best: Option<Self> = None;
-        for order in (LEAST_POLES..=Self::MOST_POLES).step_by(8) {
+        let fit = |order: usize| {
             let fractions = partial_fractions(&frequencies_fitted, &values_fitted, order);
-            let mut fit = Self {
-                fractions,
-                bay: None,
-                share_cut: 0.0,
-                largest_error: 0.0,
-            };
+            let mut fit = Self::new(fractions, None, 0.0, 0.0);
             let errors = frequencies.iter().zip(&values);
             for (w, value) in errors {
                 let error = (fit.receptance(*w) - value).norm_sqr() / value.norm_sqr();
                 fit.share_cut += error / frequencies.len() as f64;
                 fit.largest_error = fit.largest_error.max(error.sqrt());
             }
-            let gains = best
-                .as_ref()
-                .is_none_or(|best| fit.share_cut < 0.25 * best.share_cut);
-            if gains {
-                best = Some(fit);
+            PoleFit {
+                share_cut: fit.share_cut,
+                poles: Vec::new(),
+                errors: Vec::new(),
+                fit,
             }
-            let fine = best
-                .as_ref()
-                .is_some_and(|best| best.share_cut <= FINE * FINE);
-            if fine || !gains {
-                break;
-            }
-        }
-        match best {
-            Some(best) if best.share_cut <= Self::LARGEST_SHARE_CUT => Ok(best),
-            best => Err(Error::NotCausal {
-                share: best.map_or(f64::NAN, |best| best.share_cut),
-                largest: Self::LARGEST_SHARE_CUT,
-            }),
-        }
+        };
+        let orders = (LEAST_POLES..=Self::MOST_POLES).step_by(8);
+        PoleSearch::among(orders.map(fit), FINE * FINE, Some(GAIN)).found()
     }
 
     pub(super) fn new(

@@ -20,6 +20,7 @@ mod march;
 mod memory;
 mod model;
 mod over_supports;
+mod pole_search;
 mod rail_in_time;
 mod ring;
 mod settled;

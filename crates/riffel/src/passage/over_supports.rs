@@ -6,9 +6,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::ImpulseResponse;
-use super::vector_fitting::{
-    PartialFraction, Sampled, residues, shared_poles, starting_lines, worst_frequencies,
-};
+use super::pole_search::{PoleFit, PoleSearch};
+use super::vector_fitting::{PartialFraction, Sampled, residues, shared_poles, starting_lines};
 use crate::Error;
 use crate::receptance::{Harmonics, MovingLoadOnSupports};
 
@@ -106,43 +105,11 @@ impl ImpulseResponse {
         const POLES: [usize; 3] = [48, 72, 96];
         /// A share below, 5·10⁻⁴ rms, needs no more poles.
         const FINE: f64 = 2.5e-7;
-        /// With pairs where the best of these is off most.
-        const MORE_FITS: usize = 5;
         let discrete = TAU * Self::DISCRETE_AND_EVEN.0;
-        let mut best: Option<Fit> = None;
-        for order in POLES {
-            let fit = transfer.fit(&starting_lines(transfer.band(), discrete, order));
-            if best
-                .as_ref()
-                .is_none_or(|best| fit.share_cut < best.share_cut)
-            {
-                best = Some(fit);
-            }
-            if best.as_ref().is_some_and(|best| best.share_cut <= FINE) {
-                break;
-            }
-        }
-        for _ in 0..MORE_FITS {
-            let Some(from) = best.as_ref().filter(|best| best.share_cut > FINE) else {
-                break;
-            };
-            let fit = transfer.fit(&from.starting_again());
-            // What more poles do not halve is not causal.
-            if fit.share_cut >= 0.5 * from.share_cut {
-                break;
-            }
-            best = Some(fit);
-        }
-        // Not a number is no share.
-        let mut fit = match best {
-            Some(fit) if fit.share_cut <= Self::LARGEST_SHARE_CUT => fit,
-            best => {
-                return Err(Error::NotCausal {
-                    share: best.map_or(f64::NAN, |fit| fit.share_cut),
-                    largest: Self::LARGEST_SHARE_CUT,
-                });
-            }
-        };
+        let fit = |starting: &[Complex64]| transfer.fit(starting);
+        let first = POLES.map(|order| starting_lines(transfer.band(), discrete, order));
+        let search = PoleSearch::among(first.iter().map(|starting| fit(starting)), FINE, None);
+        let mut fit = search.refined(fit).found()?;
         let waves = fit.parts.split_off(1);
         let residues =
             |fit: &Vec<PartialFraction>| fit.iter().map(PartialFraction::of_term).collect();
@@ -168,19 +135,6 @@ struct Fit {
     parts: Vec<Vec<PartialFraction>>,
     share_cut: f64,
     largest_error: f64,
-    /// Error at each frequency \[rad/s\].
-    errors: Vec<(f64, f64)>,
-}
-
-impl Fit {
-    /// Its poles, and pairs where it is off most.
-    fn starting_again(&self) -> Vec<Complex64> {
-        const MORE: usize = 6;
-        let mut poles: Vec<Complex64> = self.parts[0].iter().map(|term| term.pole).collect();
-        let worst = worst_frequencies(self.errors.clone(), MORE).into_iter();
-        poles.extend(worst.map(|w| Complex64::new(-0.02, 1.0) * w));
-        poles
-    }
 }
 
 impl AlongBay {
@@ -256,7 +210,7 @@ impl AlongBay {
         ]
     }
 
-    fn fit(&self, starting: &[Complex64]) -> Fit {
+    fn fit(&self, starting: &[Complex64]) -> PoleFit<Fit> {
         /// The mean and two harmonics give the poles.
         const STRONGEST: usize = 5;
         /// Up to here errors count \[Hz\].
@@ -286,11 +240,15 @@ impl AlongBay {
             largest_error = largest_error.max(error.sqrt());
             errors_there.push((frequencies[index], error.sqrt()));
         }
-        Fit {
-            parts: fits,
+        PoleFit {
             share_cut,
-            largest_error,
+            poles,
             errors: errors_there,
+            fit: Fit {
+                parts: fits,
+                share_cut,
+                largest_error,
+            },
         }
     }
 }

@@ -6,8 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::ImpulseResponse;
+use super::pole_search::{PoleFit, PoleSearch};
 use super::rail_in_time::{RailInTime, is_along, places};
-use super::vector_fitting::{Sampled, residues, shared_poles, starting_poles, worst_frequencies};
+use super::vector_fitting::{Sampled, residues, shared_poles, starting_poles};
 use crate::Error;
 use crate::feedback::GeneralLoop;
 use crate::receptance::SpatialMovingLoad;
@@ -141,10 +142,8 @@ impl StructuresInTime {
         receptances: &Receptances<'_>,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
-        /// Poles beside those of the wheels at first, pairs counted twice, and pairs that come with every further fit.
+        /// Poles beside those of the wheels at first, pairs counted twice.
         const POLES: usize = 40;
-        const MORE: usize = 6;
-        const FITS: usize = 6;
         /// An rms below needs no more poles.
         const FINE: f64 = 3e-5;
         let lines: Vec<f64> = natural_frequencies
@@ -156,34 +155,10 @@ impl StructuresInTime {
         let (lowest, highest) = (ImpulseResponse::BAND.0, TAU * Self::HIGHEST);
         let spread = starting_poles(lowest / highest, POLES).into_iter();
         let of_lines = lines.iter().map(|&line| Complex64::new(-0.003, 1.0) * line);
-        let mut starting: Vec<Complex64> =
-            spread.map(|pole| highest * pole).chain(of_lines).collect();
-        let mut best: Option<Self> = None;
-        for _ in 0..FITS {
-            let (fit, worst) = transfer.fit(&starting, MORE);
-            // What more poles do not halve is not causal.
-            let gains = best
-                .as_ref()
-                .is_none_or(|best| fit.share_cut < 0.5 * best.share_cut);
-            if !gains {
-                break;
-            }
-            starting.clone_from(&fit.poles);
-            starting.extend(worst.iter().map(|w| Complex64::new(-0.02, 1.0) * w));
-            let fine = fit.share_cut <= FINE * FINE;
-            best = Some(fit);
-            if fine {
-                break;
-            }
-        }
-        // Not a number is no share.
-        match best {
-            Some(best) if best.share_cut <= ImpulseResponse::LARGEST_SHARE_CUT => Ok(best),
-            best => Err(Error::NotCausal {
-                share: best.map_or(f64::NAN, |best| best.share_cut),
-                largest: ImpulseResponse::LARGEST_SHARE_CUT,
-            }),
-        }
+        let starting: Vec<Complex64> = spread.map(|pole| highest * pole).chain(of_lines).collect();
+        let fit = |starting: &[Complex64]| transfer.fit(starting);
+        let search = PoleSearch::among([fit(&starting)], FINE * FINE, None);
+        search.refined(fit).found()
     }
 
     /// Rows of the matrices: three for each contact.
@@ -322,8 +297,8 @@ impl Transfer {
         })
     }
 
-    /// The fit from poles to start from \[rad/s\], and some of the frequencies at which it is off most \[rad/s\].
-    fn fit(&self, starting: &[Complex64], count: usize) -> (StructuresInTime, Vec<f64>) {
+    /// The fit from poles to start from \[rad/s\].
+    fn fit(&self, starting: &[Complex64]) -> PoleFit<StructuresInTime> {
         /// Up to here errors count \[Hz\].
         const JUDGED: f64 = 3e3;
         let Self {
@@ -388,7 +363,12 @@ impl Transfer {
             },
             largest_error,
         };
-        (fit, worst_frequencies(errors, count))
+        PoleFit {
+            share_cut: fit.share_cut,
+            poles: fit.poles.clone(),
+            errors,
+            fit,
+        }
     }
 }
 
