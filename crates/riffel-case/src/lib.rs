@@ -23,6 +23,7 @@ mod contact_name;
 mod contact_tables;
 mod curving;
 mod discrete_supports;
+mod edit;
 pub mod file;
 mod fill_in;
 mod from_curve;
