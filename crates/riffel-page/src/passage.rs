@@ -61,7 +61,11 @@ impl crate::Question for Question {
             amplitude,
         };
         let request = SinusoidRequest::new(speed, profile, None)?;
-        let answer = SinusoidAnswer::new(&case, request)?;
+        let answer = SinusoidAnswer::new_while(&case, request, wanted);
+        if !wanted() {
+            return Err(Fault::superseded());
+        }
+        let answer = answer?;
         let course = answer.course();
         // Oscillations are those of the amplitude of the case, with the profile real at x = 0.
         let share = amplitude / case.feedback.amplitude();

@@ -39,6 +39,8 @@ pub use server::{Options, ServeError, serve};
 pub(crate) struct Page {
     /// Work of milliseconds to seconds.
     queue: Queue,
+    /// Marches in time, one at a time: they take up to a minute, beside which maps and cases are still answered.
+    marches: Queue,
     /// Work on files, one at a time, which must not hold up the sliders.
     long: Queue,
     uploads: Uploads,

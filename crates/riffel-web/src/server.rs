@@ -87,11 +87,12 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
     let workers = std::thread::available_parallelism().map_or(2, usize::from);
     let page = Page {
         queue: Queue::new(workers),
+        marches: Queue::new(1),
         long: Queue::for_files(),
         uploads: Uploads::new().map_err(ServeError::Folder)?,
         program: Program::new(options.program),
     };
-    let queues = [page.queue.clone(), page.long.clone()];
+    let queues = [&page.queue, &page.marches, &page.long].map(Queue::clone);
     let service = TowerToHyperService::new(router(page));
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);

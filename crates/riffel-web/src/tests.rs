@@ -17,6 +17,7 @@ const ORIGIN: &str = "http://127.0.0.1:8311";
 fn page_with(queue: Queue) -> Page {
     Page {
         queue,
+        marches: Queue::new(1),
         long: Queue::for_files(),
         uploads: Uploads::new().unwrap(),
         program: Program::new(vec!["/nowhere/riffel".into()]),
@@ -570,7 +571,7 @@ async fn windows_beyond_physics_are_refused_at_once() {
             let mut body = nominal(&[(from, to)]);
             body["wavelength_m"] = json!(0.055);
             body["speed_m_per_s"] = json!(30.0);
-            let answer = tokio::time::timeout(Duration::from_secs(60), ask(path, &body));
+            let answer = tokio::time::timeout(Duration::from_secs(300), ask(path, &body));
             let answer = answer.await.unwrap();
             assert_eq!(answer.status, StatusCode::UNPROCESSABLE_ENTITY, "{path}");
             assert!(

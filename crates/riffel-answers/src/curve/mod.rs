@@ -28,7 +28,14 @@ impl CurveAnswer {
     /// # Errors
     /// [`CaseError`] for a key that is missing or has a value that is not allowed, and where no equilibrium is found.
     pub fn new(case: &CurvingCase) -> Result<Self, CaseError> {
-        let vehicle = case.vehicle_in_curve()?;
+        Self::of_vehicle(case, case.vehicle_in_curve()?)
+    }
+
+    /// The same with the vehicle of the case, which takes most of the time.
+    ///
+    /// # Errors
+    /// [`CaseError`] where no equilibrium is found.
+    pub fn of_vehicle(case: &CurvingCase, vehicle: VehicleInCurve) -> Result<Self, CaseError> {
         let mut states = case.equilibria(&vehicle)?.into_iter();
         let state = states.next().expect("at least one equilibrium");
         let mut remarks = case.remarks_of_profiles()?;

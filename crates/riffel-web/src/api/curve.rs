@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 use super::names::LONGEST_NAME;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
+use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use riffel_page::Note;
 
@@ -69,12 +70,14 @@ pub(crate) async fn post(
 ) -> Result<Json<Value>, Refusal> {
     question.check()?;
     page.queue
-        .run(asker.subject("curve"), move |_| question.answer())
+        .run(asker.subject("curve"), move |wanted| {
+            question.answer(wanted)
+        })
         .await
 }
 
 impl Question {
-    fn answer(&self) -> Result<Json<Value>, Fault> {
+    fn answer(&self, wanted: &Wanted) -> Result<Json<Value>, Fault> {
         // A folder of its own for each question: gone with it.
         let folder = tempfile::tempdir()
             .map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))?;
@@ -122,8 +125,13 @@ impl Question {
             },
         ];
         // Short of an equilibrium the profiles are still worth seeing.
-        let curve = CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
-            .and_then(|case| CurveAnswer::new(&case))
+        let vehicle = CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
+            .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
+        if !wanted.still() {
+            return Err(Fault::superseded());
+        }
+        let curve = vehicle
+            .and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle))
             .map_err(named);
         let curve = match curve {
             Ok(answer) => {

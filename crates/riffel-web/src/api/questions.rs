@@ -16,9 +16,13 @@ pub(crate) async fn post(
     AskedJson(json): AskedJson,
 ) -> Result<Response, Refusal> {
     let question = reader(&json)?;
-    let subject = question.subject().and_then(|kind| asker.subject(&kind));
-    let reply = page
-        .queue
+    let kind = question.subject();
+    let queue = match kind.as_deref() {
+        Some("passage") => &page.marches,
+        _ => &page.queue,
+    };
+    let subject = kind.and_then(|kind| asker.subject(&kind));
+    let reply = queue
         .run(subject, move |wanted| question.answer(&|| wanted.still()))
         .await?;
     Ok(sent(reply))

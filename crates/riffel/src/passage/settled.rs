@@ -123,13 +123,26 @@ impl PassageModel {
     /// [`Error::NotSettled`] where the motion does not take the period of the profile within 20 s of rolling, as of a loop that is unstable
     /// without a profile too, and [`Error::Airborne`] where a wheel is in the air for more than nine tenths of a wave.
     pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Vec<Settled>, Error> {
+        self.settle_while(profile, steps, &|| true)
+    }
+
+    /// The same as long as it is `wanted`, which is asked before each wave; [`Error::NotSettled`] where it no longer is.
+    ///
+    /// # Errors
+    /// Those of [`settle`](Self::settle).
+    pub fn settle_while(
+        &self,
+        profile: Sinusoid,
+        steps: usize,
+        wanted: &dyn Fn() -> bool,
+    ) -> Result<Vec<Settled>, Error> {
         profile.check(steps)?;
         let felt = Sinusoid {
             amplitude: profile.amplitude * self.felt(profile.wavelength),
             ..profile
         };
         if let Some(spacing) = self.structures.support_spacing() {
-            return self.settle_over_supports(felt, steps, spacing);
+            return self.settle_over_supports(felt, steps, spacing, wanted);
         }
         let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
@@ -139,7 +152,7 @@ impl PassageModel {
         let mut waves = vec![Vec::with_capacity(steps); self.contacts.len()];
         let mut before: Option<Vec<[Harmonic; 6]>> = None;
         let mut change = f64::INFINITY;
-        for number in 1..=patience {
+        for number in (1..=patience).take_while(|_| wanted()) {
             waves.iter_mut().for_each(Vec::clear);
             for step in 1..=steps {
                 let share = step as f64 / steps as f64;
@@ -184,6 +197,7 @@ impl PassageModel {
         profile: Sinusoid,
         steps: usize,
         spacing: f64,
+        wanted: &dyn Fn() -> bool,
     ) -> Result<Vec<Settled>, Error> {
         const WAVES: f64 = 8.0;
         let Sinusoid {
@@ -199,6 +213,12 @@ impl PassageModel {
         let mut contacts = vec![Vec::with_capacity(counted * steps); self.contacts.len()];
         let onset = 0.25 * (before * steps) as f64;
         for index in 1..=(before + counted) * steps {
+            if index % steps == 0 && !wanted() {
+                return Err(Error::NotSettled {
+                    seconds: 0.0,
+                    change: f64::INFINITY,
+                });
+            }
             let grown = amplitude * faded(index as f64 / onset);
             let angle = TAU * (index % steps) as f64 / steps as f64;
             march.advance_along(|ahead| grown * (angle + TAU * ahead / wavelength).cos());
