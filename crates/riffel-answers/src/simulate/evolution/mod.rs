@@ -167,6 +167,7 @@ impl EvolutionRun {
                 "it was begun by another run: the profile is another here than there".to_owned(),
             );
         }
+        state.check(self.state.reached.shifts_m.len())?;
         self.evolution = state.evolution().map_err(|error| error.to_string())?;
         self.state = state;
         Ok(())

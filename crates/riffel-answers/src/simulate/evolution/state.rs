@@ -150,6 +150,33 @@ impl EvolutionState {
         }
     }
 
+    /// `Ok` if a run with some number of bands may have got there.
+    pub(super) fn check(&self, bands: usize) -> Result<(), String> {
+        let (stages, profiles) = (&self.stages, &self.profiles);
+        let all_stages = || stages.entries.iter().chain([&self.reached]);
+        let all_profiles = || profiles.entries.iter().chain([&self.profile]);
+        let of_bands = |stage: &Stage| {
+            let values = [&stage.mean_squares_m2, &stage.shifts_m];
+            values.iter().all(|of_band| of_band.len() == bands)
+        };
+        let is_right = all_stages().all(of_bands)
+            && all_profiles()
+                .all(|profile| profile.heights_m.len() == self.profile.heights_m.len())
+            && all_stages().is_sorted_by_key(|stage| stage.passages)
+            && all_profiles().is_sorted_by_key(|profile| profile.passages)
+            && self.profile.passages == self.reached.passages
+            && [stages.stride, profiles.stride]
+                .iter()
+                .all(|stride| stride.is_power_of_two())
+            && [stages.steps, profiles.steps]
+                .iter()
+                .all(|&steps| steps < u64::MAX / 2);
+        match is_right {
+            true => Ok(()),
+            false => Err("it is damaged: its stages do not belong together".to_owned()),
+        }
+    }
+
     /// The rail reached.
     pub(super) fn evolution(&self) -> Result<Evolution, riffel::Error> {
         let heights = self.profile.heights_m.clone();
