@@ -1,6 +1,6 @@
 //! How far a study is.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, stderr};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -12,10 +12,11 @@ use crate::messages::{is_quiet, say};
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
 const LINE_EVERY: Duration = Duration::from_secs(60);
 
-/// A bar with rate and time left on a terminal, a line a minute elsewhere.
+/// A bar with rate and time left on a terminal; elsewhere a line a minute, but none where results go to the same place.
 pub(super) struct SampleProgress {
     bar: ProgressBar,
     terminal: bool,
+    lines: bool,
     total: u64,
     done: AtomicU64,
     begun: Instant,
@@ -31,7 +32,8 @@ impl SampleProgress {
         }
         Self {
             bar,
-            terminal: std::io::stderr().is_terminal(),
+            terminal: stderr().is_terminal(),
+            lines: !is_among_results(),
             total,
             done: AtomicU64::new(0),
             begun: Instant::now(),
@@ -51,7 +53,8 @@ impl SampleProgress {
             return;
         }
         // A thread that finds the clock taken leaves the line to the one that has it.
-        if let Ok(mut last) = self.last_line.try_lock()
+        if self.lines
+            && let Ok(mut last) = self.last_line.try_lock()
             && last.elapsed() > LINE_EVERY
         {
             *last = Instant::now();
@@ -69,6 +72,25 @@ impl Drop for SampleProgress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }
+}
+
+/// Whether standard error goes where standard output goes, as after `2>&1`.
+#[cfg(unix)]
+fn is_among_results() -> bool {
+    use std::fs::File;
+    use std::os::fd::{AsFd, BorrowedFd};
+    use std::os::unix::fs::MetadataExt;
+    let place = |stream: BorrowedFd<'_>| {
+        let file = File::from(stream.try_clone_to_owned().ok()?);
+        file.metadata().ok().map(|there| (there.dev(), there.ino()))
+    };
+    place(stderr().as_fd()).is_some_and(|there| place(std::io::stdout().as_fd()) == Some(there))
+}
+
+/// Whether standard error goes where standard output goes: not told by the system.
+#[cfg(not(unix))]
+fn is_among_results() -> bool {
+    false
 }
 
 /// A time in the units that suit it.
