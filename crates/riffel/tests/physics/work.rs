@@ -4,7 +4,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use riffel::contact::{MeanState, QuasiStatic};
+use riffel::contact::{
+    CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, MeanState, QuasiStatic,
+};
+use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
 use riffel::receptance::{
     Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated,
 };
@@ -137,4 +140,77 @@ fn table_of_a_receptance() {
         "{by_map} receptances for a map of {} points",
         241 * 221
     );
+}
+
+/// A creep law that counts how often it is asked for forces.
+struct CountedLaw {
+    law: Carter3d,
+    asked: Arc<AtomicUsize>,
+}
+
+impl CreepLaw for CountedLaw {
+    fn friction(&self) -> f64 {
+        self.law.friction()
+    }
+
+    fn forces(&self, normal_force: f64, creepages: Creepages) -> CreepForces {
+        self.asked.fetch_add(1, Ordering::Relaxed);
+        self.law.forces(normal_force, creepages)
+    }
+
+    fn derivatives(&self, normal_force: f64, creepages: Creepages) -> CreepDerivatives {
+        self.law.derivatives(normal_force, creepages)
+    }
+
+    fn limit(&self, normal_force: f64) -> ForceLimit {
+        self.law.limit(normal_force)
+    }
+}
+
+/// A track in time is fitted from some frequencies, and a wheel over a wave asks its law a few times a step until it settles.
+#[test]
+fn fit_and_march_of_a_wheel() {
+    const STEPS: usize = 100;
+    let track = Counted {
+        structure: rail(),
+        asked: Arc::default(),
+        worth_tabulating: false,
+    };
+    let response = ImpulseResponse::of(&track, 30.0).unwrap();
+    let by_fit = track.asked.load(Ordering::Relaxed);
+    assert!(
+        (1..=770).contains(&by_fit),
+        "{by_fit} receptances for a fit"
+    );
+
+    let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
+    let law = Arc::new(CountedLaw {
+        law: Carter3d::new(hertz, 0.4).unwrap(),
+        asked: Arc::default(),
+    });
+    let contact = QuasiStatic::new(law.clone(), 50e3, MeanState::TractiveRatio(0.1)).unwrap();
+    let mean = riffel::RollingContact::steady(&contact);
+    let wheel = RigidMass::new(350.0).unwrap();
+    let rotation = RigidInertia::new(27.77, 0.46).unwrap();
+    let in_time = ContactInTime::of_one_wheel(mean, hertz.stiffness(), law.clone());
+    let model = PassageModel {
+        structures: StructuresInTime::of_one_wheel(response, &wheel, Some(&rotation)),
+        contacts: vec![in_time.unwrap()],
+        contact_filter: None,
+        speed: 30.0,
+    };
+    law.asked.store(0, Ordering::Relaxed);
+    let wave = Sinusoid {
+        amplitude: 10e-6,
+        wavelength: 0.05,
+    };
+    let settled = model.settle(wave, STEPS).unwrap().swap_remove(0);
+    let a_step = law.asked.load(Ordering::Relaxed) as f64 / (STEPS * settled.waves) as f64;
+    assert!(settled.waves <= 132, "{} waves to settle", settled.waves);
+    assert!((1.0..=2.25).contains(&a_step), "{a_step} forces a step");
+
+    // What nobody waits for any more ends after a wave.
+    law.asked.store(0, Ordering::Relaxed);
+    assert!(model.settle_while(wave, STEPS, &|| false).is_err());
+    assert!(law.asked.load(Ordering::Relaxed) <= STEPS);
 }
