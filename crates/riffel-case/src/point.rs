@@ -12,7 +12,7 @@ use crate::{Case, ContactName};
 /// A quantity at one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-#[allow(missing_docs)] // `name` says what each of them is.
+#[expect(missing_docs, reason = "`name` says what each of them is")]
 pub enum PointQuantity {
     WavelengthM,
     SpeedMPerS,

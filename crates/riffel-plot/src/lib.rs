@@ -42,7 +42,10 @@
 //!
 //! Built for WebAssembly the crate holds figures as data alone: a browser draws them.
 
-#![cfg_attr(target_family = "wasm", allow(dead_code))] // what drawing alone asks of figures
+#![cfg_attr(
+    target_family = "wasm",
+    expect(dead_code, reason = "drawing alone asks this of figures")
+)]
 
 mod bar_figure;
 mod chainage;

@@ -29,7 +29,6 @@ type GivenPlace<'py> = (
 /// What `riffel axlebox --json` prints. `within` is the shortest and the longest wavelength \[m\], the lowest speed \[m/s\] and
 /// the length of a block \[m\].
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn axlebox<'py>(
     py: Python<'py>,
     case: &Case,

@@ -95,7 +95,6 @@ pub(crate) fn profile<'py>(
 
 /// What `riffel profile FILE --against NAME --json` prints.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn profile_wear<'py>(
     py: Python<'py>,
     file: PathBuf,

@@ -22,7 +22,6 @@ pub(crate) enum GivenSpeeds<'py> {
 
 /// The document of `riffel diagnose --json`; `choose` and `by` are for spectra.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn diagnose<'py>(
     py: Python<'py>,
     case: &Case,

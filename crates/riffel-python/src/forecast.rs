@@ -87,7 +87,6 @@ fn in_words(remarks: &[Message]) -> Vec<String> {
 
 /// The bands of a forecast with all that is said of them.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn forecast<'py>(
     py: Python<'py>,
     case: &Case,
@@ -220,7 +219,6 @@ pub(crate) enum GivenVariant<'py> {
 
 /// The case and its variants side by side.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn compare<'py>(
     py: Python<'py>,
     case: &Case,

@@ -155,7 +155,6 @@ pub(crate) struct Universal {
 #[pymethods]
 impl Universal {
     #[new]
-    #[allow(clippy::too_many_arguments)]
     fn new(
         title: String,
         function_type: i32,

@@ -2,8 +2,11 @@
 //!
 //! `python/riffel` turns what stands here into `xarray` and checks what comes from users.
 
-// What goes to Python is tuples of arrays, named where they are unpacked.
-#![allow(clippy::type_complexity)]
+#![expect(
+    clippy::too_many_arguments,
+    clippy::type_complexity,
+    reason = "keywords come from Python one by one, and tuples of arrays go there, named where they are unpacked"
+)]
 
 mod array;
 mod arrays_of_rails;

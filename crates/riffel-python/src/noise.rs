@@ -53,7 +53,6 @@ fn roughness_of((wavelengths, levels): &GivenLevels<'_>) -> PyResult<Spectrum> {
 
 /// What `riffel noise --json` prints.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn noise<'py>(
     py: Python<'py>,
     case: &Case,

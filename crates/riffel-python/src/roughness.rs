@@ -175,7 +175,6 @@ pub(crate) fn moving_peak_to_peak<'py>(
 
 /// Everything about one rail.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn analyse<'py>(
     py: Python<'py>,
     stretches: Vec<Stretch<'py>>,

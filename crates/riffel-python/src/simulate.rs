@@ -163,7 +163,6 @@ pub(crate) fn on_smooth_rail<'py>(
 /// What `riffel simulate --passages --json` prints; passages of the profiles that are kept, their heights \[m\] and spacing
 /// \[m\]; remarks. After a signal it ends with the step under way.
 #[pyfunction]
-#[allow(clippy::too_many_arguments)]
 pub(crate) fn evolve<'py>(
     py: Python<'py>,
     case: &Case,

@@ -148,7 +148,7 @@ impl BayGrowth {
         let panels = maps.into_iter().zip(&self.ridges).zip(names);
         MapFigure {
             title: "Growth over a sleeper bay".to_owned(),
-            caption: format!("{} {}", parameters(case), say!(sign_of_growth).to_string()),
+            caption: format!("{} {}", parameters(case), say!(sign_of_growth)),
             panels: panels
                 .map(|((map, ridge), name)| {
                     let mut panel = panel(case, map, ridge, Shown::Normalized);

@@ -119,7 +119,7 @@ pub fn map_figure(
             "{}{} {}",
             parameters(case),
             place(case),
-            say!(sign_of_growth).to_string()
+            say!(sign_of_growth)
         ),
         panels: vec![panel],
     }

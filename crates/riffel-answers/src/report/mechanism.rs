@@ -34,11 +34,7 @@ pub(super) fn growth_map(
         panels: vec![panel],
         ..MapFigure::default()
     };
-    let caption = format!(
-        "{}{measured} {}",
-        parameters(case),
-        say!(sign_of_growth).to_string()
-    );
+    let caption = format!("{}{measured} {}", parameters(case), say!(sign_of_growth));
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
     let picture = drawing.picture()?;

@@ -1,5 +1,7 @@
 //! The branches of the ridge on tracks with supports: the strongest leads, whatever the number of its points.
 
+use std::ops::Range;
+
 use riffel::Ridge;
 use riffel::growth::RidgeBranch;
 use riffel_answers::map::MapAnswer;
@@ -58,7 +60,8 @@ fn classes_are_named_by_their_mechanism() {
 /// The branch of most points inside the window was once called the frequency of the ridge: 591, 596 and 473 Hz.
 #[test]
 fn the_strongest_branch_leads() {
-    let cases: [(&str, &[&str], std::ops::Range<f64>, std::ops::Range<f64>); 3] = [
+    type Row<'a> = (&'a str, &'a [&'a str], Range<f64>, Range<f64>);
+    let cases: [Row<'_>; 3] = [
         (DISCRETE_SUPPORTS, &[], 225.0..226.0, 590.0..592.0),
         (
             NOMINAL_CASE,

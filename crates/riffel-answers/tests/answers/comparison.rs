@@ -23,7 +23,6 @@ fn wrong_changes_are_refused() {
         "[speed]\nstandard_deviation = 12\n => less than a quarter",
     ] {
         let (text, part) = row.split_once(" => ").unwrap();
-
         let case = nominal();
         let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
         let error = Variant::parse("a.toml", text)

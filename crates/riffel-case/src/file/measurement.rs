@@ -77,7 +77,6 @@ impl VerticalAxis {
     }
 
     // Asked by serde, which has a reference.
-    #[allow(clippy::trivially_copy_pass_by_ref)]
     fn is_z(&self) -> bool {
         *self == Self::Z
     }

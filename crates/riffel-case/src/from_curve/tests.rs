@@ -227,7 +227,6 @@ fn refused() {
         "profiles.wheel=no-such.csv => no-such.csv",
     ] {
         let (key, words) = row.split_once(" => ").unwrap();
-
         let Err(error) = case(&[key]) else {
             panic!("{key} was taken");
         };

@@ -106,7 +106,6 @@ fn keys_that_make_a_case_general() {
         "contact.conformity.rail_radius=\"250 mm\" => contact.conformity",
     ] {
         let (set, key) = row.split_once(" => ").unwrap();
-
         let keys = keys(NOMINAL_CASE, &[set]).unwrap();
         assert_eq!(keys.general_key(), Some(key));
     }

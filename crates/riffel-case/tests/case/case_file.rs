@@ -255,7 +255,6 @@ fn unused_values_are_checked() {
         "wheel.inertia=-1 => `wheel.inertia` is -1 kg m2",
     ] {
         let (assignment, message) = row.split_once(" => ").unwrap();
-
         let overrides = ["wheel.rotation=constant-creepage", assignment].map(str::to_owned);
         let error = Case::parse("case.toml", NOMINAL_CASE, &overrides).err();
         let error = error.expect("out of range").to_string();
@@ -462,7 +461,6 @@ fn wrong_ranges_are_refused() {
         "contact.friction=0.2-0.4 => \"0.2-0.4\" is a range, but one value is needed",
     ] {
         let (set, part) = row.split_once(" => ").unwrap();
-
         let error = Case::parse("case.toml", NOMINAL_CASE, &[set.to_owned()]).err();
         let error = error.expect("a mistake").to_string();
         assert!(error.starts_with(&format!("--set {set}: ")), "{error}");

@@ -174,7 +174,6 @@ fn bad_contacts() {
     ] {
         let (overrides, sentence) = row.split_once(" => ").unwrap();
         let overrides: Vec<&str> = overrides.split("; ").collect();
-
         let error = case(&overrides)
             .err()
             .expect("a case with a mistake")

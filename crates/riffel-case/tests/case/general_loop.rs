@@ -292,7 +292,6 @@ fn what_a_rail_needs_to_twist() {
         "foot_width = 0.15 => `rail.foot_width` is missing",
     ] {
         let (line, message) = row.split_once(" => ").unwrap();
-
         let text = TWIST.replacen(line, "", 1);
         let error = error(&text, &[]);
         assert_eq!(error.to_string(), message);

@@ -113,7 +113,6 @@ fn what_does_not_fit_is_refused() {
         let [file, keys, sentence] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         let error = measured(file, keys).err().expect("refused").to_string();
         assert!(error.contains(sentence), "{error}");
     }

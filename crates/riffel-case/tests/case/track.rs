@@ -188,7 +188,6 @@ fn bad_tracks() {
     ] {
         let (overrides, sentence) = row.split_once(" => ").unwrap();
         let overrides: Vec<&str> = overrides.split("; ").collect();
-
         let message = message(&overrides);
         assert!(message.contains(sentence), "{message}");
     }

@@ -131,7 +131,6 @@ fn wrong_traffic_is_refused() {
         "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.passages_per_day` is 0",
     ] {
         let (text, part) = row.split_once(" => ").unwrap();
-
         let error = Traffic::parse("t.toml", text).err().expect("a mistake");
         assert!(error.to_string().contains(part), "{error}");
     }
@@ -147,7 +146,6 @@ fn a_vehicle_that_the_case_refuses_is_named() {
         let [rest, key, rule] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
         let case = nominal();
         let error = traffic
@@ -340,7 +338,6 @@ fn what_a_vehicle_cannot_bring() -> Result<(), CaseError> {
         let [key, law, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         let wheelset =
             "wheelset={ model = \"rigid\", mass = 1200, roll_inertia = 620, spin_inertia = 55 }"
                 .to_owned();

@@ -144,7 +144,6 @@ fn mistakes_name_the_key() {
         "wheelset.discs=3 => `wheelset.discs` is not a list",
     ] {
         let (change, says) = row.split_once(" => ").unwrap();
-
         let message = case(&[change]).err().unwrap().to_string();
         assert!(message.contains(says), "{message}");
     }

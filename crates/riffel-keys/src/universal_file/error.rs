@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// A universal file that cannot be read, and why, in a sentence that begins with the line.
 #[derive(Debug, Clone, PartialEq, Error)]
-#[allow(missing_docs)] // fields are what the sentences say
+#[expect(missing_docs, reason = "fields are what the sentences say")]
 pub enum UniversalFileError {
     /// Nothing in it.
     #[error("the file holds no dataset, which would begin with -1 in columns 5 and 6")]

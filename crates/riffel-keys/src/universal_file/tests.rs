@@ -469,7 +469,6 @@ fn refuses_what_is_no_universal_file() {
         "    -1\n    55b\n => line 2: column 7 must be blank, or \"b\" in a dataset 58, not \"b\"",
     ] {
         let (text, expected) = row.split_once(" => ").unwrap();
-
         assert_eq!(sentence(text.as_bytes()), expected);
     }
 }
@@ -506,7 +505,6 @@ fn refuses_damaged_functions() {
         let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         assert_eq!(sentence(small_with(from, to).as_bytes()), expected);
     }
 }
@@ -521,7 +519,6 @@ fn refuses_damaged_units() {
         let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         let text = MILLIMETRES.replacen(from, to, 1);
         assert_eq!(sentence(text.as_bytes()), expected);
     }
@@ -550,7 +547,6 @@ fn refuses_damaged_binary() {
         let [from, to, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         let bytes = binary(6, true, 1, 8, "");
         let at = bytes
             .windows(from.len())

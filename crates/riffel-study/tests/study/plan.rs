@@ -56,7 +56,6 @@ fn a_bad_plan_is_refused_with_a_sentence() {
         let [good, bad, expected] = row.split(" => ").collect::<Vec<_>>()[..] else {
             panic!("{row}")
         };
-
         assert!(PLAN.contains(good), "{good}");
         if expected.contains("373.7 GB") {
             // Large, and still within bounds.
@@ -109,7 +108,6 @@ fn a_bad_correlation_is_refused() {
         "between = [\"contact.friction\", \"contact.friction\"] => `correlation[0].between`: names the same key twice",
     ] {
         let (line, expected) = row.split_once(" => ").unwrap();
-
         let good = [
             "between = [\"contact.friction\", \"wheel.mass\"]",
             "coefficient = 0.5",

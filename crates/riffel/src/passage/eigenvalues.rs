@@ -86,7 +86,10 @@ fn of_two(matrix: &[Vec<f64>], last: usize) -> [Complex64; 2] {
 }
 
 /// One double step of rows `first` to `last`, for shifts of the given sum and product.
-#[allow(clippy::needless_range_loop)] // an index is that of a column, or of a row and a column
+#[expect(
+    clippy::needless_range_loop,
+    reason = "an index is that of a column, or of a row and a column"
+)]
 fn sweep(matrix: &mut [Vec<f64>], first: usize, last: usize, [sum, product]: [f64; 2]) {
     let a = &matrix;
     // The first column of (A − s₁)(A − s₂), over the entry below the diagonal.
@@ -134,7 +137,10 @@ fn sweep(matrix: &mut [Vec<f64>], first: usize, last: usize, [sum, product]: [f6
 }
 
 /// Rows and columns of like size, by powers of two.
-#[allow(clippy::needless_range_loop)] // an index is that of a column, or of a row and a column
+#[expect(
+    clippy::needless_range_loop,
+    reason = "an index is that of a column, or of a row and a column"
+)]
 fn balance(matrix: &mut [Vec<f64>]) {
     let count = matrix.len();
     for _ in 0..20 {
@@ -163,7 +169,10 @@ fn balance(matrix: &mut [Vec<f64>]) {
 }
 
 /// Zeros below the first diagonal under the main one, by reflections from both sides.
-#[allow(clippy::needless_range_loop)] // an index is that of a column, or of a row and a column
+#[expect(
+    clippy::needless_range_loop,
+    reason = "an index is that of a column, or of a row and a column"
+)]
 fn to_hessenberg(matrix: &mut [Vec<f64>]) {
     let count = matrix.len();
     for column in 0..count.saturating_sub(2) {

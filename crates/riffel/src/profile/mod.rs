@@ -12,7 +12,7 @@ mod crossing;
 mod error;
 mod loaded_contact;
 mod nominal;
-#[allow(clippy::module_inception)]
+#[expect(clippy::module_inception, reason = "the noun is that of the folder")]
 mod profile;
 mod rolling_table;
 mod smoothing;
