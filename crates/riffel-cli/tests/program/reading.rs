@@ -527,12 +527,11 @@ fn no_message_holds_control_characters() {
     }
 }
 
-/// A device that never ends, as any file: a sentence within seconds.
+/// A device that never ends, as any file: a sentence after some megabytes.
 #[cfg(unix)]
 #[test]
 fn endless_input_ends() {
     let sandbox = Sandbox::new();
-    let begun = std::time::Instant::now();
     for arguments in [
         "map /dev/zero",
         "roughness /dev/zero",
@@ -555,8 +554,6 @@ fn endless_input_ends() {
             outcome.text
         );
     }
-    // The work is some megabytes for each; minutes are for a loaded machine.
-    assert!(begun.elapsed().as_secs() < 120);
     let line = vec![b'1'; 3 << 20];
     fs::write(sandbox.path("line.txt"), line).unwrap();
     assert_eq!(sandbox.riffel("roughness line.txt").status, Some(2));
