@@ -100,7 +100,8 @@ fn assert_near(read: &[Complex64], exact: impl Iterator<Item = Complex64>, toler
 /// in the text form, whatever the ordinate has.
 #[test]
 fn reads_what_pyuff_writes() {
-    let cases: [(&str, fn(f64) -> Complex64, Vec<f64>, f64, i32, bool, f64); 10] = [
+    type Row<'a> = (&'a str, fn(f64) -> Complex64, Vec<f64>, f64, i32, bool, f64);
+    let cases: [Row<'_>; 10] = [
         (
             "receptance_double_even.uff",
             receptance,
