@@ -72,13 +72,10 @@ pub(crate) enum CliError {
     #[error("{input}: {error}")]
     Physics { input: String, error: riffel::Error },
 
-    #[error("cannot read the observations {path}: {reason}", path = path.display())]
-    ReadObservations { path: PathBuf, reason: csv::Error },
-
     #[error("{path}, line {line}: {message}", path = path.display())]
     Observation {
         path: PathBuf,
-        line: u64,
+        line: usize,
         message: String,
     },
 

@@ -3,15 +3,16 @@
 use std::path::Path;
 
 use riffel_keys::quantity::{Dimension, Length, Speed};
-use riffel_keys::text_file::{LARGEST_KEYS, decode, printable, read_bounded};
+use riffel_keys::table::{HeadedTable, NoHead, is_one_of, number_in};
+use riffel_keys::text_file::{LARGEST_KEYS, decode, read_bounded};
 use riffel_keys::{CaseError, PhysicalRange};
 use riffel_plot::Observation;
 
 use crate::error::CliError;
 
-const WAVELENGTH: [&str; 4] = ["wavelength", "lambda", "wellenlänge", "wellenlaenge"];
-const SPEED: [&str; 3] = ["speed", "velocity", "geschwindigkeit"];
-const LABEL: [&str; 4] = ["label", "name", "bezeichnung", "ort"];
+const WAVELENGTH: &str = "wavelength|lambda|wellenlänge|wellenlaenge";
+const SPEED: &str = "speed|velocity|geschwindigkeit";
+const LABEL: &str = "label|name|bezeichnung|ort";
 
 /// Read a table with the columns wavelength, speed and (optional) label, in any order, divided by commas, semicolons or
 /// tabulators. A cell has its unit with it, or its column in the head, as in `wavelength_mm` or `speed [km/h]`; bare
@@ -31,78 +32,57 @@ pub(crate) fn read(path: &Path) -> miette::Result<Vec<Observation>> {
 }
 
 fn parse(path: &Path, text: &str) -> Result<Vec<Observation>, CliError> {
-    let cannot_read = |reason| CliError::ReadObservations {
+    let wrong = |line: usize, message: String| CliError::Observation {
         path: path.to_owned(),
-        reason,
+        line,
+        message,
     };
-    let delimiter = delimiter(text);
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(delimiter)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(text.as_bytes());
-    let headers = reader.headers().map_err(cannot_read)?.clone();
-    let column = |names: &[&str]| {
-        headers
-            .iter()
-            .position(|header| names.contains(&&*word(header).0))
-    };
-    let required = |names: &[&str]| {
-        column(names).ok_or_else(|| CliError::Observation {
-            path: path.to_owned(),
-            line: 1,
-            message: format!(
-                "no column \"{}\"; there must be wavelength, speed and, if wanted, label",
-                names[0]
-            ),
-        })
-    };
-    let (wavelength, speed, label) = (required(&WAVELENGTH)?, required(&SPEED)?, column(&LABEL));
-    let mut observations = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(cannot_read)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let wrong = |message: String| CliError::Observation {
-            path: path.to_owned(),
-            line,
-            message,
+    let find = |names: &[String]| {
+        let column = |known: &str| {
+            names
+                .iter()
+                .position(|name| is_one_of(&word(name).0, known))
         };
+        let required = |known: &'static str| {
+            let first = known.split('|').next().unwrap_or_default();
+            column(known).ok_or_else(|| {
+                format!(
+                    "no column \"{first}\"; there must be wavelength, speed and, if wanted, label"
+                )
+            })
+        };
+        Ok((required(WAVELENGTH)?, required(SPEED)?, column(LABEL)))
+    };
+    let nothing = || wrong(1, "no observation stands below the head".to_owned());
+    let table = HeadedTable::find(text, find, |_, row| !row.is_empty());
+    let table = table.map_err(|reason| match reason {
+        NoHead::Names(message) => wrong(1, message),
+        NoHead::Numbers => wrong(1, find(&[]).err().unwrap_or_default()),
+        NoHead::NoRows => nothing(),
+    })?;
+    let (wavelength, speed, label) = table.columns;
+    let observations = table.rows().map(|row| {
         let cell = |index: usize| {
-            let text = match delimiter {
-                b',' => record[index].to_owned(),
-                _ => record[index].replace(',', "."),
-            };
+            let text = row.text(index).replace(',', ".");
             // What has a unit of its own needs none of the head.
-            match (text.parse::<f64>(), &*word(&headers[index]).1) {
-                (Ok(_), unit) if !unit.is_empty() => format!("{text} {unit}"),
+            match (number_in(&text), &*word(&table.names[index]).1) {
+                (Some(number), unit) if !unit.is_empty() => format!("{number} {unit}"),
+                (Some(number), _) => number.to_string(),
                 _ => text,
             }
         };
-        observations.push(Observation {
+        let wrong = |message: String| wrong(row.line, message);
+        Ok(Observation {
             wavelength_m: in_range::<Length>("wavelength", &cell(wavelength)).map_err(wrong)?,
             speed_m_per_s: in_range::<Speed>("speed", &cell(speed)).map_err(wrong)?,
-            label: printable(label.map_or("measured", |label| &record[label])).into_owned(),
-        });
+            label: label.map_or_else(|| "measured".to_owned(), |label| row.text(label)),
+        })
+    });
+    let observations: Vec<Observation> = observations.collect::<Result<_, CliError>>()?;
+    match observations.is_empty() {
+        true => Err(nothing()),
+        false => Ok(observations),
     }
-    if observations.is_empty() {
-        return Err(CliError::Observation {
-            path: path.to_owned(),
-            line: 1,
-            message: "no observation stands below the head".to_owned(),
-        });
-    }
-    Ok(observations)
-}
-
-/// What divides the cells of the first line that is no remark.
-fn delimiter(text: &str) -> u8 {
-    let mut lines = text.lines().map(str::trim);
-    let head = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
-    let head = head.unwrap_or_default();
-    [b';', b'\t']
-        .into_iter()
-        .find(|&mark| head.contains(char::from(mark)))
-        .unwrap_or(b',')
 }
 
 /// Name and unit of a column: "speed" and "km/h" of "Speed [km/h]", "speed_km_h" or "speed_km_per_h".
@@ -154,6 +134,8 @@ mod tests {
             "# measured in spring\nlabel;speed_km_h;wavelength_mm\nA;72;31,5\n",
             "Bezeichnung;Geschwindigkeit [km/h];Wellenlänge [mm]\nA;72,0;31,5\n",
             "wavelength (mm)\tspeed (m/s)\tname\n31.5\t20\tA\n",
+            "\"wavelength_mm\",\"speed\",\"label\"\n\"31,5\",\"72 km/h\",\"A\"\n",
+            "wavelength_mm,speed_m_per_s,label\n3.15D+1,2.0D+1,A\n",
         ] {
             let found = parse(Path::new("o.csv"), text).unwrap();
             assert_eq!(found.len(), 1);

@@ -4,6 +4,7 @@ use super::delimiter::Delimiter;
 use super::number::number;
 
 /// Lines without their ends; what follows the last line feed is a line if there is anything.
+#[inline]
 pub fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
     let mut rest = bytes;
     std::iter::from_fn(move || {
@@ -18,6 +19,7 @@ pub fn lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
 }
 
 /// Whether a line is empty or a remark.
+#[inline]
 pub fn is_comment(line: &[u8]) -> bool {
     match line.first() {
         None | Some(b'#' | b'%') => true,
@@ -58,6 +60,7 @@ pub(super) fn cells_up_to(line: &[u8], delimiter: Delimiter, count: usize) -> Ve
 }
 
 /// Without blanks that mean nothing at the beginning, and with blanks as delimiter also at the end.
+#[inline]
 pub(super) fn trim_blanks(line: &[u8], delimiter: Delimiter) -> &[u8] {
     match delimiter {
         Delimiter::Space => match line {
@@ -72,6 +75,7 @@ pub(super) fn trim_blanks(line: &[u8], delimiter: Delimiter) -> &[u8] {
 }
 
 /// Bytes from an opening quote to its end, in which no delimiter ends the cell; zero without quotes.
+#[inline]
 pub(super) fn quoted_length(text: &[u8]) -> usize {
     match text {
         [b'"', inner @ ..] => memchr::memchr(b'"', inner).map_or(0, |end| end + 2),

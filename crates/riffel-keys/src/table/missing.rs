@@ -1,20 +1,17 @@
 //! Numbers that only mark a missing value.
 
-/// What programs write where there is no value.
-const MARKS: [f64; 14] = [
-    -9999.0,
-    9999.0,
-    -999.0,
+/// What programs write where there is no value, without its sign.
+const MARKS: [f64; 11] = [
     999.0,
-    -99_999.0,
+    999.25,
+    999.9,
+    999.99,
+    9999.0,
+    9999.9,
+    9999.99,
+    32_768.0,
     99_999.0,
-    -999.9,
-    -9999.9,
-    -999.99,
-    -9999.99,
-    -999.25,
-    -32_768.0,
-    -2_147_483_648.0,
+    2_147_483_648.0,
     1e30,
 ];
 
@@ -32,7 +29,14 @@ pub struct Marked {
 /// Whether a number is one that programs write where there is no value.
 #[inline]
 pub fn is_mark(value: f64) -> bool {
-    value.abs() >= 999.0 && MARKS.contains(&value)
+    // Of a chainage all values come here.
+    match value.abs() {
+        size if size < 999.0 => false,
+        size if size < 1000.0 => MARKS[..4].contains(&size),
+        size if size < 9999.0 => false,
+        size if size < 10_000.0 => MARKS[4..7].contains(&size),
+        size => MARKS[7..].contains(&size),
+    }
 }
 
 /// The marks of missing values in a column: numbers of the list above that stand off all others, by more than half of what
@@ -61,18 +65,16 @@ pub(super) fn leave_out_marks(values: &mut [f64]) -> Option<Marked> {
 
 /// Which marks stand off all other values; None where there is no mark at all, or nothing else.
 fn far_marks(values: &[f64]) -> Option<impl Fn(f64) -> bool + use<>> {
-    let (mut any, mut low, mut high) = (false, f64::INFINITY, f64::NEG_INFINITY);
-    for &value in values {
-        if is_mark(value) {
-            any = true;
-        } else {
-            low = low.min(value);
-            high = high.max(value);
-        }
+    if !values.iter().any(|&value| is_mark(value)) {
+        return None;
     }
+    let others = values.iter().filter(|value| !is_mark(**value));
+    let (low, high) = others.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &value| {
+        (low.min(value), high.max(value))
+    });
     let far = 0.5 * (high - low);
     let is_far = move |value: f64| is_mark(value) && (value < low - far || value > high + far);
-    (any && low <= high).then_some(is_far)
+    (low <= high).then_some(is_far)
 }
 
 #[cfg(test)]

@@ -23,6 +23,14 @@ pub fn rows(
     })
 }
 
+/// The finite number that a text is, with a decimal point or a decimal comma.
+pub fn number_in(text: &str) -> Option<f64> {
+    let read = |decimal: u8| number(text.as_bytes(), decimal);
+    read(b'.')
+        .or_else(|| read(b','))
+        .filter(|value| value.is_finite())
+}
+
 /// A row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {

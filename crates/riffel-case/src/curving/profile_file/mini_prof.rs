@@ -5,9 +5,10 @@
 //! set up: it is found. Sources: the manual of Gensys' converter of such files, and the files of the Manchester contact benchmark that
 //! CONTACT ships.
 
+use riffel_keys::table::number_in;
 use riffel_keys::{clipped, say};
 
-use super::table::{number, without_comment};
+use super::table::without_comment;
 use super::written::{Fault, WrittenProfile};
 use crate::file::ProfileKind;
 
@@ -87,7 +88,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
             .split([' ', '\t', ',', ';'])
             .filter(|cell| !cell.is_empty());
         let cells: Vec<&str> = cells.collect();
-        let of = |column: usize| cells.get(column).and_then(|cell| number(cell));
+        let of = |column: usize| cells.get(column).and_then(|cell| number_in(cell));
         match (of(columns[0]), of(columns[1])) {
             (Some(x), Some(y)) => {
                 is_head = false;

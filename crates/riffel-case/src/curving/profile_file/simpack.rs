@@ -7,9 +7,10 @@
 
 use std::collections::BTreeMap;
 
+use riffel_keys::table::number_in;
 use riffel_keys::{clipped, say};
 
-use super::table::{number, without_comment};
+use super::table::without_comment;
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
 use crate::file::ProfileKind;
 
@@ -53,7 +54,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
                 }
             }
         } else if open.last().is_some_and(|(section, _)| section == "point") {
-            let mut cells = line.split_whitespace().map(number);
+            let mut cells = line.split_whitespace().map(number_in);
             match (cells.next().flatten(), cells.next().flatten()) {
                 (Some(y), Some(z)) => written.push([y, z], index + 1),
                 _ => {
@@ -78,7 +79,7 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     }
     let value = |key: &str| match keys.get(key) {
         None => Ok(None),
-        Some((text, line)) => match number(text) {
+        Some((text, line)) => match number_in(text) {
             Some(value) => Ok(Some(value)),
             None => Err(Fault::at(
                 *line,

@@ -1,6 +1,7 @@
 //! Two columns of lateral coordinate and height.
 
 use riffel_keys::clipped;
+use riffel_keys::table::{Delimiter, cells, is_one_of, label, number_in, words};
 
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
 
@@ -14,8 +15,8 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         if line.is_empty() {
             continue;
         }
-        let cells = cells(line);
-        let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number(cell)).collect();
+        let cells = cells_of(line);
+        let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number_in(cell)).collect();
         match numbers[..] {
             [Some(x), Some(height)] => written.push([x, height], index + 1),
             _ if may_be_head && numbers.iter().all(Option::is_none) => {
@@ -46,48 +47,28 @@ pub(super) fn without_comment(line: &str) -> &str {
     line[..end].trim()
 }
 
-/// A number, with a decimal point or a decimal comma, in quotes or not.
-pub(super) fn number(cell: &str) -> Option<f64> {
-    match cell.split_once(',') {
-        Some((whole, part)) if !part.contains([',', '.']) && !whole.contains('.') => {
-            format!("{whole}.{part}").parse().ok()
-        }
-        _ => cell.parse().ok(),
-    }
-}
-
-fn cells(line: &str) -> Vec<&str> {
-    let separator = [';', '\t', ',']
-        .into_iter()
-        .find(|separator| line.contains(*separator));
+/// The cells of a line.
+fn cells_of(line: &str) -> Vec<String> {
+    let marks = [Delimiter::Semicolon, Delimiter::Tab, Delimiter::Comma];
+    let is_in_line = |mark: &Delimiter| line.as_bytes().contains(&mark.byte());
+    let mark = marks.into_iter().find(is_in_line);
     let blanks: Vec<&str> = line.split_whitespace().collect();
     // Two numbers with decimal commas and a blank between them.
-    let with_commas = matches!(blanks[..], [x, y] if number(x).is_some() && number(y).is_some() && x.contains(','));
-    let cells: Vec<&str> = match separator {
-        Some(separator) if !with_commas => line.split(separator).map(str::trim).collect(),
-        _ => blanks,
-    };
-    let cells: Vec<&str> = cells
+    let with_commas = matches!(blanks[..], [x, y] if number_in(x).is_some() && number_in(y).is_some() && x.contains(','));
+    let delimiter = mark.filter(|_| !with_commas).unwrap_or(Delimiter::Space);
+    let mut cells: Vec<String> = cells(line.as_bytes(), delimiter)
         .into_iter()
-        .map(|cell| cell.trim_matches('"').trim())
+        .map(label)
         .collect();
-    // A separator at the end of a line makes no column.
-    let filled = cells
-        .iter()
-        .rposition(|cell| !cell.is_empty())
-        .map_or(0, |last| last + 1);
-    cells[..filled].to_vec()
+    // A delimiter at the end of a line makes no column.
+    while cells.last().is_some_and(String::is_empty) {
+        cells.pop();
+    }
+    cells
 }
 
 /// Millimetres or metres, if a head says so, of columns named x and then y or another height.
-fn unit_of_head(cells: &[&str]) -> Result<Option<f64>, String> {
-    let words = |cell: &str| -> Vec<String> {
-        let words = cell.split(|character: char| !character.is_alphabetic());
-        words
-            .filter(|word| !word.is_empty())
-            .map(str::to_lowercase)
-            .collect()
-    };
+fn unit_of_head(cells: &[String]) -> Result<Option<f64>, String> {
     let columns: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
     let begins = |column: usize, names: &[&str]| {
         let first = columns.get(column).and_then(|words| words.first());
@@ -102,11 +83,8 @@ fn unit_of_head(cells: &[&str]) -> Result<Option<f64>, String> {
         .filter_map(|word| match word.as_str() {
             "mm" => Some(Ok(1e-3)),
             "m" => Some(Ok(1.0)),
-            "um" | "µm" | "μm" | "cm" | "dm" | "nm" | "km" | "in" | "inch" | "inches" | "ft"
-            | "mil" => Some(Err(format!(
-                "the head says {word}: give a profile in mm or m"
-            ))),
-            _ => None,
+            word => is_one_of(word, "um|µm|μm|cm|dm|nm|km|in|inch|inches|ft|mil")
+                .then(|| Err(format!("the head says {word}: give a profile in mm or m"))),
         });
     let units: Vec<f64> = units.collect::<Result<_, _>>()?;
     match units[..] {

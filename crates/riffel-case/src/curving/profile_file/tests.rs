@@ -72,6 +72,8 @@ fn every_way_of_writing_is_one_profile() {
         arc(1e3, ";").replace('.', ","),
         arc(1e3, "\t").replace('.', ","),
         arc(1e3, " ").replace('.', ","),
+        arc(1e3, " ").replace('-', "\u{2212}"),
+        arc(1e3, ",").replace(',', "D+00,").replace('\n', "D+00\n"),
         format!(
             "\"x_mm\";\"y_mm\"\n{}",
             arc(1e3, "\";\"")
@@ -231,6 +233,21 @@ fn orientation_is_found_or_asked() {
         let off = read.at(-30e-3).unwrap().height - nominal.at(-30e-3).unwrap().height;
         assert_eq!(off.abs() < 1e-5, is_nominal, "{orientation:?}: {off}");
     }
+}
+
+/// The open source of CONTACT takes % for a remark in files of Simpack, too.
+#[test]
+fn remarks_stand_in_files_of_simpack() {
+    let text = std::fs::read_to_string(file("rail.prr")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.prr");
+    let remarked = text.replacen("spline.begin", "% a remark\nspline.begin ! another one", 1);
+    std::fs::write(&path, format!("% a remark\n{remarked}")).unwrap();
+    let [plain, remarked] = [file("rail.prr"), path].map(|path| {
+        let read = read_profile(&path, ProfileReading::default()).unwrap();
+        read.profile.at(-30e-3).unwrap().height
+    });
+    assert_eq!(plain, remarked);
 }
 
 /// A file that is cut, or has a letter among its numbers, is refused with its line.

@@ -4,9 +4,10 @@
 //! Source: what CONTACT's open source says of these files.
 
 use riffel::Rail;
+use riffel_keys::table::number_in;
 use riffel_keys::{clipped, fixed, say};
 
-use super::table::{number, without_comment};
+use super::table::without_comment;
 use super::written::{Fault, WrittenProfile};
 use crate::file::ProfileKind;
 
@@ -51,7 +52,7 @@ pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
         let numbers: Vec<Option<f64>> = text
             .split([' ', '\t', ','])
             .filter(|cell| !cell.is_empty())
-            .map(number)
+            .map(number_in)
             .collect();
         match numbers[..] {
             [Some(left), Some(left_z), Some(right), Some(right_z), ..] => {
@@ -72,7 +73,7 @@ pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
         let (key, value) = upper.split_once([' ', '\t', '=']).unwrap_or((&upper, ""));
         let value = value.trim();
         let asked = || {
-            let number = value.rsplit([' ', '\t']).next().and_then(number);
+            let number = value.rsplit([' ', '\t']).next().and_then(number_in);
             number.ok_or_else(|| {
                 Fault::at(
                     line,
