@@ -64,7 +64,10 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
             .frequencies
             .push(units.to_hertz * row.number(frequency)?);
         for (column, written) in values.all().into_iter().zip(&mut written) {
-            written.push(row.complex(column)?.re);
+            written.push(match values {
+                Parts::Complex(_) => row.complex(column)?.re,
+                Parts::Cartesian(_) | Parts::Polar(_) => row.number(column)?,
+            });
         }
         response.values.push(match values {
             Parts::Cartesian([real, imaginary]) => {
