@@ -79,6 +79,14 @@ mod tests {
         parse(&text).map_err(|refusal| refusal.message)
     }
 
+    /// Of two columns divided by a comma the first row could be one number with a decimal comma.
+    #[test]
+    fn a_comma_in_the_head_divides_the_rows() {
+        let rates = parse("frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n").unwrap();
+        let rates: Vec<f64> = rates.into_iter().map(|(_, rate)| rate).collect();
+        assert_eq!(rates, [2.0, 1.5]);
+    }
+
     #[test]
     fn a_curve_is_read_and_others_are_refused() {
         let rates = of("B5,100,3.0\nB5,125,4.5\nB5,160,5.4\n").unwrap();

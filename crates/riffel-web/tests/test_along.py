@@ -88,8 +88,8 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
     )
     measured(page, text)
     page.until(page.page.locator("#trouble .said").is_visible)
-    # The program takes the gauge for a rail, and says so; the columns open by themselves.
-    assert "gauge" in page.text("#trouble")
+    # Heights without a unit are read in µm, and no rail is so smooth; the columns open by themselves.
+    assert "no rail is so smooth" in page.text("#trouble")
     page.until(page.page.locator("#columns-use").is_visible)
     selects = lambda: page.page.locator("#columns-table select").evaluate_all("(all) => all.filter(({ hidden }) => !hidden).map(({ value }) => value)")
     assert selects() == ["position", "km", "none", "height", "um", "height", "um", "none"]

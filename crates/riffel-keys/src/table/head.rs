@@ -57,6 +57,10 @@ impl<'a, C> HeadedTable<'a, C> {
         for (index, line) in lines(text).take(PREAMBLE).enumerate() {
             for delimiter in DELIMITERS {
                 let names = names_of(line, delimiter);
+                // A line that this does not divide has the words of all columns in one.
+                if names.len() < 2 {
+                    continue;
+                }
                 let Ok(columns) = find(&names) else { continue };
                 let mut table = Self {
                     text,
