@@ -352,7 +352,7 @@ fn command_line(program: &Path) -> Result<String, String> {
     }
     for (of, commands) in [
         ("study", &["merge", "sensitivity"][..]),
-        ("network", &["ingest", "status", "worst", "growth", "plan"]),
+        ("network", &["ingest", "status", "worst", "growth", "plan", "chart", "check"]),
     ] {
         for command in commands {
             text.push_str(&section(
