@@ -352,7 +352,12 @@ fn command_line(program: &Path) -> Result<String, String> {
     }
     for (of, commands) in [
         ("study", &["merge", "sensitivity"][..]),
-        ("network", &["ingest", "status", "worst", "growth", "plan", "chart", "check"]),
+        (
+            "network",
+            &[
+                "ingest", "status", "worst", "growth", "plan", "chart", "check",
+            ],
+        ),
     ] {
         for command in commands {
             text.push_str(&section(

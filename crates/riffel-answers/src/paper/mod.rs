@@ -11,8 +11,6 @@ use riffel_keys::{Language, say};
 use riffel_plot::{LineFigure, MapFigure};
 #[cfg(not(target_family = "wasm"))]
 use riffel_plot::{Picture, PlotError};
-#[cfg(not(target_family = "wasm"))]
-use riffel_plot::{Picture, PlotError};
 
 use crate::AnswerError;
 

@@ -20,6 +20,9 @@ pub(super) fn find<'a, C>(
     columns: impl Fn(&[String]) -> Result<C, MeasurementError>,
     numbers: impl Fn(&C) -> Vec<usize>,
 ) -> Result<Layout<'a, C>, MeasurementError> {
+    if text.trim().is_empty() {
+        return Err(MeasurementError::file("is empty"));
+    }
     let is_row = |columns: &C, row: &table::Row<'_>| {
         let mut numbers = numbers(columns).into_iter();
         numbers.any(|column| row.complex(column).is_ok())

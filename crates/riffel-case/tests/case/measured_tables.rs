@@ -187,7 +187,7 @@ fn a_receptance_unlike_any_rail_is_asked_about() {
 #[test]
 fn values_are_read_as_programs_write_them() {
     type Row = fn(f64, f64, f64) -> String;
-    let tables: [(&str, Row); 5] = [
+    let tables: [(&str, Row); 6] = [
         ("# frequency [Hz], H [m/N]", |f, re, im| {
             format!("{f}, ({re:e}{im:+e}j)")
         }),
@@ -201,6 +201,13 @@ fn values_are_read_as_programs_write_them() {
             "Frequency [Hz],Receptance [m/N],Phase [rad]",
             |f, re, im| format!("{f},{:e},{}", re.hypot(im), im.atan2(re)),
         ),
+        ("Frequenz [Hz];real [m/N];imag [m/N]", |f, re, im| {
+            let (thousands, rest) = (f.div_euclid(1e3), f.rem_euclid(1e3));
+            match thousands > 0.0 {
+                true => format!("{thousands}.{rest:03},0;{re:e};{im:e}"),
+                false => format!("{rest},0;{re:e};{im:e}"),
+            }
+        }),
         ("frequency_hz real_m/N imag_m/N", |f, re, im| {
             format!("{f} {re:.12e} {im:.12e}").replace('e', "D")
         }),

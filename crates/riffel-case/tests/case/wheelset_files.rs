@@ -281,7 +281,7 @@ fn refuses_what_is_no_measured_wheelset() {
             ONE_ENTRY.replace("frequency_hz", "frequency [m]"),
             "in \"m\": write a unit of a frequency",
         ),
-        (String::new(), "names no frequency"),
+        (String::new(), "is empty"),
     ] {
         let error = error(MEASURED, &file);
         assert!(
