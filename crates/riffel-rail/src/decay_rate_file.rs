@@ -82,7 +82,8 @@ mod tests {
     /// Of two columns divided by a comma the first row could be one number with a decimal comma.
     #[test]
     fn a_comma_in_the_head_divides_the_rows() {
-        let rates = parse("frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n").unwrap();
+        let read = parse("frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n");
+        let rates = read.map_err(|refusal| refusal.message).unwrap();
         let rates: Vec<f64> = rates.into_iter().map(|(_, rate)| rate).collect();
         assert_eq!(rates, [2.0, 1.5]);
     }
