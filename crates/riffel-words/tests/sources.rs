@@ -16,7 +16,7 @@ const WITHOUT: [&str; 2] = ["riffel-words", "riffel-python"];
 const LEFT: &[(&str, &[&str])] = &[
     // For browsers, not for people.
     (
-        "riffel-plot/src/html.rs",
+        "riffel-plot/src/page/html.rs",
         &["body{margin", "default-src", "panels stacked"],
     ),
     (
@@ -52,6 +52,10 @@ const LEFT: &[(&str, &[&str])] = &[
         &["{next} after {last} at step"],
     ),
     ("riffel/src/growth/map.rs", &["tiles of a map"]),
+    (
+        "riffel/src/passage/transient_contact.rs",
+        &["beside a transient one", "must be none, under a free wheel"],
+    ),
     ("riffel-page/src/case_text.rs", &["cannot be written"]),
     ("riffel-page/src/fault.rs", &["cannot be drawn"]),
     ("riffel-page/src/figure.rs", &["the paper has no figure"]),
@@ -60,7 +64,7 @@ const LEFT: &[(&str, &[&str])] = &[
         &["is too long", "cannot be written"],
     ),
     ("riffel-page/src/table.rs", &["cannot be written"]),
-    ("riffel-plot/src/collision.rs", &["{said:?}"]),
+    ("riffel-plot/src/drawing/collision.rs", &["{said:?}"]),
     (
         "riffel-plot/src/error.rs",
         &["cannot be read", "the drawing library failed"],
@@ -307,7 +311,7 @@ fn texts(source: &str) -> Vec<String> {
     let told = |at: usize| {
         let before: String = letters[at.saturating_sub(20)..at].iter().collect();
         let call = before.trim_end();
-        let calls = [".expect(", "unreachable!(", "panic!("];
+        let calls = [".expect(", "unreachable!(", "panic!(", "reason ="];
         !calls.iter().any(|end| call.ends_with(end))
     };
     let (mut found, mut at) = (Vec::new(), 0);
