@@ -46,7 +46,8 @@ fn write_struct(code: &mut String, entry: &str) -> std::fmt::Result {
             &rest[..end.unwrap_or(rest.len())]
         })
         .collect();
-    let first_line = text.lines().next().unwrap_or_default();
+    // As code: brackets in it are no links.
+    let first_line = format!("`` {} ``", text.lines().next().unwrap_or_default());
     writeln!(code, "#[doc = {first_line:?}]\npub struct {name} {{")?;
     for value in &values {
         writeln!(code, "    #[doc = \"The value.\"]\n    pub {value}: Value,")?;

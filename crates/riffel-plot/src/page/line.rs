@@ -15,7 +15,7 @@ impl LineFigure {
     /// it needs and loads nothing. Identical data give identical text.
     ///
     /// # Errors
-    /// As [`svg`](LineFigure::svg).
+    /// As [`picture`](LineFigure::picture).
     pub fn html(&self) -> Result<String, PlotError> {
         html_of_stages(&[("", self)])
     }
@@ -25,7 +25,7 @@ impl LineFigure {
 /// have their ranges given, so that they stay.
 ///
 /// # Errors
-/// [`PlotError::NoPanel`] without a figure, otherwise as [`svg`](LineFigure::svg).
+/// [`PlotError::NoPanel`] without a figure, otherwise as [`picture`](LineFigure::picture).
 pub fn html_of_stages(stages: &[(&str, &LineFigure)]) -> Result<String, PlotError> {
     let (_, last) = stages.last().ok_or(PlotError::NoPanel)?;
     let stages: Result<Vec<PageStage>, PlotError> = stages

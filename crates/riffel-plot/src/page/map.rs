@@ -20,7 +20,7 @@ impl MapFigure {
     /// it needs and loads nothing. Identical data give identical text.
     ///
     /// # Errors
-    /// As [`svg`](MapFigure::svg).
+    /// As [`picture`](MapFigure::picture).
     pub fn html(&self) -> Result<String, PlotError> {
         html(self)
     }
