@@ -17,9 +17,8 @@ pub mod wording;
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Serialize, Serializer};
 
 use crate::Language;
 
@@ -118,26 +117,10 @@ impl fmt::Display for Message {
     }
 }
 
-/// True where documents hold messages in all languages.
-static ALL_LANGUAGES: AtomicBool = AtomicBool::new(false);
-
-/// From now on serialize the messages of this process with their id in every language, `{"id": …, "en": …, "de": …}`, for a
-/// page that changes its language by itself. Without it they are English sentences.
-pub fn serialize_in_all_languages() {
-    ALL_LANGUAGES.store(true, Ordering::Relaxed);
-}
-
+/// In English.
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if !ALL_LANGUAGES.load(Ordering::Relaxed) {
-            return serializer.collect_str(self);
-        }
-        let mut map = serializer.serialize_map(Some(1 + Language::ALL.len()))?;
-        map.serialize_entry("id", self.id)?;
-        for language in Language::ALL {
-            map.serialize_entry(language.code(), &self.text(language))?;
-        }
-        map.end()
+        serializer.collect_str(self)
     }
 }
 
