@@ -58,7 +58,7 @@ pub(crate) fn mean_over_speeds() -> Row {
         for step in 0..steps {
             let z = 8.0 * (f64::from(step) + 0.5) / f64::from(steps) - 4.0;
             let density = (-0.5 * z * z).exp();
-            sum += density * feedback.at(wavelength, mean + z * deviation).growth_rate();
+            sum += density * feedback.at(wavelength, mean + z * deviation).growth_rate;
             weight += density;
         }
         sum / weight

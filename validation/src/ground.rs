@@ -1,6 +1,6 @@
 //! The cases that the statements of the paper are about.
 
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel::growth::RidgePoint;
 use riffel::{Axis, Complex64, Ridge};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, NOMINAL_CASE};
@@ -49,7 +49,7 @@ pub(crate) fn extent(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
 }
 
 /// The loop at a frequency \[Hz\] and speed \[m/s\].
-pub(crate) fn at_frequency(case: &Case, frequency: f64, speed: f64) -> State {
+pub(crate) fn at_frequency(case: &Case, frequency: f64, speed: f64) -> LoopState {
     case.feedback.at(speed / frequency, speed)
 }
 

@@ -395,7 +395,7 @@ pub(crate) fn growth_without_resonance() -> Row {
     let case = nominal(&[]);
     let modulus = |frequency: f64| {
         at_frequency(&case, frequency, 30.0)
-            .track_receptance()
+            .normal_receptance()
             .norm()
     };
     let falling =

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use riffel::Complex64;
-use riffel_case::Case;
+use riffel_case::{Case, PointQuantity};
 use serde::Deserialize;
 
 use crate::Row;
@@ -79,44 +79,11 @@ impl Parameters {
 
 /// Every quantity of the loop under the name it has in the reference.
 fn computed(case: &Case, wavelength: f64, speed: f64) -> BTreeMap<&'static str, Complex64> {
-    let feedback = case.feedback.longitudinal().expect("a loop of one axis");
-    let state = feedback.at(wavelength, speed);
-    let real = Complex64::from;
-    BTreeMap::from([
-        (
-            "semi_axis_longitudinal_m",
-            real(case.hertz.semi_axis_longitudinal()),
-        ),
-        ("semi_axis_lateral_m", real(case.hertz.semi_axis_lateral())),
-        (
-            "creep_coefficient",
-            real(case.carter.expect("the paper's law").creep_coefficient()),
-        ),
-        (
-            "saturation_creepage",
-            real(case.carter.expect("the paper's law").saturation_creepage()),
-        ),
-        ("creepage", real(case.steady.creepages.longitudinal)),
-        (
-            "contact_stiffness_n_per_m",
-            real(feedback.contact_stiffness),
-        ),
-        ("angular_frequency_rad_per_s", real(state.angular_frequency)),
-        ("rail_receptance_m_per_n", state.track_receptance),
-        ("wheel_receptance_m_per_n", state.wheel_receptance),
-        ("normal_force_n", state.normal_force),
-        ("dq_dp", state.dq_dp),
-        ("dq_domega_n_s_per_rad", state.dq_domega),
-        ("dw_dp_m_per_s", state.dw_dp),
-        ("dw_domega_w_s_per_rad", state.dw_domega),
-        ("tangential_force_n", state.tangential_force),
-        ("angular_velocity_rad_per_s", state.angular_velocity),
-        ("dissipation_w", state.dissipation),
-        ("dissipation_phase_rad", real(state.dissipation_lag_angle)),
-        ("dissipation_lag_w", state.dissipation_at_rail),
-        ("normalized_dissipation", state.normalized_dissipation),
-        ("mean_dissipation_w", real(state.mean_dissipation)),
-    ])
+    let state = case.feedback.at(wavelength, speed);
+    let quantities = PointQuantity::ALL.into_iter();
+    quantities
+        .filter_map(|quantity| Some((quantity.key(), quantity.number(case, &state)?)))
+        .collect()
 }
 
 pub(crate) fn reference_points() -> Row {

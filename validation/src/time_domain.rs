@@ -161,8 +161,7 @@ pub(crate) fn small_amplitudes() -> Row {
             15.0,
         ),
     ] {
-        let state = case.feedback.at(wavelength, speed);
-        let linear = state.longitudinal().expect("one wheel");
+        let linear = case.feedback.at(wavelength, speed);
         let profile = Sinusoid {
             amplitude: AMPLITUDE,
             wavelength,
@@ -172,11 +171,10 @@ pub(crate) fn small_amplitudes() -> Row {
             .settle(profile, STEPS)
             .expect("a settled state")
             .swap_remove(0);
-        let creepage = -linear.angular_velocity * case.hertz.rolling_radius() / speed;
         let linear = [
-            linear.normal_force,
-            linear.tangential_force,
-            creepage,
+            linear.normal_force(),
+            linear.tangential_force(),
+            linear.creepage(),
             linear.dissipation / speed,
         ];
         for (got, linear) in values(&settled.harmonics[1]).into_iter().zip(linear) {

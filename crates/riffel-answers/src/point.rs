@@ -1,6 +1,6 @@
 //! The whole loop at one wavelength and speed.
 
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
 use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
 use riffel_keys::CaseError;
@@ -28,7 +28,7 @@ pub struct PointRequest {
 pub struct PointAnswer {
     /// One turn of the loop.
     #[serde(skip)]
-    pub state: State,
+    pub state: LoopState,
     /// Every quantity with its key.
     #[serde(flatten)]
     pub quantities: Point,

@@ -1,6 +1,6 @@
 //! What the contacts of a loop on all axes are called.
 
-use riffel::feedback::GeneralLoop;
+use riffel::Loop;
 use serde::Serialize;
 
 use crate::Case;
@@ -16,7 +16,7 @@ pub struct ContactName {
 
 impl ContactName {
     /// Of all contacts, in their order.
-    pub(crate) fn all(of: &GeneralLoop) -> Vec<Self> {
+    pub(crate) fn all(of: &Loop) -> Vec<Self> {
         let mut places: Vec<f64> = Vec::new();
         let contacts = of.contacts().iter().map(|contact| {
             let known = places.iter().position(|&along| along == contact.along);
@@ -36,6 +36,9 @@ impl ContactName {
 impl Case {
     /// Names of the contacts of a loop on all axes, that under study first; none of a loop of one wheel and one axis.
     pub fn contact_names(&self) -> Vec<ContactName> {
-        self.feedback.general().map_or(Vec::new(), ContactName::all)
+        match self.feedback.is_along_one_axis() {
+            true => Vec::new(),
+            false => ContactName::all(&self.feedback),
+        }
     }
 }

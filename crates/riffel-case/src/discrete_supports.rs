@@ -1,6 +1,6 @@
 //! A case on discrete supports with the wheel passing them, and on supports that were not laid at equal distances.
 
-use riffel::FeedbackLoop;
+use riffel::Loop;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
 use riffel::receptance::{Beam, IrregularTrack, MovingLoadOnSupports};
 use riffel_keys::CaseError;
@@ -89,14 +89,14 @@ impl Case {
     }
 
     /// The loop of one wheel along one axis on discrete supports, which alone has `what`.
-    fn on_supports(&self, what: &str) -> Result<&FeedbackLoop, CaseError> {
-        let Some(feedback) = self.feedback.longitudinal() else {
+    fn on_supports(&self, what: &str) -> Result<&Loop, CaseError> {
+        if !self.feedback.is_along_one_axis() {
             let message = format!(
                 "{what} takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several \
                  wheels"
             );
             return Err(self.refuse("contact.creepage", &message));
-        };
+        }
         if self.track.support_spacing().is_none() {
             let message = format!(
                 "`track.model` is \"{}\", but {what} is of discrete supports; choose a periodic model",
@@ -104,7 +104,7 @@ impl Case {
             );
             return Err(self.refuse("track.model", &message));
         }
-        Ok(feedback)
+        Ok(&self.feedback)
     }
 
     /// The vertical track of a case with discrete supports, under a load that passes them.

@@ -1,7 +1,7 @@
 //! # The Riffel case file
 //!
 //! TOML with units in strings, presets with sources and overrides in; a checked [`Case`] with its
-//! [`riffel::FeedbackLoop`] out. Anything wrong is a [`CaseError`](riffel_keys::CaseError) that names the key, shows the line
+//! [`riffel::Loop`] out. Anything wrong is a [`CaseError`](riffel_keys::CaseError) that names the key, shows the line
 //! and says what is allowed.
 //!
 //! ```
@@ -10,7 +10,7 @@
 //! let overrides = ["contact.tractive_ratio=0.5".to_owned()];
 //! let case = Case::parse("nominal", NOMINAL_CASE, &overrides)?;
 //! let state = case.feedback.at(0.055, 30.0);
-//! assert!(state.growth_rate() > 0.0);
+//! assert!(state.growth_rate > 0.0);
 //! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 

@@ -1,7 +1,7 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
 use riffel::Complex64;
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel_keys::CaseError;
 use schemars::JsonSchema;
 use serde::ser::SerializeMap;
@@ -242,42 +242,54 @@ impl PointQuantity {
 
     /// Its number in a state of the loop of a case; none for the constants of a creep law on the cases of others, and
     /// for what one kind of loop alone has.
-    pub fn number(self, case: &Case, state: &State) -> Option<Complex64> {
+    pub fn number(self, case: &Case, state: &LoopState) -> Option<Complex64> {
         let real = |value: f64| Complex64::new(value, 0.0);
-        let one_axis = state.longitudinal();
+        let one_axis = || case.feedback.is_along_one_axis().then_some(());
+        // ξ₁ = −Ω₁R/V from (4) turns creepage and derivatives by it into those of angular velocity.
+        let creepage_per_omega = -case.hertz.rolling_radius() / state.speed;
+        let (by_load, by_creepage) = (state.response.by_load, state.response.by_longitudinal);
         Some(match self {
-            Self::WavelengthM => real(state.wavelength()),
-            Self::SpeedMPerS => real(state.speed()),
-            Self::FrequencyHz => real(state.speed() / state.wavelength()),
+            Self::WavelengthM => real(state.wavelength),
+            Self::SpeedMPerS => real(state.speed),
+            Self::FrequencyHz => real(state.speed / state.wavelength),
             Self::SemiAxisLongitudinalM => real(case.hertz.semi_axis_longitudinal()),
             Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
             Self::CreepCoefficient => real(case.carter?.creep_coefficient()),
             Self::SaturationCreepage => real(case.carter?.saturation_creepage()),
-            Self::Creepage => one_axis.map(|_| real(case.steady.creepages.longitudinal))?,
+            Self::Creepage => one_axis().map(|()| real(case.steady.creepages.longitudinal))?,
             Self::TractiveRatio => real(case.steady.tractive_ratio()),
-            Self::ContactStiffnessNPerM => real(case.feedback.contact_stiffness()),
-            Self::AngularFrequencyRadPerS => real(state.angular_frequency()),
-            Self::RailReceptanceMPerN => state.track_receptance(),
-            Self::WheelReceptanceMPerN => one_axis?.wheel_receptance,
+            Self::ContactStiffnessNPerM => real(case.feedback.contacts()[0].stiffness),
+            Self::AngularFrequencyRadPerS => real(state.angular_frequency),
+            Self::RailReceptanceMPerN => state.normal_receptance(),
+            Self::WheelReceptanceMPerN => one_axis().map(|()| state.wheel_receptance[2][2])?,
             Self::NormalForceN => state.normal_force(),
-            Self::DqDp => one_axis?.dq_dp,
-            Self::DqDomegaNSPerRad => one_axis?.dq_domega,
-            Self::DwDpMPerS => state.dw_dp(),
-            Self::DwDomegaWSPerRad => one_axis?.dw_domega,
+            Self::DqDp => one_axis().map(|()| by_load.force[0])?,
+            Self::DqDomegaNSPerRad => {
+                one_axis().map(|()| by_creepage.force[0] * creepage_per_omega)? // (10)
+            }
+            Self::DwDpMPerS => by_load.energy * state.speed, // (11)
+            Self::DwDomegaWSPerRad => {
+                one_axis().map(|()| by_creepage.energy * creepage_per_omega * state.speed)? // (12)
+            }
             Self::TangentialForceN => state.tangential_force(),
-            Self::LateralForceN => state.general()?.contacts[0].force[1],
-            Self::AngularVelocityRadPerS => one_axis?.angular_velocity,
-            Self::DissipationW => state.dissipation(),
-            Self::DissipationPhaseRad => real(state.dissipation_lag_angle()),
-            Self::DissipationLagW => state.dissipation_at_rail(),
-            Self::NormalizedDissipation => state.normalized_dissipation(),
-            Self::NormalizedByMean => state.dissipation_at_rail() / state.mean_dissipation(),
-            Self::MeanDissipationW => real(state.mean_dissipation()),
-            Self::GrowthRatePerPassage => real(state.growth_rate()),
+            Self::LateralForceN => match one_axis() {
+                None => state.contacts[0].force[1],
+                Some(()) => return None,
+            },
+            Self::AngularVelocityRadPerS => {
+                one_axis().map(|()| state.creepage() / creepage_per_omega)?
+            }
+            Self::DissipationW => state.dissipation,
+            Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
+            Self::DissipationLagW => state.dissipation_at_rail,
+            Self::NormalizedDissipation => state.normalized_dissipation,
+            Self::NormalizedByMean => state.dissipation_at_rail / state.mean_dissipation,
+            Self::MeanDissipationW => real(state.mean_dissipation),
+            Self::GrowthRatePerPassage => real(state.growth_rate),
         })
     }
 
-    fn value(self, case: &Case, state: &State) -> Option<PointValue> {
+    fn value(self, case: &Case, state: &LoopState) -> Option<PointValue> {
         let number = self.number(case, state)?;
         Some(match self.words().2 {
             Numbers::Complex => PointValue::Complex(number),
@@ -335,9 +347,12 @@ pub struct ContactPoint {
 }
 
 impl AllAxes {
-    fn new(case: &Case, state: &State) -> Option<Self> {
-        let (general, state) = (case.feedback.general()?, state.general()?);
-        let contacts = ContactName::all(general).into_iter().zip(&state.contacts);
+    fn new(case: &Case, state: &LoopState) -> Option<Self> {
+        if case.feedback.is_along_one_axis() {
+            return None;
+        }
+        let contacts = ContactName::all(&case.feedback);
+        let contacts = contacts.into_iter().zip(&state.contacts);
         let contacts = contacts.map(|(name, at)| {
             let [tangential, lateral, normal] = at.force.map(PointValue::Complex);
             ContactPoint {
@@ -364,7 +379,7 @@ impl AllAxes {
 
 impl Point {
     /// The quantities of a state of the loop of a case.
-    pub fn new(case: &Case, state: &State) -> Self {
+    pub fn new(case: &Case, state: &LoopState) -> Self {
         let quantities = PointQuantity::ALL.into_iter();
         Self {
             quantities: quantities
@@ -420,7 +435,7 @@ impl Case {
     /// # Errors
     /// [`CaseError`] for a point outside its physical range, where the track is not known or the contact not resolved,
     /// and where a number would not be finite.
-    pub fn point(&self, wavelength: f64, speed: f64) -> Result<State, CaseError> {
+    pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
         self.check_points([wavelength; 2], [speed; 2])?;
         let case = self.covering(wavelength, wavelength)?;
         let state = case.feedback.at(wavelength, speed);

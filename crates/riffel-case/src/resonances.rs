@@ -52,13 +52,14 @@ impl Case {
     /// H_rail + H_wheel + 1/k_H \[m/N\].
     fn total(&self, w: f64) -> Complex64 {
         let [rail, wheel] = self.feedback.normal_receptances(w, self.speed.max());
-        rail + wheel + self.feedback.contact_stiffness().recip()
+        rail + wheel + self.feedback.contacts()[0].stiffness.recip()
     }
 
     fn p2_of_lines(&self) -> Option<Resonance> {
         let rail = self.lines();
-        let wheel = self.feedback.longitudinal().map(|feedback| &feedback.wheel);
-        let (lowest, highest) = wheel.map_or((0.0, f64::INFINITY), |wheel| self.known(&**wheel));
+        let wheel = self.keys.given.wheel.as_ref();
+        let (lowest, highest) =
+            wheel.map_or((0.0, f64::INFINITY), |wheel| self.known(&*wheel.receptance));
         let total: Vec<(f64, Complex64)> = rail
             .iter()
             .map(|line| line.0)

@@ -52,7 +52,7 @@ impl Case {
         wavelength: f64,
         speed: f64,
     ) -> Result<Vec<Sensitivity>, CaseError> {
-        let at_point = self.point(wavelength, speed)?.growth_rate();
+        let at_point = self.point(wavelength, speed)?.growth_rate;
         let whole = self.written_out()?;
         let window = window(wavelength);
         let changed = |change: Option<(&str, f64)>| -> Result<f64, CaseError> {
@@ -62,7 +62,7 @@ impl Case {
                 text.write(&[(key.to_owned(), Value::Float(value))])?;
             }
             let case = self.rebuilt(text)?;
-            Ok(case.point(wavelength, speed)?.growth_rate())
+            Ok(case.point(wavelength, speed)?.growth_rate)
         };
         let growth = changed(None)?;
         let by_key = |key: &(&'static CaseKey, f64)| {
@@ -73,8 +73,8 @@ impl Case {
         };
         let keys = quantities(whole.keys.table());
         let mut all: Vec<Sensitivity> = keys.par_iter().filter_map(by_key).collect();
-        let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate());
-        let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate());
+        let at_wavelength = |wavelength| Some(self.point(wavelength, speed).ok()?.growth_rate);
+        let at_speed = |speed| Some(self.point(wavelength, speed).ok()?.growth_rate);
         all.extend(relative(
             "wavelength",
             "m",
@@ -232,9 +232,9 @@ mod tests {
             let m = 612.0;
             let relative = -state.normal_force()
                 / case.feedback.amplitude()
-                / (m * state.angular_frequency()).powi(2);
-            let dissipation = state.dissipation_at_rail();
-            let expected = state.growth_rate() * (dissipation * relative).re / dissipation.re;
+                / (m * state.angular_frequency).powi(2);
+            let dissipation = state.dissipation_at_rail;
+            let expected = state.growth_rate * (dissipation * relative).re / dissipation.re;
             let got = of(&all, "wheel.mass");
             assert!(
                 (got.derivative / expected - 1.0).abs() < 1e-9,
@@ -277,7 +277,7 @@ mod tests {
                 let at = |factor: f64| {
                     let value = format!("{}={:e}", sensitivity.key, factor * sensitivity.value);
                     let case = Case::parse("written", &written, &[value]).unwrap();
-                    case.point(wavelength, speed).unwrap().growth_rate()
+                    case.point(wavelength, speed).unwrap().growth_rate
                 };
                 let difference = (at(1.0001) - at(0.9999)) / (2e-4 * at(1.0));
                 let error = (sensitivity.elasticity - difference).abs();

@@ -10,7 +10,7 @@ const BAND: (f64, f64) = (1.0, 10e3);
 
 impl Case {
     /// Whether the loop oscillates without any profile at a speed \[m/s\], by
-    /// [`GeneralLoop::stability`](riffel::feedback::GeneralLoop::stability). None for the loop of one wheel and one
+    /// [`Loop::stability`]. None for the loop of one wheel and one
     /// axis, which never does, and where the phase cannot be followed, for want of any loss or of measured frequencies.
     pub fn stability(&self, speed: f64) -> Option<Stability> {
         judged(&self.feedback, speed)?.ok()
@@ -26,7 +26,8 @@ impl Case {
 }
 
 fn judged(feedback: &Loop, speed: f64) -> Option<Result<Stability, Error>> {
-    Some(feedback.general()?.stability(speed, BAND.0, BAND.1))
+    let on_all_axes = !feedback.is_along_one_axis();
+    on_all_axes.then(|| feedback.stability(speed, BAND.0, BAND.1))
 }
 
 /// At the ends of some speeds and in the middle.

@@ -125,7 +125,7 @@ mod tests {
     }
 
     fn growth(case: &Case) -> f64 {
-        case.point(0.06, 12.5).unwrap().growth_rate()
+        case.point(0.06, 12.5).unwrap().growth_rate
     }
 
     /// Each wheel grows as if it had been asked for by its keys, whichever wheel the case has.

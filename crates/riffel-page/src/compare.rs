@@ -122,7 +122,7 @@ impl Growth {
         Ok(Self {
             growth_rate_per_passage: wavelength_m
                 .iter()
-                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate())
+                .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
                 .collect(),
             wavelength_m,
             lines: Ridge::lines_at(&case.feedback, window, speed)

@@ -81,8 +81,8 @@ impl crate::Question for Question {
             linear: Linear {
                 normal_force_n: linear(static_normal_force, state.normal_force()),
                 dissipation_j_per_m: linear(
-                    state.mean_dissipation() / speed,
-                    state.dissipation() / speed,
+                    state.mean_dissipation / speed,
+                    state.dissipation / speed,
                 ),
             },
             contact_loss_fraction: answer.settled.contact_loss,

@@ -56,7 +56,7 @@ impl Spectrum {
     fn new(case: &Case, speed: f64) -> Self {
         let [lowest, highest] = FREQUENCIES;
         let feedback = &case.feedback;
-        let contact = feedback.contact_stiffness().recip();
+        let contact = feedback.contacts()[0].stiffness.recip();
         let mut spectrum = Self {
             rail_receptance_m_per_n: Vec::new(),
             wheel_receptance_m_per_n: Vec::new(),

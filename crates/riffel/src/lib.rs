@@ -1,7 +1,7 @@
 //! # Riffel: the physics of rail corrugation
 //!
 //! Which wavelengths grow on a rail under rolling wheels, how fast, and why. One feedback loop,
-//! [`FeedbackLoop`], ties small interchangeable joints together:
+//! [`Loop`], ties small interchangeable joints together:
 //!
 //! | joint | trait | equations of Afferrante & Ciavarella (2009) |
 //! |---|---|---|
@@ -11,7 +11,7 @@
 //! | wheel rotation | [`Motion`] of a [`Receptance`] along the rail | (15)–(18) [`RigidInertia`] |
 //! | place of wear | [`PlaceOfWear`] | below (22) |
 //! | wear | [`EnergyWear`] | |
-//! | the loop closed | [`FeedbackLoop::at`] | (4), (16)–(21), (24) |
+//! | the loop closed | [`Loop::at`], of one wheel [`OneWheel`](feedback::OneWheel) | (4), (16)–(21), (24) |
 //!
 //! What is on the rail already, measured, is in [`roughness`]; as a train feels it, in [`axlebox`]; what may have made it, in
 //! [`diagnosis`]; what becomes of it under traffic, in [`forecast`]; how loud it is, in [`noise`]. How a bogie stands in a curve, and the
@@ -25,6 +25,7 @@
 //! ```
 //! use std::sync::Arc;
 //! use riffel::contact::{MeanState, QuasiStatic};
+//! use riffel::feedback::OneWheel;
 //! use riffel::receptance::{EulerBernoulliBeam, FreeBeam};
 //! use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 //! use riffel::*;
@@ -36,13 +37,12 @@
 //! let contact = QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1))?;
 //! let rail = EulerBernoulliBeam::new(steel, 2.35e-5, 56.0)?;
 //! let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
-//! let feedback = FeedbackLoop {
+//! let feedback = OneWheel {
 //!     track: Arc::new(FreeBeam::new(rail)),
 //!     wheel: Arc::new(RigidMass::new(350.0)?),
 //!     contact_stiffness: hertz.stiffness(),
 //!     contact: Arc::new(contact),
 //!     rotation: Motion::compliant(RigidInertia::new(inertia, 0.46)?),
-//!     rolling_radius: 0.46,
 //!     place_of_wear: PlaceOfWear::new(
 //!         DissipationPhase::Lag,
 //!         hertz.semi_axis_longitudinal(),
@@ -54,7 +54,8 @@
 //!         hertz.semi_axis_lateral(),
 //!     )?,
 //!     amplitude: 31.5e-6,
-//! };
+//! }
+//! .close()?;
 //! let ridge = Ridge::search(
 //!     &feedback,
 //!     Axis::new(0.020, 0.080, 241)?,
@@ -119,7 +120,7 @@ pub use contact::{Carter3d, HertzContact, RollingContact};
 pub use direction::{Direction, Place, Rail};
 pub use elastic::ElasticMaterial;
 pub use error::Error;
-pub use feedback::{FeedbackLoop, Loop, LoopState};
+pub use feedback::{Loop, LoopState};
 pub use growth::{Axis, GrowthMap, Ridge};
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel::growth::{Bay, BayMaps};
 use riffel::{Axis, GrowthMap, Ridge};
 use riffel_case::Case;
@@ -28,7 +28,7 @@ pub struct BayGrowth {
     ridges: [Ridge; 3],
     wavelength: f64,
     speed: f64,
-    states: Vec<(f64, State)>,
+    states: Vec<(f64, LoopState)>,
     mean: f64,
     /// At the speed of the curve: each wavelength with the growth rates over a support, in mid-span
     /// and of the mean.
@@ -99,7 +99,7 @@ impl BayGrowth {
 
     /// Growth over the bay as data: a part of what `riffel map --bay --json` prints.
     pub fn summary(&self) -> BayDocument {
-        let at = |index: usize| self.states[index].1.growth_rate();
+        let at = |index: usize| self.states[index].1.growth_rate;
         BayDocument {
             wavelength_m: self.wavelength,
             speed_m_per_s: self.speed,
@@ -183,7 +183,7 @@ impl BayGrowth {
                     positions,
                     self.states
                         .iter()
-                        .map(|(_, state)| state.growth_rate())
+                        .map(|(_, state)| state.growth_rate)
                         .collect(),
                 ),
                 series(
@@ -267,14 +267,14 @@ impl BayGrowth {
             "growth_rate_per_passage",
         ])?;
         for (position, state) in &self.states {
-            let normalized = state.normalized_dissipation();
+            let normalized = state.normalized_dissipation;
             writer.serialize((
                 position,
                 self.wavelength,
                 self.speed,
                 normalized.re,
                 normalized.im,
-                state.growth_rate(),
+                state.growth_rate,
             ))?;
         }
         writer.flush()
@@ -310,8 +310,8 @@ fn spectrum(bay: &Bay, wavelength: Axis, speed: f64, rate: f64) -> Vec<(f64, [f6
             let share = index as f64 / (WAVELENGTHS - 1) as f64;
             let wavelength = wavelength.min() + (wavelength.max() - wavelength.min()) * share;
             let rates = [
-                over_support.at(wavelength, speed).growth_rate(),
-                mid_span.at(wavelength, speed).growth_rate(),
+                over_support.at(wavelength, speed).growth_rate,
+                mid_span.at(wavelength, speed).growth_rate,
                 rate * bay.mean_normalized_dissipation(wavelength, speed).re,
             ];
             (wavelength, rates)

@@ -127,7 +127,7 @@ impl DerivedDocument {
             saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
             creepage: steady.creepages.longitudinal,
             tractive_ratio: steady.tractive_ratio(),
-            contact_stiffness_n_per_m: case.feedback.contact_stiffness(),
+            contact_stiffness_n_per_m: case.feedback.contacts()[0].stiffness,
             mean_dissipation_j_per_m: steady.energy_per_metre(),
         }
     }

@@ -193,7 +193,7 @@ impl ComplexPlane {
             let states = frequencies.iter();
             let states = states.map(|frequency| feedback.at(speed / frequency, speed));
             states
-                .map(|state| state.dissipation_at_rail() / speed / feedback.amplitude())
+                .map(|state| state.dissipation_at_rail / speed / feedback.amplitude())
                 .collect()
         };
         let [over_support, mid_span] = places.each_ref().map(wear);

@@ -2,7 +2,7 @@
 
 use riffel::growth::RidgePoint;
 use riffel::wheelset::{Motion, RigidInertia};
-use riffel::{Axis, Loop, Ridge};
+use riffel::{Axis, Ridge};
 use riffel_case::Case;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{Language, say};
@@ -53,10 +53,7 @@ fn turning(case: &Case, turning: Turning) -> Result<Case, AnswerError> {
         Turning::Evenly => Motion::Held,
     };
     let mut case = case.clone();
-    // The cases of the paper have one axis.
-    if let Loop::Longitudinal(feedback) = &mut case.feedback {
-        feedback.rotation = rotation;
-    }
+    case.feedback = case.feedback.with_rotation(rotation)?;
     Ok(case)
 }
 

@@ -1,7 +1,7 @@
 //! Figures 2 and 3: vertical receptance and normal force over frequency.
 
 use riffel::Complex64;
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel_case::Case;
 use riffel_case::file::{CaseFile, TrackModel};
 use riffel_keys::{Language, say};
@@ -26,7 +26,7 @@ fn frequencies() -> Vec<f64> {
         .collect()
 }
 
-fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&State) -> f64) -> Series {
+fn series(case: &Case, label: &str, style: LineStyle, value: impl Fn(&LoopState) -> f64) -> Series {
     let x = frequencies();
     let state = |frequency: &f64| case.feedback.at(SPEED / frequency, SPEED);
     Series {
@@ -65,13 +65,13 @@ pub(super) fn figure_2(model: Model, language: Language) -> Result<PaperFigure, 
                 &moving,
                 &say!(beam_under_moving_load).text(language),
                 LineStyle::Solid,
-                |state| value(state.track_receptance()),
+                |state| value(state.normal_receptance()),
             ),
             series(
                 &bhaskar,
                 &say!(track_of_bhaskar).text(language),
                 LineStyle::Dashed,
-                |state| value(state.track_receptance()),
+                |state| value(state.normal_receptance()),
             ),
         ]
     };
@@ -113,7 +113,7 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
     let case = model.nominal(moving_beam)?;
     let mean = case.hertz.normal_force();
     let per_mean = case.feedback.amplitude() / mean;
-    let spring = per_mean * case.feedback.contact_stiffness();
+    let spring = per_mean * case.feedback.contacts()[0].stiffness;
     let title = say!(figure_3).text(language);
     let parameters = parameters_in(&case, language);
     lines(
@@ -135,14 +135,14 @@ pub(super) fn figure_3(model: Model, language: Language) -> Result<PaperFigure, 
                                 &case,
                                 &say!(profile_over_rail).text(language),
                                 LineStyle::Dashed,
-                                |state| per_mean / state.track_receptance().norm(),
+                                |state| per_mean / state.normal_receptance().norm(),
                             ),
                             series(
                                 &case,
                                 &say!(profile_over_wheel).text(language),
                                 LineStyle::Dashed,
                                 |state| {
-                                    let w = state.angular_frequency();
+                                    let w = state.angular_frequency;
                                     let [_, wheel] = case.feedback.normal_receptances(w, SPEED);
                                     per_mean / wheel.norm()
                                 },

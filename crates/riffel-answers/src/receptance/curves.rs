@@ -51,7 +51,7 @@ impl ReceptanceCurves {
                 wheel
             };
             let wheel: Vec<Complex64> = frequencies.iter().map(wheel).collect();
-            let contact = Complex64::from(case.feedback.contact_stiffness().recip());
+            let contact = Complex64::from(case.feedback.contacts()[0].stiffness.recip());
             let total = joints[0].values.iter().zip(&wheel);
             let total = total.map(|(rail, wheel)| rail + wheel + contact).collect();
             let contact = vec![contact; frequencies.len()];

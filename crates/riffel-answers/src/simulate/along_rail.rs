@@ -61,14 +61,11 @@ impl PassageAnswer {
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
             remarks: remarks::of_track(&model).into_iter().collect(),
-            contacts: match case.feedback.general() {
-                None => Vec::new(),
-                Some(feedback) => case
-                    .contact_names()
-                    .into_iter()
-                    .zip(feedback.contacts().iter().map(|contact| contact.along))
-                    .collect(),
-            },
+            contacts: case
+                .contact_names()
+                .into_iter()
+                .zip(case.feedback.contacts().iter().map(|contact| contact.along))
+                .collect(),
             request,
             passage,
             model,

@@ -129,7 +129,7 @@ impl SinusoidAnswer {
             error,
         };
         let even = model.structures.support_spacing().is_none();
-        let one_wheel = even && case.feedback.longitudinal().is_some();
+        let one_wheel = even && case.feedback.is_along_one_axis();
         let (settled, others, energy_at_rail) = match (transient, one_wheel) {
             (false, _) => {
                 let mut all = model

@@ -45,7 +45,7 @@ impl SmoothRailAnswer {
         }
         case.check_points([case.wavelength.min(); 2], [speed; 2])?;
         let model = case.in_time_without_profile(speed)?;
-        if case.feedback.general().is_none() {
+        if case.feedback.is_along_one_axis() {
             return Err(case
                 .refuse(
                     "contact.creepage",

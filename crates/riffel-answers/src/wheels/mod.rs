@@ -202,7 +202,7 @@ impl WheelGrowth {
     fn of(case: Case, wavelengths: &[f64], curve: &Curve, progress: impl Fn(usize) + Sync) -> Self {
         let speed = curve.speed;
         let rates: Vec<f64> = (wavelengths.iter())
-            .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate())
+            .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
             .collect();
         let stability = case.stability(speed);
         Self {

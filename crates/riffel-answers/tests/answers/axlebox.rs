@@ -254,7 +254,7 @@ fn the_transfer_has_its_limits() {
     let fast = TAU * 4000.0;
     let [rail, _] = case.feedback.normal_receptances(fast, 20.0);
     let mass = case.file.wheel.mass.unwrap().si();
-    let expected = (mass * (rail + case.feedback.contact_stiffness().recip())).inv();
+    let expected = (mass * (rail + case.feedback.contacts()[0].stiffness.recip())).inv();
     let ratio = transfer.at(fast, 20.0) / expected;
     assert!((ratio - 1.0).norm() < 0.02, "{ratio}");
 }
@@ -269,7 +269,7 @@ fn neighbours_are_heard_less() {
         .map(|step| {
             let frequency = TAU * 50.0 * 40f64.powf(f64::from(step) / 64.0);
             let [rail, wheel] = case.feedback.normal_receptances(frequency, 20.0);
-            let compliance = rail + wheel + case.feedback.contact_stiffness().recip();
+            let compliance = rail + wheel + case.feedback.contacts()[0].stiffness.recip();
             (track.cross_receptance(frequency, 0.0, 2.5) / compliance).norm_sqr()
         })
         .collect();

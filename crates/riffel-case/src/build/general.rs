@@ -3,12 +3,14 @@
 use std::sync::Arc;
 
 use riffel::contact::{Conformity, MeanState, MovingContact, OscillatingCreepages};
-use riffel::feedback::{Contact, GeneralLoop};
+use riffel::feedback::Contact;
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
 use riffel::wheelset::{Motion, RigidInertia};
-use riffel::{Carter3d, Direction, ElasticMaterial, HertzContact, Rail, Receptance, STEEL_DENSITY};
+use riffel::{
+    Carter3d, Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY,
+};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
 use super::ClosedLoop;
@@ -91,7 +93,7 @@ impl CheckedKeys {
             None => self.lone_wheels(hertz, &mut remarks)?,
         };
         let amplitude = self.file.corrugation.amplitude.si();
-        let feedback = GeneralLoop::new(track, wheels, contacts, amplitude);
+        let feedback = Loop::new(track, wheels, contacts, amplitude);
         let position = self.file.track.position;
         let feedback = self
             .physics("contact", feedback)?
@@ -101,7 +103,7 @@ impl CheckedKeys {
                 Comb::Mean => riffel::feedback::Comb::Mean,
             });
         Ok(ClosedLoop {
-            feedback: feedback.into(),
+            feedback,
             hertz,
             steady,
             carter,

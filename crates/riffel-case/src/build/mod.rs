@@ -10,11 +10,12 @@ mod wheelset;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
+use riffel::feedback::OneWheel;
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact, Loop,
-    PlaceOfWear, Receptance,
+    Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
+    Receptance,
 };
 use riffel_keys::{CaseError, Message};
 
@@ -41,7 +42,7 @@ pub(crate) struct BuiltCase {
     pub(crate) remarks: Vec<Message>,
 }
 
-/// A loop of either kind with its contact under study.
+/// A loop with its contact under study.
 struct ClosedLoop {
     feedback: Loop,
     hertz: HertzContact,
@@ -110,19 +111,18 @@ impl CheckedKeys {
         let contact = self.contact(hertz)?;
         let steady = contact.rolling.steady();
         let (wheel, remarks) = self.wheel()?;
-        let feedback = FeedbackLoop {
+        let feedback = OneWheel {
             track: track.receptance.clone(),
             wheel,
             contact_stiffness: hertz.stiffness(),
             contact: contact.rolling,
             rotation: self.rotation(hertz.rolling_radius())?,
-            rolling_radius: hertz.rolling_radius(),
             place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
             wear: self.wear(hertz)?,
             amplitude: self.file.corrugation.amplitude.si(),
         };
         Ok(ClosedLoop {
-            feedback: feedback.into(),
+            feedback: self.physics("contact", feedback.close())?,
             hertz,
             steady,
             carter: contact.carter,

@@ -16,7 +16,7 @@ fn case(overrides: &[&str]) -> Result<Case, CaseError> {
 }
 
 fn growth(case: &Case) -> f64 {
-    case.point(0.06, 12.5).unwrap().growth_rate()
+    case.point(0.06, 12.5).unwrap().growth_rate
 }
 
 /// Growth is that of the numbers of the curve typed by hand, on every wheel.
@@ -344,7 +344,7 @@ fn a_patch_under_load_enters_the_loop() {
     );
     let patch = patch.unwrap().unwrap();
     assert!((case.hertz.stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
-    assert!((case.feedback.contact_stiffness() / patch.stiffness - 1.0).abs() < 1e-12);
+    assert!((case.feedback.contacts()[0].stiffness / patch.stiffness - 1.0).abs() < 1e-12);
     assert!((case.hertz.semi_axis_longitudinal() / patch.semi_axes[0] - 1.0).abs() < 1e-12);
     assert!((case.hertz.semi_axis_lateral() / patch.semi_axes[1] - 1.0).abs() < 1e-12);
     let angle = case.file.contact.contact_angle.unwrap().si();

@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use rayon::prelude::*;
+use riffel::Loop;
 use riffel::contact::{ContactFilter, LoadWear};
 use riffel::curving::GRAVITY;
 use riffel::feedback::Contact;
 use riffel::growth::Bay;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, SprungMass};
-use riffel::{FeedbackLoop, Loop};
 use riffel_keys::CaseError;
 use toml::{Table, Value};
 
@@ -105,7 +105,7 @@ impl ModelOnCase {
         let rate = |&wavelength: &f64| {
             let rates = places
                 .iter()
-                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate());
+                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
             let filtered = self
                 .filter
                 .map_or(1.0, |filter| filter.amplitude(2.0 * PI / wavelength, 0.0));
@@ -124,35 +124,19 @@ impl ModelOnCase {
 
 /// The loop with what no key says: creepage along the rail held, and wear by the normal force.
 fn adjusted(feedback: Loop, even: bool, by_force: bool) -> Result<Loop, riffel::Error> {
-    Ok(match feedback {
-        Loop::Longitudinal(feedback) => Loop::Longitudinal(FeedbackLoop {
-            contact: match by_force {
-                true => std::sync::Arc::new(LoadWear::new(feedback.contact)),
-                false => feedback.contact,
+    let contacts = feedback.contacts().iter().cloned().map(|contact| {
+        let [along, across] = contact.motion;
+        Contact {
+            motion: [if even { Motion::Held } else { along }, across],
+            rolling: match by_force {
+                true => std::sync::Arc::new(LoadWear::new(contact.rolling)),
+                false => contact.rolling,
             },
-            rotation: match even {
-                true => Motion::Held,
-                false => feedback.rotation,
-            },
-            ..feedback
-        }),
-        Loop::General(general) if even || by_force => {
-            let contacts = general.contacts().iter().cloned().map(|contact| {
-                let [along, across] = contact.motion;
-                Contact {
-                    motion: [if even { Motion::Held } else { along }, across],
-                    rolling: match by_force {
-                        true => std::sync::Arc::new(LoadWear::new(contact.rolling)),
-                        false => contact.rolling,
-                    },
-                    ..contact
-                }
-            });
-            let contacts = contacts.collect();
-            Loop::General(general.with_contacts(contacts)?)
+            ..contact
         }
-        Loop::General(general) => Loop::General(general),
-    })
+    });
+    let contacts = contacts.collect();
+    feedback.with_contacts(contacts)
 }
 
 /// The keys of a case on their way to those of a model.

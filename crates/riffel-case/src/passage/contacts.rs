@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use riffel::Rail;
 use riffel::contact::CreepLaw;
-use riffel::feedback::{Contact, GeneralLoop};
+use riffel::feedback::Contact;
 use riffel::passage::{ContactInTime, TransientContact};
 use riffel_keys::CaseError;
 
@@ -20,10 +20,10 @@ const MOST_CONTACTS: usize = 8;
 impl Case {
     /// The contacts of the loop, that under study first.
     pub(super) fn contacts_in_time(&self) -> Result<Vec<ContactInTime>, CaseError> {
-        let (Some(feedback), Some(keys)) = (self.feedback.general(), self.keys.general()?) else {
+        let Some(keys) = self.keys.general()? else {
             return Ok(vec![self.one_contact_in_time()?]);
         };
-        let contacts = feedback.contacts().iter();
+        let contacts = self.feedback.contacts().iter();
         contacts
             .map(|contact| self.contact_of_loop_in_time(contact, &keys))
             .collect()
@@ -71,8 +71,8 @@ impl Case {
     /// `Ok` if the loop of the case can be followed through time.
     pub(super) fn check_in_time(&self) -> Result<(), CaseError> {
         let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
-        let on_all_axes = self.feedback.general();
-        let contacts = on_all_axes.map_or(&[][..], GeneralLoop::contacts);
+        let on_all_axes = !self.feedback.is_along_one_axis();
+        let contacts = self.feedback.contacts();
         if contacts.len() > MOST_CONTACTS {
             let message = format!(
                 "the case has {} contacts, but a passage in time takes at most {MOST_CONTACTS}: the work of a step and of \
@@ -81,7 +81,7 @@ impl Case {
             );
             return refuse("train.wheels", &message);
         }
-        if on_all_axes.is_some() && self.keys.given.track.is_some() {
+        if on_all_axes && self.keys.given.track.is_some() {
             let message = "a passage in time needs all frequencies: a model of track and wheel in the place of receptances";
             return refuse("track", message);
         }
@@ -100,7 +100,7 @@ impl Case {
                                time choose \"quasi-static\" or \"non-steady\"";
                 return refuse("contact.response", message);
             }
-            ContactDynamics::NonSteady if on_all_axes.is_some() => {
+            ContactDynamics::NonSteady if on_all_axes => {
                 let message = "on all axes a passage in time takes a contact that answers at once, `contact.response` = \"quasi-static\"";
                 return refuse("contact.response", message);
             }
@@ -158,7 +158,7 @@ mod tests {
         };
         let passage = case.in_time(speed).unwrap();
         let settled = passage.settle(profile, 256).unwrap();
-        let linear = case.feedback.general().unwrap().at(wavelength, speed);
+        let linear = case.feedback.at(wavelength, speed);
         let scale = amplitude / case.feedback.amplitude();
         let [mut of_forces, mut of_creepages] = [Off::default(); 2];
         for (contact, settled) in linear.contacts.iter().zip(&settled) {

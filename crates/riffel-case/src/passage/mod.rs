@@ -6,7 +6,6 @@ mod structures;
 use riffel::passage::{
     ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
 };
-use riffel::{Loop, PlaceOfWear};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -83,13 +82,12 @@ impl CaseInTime<'_> {
 
     /// Track and wheels at a speed \[m/s\].
     fn structures(&self, speed: f64) -> Result<StructuresInTime, CaseError> {
-        match (&self.structures, self.case.feedback.general()) {
-            (Some(structures), _) => Ok(structures.clone()),
-            (None, Some(feedback)) => {
-                self.case
-                    .structures_in_time(feedback, speed, &self.natural_frequencies)
-            }
-            (None, None) => self.case.one_wheel_in_time(speed),
+        match &self.structures {
+            Some(structures) => Ok(structures.clone()),
+            None if self.case.feedback.is_along_one_axis() => self.case.one_wheel_in_time(speed),
+            None => self
+                .case
+                .structures_in_time(speed, &self.natural_frequencies),
         }
     }
 
@@ -122,19 +120,13 @@ impl CaseInTime<'_> {
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
         self.check_stable(speed)?;
         let model = self.at(speed)?;
-        let (wear, place): (_, PlaceOfWear) = match &self.case.feedback {
-            Loop::Longitudinal(feedback) => (feedback.wear, feedback.place_of_wear),
-            Loop::General(feedback) => {
-                let first = &feedback.contacts()[0];
-                (first.wear, first.place_of_wear)
-            }
-        };
+        let first = &self.case.feedback.contacts()[0];
         Ok(PassingWheel {
             memory: self.case.keys.physics("track", model.memory())?,
             model,
             wear: WearOfPassages {
-                wear,
-                place,
+                wear: first.wear,
+                place: first.place_of_wear,
                 shortest: 2.0 * self.case.hertz.semi_axis_longitudinal(),
             },
             share: 1.0,

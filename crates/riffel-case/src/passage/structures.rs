@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use riffel::Error;
-use riffel::feedback::{Contact, GeneralLoop};
+use riffel::feedback::Contact;
 use riffel::passage::{ImpulseResponse, StructuresInTime};
 use riffel::receptance::SpatialMovingLoad;
 use riffel::wheelset::{RigidInertia, RigidMass};
@@ -36,10 +36,10 @@ impl Case {
     /// Track and wheels of a loop on all axes.
     pub(super) fn structures_in_time(
         &self,
-        feedback: &GeneralLoop,
         speed: f64,
         natural_frequencies: &[f64],
     ) -> Result<StructuresInTime, CaseError> {
+        let feedback = &self.feedback;
         let structures = match self.spatial_track {
             Some(track) if track.support_spacing().is_some() => {
                 let track = SpatialMovingLoad::new(&track, speed);
@@ -52,7 +52,7 @@ impl Case {
         let furthest = furthest.fold(0.0, f64::max);
         if let Err(Error::NotCausal { share, .. }) = structures
             && furthest > 0.0
-            && self.wheel_alone_is_causal(feedback, speed, natural_frequencies)
+            && self.wheel_alone_is_causal(speed, natural_frequencies)
         {
             let per_cent = 100.0 * share.sqrt();
             let message = format!(
@@ -65,18 +65,13 @@ impl Case {
     }
 
     /// Whether the first wheel by itself could be followed.
-    fn wheel_alone_is_causal(
-        &self,
-        feedback: &GeneralLoop,
-        speed: f64,
-        natural_frequencies: &[f64],
-    ) -> bool {
-        let contacts = feedback.contacts().iter();
+    fn wheel_alone_is_causal(&self, speed: f64, natural_frequencies: &[f64]) -> bool {
+        let contacts = self.feedback.contacts().iter();
         let first: Vec<Contact> = contacts
             .filter(|contact| contact.along == 0.0)
             .cloned()
             .collect();
-        let alone = feedback.clone().with_contacts(first);
+        let alone = self.feedback.clone().with_contacts(first);
         alone.is_ok_and(|alone| StructuresInTime::of(&alone, speed, natural_frequencies).is_ok())
     }
 

@@ -494,7 +494,7 @@ fn unusual_values_are_remarks() -> Result<(), CaseError> {
 fn points_are_checked() -> Result<(), CaseError> {
     let case = Case::parse("case.toml", NOMINAL_CASE, &[])?;
     assert_eq!(case.point(0.055, 30.0)?, case.feedback.at(0.055, 30.0));
-    assert!(case.point(0.5, 80.0)?.growth_rate().is_finite());
+    assert!(case.point(0.5, 80.0)?.growth_rate.is_finite());
     for (wavelength, speed, sentence) in [
         (1e-300, 30.0, "wavelength is"),
         (

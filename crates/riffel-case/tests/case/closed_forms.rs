@@ -16,9 +16,9 @@ fn alike(one: f64, other: f64, share: f64) {
 /// Growth rates per passage of all contacts that have one, and of the mean.
 fn growth(case: &Case, wavelength: f64, speed: f64) -> Vec<f64> {
     let state = case.feedback.at(wavelength, speed);
-    let contacts = &state.general().unwrap().contacts;
+    let contacts = &state.contacts;
     let rates = contacts.iter().filter_map(|contact| contact.growth_rate);
-    rates.chain([state.growth_rate()]).collect()
+    rates.chain([state.growth_rate]).collect()
 }
 
 /// What is turned over from left to right grows alike: the rail under study, a gear off the middle of the axle, lateral
@@ -96,8 +96,8 @@ fn growth_goes_with_the_scale_of_forces() {
         (
             case.steady.creepages.longitudinal,
             state.normal_force(),
-            state.normalized_dissipation(),
-            state.growth_rate(),
+            state.normalized_dissipation,
+            state.growth_rate,
         )
     };
     let one = scaled(1.0, 1.0);
@@ -121,7 +121,7 @@ fn two_wheels_of_the_paper() {
             &["train.wheels=[0, 2.5]", &format!("train.comb={comb}")],
         );
         let state = case.feedback.at(wavelength, 30.0);
-        let contacts = state.general().unwrap().contacts.iter();
+        let contacts = state.contacts.iter();
         let unit = case.steady.full_slip_energy_per_metre();
         contacts
             .map(|contact| contact.energy_at_rail / unit)
@@ -159,8 +159,8 @@ fn the_centroid_is_where_the_mass_is() {
         let height = format!("rail.centroid_height={height}");
         let text = include_str!("../../cases/curve.toml");
         let case = case(text, &["steel.youngs_modulus=210 GPa", &height]);
-        let general = case.feedback.general().unwrap();
-        let [track, _] = general.receptances(std::f64::consts::TAU * 100.0, 10.0);
+        let w = std::f64::consts::TAU * 100.0;
+        let [track, _] = case.feedback.receptances(w, 10.0).unwrap();
         let lateral = track[1][1];
         assert!((lateral.norm() / modulus - 1.0).abs() < 5e-3, "{lateral}");
         assert!(

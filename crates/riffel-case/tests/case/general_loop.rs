@@ -32,7 +32,7 @@ fn a_completed_case_reads_back() -> Result<(), CaseError> {
         let restored = Case::restore(&case.portable(), None, None)?;
         for again in [read, restored] {
             assert_eq!(again.file, case.file, "{printed}");
-            let growth = |case: &Case| case.feedback.at(0.05, 20.0).growth_rate();
+            let growth = |case: &Case| case.feedback.at(0.05, 20.0).growth_rate;
             assert_eq!(growth(&again), growth(&case));
         }
     }

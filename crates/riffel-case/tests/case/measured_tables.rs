@@ -45,10 +45,10 @@ fn every_file_is_the_same_track() {
             assert!(error < 1e-7, "{frequency} Hz: {h} {expected}");
         }
         // A point of the map on a line, 25 m/s over 50 mm.
-        let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate();
+        let rate = |case: &Case| case.feedback.at(0.05, 25.0).growth_rate;
         assert!((rate(&case) / rate(&model) - 1.0).abs() < 1e-6);
         // Between two lines the receptance is a chord.
-        let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate();
+        let between = |case: &Case| case.feedback.at(0.0503, 25.0).growth_rate;
         assert!((between(&case) / between(&model) - 1.0).abs() < 0.02);
         // The same rail on its pads is a candidate, within a line.
         let of = |case: &Case, kind: MechanismKind| -> Vec<f64> {

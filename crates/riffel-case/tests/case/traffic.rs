@@ -37,7 +37,7 @@ fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
     let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}"))?;
     let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
     let wavelength = on.growth.wavelengths()[50];
-    let expected = case.feedback.at(wavelength, 30.0).growth_rate();
+    let expected = case.feedback.at(wavelength, 30.0).growth_rate;
     assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
     assert_eq!(on.growth.vehicles()[0].wheel_load, 50e3);
     Ok(())
@@ -78,7 +78,7 @@ fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
     let changed = changed.map(str::to_owned);
     let expected = Case::parse("case.toml", NOMINAL_CASE, &changed)?;
     let wavelength = on.growth.wavelengths()[50];
-    let expected = expected.feedback.at(wavelength, 30.0).growth_rate();
+    let expected = expected.feedback.at(wavelength, 30.0).growth_rate;
     assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
     Ok(())
 }
@@ -319,9 +319,9 @@ fn a_vehicle_brings_its_wheelset() -> Result<(), CaseError> {
         &[law],
     )?;
     let wavelength = on.growth.wavelengths()[50];
-    let expected = alone.feedback.at(wavelength, 30.0).growth_rate();
+    let expected = alone.feedback.at(wavelength, 30.0).growth_rate;
     assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
-    let before = case.feedback.at(wavelength, 30.0).growth_rate();
+    let before = case.feedback.at(wavelength, 30.0).growth_rate;
     assert!((expected / before - 1.0).abs() > 0.1, "{expected} {before}");
     Ok(())
 }

@@ -109,7 +109,7 @@ fn a_measured_wheelset_is_the_one_that_was_measured() {
                 "{got} {expected}"
             );
         }
-        let growth = |case: &Case| case.feedback.at(15.0 / frequency, 15.0).growth_rate();
+        let growth = |case: &Case| case.feedback.at(15.0 / frequency, 15.0).growth_rate;
         let (got, expected) = (growth(&measured), growth(&flexible));
         assert!(
             (got / expected - 1.0).abs() < 1e-8,
@@ -121,7 +121,7 @@ fn a_measured_wheelset_is_the_one_that_was_measured() {
             .unwrap()
             .feedback
             .at(0.05, 10.0)
-            .growth_rate()
+            .growth_rate
             != 0.0
     );
 }

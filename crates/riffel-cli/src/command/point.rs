@@ -1,6 +1,6 @@
 //! `riffel point`
 
-use riffel::feedback::State;
+use riffel::LoopState;
 use riffel_answers::point::{
     IrregularSupportsDocument, NeighboursDocument, PointAnswer, PointRequest,
 };
@@ -136,34 +136,30 @@ fn short(value: f64) -> String {
 }
 
 /// Amplitudes and phases in engineers' units.
-fn readable(case: &Case, state: &State) -> String {
+fn readable(case: &Case, state: &LoopState) -> String {
     let mut table = table(&["oscillation for exp(+iωt)", "amplitude", "unit", "phase"]);
-    let w = state.angular_frequency();
-    let [_, wheel] = case.feedback.normal_receptances(w, state.speed());
+    let w = state.angular_frequency;
+    let [_, wheel] = case.feedback.normal_receptances(w, state.speed);
     let mut rows = vec![
         (
             "receptance of the rail",
-            state.track_receptance() * 1e9,
+            state.normal_receptance() * 1e9,
             "nm/N",
         ),
         ("receptance of the wheel", wheel * 1e9, "nm/N"),
         ("normal force P₁", state.normal_force() * 1e-3, "kN"),
         ("tangential force Q₁", state.tangential_force(), "N"),
     ];
-    match state {
-        State::Longitudinal(state) => rows.push((
-            "angular velocity Ω₁",
-            state.angular_velocity * 1e3,
-            "mrad/s",
-        )),
-        State::General(state) => {
-            rows.push(("lateral force", state.contacts[0].force[1], "N"));
-        }
+    if case.feedback.is_along_one_axis() {
+        let angular_velocity = -state.creepage() * state.speed / case.hertz.rolling_radius();
+        rows.push(("angular velocity Ω₁", angular_velocity * 1e3, "mrad/s"));
+    } else {
+        rows.push(("lateral force", state.contacts[0].force[1], "N"));
     }
     rows.extend([
-        ("dissipation at the wheel W₁", state.dissipation(), "W"),
-        ("dissipation at the rail", state.dissipation_at_rail(), "W"),
-        ("normalised, Ŵ₁", state.normalized_dissipation(), "-"),
+        ("dissipation at the wheel W₁", state.dissipation, "W"),
+        ("dissipation at the rail", state.dissipation_at_rail, "W"),
+        ("normalised, Ŵ₁", state.normalized_dissipation, "-"),
     ]);
     for (name, value, unit) in rows {
         table.add_row([
@@ -173,7 +169,7 @@ fn readable(case: &Case, state: &State) -> String {
             format!("{:.1}°", value.arg().to_degrees()),
         ]);
     }
-    let rate = state.growth_rate();
+    let rate = state.growth_rate;
     let verdict = if rate > 0.0 {
         format!(
             "grows: doubles in {:.2e} passages",
@@ -200,15 +196,15 @@ fn readable(case: &Case, state: &State) -> String {
             .as_ref()
             .map(|title| format!("{title}\n"))
             .unwrap_or_default(),
-        1e3 * state.wavelength(),
-        3.6 * state.speed(),
-        state.speed() / state.wavelength(),
+        1e3 * state.wavelength,
+        3.6 * state.speed,
+        state.speed / state.wavelength,
         case.steady.tractive_ratio(),
         creepage(case),
         2e3 * case.hertz.semi_axis_longitudinal(),
         2e3 * case.hertz.semi_axis_lateral(),
         contacts(case, state),
-        state.normalized_dissipation().re,
+        state.normalized_dissipation.re,
     )
 }
 
@@ -216,7 +212,7 @@ fn readable(case: &Case, state: &State) -> String {
 fn creepage(case: &Case) -> String {
     let creepages = case.steady.creepages;
     let longitudinal = format!("{:.4} %", 100.0 * creepages.longitudinal);
-    if case.feedback.longitudinal().is_some() {
+    if case.feedback.is_along_one_axis() {
         return longitudinal;
     }
     format!(
@@ -227,17 +223,14 @@ fn creepage(case: &Case) -> String {
 }
 
 /// Every contact of a loop that has several; nothing for one.
-fn contacts(case: &Case, state: &State) -> String {
+fn contacts(case: &Case, state: &LoopState) -> String {
     let points = Point::new(case, state).all_axes.map(|all| all.contacts);
     let points = points.unwrap_or_default();
     if points.len() < 2 {
         return String::new();
     }
     let mut table = table(&["wheel", "rail", "normal force kN", "growth per passage"]);
-    for (point, at) in points
-        .iter()
-        .zip(state.general().iter().flat_map(|all| &all.contacts))
-    {
+    for (point, at) in points.iter().zip(&state.contacts) {
         table.add_row([
             point.name.wheel.to_string(),
             point.name.rail.to_owned(),

@@ -77,7 +77,7 @@ fn samples_are_what_the_library_computes() {
         assert_eq!(force, [state.normal_force().re, state.normal_force().im]);
         assert_eq!(
             of(&study, &values, "point_1_growth_rate_per_passage")[0],
-            state.growth_rate()
+            state.growth_rate
         );
     }
 }
@@ -220,7 +220,7 @@ quantities = ["contact_loss_fraction", "minimum_normal_force_n"]
         let force = linear.normal_force() * scale;
         assert!((re - force.re).hypot(im - force.im) < 1e-3 * force.norm());
         let grown = (of(&study, &values, "worn_amplitude_m")[0] / 0.01e-6).ln();
-        let rate = 20_000.0 * linear.growth_rate();
+        let rate = 20_000.0 * linear.growth_rate;
         // Heun's steps leave 10⁻³ of a rate, and this one is a tenth of the dissipation.
         assert!((grown - rate).abs() < 0.02 * rate.abs(), "{grown} {rate}");
         assert!(of(&study, &values, "wave_3_contact_loss_fraction")[0] > 0.0);

@@ -42,7 +42,7 @@ impl AxleBoxTransfer {
         let (mut mean, mut square) = (Complex64::ZERO, 0.0);
         for (feedback, weight) in &self.places {
             let [rail, wheel] = feedback.normal_receptances(angular_frequency, speed);
-            let compliance = rail + wheel + feedback.contact_stiffness().recip();
+            let compliance = rail + wheel + feedback.contacts()[0].stiffness.recip();
             let transfer = -angular_frequency.powi(2) * wheel / compliance;
             mean += *weight * transfer;
             square += weight * transfer.norm_sqr();

@@ -1,11 +1,21 @@
 //! The loop that corrugation closes: profile, normal force, creepage, dissipation, wear, profile.
 
-mod general;
-mod kind;
+mod answers;
+mod closed_form;
+mod contact;
+mod determinant;
+mod linear;
+mod one_wheel;
+mod stability;
+mod system;
+mod turn;
 
-pub(crate) use general::{Answers, System};
-pub use general::{Comb, Contact, ContactState, GeneralLoop, GeneralState, Stability};
-pub use kind::{Loop, State};
+pub(crate) use answers::Answers;
+pub(crate) use closed_form::ClosedForm;
+pub use contact::Contact;
+pub use one_wheel::OneWheel;
+pub use stability::Stability;
+pub(crate) use system::System;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -13,44 +23,66 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::contact::{ContactResponse, MeanRolling};
+use crate::receptance::Structure;
 use crate::wheelset::Motion;
-use crate::{EnergyWear, PlaceOfWear, Receptance, RollingContact};
+use crate::{Error, Rail};
 
-/// The joints of the loop, each of any kind.
+/// The loop, linear in the amplitude Δ of the profile: any number of contacts on all axes.
 ///
 /// ```text
 ///  profile Δ e^{iωt} ──► vertical dynamics ──► P₁ ──┐
-///    ▲                                              ├─► rolling contact ──► Q₁, W₁ ──► wear
+///    ▲                                              ├─► rolling contact ──► Q₁, e₁ ──► wear
 ///    │                    wheel rotation ◄── Q₁ ────┘        ▲                          │
 ///    │                          └───────── creepage ξ₁ ──────┘                          │
 ///    └──────────────────────── growth rate per passage ◄────────────────────────────────┘
 /// ```
-/// ω = 2πV/λ. Everything is linear in the amplitude Δ of the profile.
+/// ω = 2πV/λ. For each contact, with the forces f = (Q_x, Q_t, P) of the wheel on the rail in the axes of the contact, and H the
+/// receptance of track and wheels together, over all contacts:
+///
+/// ```text
+/// normal    P₁/k_H = Δ p − (H f₁)_n                   p = e^{ikx} of the place, times the profile of its rail
+/// creepage  V ξ₁ = −iω (H f₁)_{x,t}
+/// creep     Q₁ = F_P P₁ + F_ξ ξ₁
+/// energy    e₁ = e_P P₁ + e_ξ ξ₁
+/// growth    g = −k_w/(ρ 2b) · Re(e₁ at the rail point / p)/Δ per passage of the wheel
+/// ```
+///
+/// Axes of a contact: x in the direction of travel, n normal to the plane of contact and into the rail, t in that plane
+/// and to the right; under a contact angle γ, n = (0, ± sin γ, cos γ) and t = (0, cos γ, ∓ sin γ) in those of the track,
+/// upper sign on the right rail. A held axis has no ξ₁; on a free one Q₁ vanishes and ξ₁ takes its place among the
+/// unknowns.
+///
+/// Where the loop is unstable without any profile (see [`stability`](Self::stability)) its growth rates mean
+/// nothing.
+///
+/// Method: 3n complex linear equations by elimination with row pivots, in a map for as many wavelengths at once as a vector
+/// register holds. Cost: O(27n³) and the receptance matrices of n contacts a point. The loop of one wheel that is held across an even
+/// rail and only moves down and turns, the paper's, is solved in closed form and agrees to rounding (test
+/// `one_wheel_and_one_axis_is_the_closed_form`).
 #[derive(Clone)]
-pub struct FeedbackLoop {
-    /// Receptance of the track at the contact.
-    pub track: Arc<dyn Receptance>,
-    /// Receptance of the wheel at the contact.
-    pub wheel: Arc<dyn Receptance>,
-    /// Linearised stiffness of the contact k_H \[N/m\].
-    pub contact_stiffness: f64,
-    /// Steady rolling and its linear response.
-    pub contact: Arc<dyn RollingContact>,
-    /// How the surface of the wheel moves along the rail under the tangential force: its rotation.
-    pub rotation: Motion,
-    /// Rolling radius R \[m\], which turns angular velocity into creepage.
-    pub rolling_radius: f64,
-    /// Phase between dissipation at the wheel and at a point of the rail.
-    pub place_of_wear: PlaceOfWear,
-    /// Law of wear.
-    pub wear: EnergyWear,
-    /// Amplitude Δ of the profile \[m\].
-    pub amplitude: f64,
+pub struct Loop {
+    track: Arc<dyn Structure>,
+    wheels: Arc<dyn Structure>,
+    contacts: Vec<Contact>,
+    position: f64,
+    comb: Comb,
+    amplitude: f64,
 }
 
-/// One turn of the loop at one wavelength and speed: every oscillation as complex amplitude for
-/// exp(+iωt), relative to a profile of real amplitude Δ, upward on the rail.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// How the interference of several wheels is read: over the wavelength it is a comb of the step λ²/l for wheels at the
+/// distance l, finer than any wear pattern resolves whose wavelength or wheelbase varies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Comb {
+    /// As it is: every wheel meets the profile at the phase of its place.
+    #[default]
+    Resolved,
+    /// Its mean over the phase: each wheelset is excited by the profile under itself alone, with all others on the rail.
+    Mean,
+}
+
+/// One turn of the loop at one wavelength and speed; complex amplitudes for exp(+iωt), relative to a profile
+/// of real amplitude Δ under the first wheel.
+#[derive(Debug, Clone, PartialEq)]
 #[must_use]
 #[non_exhaustive]
 pub struct LoopState {
@@ -60,169 +92,327 @@ pub struct LoopState {
     pub speed: f64,
     /// Angular frequency ω = 2πV/λ \[rad/s\].
     pub angular_frequency: f64,
-    /// Receptance of the track \[m/N\].
-    pub track_receptance: Complex64,
-    /// Receptance of the wheel \[m/N\].
-    pub wheel_receptance: Complex64,
-    /// Normal force P₁ \[N\], equation (24).
-    pub normal_force: Complex64,
-    /// Q_P \[-\], equation (9).
-    pub dq_dp: Complex64,
-    /// Q_Ω \[N s/rad\], equation (10).
-    pub dq_domega: Complex64,
-    /// W_P \[m/s\], equation (11).
-    pub dw_dp: Complex64,
-    /// W_Ω \[W s/rad\], equation (12).
-    pub dw_domega: Complex64,
-    /// Tangential force Q₁ \[N\], equation (18).
-    pub tangential_force: Complex64,
-    /// Angular velocity Ω₁ \[rad/s\], equation (16).
-    pub angular_velocity: Complex64,
-    /// Dissipated power W₁ at the wheel centre \[W\], equation (19).
+    /// Receptance of the track at the first contact \[m/N\], in its axes x, t, n.
+    pub track_receptance: [[Complex64; 3]; 3],
+    /// Receptance of the wheel at the first contact \[m/N\], in its axes x, t, n.
+    pub wheel_receptance: [[Complex64; 3]; 3],
+    /// What the first contact answers.
+    pub response: ContactResponse,
+    /// Dissipated power W₁ at the first wheel \[W\].
     pub dissipation: Complex64,
     /// Angle by which the dissipation at a rail point lags W₁ \[rad\].
     pub dissipation_lag_angle: f64,
-    /// Dissipated power at a rail point, W₁ e^{−i·angle} \[W\].
+    /// Dissipated power at a rail point \[W\], first wheel.
     pub dissipation_at_rail: Complex64,
-    /// Ŵ₁ = W₁/(μP₀Vξ₀) at a rail point \[-\], equation (20). Growth where its real part is negative.
+    /// Ŵ₁ = W₁/(μP₀V|ξ₀|) at a rail point \[-\], first wheel. Growth where its real part is negative.
     pub normalized_dissipation: Complex64,
-    /// Mean dissipated power W₀ \[W\], equation (8).
+    /// Mean dissipated power W₀ of the first wheel \[W\].
     pub mean_dissipation: f64,
-    /// Growth rate of |Δ| per passage of a wheel \[-\], positive where corrugation grows.
+    /// Growth rate of |Δ| per passage \[-\] in the mean over the wheels on the rail under study.
     pub growth_rate: f64,
+    /// All contacts, in their order.
+    pub contacts: Vec<ContactState>,
 }
 
-/// What one turn of the loop needs to reach the rail again.
-struct Turn {
-    angular_frequency: f64,
-    track_receptance: Complex64,
-    wheel_receptance: Complex64,
-    normal_force: Complex64,
-    response: ContactResponse,
-    tangential_force: Complex64,
-    creepage: Complex64,
-    dissipation_at_rail: Complex64,
+/// One contact in one turn of the loop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct ContactState {
+    /// Forces Q_x, Q_t and P of the wheel on the rail \[N\].
+    pub force: [Complex64; 3],
+    /// Longitudinal and lateral creepage \[-\].
+    pub creepage: [Complex64; 2],
+    /// Spin of a contact that moves across the profiles \[1/m\].
+    pub spin: Complex64,
+    /// Its shift on the rail \[m\], to the right.
+    pub shift: Complex64,
+    /// Energy left on a metre of rail at the wheel \[J/m\].
+    pub energy: Complex64,
+    /// Energy left at a point of the rail \[J/m\], relative to the profile under this wheel, or to that of the rail
+    /// under study where its own rail is smooth.
+    pub energy_at_rail: Complex64,
+    /// Growth rate of the profile of its rail per passage of this wheel \[-\], positive where corrugation grows; none
+    /// on a smooth rail.
+    pub growth_rate: Option<f64>,
 }
 
-impl FeedbackLoop {
-    /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive.
+impl Loop {
+    /// The loop of a track, the wheels with all that connects them, and their contacts, for a profile of amplitude Δ
+    /// \[m\]. The first contact is that of the first wheel on the rail under study, which has the profile one.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] without contacts, for two at one place, a contact angle outside 0 ≤ γ < π/2, a stiffness or
+    /// an amplitude not above zero; [`Error::NoResponse`] where a contact moves across the rail and does not tell its
+    /// response to lateral creepage.
+    pub fn new(
+        track: Arc<dyn Structure>,
+        wheels: Arc<dyn Structure>,
+        contacts: Vec<Contact>,
+        amplitude: f64,
+    ) -> Result<Self, Error> {
+        let range = |quantity, value, unit, rule| Error::OutOfRange {
+            quantity,
+            value,
+            unit,
+            rule,
+        };
+        Error::unless_positive("number of contacts", contacts.len() as f64, "")?;
+        Error::unless_positive("amplitude", amplitude, "m")?;
+        for (index, contact) in contacts.iter().enumerate() {
+            contact.check()?;
+            let there =
+                |other: &Contact| (other.along, other.rail) == (contact.along, contact.rail);
+            if contacts[..index].iter().any(there) {
+                let rule = "must differ from that of every other wheel on its rail";
+                return Err(range("place of a wheel", contact.along, "m", rule));
+            }
+        }
+        Ok(Self {
+            track,
+            wheels,
+            contacts,
+            position: 0.0,
+            comb: Comb::default(),
+            amplitude,
+        })
+    }
+
+    /// The loop with its first wheel at another place of the track \[m\], counted from a support where there are some.
+    pub fn at_position(mut self, position: f64) -> Self {
+        self.position = position;
+        self
+    }
+
+    /// The loop with another reading of the interference of several wheels.
+    pub fn with_comb(mut self, comb: Comb) -> Self {
+        self.comb = comb;
+        self
+    }
+
+    /// The loop on another track.
+    pub fn with_track(self, track: Arc<dyn Structure>) -> Self {
+        Self { track, ..self }
+    }
+
+    /// The loop with other contacts on the same track and wheels.
+    ///
+    /// # Errors
+    /// As of [`new`](Self::new).
+    pub fn with_contacts(self, contacts: Vec<Contact>) -> Result<Self, Error> {
+        let Self {
+            track,
+            wheels,
+            position,
+            comb,
+            amplitude,
+            ..
+        } = self;
+        let feedback = Self::new(track, wheels, contacts, amplitude)?;
+        Ok(feedback.at_position(position).with_comb(comb))
+    }
+
+    /// The contacts, that of the first wheel on the rail under study first.
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// Amplitude Δ of the profile \[m\].
+    pub fn amplitude(&self) -> f64 {
+        self.amplitude
+    }
+
+    /// The state of the loop at the wavelength \[m\] and speed \[m/s\], both positive. Its numbers are none where the
+    /// equations are singular.
     pub fn at(&self, wavelength: f64, speed: f64) -> LoopState {
-        let Turn {
-            angular_frequency,
-            track_receptance,
-            wheel_receptance,
-            normal_force,
-            response,
-            tangential_force,
-            creepage,
-            dissipation_at_rail,
-        } = self.turn(wavelength, speed);
-        let steady = self.contact.steady();
-        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
-
-        // ξ₁ = −Ω₁R/V from (4) turns creepage and derivatives by it into those of angular velocity.
-        let creepage_per_omega = -self.rolling_radius / speed;
-        let angular_velocity = creepage / creepage_per_omega;
-        let dq_domega = by_creepage.force[0] * creepage_per_omega; // (10)
-        let dw_dp = by_load.energy * speed; // (11)
-        let dw_domega = by_creepage.energy * creepage_per_omega * speed; // (12)
-        let dissipation = dw_dp * normal_force + dw_domega * angular_velocity; // (14), (19)
-        let dissipation_lag_angle = -(dissipation_at_rail / dissipation).arg();
-        let normalized_dissipation =
-            dissipation_at_rail / (steady.full_slip_energy_per_metre() * speed); // (20)
-
+        if let Some(closed) = self.closed_form() {
+            return closed.at(wavelength, speed);
+        }
+        let mut system = System::new(self);
+        let answers = system.answers(self, &[wavelength]);
+        system.turn(self, &answers, speed);
+        let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
+        let contacts: Vec<ContactState> = states.collect();
+        let first = contacts[0];
+        let [track_receptance, wheel_receptance] = system.at_first();
+        let steady = self.steady();
+        let dissipation = first.energy * speed;
+        let dissipation_at_rail = first.energy_at_rail * speed;
         LoopState {
             wavelength,
             speed,
-            angular_frequency,
+            angular_frequency: 2.0 * PI * speed / wavelength,
             track_receptance,
             wheel_receptance,
-            normal_force,
-            dq_dp: by_load.force[0],
-            dq_domega,
-            dw_dp,
-            dw_domega,
-            tangential_force,
-            angular_velocity,
+            response: self.contacts[0].rolling.response(wavelength),
             dissipation,
-            dissipation_lag_angle,
+            dissipation_lag_angle: -(dissipation_at_rail / dissipation).arg(),
             dissipation_at_rail,
-            normalized_dissipation,
+            normalized_dissipation: first.energy_at_rail / steady.full_slip_energy_per_metre(),
             mean_dissipation: steady.energy_per_metre() * speed,
-            growth_rate: self.growth_rate(&steady, normalized_dissipation),
+            growth_rate: self.growth_rate_per_dissipation() * system.normalized_dissipation(0).re,
+            contacts,
         }
     }
 
-    /// Ŵ₁ of [`at`](Self::at) alone, for a search that turns the loop many times; `steady` is the mean state of
-    /// the contact.
-    pub(crate) fn normalized_dissipation(
+    /// The mean state of the first contact.
+    pub fn steady(&self) -> MeanRolling {
+        self.contacts[0].rolling.steady()
+    }
+
+    /// The rail under study.
+    pub fn rail(&self) -> Rail {
+        self.contacts[0].rail
+    }
+
+    /// Whether it is that of one wheel which is held across an even rail, and only moves down and turns.
+    pub fn is_along_one_axis(&self) -> bool {
+        self.closed_form().is_some()
+    }
+
+    pub(crate) fn closed_form(&self) -> Option<ClosedForm> {
+        ClosedForm::of(self)
+    }
+
+    /// Receptance matrices of track and wheel at the first contact \[m/N\], in the axes x, y, z of the track; none where a wheel follows
+    /// every oscillation of the tangential force, which no receptance tells.
+    pub fn receptances(
         &self,
-        steady: &MeanRolling,
-        wavelength: f64,
+        angular_frequency: f64,
         speed: f64,
-    ) -> Complex64 {
-        self.turn(wavelength, speed).dissipation_at_rail
-            / (steady.full_slip_energy_per_metre() * speed)
+    ) -> Option<[[[Complex64; 3]; 3]; 2]> {
+        let motion = &self.contacts[0].motion;
+        let free = motion.iter().any(|motion| matches!(motion, Motion::Free));
+        (!free).then(|| {
+            let mut system = System::new(self);
+            system.receptances(self, angular_frequency, speed);
+            system.at_first()
+        })
     }
 
-    /// Oscillation of the energy per metre left at a rail point \[J/m\] by an oscillation of one newton of the normal force.
-    pub(crate) fn energy_by_normal_force(&self, wavelength: f64, speed: f64) -> Complex64 {
-        let turn = self.turn(wavelength, speed);
-        turn.dissipation_at_rail / (turn.normal_force * speed)
+    /// Receptances of track and wheel at the first contact along its normal \[m/N\].
+    pub fn normal_receptances(&self, angular_frequency: f64, speed: f64) -> [Complex64; 2] {
+        let mut system = System::new(self);
+        system.receptances(self, angular_frequency, speed);
+        system.turn_axes(self);
+        system.at_first().map(|matrix| matrix[2][2])
     }
 
-    /// Receptance between profile and normal force, H + H_w + 1/k_H \[m/N\]: the denominator of equation (24).
-    pub fn vertical_receptance(&self, angular_frequency: f64, speed: f64) -> Complex64 {
-        let track = self.track.receptance(angular_frequency, speed);
-        let wheel = self.wheel.receptance(angular_frequency, speed);
-        track + wheel + self.contact_stiffness.recip()
+    /// Receptances H of track and wheels together between all contacts \[m/N\] in their axes x, t, n, by rows.
+    pub fn contact_receptances(&self, angular_frequency: f64, speed: f64) -> Vec<Complex64> {
+        let mut system = System::new(self);
+        system.receptances(self, angular_frequency, speed);
+        system.turn_axes(self);
+        system.together()
     }
 
-    fn turn(&self, wavelength: f64, speed: f64) -> Turn {
-        let angular_frequency = 2.0 * PI * speed / wavelength;
-        let response = self.contact.response(wavelength);
-        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
+    /// The same, of track and wheels together and of the wheels alone.
+    pub(crate) fn receptances_with_those_of_wheels(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+    ) -> [Vec<Complex64>; 2] {
+        let mut system = System::new(self);
+        system.receptances(self, angular_frequency, speed);
+        system.turn_axes(self);
+        [system.together(), system.of_wheels().collect()]
+    }
 
-        let track_receptance = self.track.receptance(angular_frequency, speed);
-        let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
-        // (24)
-        let normal_force =
-            self.amplitude / (track_receptance + wheel_receptance + self.contact_stiffness.recip());
-
-        // (13) and (16) for ξ₁ and Q₁, finite in both limits of the inertia: (17), (18)
-        let ratio = self.rotation.ratio(angular_frequency, speed);
-        let creepage = -ratio.speed / speed;
-        let slip =
-            by_load.force[0] * normal_force / (ratio.force - by_creepage.force[0] * creepage);
-        let tangential_force = slip * ratio.force;
-        let creepage = slip * creepage;
-
-        let lag = self.place_of_wear.lag(wavelength);
-        let dissipation_at_rail =
-            (by_load.at_rail(lag) * normal_force + by_creepage.at_rail(lag) * creepage) * speed;
-        Turn {
-            angular_frequency,
-            track_receptance,
-            wheel_receptance,
-            normal_force,
-            response,
-            tangential_force,
-            creepage,
-            dissipation_at_rail,
+    /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
+    /// rolling radius. Between all contacts in their axes, by rows.
+    pub(crate) fn free_motion(&self) -> Vec<f64> {
+        /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
+        const SLOW: f64 = 0.3;
+        /// \[1/kg\]: what springs and rounding leave.
+        const NOTHING: f64 = 1e-9;
+        // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
+        const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
+        let mut system = System::new(self);
+        let size = 3 * self.contacts.len();
+        let mut free = vec![0.0; size * size];
+        for (times, share) in SHARES {
+            let w = times * SLOW;
+            system.receptances(self, w, 1.0);
+            system.turn_axes(self);
+            for (free, value) in free.iter_mut().zip(system.of_wheels()) {
+                *free -= share * w * w * value.re;
+            }
         }
+        for free in &mut free {
+            if free.abs() < NOTHING {
+                *free = 0.0;
+            }
+        }
+        free
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
     pub fn growth_rate_per_dissipation(&self) -> f64 {
-        self.growth_rate(&self.contact.steady(), Complex64::ONE)
+        let first = &self.contacts[0];
+        let energy = first.rolling.steady().full_slip_energy_per_metre();
+        -first.wear.depth_per_energy() * energy / self.amplitude
     }
 
-    /// Growth rate per passage \[-\] that belongs to a normalised dissipation Ŵ₁.
-    ///
-    /// The profile loses the depth k_w e₁/(ρ·2b) per passage, so g = −Re(k_w e₁/(ρ·2b))/Δ with
-    /// e₁ = Ŵ₁ μP₀ξ₀, and |Δ| grows like exp(g · passages).
-    fn growth_rate(&self, steady: &MeanRolling, normalized: Complex64) -> f64 {
-        let energy = steady.full_slip_energy_per_metre() * normalized.re;
-        -self.wear.depth_per_energy() * energy / self.amplitude
+    /// What Ŵ₁ of the mean growth takes of a contact's energy at the rail point \[m/J\]: the mean is over the wheels on the
+    /// rail under study.
+    fn share_of_growth(&self, index: usize) -> f64 {
+        let (first, contact) = (&self.contacts[0], &self.contacts[index]);
+        if contact.rail != first.rail {
+            return 0.0;
+        }
+        let wheels = self
+            .contacts
+            .iter()
+            .filter(|other| other.rail == first.rail);
+        let energy = first.rolling.steady().full_slip_energy_per_metre();
+        let wear = contact.wear.depth_per_energy() / first.wear.depth_per_energy();
+        wear / (energy * wheels.count() as f64)
+    }
+
+    /// Growth of a wave per passage as a complex number, in the mean over the wheels on the rail under study: its real part is
+    /// the growth rate of |Δ|, its imaginary part the change of the phase.
+    pub fn complex_growth_rate(&self, wavelength: f64, speed: f64) -> Complex64 {
+        self.growth_rate_per_dissipation() * self.normalized_dissipation()(wavelength, speed)
+    }
+
+    /// Ŵ₁ of the mean growth at a wavelength and a speed, for a search that turns the loop many times.
+    pub(crate) fn normalized_dissipation(&self) -> impl Fn(f64, f64) -> Complex64 + Sync + '_ {
+        let closed = self.closed_form();
+        move |wavelength, speed| match &closed {
+            Some(closed) => closed.normalized_dissipation(wavelength, speed),
+            None => {
+                let mut system = System::new(self);
+                system.turn(self, &system.answers(self, &[wavelength]), speed);
+                system.normalized_dissipation(0)
+            }
+        }
+    }
+}
+
+impl From<&Loop> for Loop {
+    fn from(feedback: &Loop) -> Self {
+        feedback.clone()
+    }
+}
+
+impl LoopState {
+    /// Receptance of the track along the normal of the first contact \[m/N\].
+    pub fn normal_receptance(&self) -> Complex64 {
+        self.track_receptance[2][2]
+    }
+
+    /// Normal force P₁ of the first contact \[N\].
+    pub fn normal_force(&self) -> Complex64 {
+        self.contacts[0].force[2]
+    }
+
+    /// Longitudinal creep force Q₁ of the first contact \[N\].
+    pub fn tangential_force(&self) -> Complex64 {
+        self.contacts[0].force[0]
+    }
+
+    /// Longitudinal creepage ξ₁ of the first contact \[-\].
+    pub fn creepage(&self) -> Complex64 {
+        self.contacts[0].creepage[0]
     }
 }

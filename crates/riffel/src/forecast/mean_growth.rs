@@ -44,7 +44,7 @@ impl MeanGrowth {
                     let mut mean = [0.0; 2];
                     for (feedback, weight) in places {
                         let state = feedback.at(wavelength, speed);
-                        mean[0] += weight * state.growth_rate();
+                        mean[0] += weight * state.growth_rate;
                         mean[1] +=
                             weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
                     }

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::{Axis, GrowthMap, Ridge};
-use crate::FeedbackLoop;
-use crate::feedback::{Loop, State};
-use crate::receptance::CrossReceptance;
+use crate::feedback::{Loop, LoopState};
+use crate::receptance::{CrossReceptance, Uncoupled};
 
 /// Nodes of Simpson's rule over half a bay, a support and mid-span among them.
 const NODES: usize = 17;
@@ -47,18 +46,20 @@ impl Bay {
 
     /// The loop with the wheel at a distance from a support \[m\].
     pub fn at(&self, position: f64) -> Loop {
-        match self.feedback.clone() {
-            Loop::Longitudinal(feedback) => Loop::Longitudinal(FeedbackLoop {
-                track: self.track.under_load_at(position),
-                ..feedback
-            }),
-            Loop::General(general) => Loop::General(general.at_position(position)),
+        let feedback = self.feedback.clone();
+        match feedback.is_along_one_axis() {
+            // Its track is a receptance, which knows no places.
+            true => feedback.with_track(Arc::new(Uncoupled {
+                vertical: Some(self.track.under_load_at(position)),
+                ..Uncoupled::default()
+            })),
+            false => feedback.at_position(position),
         }
     }
 
     /// The state of the loop at equal steps from one support to the next, both included, with the
     /// position of each \[m\]; two points or more.
-    pub fn states(&self, wavelength: f64, speed: f64, points: usize) -> Vec<(f64, State)> {
+    pub fn states(&self, wavelength: f64, speed: f64, points: usize) -> Vec<(f64, LoopState)> {
         (0..points)
             .map(|index| {
                 let position = self.spacing * index as f64 / (points - 1) as f64;

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::receptance::{IrregularTrack, Receptance};
-use crate::{Error, FeedbackLoop};
+use crate::Error;
+use crate::feedback::Loop;
+use crate::receptance::{IrregularTrack, Receptance, Uncoupled};
 
 /// Growth of one wave at every place of a stretch, as if the wheel stayed there, beside that over a bay of equal supports.
 ///
@@ -35,7 +36,7 @@ impl GrowthOnIrregularSupports {
     /// # Errors
     /// [`Error::OutOfRange`] for fewer than 8 supports and for a wavelength or speed that is not positive.
     pub fn new(
-        feedback: &FeedbackLoop,
+        feedback: &Loop,
         track: &IrregularTrack,
         wavelength: f64,
         speed: f64,
@@ -55,10 +56,11 @@ impl GrowthOnIrregularSupports {
         }
         let angular_frequency = std::f64::consts::TAU * speed / wavelength;
         let growth = |receptance: Complex64| {
-            let feedback = FeedbackLoop {
-                track: Arc::new(Known(receptance)),
-                ..feedback.clone()
+            let track = Uncoupled {
+                vertical: Some(Arc::new(Known(receptance))),
+                ..Uncoupled::default()
             };
+            let feedback = feedback.clone().with_track(Arc::new(track));
             feedback.at(wavelength, speed).growth_rate
         };
         let waves = track.waves(angular_frequency);

@@ -7,8 +7,7 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::closing::Closing;
-use crate::FeedbackLoop;
-use crate::feedback::{Answers, GeneralLoop, Loop, System};
+use crate::feedback::{Answers, ClosedForm, Loop, System};
 use crate::receptance::Tabulated;
 use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
 
@@ -33,10 +32,10 @@ enum Kind {
     AllAxes(AllAxes),
 }
 
-/// The loop of one wheel and longitudinal creepage, by tiles.
+/// The loop that has a closed form, by tiles.
 #[derive(Clone)]
 struct Tiles {
-    feedback: FeedbackLoop,
+    feedback: ClosedForm,
     columns: Arc<[Columns]>,
     scratch: Box<Scratch>,
     arch: Arch,
@@ -45,7 +44,7 @@ struct Tiles {
 /// The loop on all axes, by groups of wavelengths.
 #[derive(Clone)]
 struct AllAxes {
-    general: GeneralLoop,
+    feedback: Loop,
     system: Box<System>,
     groups: Arc<[Answers]>,
 }
@@ -79,13 +78,14 @@ struct Scratch {
 }
 
 impl Columns {
-    fn new(feedback: &FeedbackLoop, wavelengths: &[f64]) -> Self {
+    fn new(feedback: &ClosedForm, wavelengths: &[f64]) -> Self {
         let last = wavelengths.len() - 1;
         let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
-        let scale = feedback.amplitude / feedback.contact.steady().full_slip_energy_per_metre();
+        let scale = feedback.amplitude / feedback.steady.full_slip_energy_per_metre();
+        let contact = &feedback.contact;
         let at = wavelengths.map(|wavelength| {
-            let response = feedback.contact.response(wavelength);
-            let lag = feedback.place_of_wear.lag(wavelength);
+            let response = contact.rolling.response(wavelength);
+            let lag = contact.place_of_wear.lag(wavelength);
             At {
                 force_by_load: response.by_load.force[0],
                 force_by_creepage: response.by_longitudinal.force[0],
@@ -120,9 +120,10 @@ struct At {
 impl RowEvaluator {
     /// An evaluator of the loop over the wavelengths \[m\].
     pub fn new(feedback: impl Into<Loop>, wavelengths: &[f64]) -> Self {
-        Self(match feedback.into() {
-            Loop::Longitudinal(feedback) => Kind::Tiles(Tiles::new(feedback, wavelengths)),
-            Loop::General(general) => Kind::AllAxes(AllAxes::new(general, wavelengths)),
+        let feedback = feedback.into();
+        Self(match feedback.closed_form() {
+            Some(closed) => Kind::Tiles(Tiles::new(closed, wavelengths)),
+            None => Kind::AllAxes(AllAxes::new(feedback, wavelengths)),
         })
     }
 
@@ -131,17 +132,18 @@ impl RowEvaluator {
     pub fn for_map(feedback: impl Into<Loop>, wavelengths: &[f64], speeds: &[f64]) -> Self {
         /// Points from which a table of some thousand receptances is a small part of the work.
         const WORTH_A_TABLE: usize = 20_000;
-        let mut feedback = feedback.into();
-        if let Loop::Longitudinal(feedback) = &mut feedback
-            && feedback.track.worth_tabulating()
+        let feedback = feedback.into();
+        if let Some(mut closed) = feedback.closed_form()
+            && closed.track.worth_tabulating()
             && wavelengths.len() * speeds.len() >= WORTH_A_TABLE
         {
             let (shortest, longest) = ends(wavelengths);
             let (slowest, fastest) = ends(speeds);
             let lowest = 2.0 * PI * slowest / longest;
             let highest = 2.0 * PI * fastest / shortest;
-            let source = feedback.track.clone();
-            feedback.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
+            let source = closed.track.clone();
+            closed.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
+            return Self(Kind::Tiles(Tiles::new(closed, wavelengths)));
         }
         Self::new(feedback, wavelengths)
     }
@@ -167,7 +169,7 @@ impl RowEvaluator {
 }
 
 impl Tiles {
-    fn new(feedback: FeedbackLoop, wavelengths: &[f64]) -> Self {
+    fn new(feedback: ClosedForm, wavelengths: &[f64]) -> Self {
         Self {
             columns: wavelengths
                 .chunks(TILE)
@@ -214,7 +216,7 @@ impl Tiles {
             by_speed: &columns.by_speed,
             slip: &columns.slip,
             force: joints.rotation.force(),
-            contact: joints.contact_stiffness.recip(),
+            contact: joints.contact.stiffness.recip(),
             per_speed,
             result: &mut scratch.result,
         });
@@ -223,15 +225,15 @@ impl Tiles {
 }
 
 impl AllAxes {
-    fn new(general: GeneralLoop, wavelengths: &[f64]) -> Self {
-        let system = Box::new(System::new(&general));
+    fn new(feedback: Loop, wavelengths: &[f64]) -> Self {
+        let system = Box::new(System::new(&feedback));
         let groups = wavelengths
             .chunks(system.lanes())
-            .map(|wavelengths| system.answers(&general, wavelengths));
+            .map(|wavelengths| system.answers(&feedback, wavelengths));
         Self {
             groups: groups.collect(),
             system,
-            general,
+            feedback,
         }
     }
 
@@ -240,7 +242,7 @@ impl AllAxes {
         let lanes = self.system.lanes();
         let groups = &self.groups[index * TILE / lanes..];
         for (values, answers) in tile.chunks_exact_mut(lanes).zip(groups) {
-            self.system.turn(&self.general, answers, speed);
+            self.system.turn(&self.feedback, answers, speed);
             for (lane, value) in values.iter_mut().enumerate() {
                 *value = self.system.normalized_dissipation(lane);
             }

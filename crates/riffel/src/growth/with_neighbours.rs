@@ -2,9 +2,10 @@
 
 use num_complex::Complex64;
 
+use crate::Error;
+use crate::feedback::Loop;
 use crate::inverse::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
-use crate::{Error, FeedbackLoop};
 
 /// Growth per passage as an operator over the wavenumbers k_n = 2π/λ + 2πn/d, n = −N … N.
 ///
@@ -45,15 +46,24 @@ impl GrowthWithNeighbours {
     /// `feedback` gives wheel, contact and wear; its track is not used.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for more neighbours than have a wavelength, N < d/λ, and those of
+    /// [`Error::OutOfRange`] for a loop of more than one wheel along one axis and for more neighbours than have a wavelength, N < d/λ, and
+    /// those of
     /// [`MovingLoadOnSupports::harmonics`].
     pub fn at(
-        feedback: &FeedbackLoop,
+        feedback: &Loop,
         track: &MovingLoadOnSupports,
         wavelength: f64,
         neighbours: usize,
     ) -> Result<Self, Error> {
         Error::unless_positive("wavelength", wavelength, "m")?;
+        let Some(feedback) = feedback.closed_form() else {
+            return Err(Error::OutOfRange {
+                quantity: "number of contacts of a wave with neighbours",
+                value: feedback.contacts().len() as f64,
+                unit: "",
+                rule: "must be one, of a wheel along one axis",
+            });
+        };
         let spacing = track.spacing();
         if neighbours as f64 >= 0.999 * spacing / wavelength {
             return Err(Error::OutOfRange {
@@ -79,10 +89,10 @@ impl GrowthWithNeighbours {
                 row[m] = harmonics.at(n as isize - m as isize);
             }
             matrix[m][m] += feedback.wheel.receptance(w, speed);
-            matrix[m][m] += feedback.contact_stiffness.recip();
+            matrix[m][m] += feedback.contact.stiffness.recip();
         }
         let mut operator = inverse(matrix);
-        let per_energy = feedback.wear.depth_per_energy();
+        let per_energy = feedback.contact.wear.depth_per_energy();
         for (row, k) in operator.iter_mut().zip(&wavenumbers) {
             let wavelength = std::f64::consts::TAU / k;
             let energy = feedback.energy_by_normal_force(wavelength, speed);

@@ -181,7 +181,7 @@ impl RollingSource<'_> {
         let places = self.places(TAU * middle, under_wheel, rate);
         let share = (places.len() as f64).recip();
         for rail in places {
-            let rest = rail.direct + wheel + self.feedback.contact_stiffness().recip();
+            let rest = rail.direct + wheel + self.feedback.contacts()[0].stiffness.recip();
             let lines = match self.wheel_modes {
                 Some(modes) => modes.lines(ends, rest),
                 None => vec![(middle, 1.0)],

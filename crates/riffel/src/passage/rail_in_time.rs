@@ -7,7 +7,7 @@ use super::ImpulseResponse;
 use super::along_profile::{faded, slope_of_faded};
 use super::over_supports::{AlongBay, ONSET_BAYS, frequencies, is_discrete};
 use super::track_motion::TrackMotion;
-use crate::feedback::GeneralLoop;
+use crate::feedback::Loop;
 use crate::receptance::{HarmonicMatrices, SpatialMovingLoad};
 use crate::{Direction, Error, Place, Rail};
 
@@ -53,10 +53,7 @@ impl RailInTime {
     ///
     /// # Errors
     /// Those of [`ImpulseResponse::over_supports`].
-    pub(super) fn over_supports(
-        feedback: &GeneralLoop,
-        track: &SpatialMovingLoad,
-    ) -> Result<Self, Error> {
+    pub(super) fn over_supports(feedback: &Loop, track: &SpatialMovingLoad) -> Result<Self, Error> {
         /// Of √|H_ii H_jj|: an entry below is rounding.
         const NOTHING: f64 = 1e-6;
         let most = ImpulseResponse::MOST_HARMONICS;
@@ -225,7 +222,7 @@ impl RailInTime {
 }
 
 /// The axes of the contacts as places, along, across and down.
-pub(super) fn places(feedback: &GeneralLoop) -> Vec<Place> {
+pub(super) fn places(feedback: &Loop) -> Vec<Place> {
     let contacts = feedback.contacts().iter();
     contacts
         .flat_map(|contact| {

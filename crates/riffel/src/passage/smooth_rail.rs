@@ -69,7 +69,7 @@ impl PassageModel {
     /// length given \[m\], until windows of a tenth of a second show no force above 10⁻⁴ of the load, or are alike to 10⁻³
     /// five times, or the wheels slide as fast as they roll, or 10 s have passed.
     ///
-    /// Where the linear loop is [unstable](crate::feedback::GeneralLoop::stability), oscillations grow until the contact
+    /// Where the linear loop is [unstable](crate::feedback::Loop::stability), oscillations grow until the contact
     /// saturates, sticks or lets go: the limit cycle of squeal and of stick and slip.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ use super::pole_search::{PoleFit, PoleSearch};
 use super::rail_in_time::{RailInTime, is_along, places};
 use super::vector_fitting::{Sampled, residues, shared_poles, starting_poles};
 use crate::Error;
-use crate::feedback::GeneralLoop;
+use crate::feedback::Loop;
 use crate::receptance::SpatialMovingLoad;
 use crate::wheelset::{RigidInertia, RigidMass};
 
@@ -69,11 +69,7 @@ impl StructuresInTime {
     ///
     /// # Errors
     /// [`Error::NotCausal`] if no causal response comes near enough, [`Error::OutOfRange`] for a receptance that is not finite.
-    pub fn of(
-        feedback: &GeneralLoop,
-        speed: f64,
-        natural_frequencies: &[f64],
-    ) -> Result<Self, Error> {
+    pub fn of(feedback: &Loop, speed: f64, natural_frequencies: &[f64]) -> Result<Self, Error> {
         let receptances = |w: f64| {
             let whole = feedback.contact_receptances(w, speed);
             [whole.clone(), whole]
@@ -109,7 +105,7 @@ impl StructuresInTime {
     /// # Errors
     /// Those of [`of`](Self::of), and of [`SpatialMovingLoad::harmonics`].
     pub fn over_supports(
-        feedback: &GeneralLoop,
+        feedback: &Loop,
         track: &SpatialMovingLoad,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
@@ -138,7 +134,7 @@ impl StructuresInTime {
     }
 
     fn fitted(
-        feedback: &GeneralLoop,
+        feedback: &Loop,
         receptances: &Receptances<'_>,
         natural_frequencies: &[f64],
     ) -> Result<Self, Error> {
@@ -240,11 +236,7 @@ struct Entry {
 }
 
 impl Transfer {
-    fn of(
-        feedback: &GeneralLoop,
-        receptances: &Receptances<'_>,
-        lines: &[f64],
-    ) -> Result<Self, Error> {
+    fn of(feedback: &Loop, receptances: &Receptances<'_>, lines: &[f64]) -> Result<Self, Error> {
         /// What an error counts where receptances are a hint.
         const HINT: f64 = 0.05;
         /// Entries below this share of the largest they could have are rounding.

@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use super::Receptance;
 use crate::{Direction, Place, Rail};
 
-/// Joint of the general loop: a structure that answers at one place to a force at another, along any axis.
+/// Joint of the loop: a structure that answers at one place to a force at another, along any axis.
 ///
 /// Reciprocal: the two places may be exchanged. The scalar [`Receptance`] is one entry of it and its fast path.
 pub trait Structure: Send + Sync {
@@ -20,6 +20,11 @@ pub trait Structure: Send + Sync {
         at: Place,
         from: Place,
     ) -> Complex64;
+
+    /// The receptances along each axis of a structure that has them alone; none where axes or places feel each other.
+    fn uncoupled(&self) -> Option<&Uncoupled> {
+        None
+    }
 
     /// Roll of a rail under the places given, each a distance along it \[m\] and the rail: its turn \[rad\] about the direction of travel,
     /// right side down, per force on it along x, y, z \[rad/N\] and per moment about the direction of travel \[rad/(N m)\] at each
@@ -69,6 +74,10 @@ pub struct Uncoupled {
 }
 
 impl Structure for Uncoupled {
+    fn uncoupled(&self) -> Option<&Uncoupled> {
+        Some(self)
+    }
+
     fn cross_receptance(
         &self,
         angular_frequency: f64,

@@ -7,7 +7,7 @@ use riffel::contact::{
     CreepEllipse, CreepLaw, Creepages, FallingFriction, KalkerCoefficients, MeanState, Polach,
     QuasiStatic, SlopeReduction,
 };
-use riffel::feedback::{Contact, GeneralLoop};
+use riffel::feedback::{Contact, Loop};
 use riffel::passage::{
     ContactInTime, Evolution, EvolutionStep, ImpulseResponse, Outcome, PassageModel, PassingWheel,
     Sinusoid, StructuresInTime, WearOfPassages,
@@ -40,7 +40,7 @@ fn track() -> Arc<dyn Receptance> {
     Arc::new(ContinuousTrack::new(rail(), pads()))
 }
 
-fn in_time(feedback: &GeneralLoop, law: &Arc<dyn CreepLaw>, speed: f64) -> PassageModel {
+fn in_time(feedback: &Loop, law: &Arc<dyn CreepLaw>, speed: f64) -> PassageModel {
     let contacts = feedback.contacts().iter();
     let contacts = contacts.map(|contact| ContactInTime::new(contact, law.clone()).unwrap());
     PassageModel {
@@ -78,7 +78,7 @@ fn one_wheel_along_one_axis_is_the_same() {
         ..Uncoupled::default()
     };
     let motion = [Motion::Compliant(()), Motion::Held];
-    let general = GeneralLoop::new(
+    let general = Loop::new(
         Arc::new(vertical),
         Arc::new(wheel(MASS, INERTIA)),
         vec![contact(0.0, Arc::new(rolling), motion)],
@@ -125,7 +125,7 @@ fn one_wheel_along_one_axis_is_the_same() {
 }
 
 /// Two wheels on one rail that creep along and across it.
-fn two_wheels() -> (GeneralLoop, Arc<dyn CreepLaw>) {
+fn two_wheels() -> (Loop, Arc<dyn CreepLaw>) {
     let law: Arc<dyn CreepLaw> = Arc::new(Carter3d::new(hertz(), 0.35).unwrap());
     let mean = MeanState::Creepages(Creepages {
         longitudinal: 5e-4,
@@ -151,7 +151,7 @@ fn two_wheels() -> (GeneralLoop, Arc<dyn CreepLaw>) {
     });
     let motion = [Motion::Compliant(()), Motion::Compliant(())];
     let contacts = [0.0, -1.3].map(|along| contact(along, rolling.clone(), motion.clone()));
-    let feedback = GeneralLoop::new(Arc::new(track), Arc::new(wheels), contacts.to_vec(), 1e-7);
+    let feedback = Loop::new(Arc::new(track), Arc::new(wheels), contacts.to_vec(), 1e-7);
     (feedback.unwrap(), law)
 }
 
@@ -261,7 +261,7 @@ fn limit_cycle_of_one_mass() {
         ..Uncoupled::default()
     };
     let contacts = vec![contact(0.0, Arc::new(rolling), motion)];
-    let feedback = GeneralLoop::new(Arc::new(vertical), Arc::new(wheels), contacts, 1e-6).unwrap();
+    let feedback = Loop::new(Arc::new(vertical), Arc::new(wheels), contacts, 1e-6).unwrap();
     assert_eq!(
         feedback.stability(speed, 1.0, 1e4).unwrap().unstable_roots,
         2

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
-use riffel::feedback::{Comb, Contact, GeneralLoop, GeneralState};
+use riffel::feedback::{Comb, Contact, Loop, LoopState};
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, Layer, Resonance, SpatialTrack, Structure, Support,
 };
@@ -117,7 +117,7 @@ proptest! {
             std::array::from_fn(|column| track.0[row][column] + wheels.0[row][column])
         });
         let general =
-            GeneralLoop::new(Arc::new(track), Arc::new(wheels), contacts.clone(), AMPLITUDE).unwrap();
+            Loop::new(Arc::new(track), Arc::new(wheels), contacts.clone(), AMPLITUDE).unwrap();
         let state = general.at(wavelength, speed);
         let w = state.angular_frequency;
 
@@ -159,7 +159,7 @@ proptest! {
         let contacts = vec![
             contact(0.0, rolling(1e-3, 0.0), ALONG), contact(-distance, rolling(1e-3, 0.0), ALONG),
         ];
-        let general = GeneralLoop::new(Arc::new(rail()), Arc::new(body), contacts, AMPLITUDE).unwrap();
+        let general = Loop::new(Arc::new(rail()), Arc::new(body), contacts, AMPLITUDE).unwrap();
         let state = general.at(wavelength, speed);
         let w = state.angular_frequency;
         let phase = Complex64::cis(-TAU / wavelength * distance);
@@ -180,16 +180,16 @@ proptest! {
     fn the_mean_over_the_comb_is_that_over_its_phases(
         wavelength in 0.02..0.3f64, speed in 5.0..60.0f64, across in 0.2..3.0f64,
     ) {
-        let loop_at = |distance: f64, comb: Comb| -> GeneralState {
+        let loop_at = |distance: f64, comb: Comb| -> LoopState {
             let contacts = vec![
                 contact(0.0, rolling(1e-3, 0.0), ALONG), contact(-distance, rolling(1e-3, 0.0), ALONG),
             ];
             let frozen = FrozenRail { across };
-            let general = GeneralLoop::new(Arc::new(frozen), Arc::new(wheel(400.0, 40.0)), contacts, AMPLITUDE);
+            let general = Loop::new(Arc::new(frozen), Arc::new(wheel(400.0, 40.0)), contacts, AMPLITUDE);
             general.unwrap().with_comb(comb).at(wavelength, speed)
         };
         let mean = loop_at(2.5, Comb::Mean);
-        let phases: Vec<GeneralState> = (0..24)
+        let phases: Vec<LoopState> = (0..24)
             .map(|step| loop_at(2.5 + wavelength * f64::from(step) / 24.0, Comb::Resolved))
             .collect();
         for wheel in 0..2 {
@@ -210,7 +210,7 @@ proptest! {
         let growth = |creepage: f64, pitch: f64| {
             let structure = Pitching { pitch };
             let contact = contact(0.0, rolling(creepage, 0.0), ALONG);
-            let general = GeneralLoop::new(Arc::new(rail()), Arc::new(structure), vec![contact], AMPLITUDE);
+            let general = Loop::new(Arc::new(rail()), Arc::new(structure), vec![contact], AMPLITUDE);
             let state = general.unwrap().at(wavelength, speed);
             (state.contacts[0], state.angular_frequency)
         };
@@ -309,7 +309,7 @@ fn where_rolling_lifts_the_wheel_the_direction_matters() {
     let growth = |creepage: f64, pitch: f64| {
         let contact = contact(0.0, rolling(creepage, 0.0), ALONG);
         let wheels = Arc::new(Pitching { pitch });
-        let general = GeneralLoop::new(Arc::new(rail()), wheels, vec![contact], AMPLITUDE).unwrap();
+        let general = Loop::new(Arc::new(rail()), wheels, vec![contact], AMPLITUDE).unwrap();
         general.at(0.05, 10.0).contacts[0].growth_rate.unwrap()
     };
     let (braking, traction) = (growth(1e-3, 1.0), growth(-1e-3, 1.0));
@@ -327,7 +327,7 @@ fn wheels_at_one_place_share_the_rail() {
         let contacts = (0..count)
             .map(|index| contact(-1e-9 * f64::from(index), rolling(1e-3, 0.0), ALONG))
             .collect();
-        let general = GeneralLoop::new(
+        let general = Loop::new(
             Arc::new(rail()),
             Arc::new(wheel(400.0, 40.0)),
             contacts,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use riffel::contact::{Conformity, MovingContact, ShiftEffects};
-use riffel::feedback::{Contact, GeneralLoop, GeneralState};
+use riffel::feedback::{Contact, Loop, LoopState};
 use riffel::receptance::Uncoupled;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{Complex64, Rail};
@@ -17,7 +17,7 @@ const ANGLE: f64 = 0.05;
 const RADIUS: f64 = 0.46;
 
 /// A wheel that yields on all axes, on a track that yields downward and across.
-fn at(contact: Contact, wavelength: f64, speed: f64) -> GeneralState {
+fn at(contact: Contact, wavelength: f64, speed: f64) -> LoopState {
     let mass = |mass: f64| Some(Arc::new(RigidMass::new(mass).unwrap()) as _);
     let track = Uncoupled {
         longitudinal: None,
@@ -29,7 +29,7 @@ fn at(contact: Contact, wavelength: f64, speed: f64) -> GeneralState {
         lateral: mass(700.0),
         vertical: mass(400.0),
     };
-    let general = GeneralLoop::new(Arc::new(track), Arc::new(wheels), vec![contact], AMPLITUDE);
+    let general = Loop::new(Arc::new(track), Arc::new(wheels), vec![contact], AMPLITUDE);
     general.unwrap().at(wavelength, speed)
 }
 
@@ -151,7 +151,7 @@ fn an_evenly_turning_wheel_creeps_as_the_ripple_slopes() {
             ..contact(0.0, rolling(1e-3, 0.0), [Motion::Held, Motion::Held])
         };
         let track = Uncoupled::default();
-        let general = GeneralLoop::new(
+        let general = Loop::new(
             Arc::new(track),
             Arc::new(wheel(400.0, 40.0)),
             vec![contact],

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 use riffel::contact::{Conformity, MovingContact, ShiftEffects};
-use riffel::feedback::{Contact, GeneralLoop, GeneralState};
+use riffel::feedback::{Contact, Loop, LoopState};
 use riffel::receptance::{
     Beam, ContactPoint, EulerBernoulliBeam, Layer, SpatialRail, SpatialTrack, Structure, Support,
     Supports, Twist, TwistSection, Uncoupled,
@@ -238,13 +238,13 @@ impl Structure for RollingRail {
     }
 }
 
-fn state(contacts: Vec<Contact>, wavelength: f64, speed: f64) -> GeneralState {
+fn state(contacts: Vec<Contact>, wavelength: f64, speed: f64) -> LoopState {
     let wheels = Uncoupled {
         longitudinal: Some(Arc::new(RigidInertia::new(40.0, RADIUS).unwrap())),
         lateral: Some(Arc::new(RigidMass::new(700.0).unwrap())),
         vertical: Some(Arc::new(RigidMass::new(400.0).unwrap())),
     };
-    let general = GeneralLoop::new(Arc::new(RollingRail), Arc::new(wheels), contacts, AMPLITUDE);
+    let general = Loop::new(Arc::new(RollingRail), Arc::new(wheels), contacts, AMPLITUDE);
     general.unwrap().at(wavelength, speed)
 }
 

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::{Arc, OnceLock};
 
 use riffel::contact::{MeanState, QuasiStatic};
+use riffel::feedback::OneWheel;
 use riffel::growth::{Bay, GrowthWithNeighbours};
 use riffel::passage::{
     ContactInTime, Evolution, EvolutionStep, ImpulseResponse, PassageModel, PassingWheel, Sinusoid,
@@ -13,7 +14,7 @@ use riffel::receptance::{Beam, Layer, MovingLoadOnSupports, PeriodicTrack, Shear
 use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact,
+    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, Loop,
     PlaceOfWear, Receptance, RollingContact,
 };
 
@@ -40,22 +41,23 @@ fn track() -> PeriodicTrack<Beam> {
     PeriodicTrack::new(rail, support.unwrap(), SPACING).unwrap()
 }
 
-fn feedback(amplitude: f64) -> FeedbackLoop {
+fn feedback(amplitude: f64) -> Loop {
     let hertz = HertzContact::new(steel(), 0.46, 0.3, 50e3).unwrap();
     let law = Carter3d::new(hertz, 0.35).unwrap();
     let contact = QuasiStatic::new(law, 50e3, MeanState::TractiveRatio(0.3)).unwrap();
     let inertia = RigidInertia::reduced_inertia(350.0, 0.46);
-    FeedbackLoop {
+    OneWheel {
         track: Arc::new(track()),
         wheel: Arc::new(RigidMass::new(350.0).unwrap()),
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(inertia, 0.46).unwrap()),
-        rolling_radius: 0.46,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3),
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude,
     }
+    .close()
+    .unwrap()
 }
 
 fn moving(speed: f64) -> MovingLoadOnSupports {
@@ -70,10 +72,7 @@ fn growth_with_neighbours_of_a_slow_wheel_is_local() {
     let (speed, wavelength) = (2.0, 0.004);
     let bay = Bay::new(feedback.clone(), Arc::new(track())).unwrap();
     let states = bay.states(wavelength, speed, 61);
-    let rates: Vec<f64> = states
-        .iter()
-        .map(|(_, state)| state.growth_rate())
-        .collect();
+    let rates: Vec<f64> = states.iter().map(|(_, state)| state.growth_rate).collect();
     let mean = feedback.growth_rate_per_dissipation()
         * bay.mean_normalized_dissipation(wavelength, speed).re;
     let highest = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -182,8 +181,9 @@ fn small_waves_are_the_harmonic_balance() {
         }
         let expected = |n: usize| {
             let wave = feedback.at(TAU / growth.wavenumbers[n], SPEED);
-            let energy = wave.dissipation_at_rail / (wave.normal_force * SPEED);
-            -growth.operator[n][6] * amplitude / (feedback.wear.depth_per_energy() * energy)
+            let energy = wave.dissipation_at_rail / (wave.normal_force() * SPEED);
+            -growth.operator[n][6] * amplitude
+                / (feedback.contacts()[0].wear.depth_per_energy() * energy)
         };
         for (n, line) in (4..).zip(lines) {
             let error = (line - expected(n)).norm() / expected(6).norm();
@@ -203,7 +203,7 @@ fn a_settled_wave_is_the_mean_over_the_bay() {
         wavelength,
     };
     let settled = model.settle(profile, 200).unwrap().swap_remove(0);
-    let dissipation = -growth.alone() * amplitude / feedback.wear.depth_per_energy();
+    let dissipation = -growth.alone() * amplitude / feedback.contacts()[0].wear.depth_per_energy();
     let error = (settled.harmonics[1].dissipation - dissipation).norm() / dissipation.norm();
     // As above, and the load that varies by 2.6 % makes the creep force answer by as much more and less, in the mean its square.
     assert!(error < 5e-3, "{error:e}");
@@ -250,7 +250,7 @@ fn smooth_rails_shake_with_the_supports() {
     };
     let at_rest = track.harmonics(0.0, 12).unwrap();
     let wheel = RigidMass::new(350.0).unwrap();
-    let stiffness = feedback(1.0).contact_stiffness;
+    let stiffness = feedback(1.0).contacts()[0].stiffness;
     for n in 1..=3isize {
         let w = n as f64 * passing;
         let mut sum = line(n) * (wheel.receptance(w, SPEED) + stiffness.recip());
@@ -269,12 +269,12 @@ const STEP: EvolutionStep = EvolutionStep {
     largest_step: 1e-3,
 };
 
-fn wheel(feedback: &FeedbackLoop, model: PassageModel, memory: f64) -> PassingWheel {
+fn wheel(feedback: &Loop, model: PassageModel, memory: f64) -> PassingWheel {
     PassingWheel {
         model,
         wear: WearOfPassages {
-            wear: feedback.wear,
-            place: feedback.place_of_wear,
+            wear: feedback.contacts()[0].wear,
+            place: feedback.contacts()[0].place_of_wear,
             shortest: 0.01,
         },
         memory,

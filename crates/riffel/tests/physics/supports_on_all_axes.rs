@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, Creepages, MeanState, QuasiStatic};
-use riffel::feedback::{Contact, GeneralLoop};
+use riffel::feedback::{Contact, Loop};
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
 use riffel::receptance::{
     Bar, Beam, Layer, MovingLoadOnSupports, PeriodicTrack, ShearSection, SpatialMovingLoad,
@@ -66,7 +66,7 @@ fn law() -> Arc<dyn CreepLaw> {
     Arc::new(Carter3d::new(hertz(), 0.35).unwrap())
 }
 
-fn in_time(feedback: &GeneralLoop, track: &SpatialTrack) -> PassageModel {
+fn in_time(feedback: &Loop, track: &SpatialTrack) -> PassageModel {
     let track = SpatialMovingLoad::new(track, SPEED).unwrap();
     let contacts = feedback.contacts().iter();
     let contacts = contacts.map(|contact| ContactInTime::new(contact, law()).unwrap());
@@ -112,7 +112,7 @@ fn one_wheel_along_one_axis_is_the_same_on_supports() {
         vertical: Some(Arc::new(mass)),
     };
     let contacts = vec![contact(0.0, Arc::new(rolling), motion)];
-    let feedback = GeneralLoop::new(Arc::new(spatial), Arc::new(wheels), contacts, 1e-6).unwrap();
+    let feedback = Loop::new(Arc::new(spatial), Arc::new(wheels), contacts, 1e-6).unwrap();
     let all = in_time(&feedback, &spatial);
     let profile = Sinusoid {
         amplitude: 60e-6,
@@ -174,7 +174,7 @@ fn small_waves_are_the_balance_of_all_axes() {
     });
     let track = track();
     let wheels = Arc::new(wheels);
-    let feedback = GeneralLoop::new(
+    let feedback = Loop::new(
         Arc::new(track),
         wheels.clone(),
         contacts.to_vec(),

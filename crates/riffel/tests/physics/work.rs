@@ -7,14 +7,15 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use riffel::contact::{
     CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, MeanState, QuasiStatic,
 };
+use riffel::feedback::OneWheel;
 use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, StructuresInTime};
 use riffel::receptance::{
     Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated,
 };
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop,
-    GrowthMap, HertzContact, PlaceOfWear, Receptance, Ridge,
+    Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap,
+    HertzContact, Loop, PlaceOfWear, Receptance, Ridge,
 };
 
 /// A structure that counts how often it is asked.
@@ -60,7 +61,7 @@ fn sleepers() -> PeriodicTrack {
 fn feedback<R: Receptance + 'static>(
     structure: R,
     worth_tabulating: bool,
-) -> (FeedbackLoop, Arc<AtomicUsize>) {
+) -> (Loop, Arc<AtomicUsize>) {
     let asked = Arc::new(AtomicUsize::new(0));
     let hertz = HertzContact::new(steel(), 0.46, 0.23, 50e3).unwrap();
     let law = Carter3d::new(hertz, 0.4).unwrap();
@@ -70,18 +71,17 @@ fn feedback<R: Receptance + 'static>(
         asked: asked.clone(),
         worth_tabulating,
     };
-    let feedback = FeedbackLoop {
+    let feedback = OneWheel {
         track: Arc::new(track),
         wheel: Arc::new(RigidMass::new(350.0).unwrap()),
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(27.77, 0.46).unwrap()),
-        rolling_radius: 0.46,
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, hertz.semi_axis_longitudinal(), 0.1),
         wear: EnergyWear::new(1e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude: 20e-6,
     };
-    (feedback, asked)
+    (feedback.close().unwrap(), asked)
 }
 
 fn rail() -> FreeBeam {

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use rayon::prelude::*;
+use riffel::Complex64;
 use riffel::passage::Evolution;
 use riffel::roughness::{Profile, ThirdOctave, level};
-use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::traffic::VehicleInTime;
 use riffel_keys::CaseError;
@@ -129,28 +129,22 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError
     const NEIGHBOURS: usize = 3;
     /// Of a bay: harmonics of it from this one on, some 10⁻³, stay in the mean.
     const PLACES: u32 = 16;
-    Ok(match (&case.feedback, case.track.support_spacing()) {
-        (Loop::Longitudinal(_), Some(spacing)) => {
-            let most = (0.99 * spacing / wavelength) as usize;
-            let most = most.min(NEIGHBOURS);
-            case.growth_with_neighbours(wavelength, speed, most)?
-                .alone()
-        }
-        (Loop::Longitudinal(feedback), None) => {
-            let state = feedback.at(wavelength, speed);
-            let energy = state.dissipation_at_rail / speed / feedback.amplitude;
-            -feedback.wear.depth_per_energy() * energy
-        }
-        (Loop::General(feedback), Some(spacing)) => {
-            let at = |place: u32| {
-                let position = spacing * f64::from(place) / f64::from(PLACES);
-                let there = feedback.clone().at_position(position);
-                there.complex_growth_rate(wavelength, speed)
-            };
-            (0..PLACES).map(at).sum::<Complex64>() / f64::from(PLACES)
-        }
-        (Loop::General(feedback), None) => feedback.complex_growth_rate(wavelength, speed),
-    })
+    let feedback = &case.feedback;
+    let Some(spacing) = case.track.support_spacing() else {
+        return Ok(feedback.complex_growth_rate(wavelength, speed));
+    };
+    if feedback.is_along_one_axis() {
+        let most = (0.99 * spacing / wavelength) as usize;
+        let most = most.min(NEIGHBOURS);
+        let growth = case.growth_with_neighbours(wavelength, speed, most)?;
+        return Ok(growth.alone());
+    }
+    let at = |place: u32| {
+        let position = spacing * f64::from(place) / f64::from(PLACES);
+        let there = feedback.clone().at_position(position);
+        there.complex_growth_rate(wavelength, speed)
+    };
+    Ok((0..PLACES).map(at).sum::<Complex64>() / f64::from(PLACES))
 }
 
 impl LinearBand {

@@ -2,13 +2,11 @@ use std::sync::Arc;
 
 use super::*;
 use crate::contact::{ContactFilter, MeanState, QuasiStatic};
+use crate::feedback::OneWheel;
 use crate::receptance::{Beam, ContinuousTrack, EulerBernoulliBeam, Layer, PeriodicTrack};
 use crate::roughness::{Spectrum, ThirdOctave};
 use crate::wheelset::{Motion, RigidInertia, RigidMass};
-use crate::{
-    Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, FeedbackLoop, HertzContact,
-    PlaceOfWear,
-};
+use crate::{Carter3d, DissipationPhase, ElasticMaterial, EnergyWear, HertzContact, PlaceOfWear};
 
 const SPACING: f64 = 0.6;
 
@@ -41,18 +39,18 @@ fn feedback(track: Arc<dyn crate::Receptance>) -> Loop {
     let law = Carter3d::new(hertz, 0.4).unwrap();
     let contact =
         QuasiStatic::new(law, hertz.normal_force(), MeanState::TractiveRatio(0.1)).unwrap();
-    FeedbackLoop {
+    OneWheel {
         track,
         wheel: Arc::new(RigidMass::new(600.0).unwrap()),
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(60.0, 0.46).unwrap()),
-        rolling_radius: 0.46,
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, 5e-3, 0.1),
         wear: EnergyWear::new(2.5e-9, 7850.0, 5e-3).unwrap(),
         amplitude: 1e-6,
     }
-    .into()
+    .close()
+    .unwrap()
 }
 
 fn excitation(level: f64) -> Excitation {

@@ -8,7 +8,7 @@ use pulp::Arch;
 use super::answers::Answers;
 use super::linear::{Equations, Solve};
 use super::turn::{NORMAL, SHIFT, Turn};
-use super::{Comb, Contact, ContactState, GeneralLoop};
+use super::{Comb, Contact, ContactState, Loop};
 use crate::vector::lanes_of;
 use crate::{Place, Rail};
 
@@ -43,7 +43,7 @@ pub(crate) struct System {
 }
 
 impl System {
-    pub(crate) fn new(of: &GeneralLoop) -> Self {
+    pub(crate) fn new(of: &Loop) -> Self {
         let arch = Arch::new();
         let lanes = lanes_of(arch);
         let count = of.contacts.len();
@@ -108,12 +108,12 @@ impl System {
     }
 
     /// What the contacts answer at no more wavelengths \[m\] than lanes.
-    pub(crate) fn answers(&self, of: &GeneralLoop, wavelengths: &[f64]) -> Answers {
+    pub(crate) fn answers(&self, of: &Loop, wavelengths: &[f64]) -> Answers {
         Answers::new(of, wavelengths, self.lanes)
     }
 
     /// Solve the equations at the wavelengths of the answers and a speed \[m/s\], one wavelength a lane.
-    pub(crate) fn turn(&mut self, of: &GeneralLoop, answers: &Answers, speed: f64) {
+    pub(crate) fn turn(&mut self, of: &Loop, answers: &Answers, speed: f64) {
         for (lane, &wavelength) in answers.wavelengths().iter().enumerate() {
             self.receptances(of, 2.0 * PI * speed / wavelength, speed);
             self.gather(of, lane);
@@ -139,7 +139,7 @@ impl System {
     /// normal forces alone on rails and wheels without friction.
     pub(super) fn determinant(
         &mut self,
-        of: &GeneralLoop,
+        of: &Loop,
         angular_frequency: f64,
         speed: f64,
     ) -> Complex64 {
@@ -164,7 +164,7 @@ impl System {
     }
 
     /// Receptances of track and wheels in the axes of the track.
-    pub(super) fn receptances(&mut self, of: &GeneralLoop, angular_frequency: f64, speed: f64) {
+    pub(super) fn receptances(&mut self, of: &Loop, angular_frequency: f64, speed: f64) {
         of.track
             .receptance_matrix(angular_frequency, speed, &self.on_track, &mut self.track);
         of.wheels
@@ -176,7 +176,7 @@ impl System {
     }
 
     /// Gather the receptances of track and wheels in a lane, in the axes of the contacts.
-    fn gather(&mut self, of: &GeneralLoop, lane: usize) {
+    fn gather(&mut self, of: &Loop, lane: usize) {
         self.turn_axes(of);
         if self.unknowns == SHIFT {
             return self.gather_forces(lane);
@@ -216,7 +216,7 @@ impl System {
     }
 
     /// What the unknowns of one contact move at another: displacements along its axes, and θ − u_t/R_t.
-    fn block(&self, of: &GeneralLoop, to: usize, from: usize) -> [[Complex64; 4]; 4] {
+    fn block(&self, of: &Loop, to: usize, from: usize) -> [[Complex64; 4]; 4] {
         let (contact, source) = (&of.contacts[to], &of.contacts[from]);
         let size = self.size();
         let mut block = [[Complex64::ZERO; 4]; 4];
@@ -260,7 +260,7 @@ impl System {
     }
 
     /// Turn the rolls asked last from the axes of the track to those of the contacts.
-    fn turn_rolls(&mut self, of: &GeneralLoop) {
+    fn turn_rolls(&mut self, of: &Loop) {
         for row in self.rolls.chunks_exact_mut(4 * of.contacts.len()) {
             for (entries, contact) in row.chunks_exact_mut(4).zip(&of.contacts) {
                 let (left, right) = entries.split_at_mut(NORMAL);
@@ -270,7 +270,7 @@ impl System {
     }
 
     /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
-    pub(super) fn state(&self, of: &GeneralLoop, index: usize, wavelength: f64) -> ContactState {
+    pub(super) fn state(&self, of: &Loop, index: usize, wavelength: f64) -> ContactState {
         let contact = &of.contacts[index];
         let derivatives = contact.derivatives(wavelength);
         let of_unknown = |axis: usize| {
@@ -321,7 +321,7 @@ impl System {
     }
 
     /// Turn the receptances asked last into the axes of the contacts.
-    pub(super) fn turn_axes(&mut self, of: &GeneralLoop) {
+    pub(super) fn turn_axes(&mut self, of: &Loop) {
         turn_axes(of, &mut self.track);
         turn_axes(of, &mut self.wheels);
     }
@@ -358,7 +358,7 @@ impl System {
 }
 
 /// Turn a receptance matrix of all contacts from the axes of the track to those of each contact: T H Tᵀ.
-fn turn_axes(of: &GeneralLoop, matrix: &mut [Complex64]) {
+fn turn_axes(of: &Loop, matrix: &mut [Complex64]) {
     let size = 3 * of.contacts.len();
     for (index, contact) in of.contacts.iter().enumerate() {
         if contact.angle == 0.0 {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use num_complex::Complex64;
 
-use super::GeneralLoop;
+use super::Loop;
 use super::system::System;
 use crate::Error;
 
@@ -33,7 +33,7 @@ pub struct Stability {
     pub frequency: Option<f64>,
 }
 
-impl GeneralLoop {
+impl Loop {
     /// Whether oscillations grow without any profile at a speed \[m/s\], by Nyquist's criterion between two frequencies
     /// \[Hz\]. Growth rates of corrugation mean nothing where they do.
     ///

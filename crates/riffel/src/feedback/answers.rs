@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use num_complex::Complex64;
 use pulp::Simd;
 
-use super::GeneralLoop;
+use super::Loop;
 use crate::vector::Vector;
 
 /// Numbers of each contact.
@@ -48,7 +48,7 @@ pub(super) struct Answer<N> {
 
 impl Answers {
     /// Those of a loop at no more wavelengths \[m\] than lanes.
-    pub(super) fn new(of: &GeneralLoop, wavelengths: &[f64], lanes: usize) -> Self {
+    pub(super) fn new(of: &Loop, wavelengths: &[f64], lanes: usize) -> Self {
         let last = wavelengths.len() - 1;
         let of_lane = |lane: usize| wavelengths[lane.min(last)];
         let mut numbers = vec![0.0; 2 * NUMBERS * of.contacts.len() * lanes];
@@ -97,7 +97,7 @@ impl Answers {
 }
 
 impl Answer<Complex64> {
-    fn new(of: &GeneralLoop, index: usize, wavelength: f64) -> Self {
+    fn new(of: &Loop, index: usize, wavelength: f64) -> Self {
         let contact = &of.contacts[index];
         let derivatives = contact.derivatives(wavelength);
         let wavenumber = 2.0 * PI / wavelength;
