@@ -87,6 +87,17 @@ impl Arguments {
         }
     }
 
+    /// The options that every command has, as they are written.
+    pub(crate) fn options_of_all(&self) -> impl Iterator<Item = &'static str> {
+        let language = match self.language {
+            Spoken::En => "--language=en",
+            Spoken::De => "--language=de",
+        };
+        let quiet = self.quiet.then_some("--quiet");
+        let verbose = self.verbose.then_some("--verbose");
+        [language].into_iter().chain(quiet).chain(verbose)
+    }
+
     /// How much is to be said beside the results.
     pub(crate) fn verbosity(&self) -> Verbosity {
         match (self.quiet, self.verbose) {
@@ -144,7 +155,9 @@ pub(crate) enum Command {
     Page(Page),
     /// List the presets, or show one with the sources of its values.
     Presets(Presets),
-    /// Print the JSON schema of the case file, of the traffic file or of the plan of a study.
+    /// Answer a question in JSON on standard input: a command with its options as keys.
+    Ask(Ask),
+    /// Print the JSON schema of the case file, of the traffic file, of the plan of a study or of a question.
     Schema(Schema),
     /// Print completions of this command line for a shell.
     Completions(Completions),
@@ -662,6 +675,23 @@ pub(crate) struct Schema {
     /// That of the plan of a study.
     #[arg(long)]
     pub(crate) study: bool,
+
+    /// That of a question which `riffel ask` answers: a command of the program.
+    #[arg(long, value_name = "NAME", num_args = 1..=2, conflicts_with_all = ["traffic", "study"])]
+    pub(crate) question: Vec<String>,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: echo '{\"case\": \"case.toml\", \"wavelength\": \"56 mm\", \"speed\": 30}' | riffel ask point\n\n\
+        The keys are the options of the command without dashes, with _ between words; a case, a traffic or a table of \
+        columns may stand in place of its file. The answer is that of --json; notes and errors are lines of JSON on \
+        standard error."
+)]
+pub(crate) struct Ask {
+    /// The command, such as noise or network worst.
+    #[arg(value_name = "NAME", required = true, num_args = 1..=2)]
+    pub(crate) name: Vec<String>,
 }
 
 #[derive(Args)]

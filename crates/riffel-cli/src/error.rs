@@ -15,6 +15,14 @@ pub(crate) enum CliError {
     #[error("only one file can be -, standard input")]
     StandardInput,
 
+    #[error("the question on standard input cannot be read: {reason}")]
+    #[diagnostic(help("it is a JSON object; `riffel schema --question NAME` tells its keys"))]
+    ReadQuestion { reason: io::Error },
+
+    #[error("{message}")]
+    #[diagnostic(help("`riffel schema --question NAME` tells the keys of a question"))]
+    Question { message: String },
+
     #[error("cannot write to standard output: {reason}")]
     StandardOutput { reason: io::Error },
 

@@ -9,16 +9,17 @@ mod fingerprint;
 mod messages;
 mod observations;
 mod output;
+mod question;
 mod results;
 mod staging;
 
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-use arguments::{Arguments, Command};
+use arguments::{Arguments, Ask, Command};
 use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use error::CliError;
-use messages::{Verbosity, complain_of, complain_of_usage};
+use messages::{Reader, Verbosity, complain_of, complain_of_usage};
 use riffel_keys::Language;
 use riffel_keys::text_file::is_standard_input;
 
@@ -29,24 +30,58 @@ const BAD_INPUT: u8 = 2;
 /// stopped by Ctrl-C, which ends the process.
 ///
 /// `arguments` begin with the name of the program, as those of a process do. `program` is a command that runs it once
-/// more, for work that `riffel serve` does in processes of their own. Where `RIFFEL_ERRORS_AS_JSON` is set in the
-/// environment, what ends a run is printed on standard error as one line of JSON with `message` and `help`.
+/// more, for work that `riffel serve` does in processes of their own.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) -> u8 {
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();
-    let parsed = Arguments::command().try_get_matches_from(&words);
-    let parsed = parsed.and_then(|matches| {
-        Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
-    });
+    match parse(&words) {
+        Ok((arguments, _)) if matches!(arguments.command, Command::Ask(_)) => {
+            messages::begin(arguments.verbosity(), arguments.language(), Reader::Program);
+            match asked(&arguments) {
+                Ok(words) => run_parsed(parse(&words), &words, Reader::Program, program),
+                Err(error) => {
+                    complain_of(error.into());
+                    BAD_INPUT
+                }
+            }
+        }
+        parsed => run_parsed(parsed, &words, Reader::Person, program),
+    }
+}
+
+/// A command line read, with the files that it names as inputs.
+type Parsed = Result<(Arguments, Vec<PathBuf>), clap::Error>;
+
+fn parse(words: &[OsString]) -> Parsed {
+    let matches = Arguments::command().try_get_matches_from(words)?;
+    Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
+}
+
+/// The command line of the question on standard input.
+fn asked(arguments: &Arguments) -> Result<Vec<OsString>, CliError> {
+    let Command::Ask(Ask { name }) = &arguments.command else {
+        return Ok(Vec::new());
+    };
+    let command = question::find(&Arguments::command(), name)?;
+    let question = riffel_keys::question::read();
+    let question = question.map_err(|reason| CliError::ReadQuestion { reason })?;
+    let options = arguments.options_of_all().map(OsString::from);
+    let words = [OsString::from("riffel")].into_iter().chain(options);
+    Ok(words
+        .chain(question::words(&command, name, &question)?)
+        .collect())
+}
+
+fn run_parsed(parsed: Parsed, words: &[OsString], reader: Reader, program: &[OsString]) -> u8 {
     let (arguments, inputs) = match parsed {
         Ok(parsed) => parsed,
-        Err(usage) => {
-            if usage.use_stderr() {
-                messages::begin(Verbosity::Normal, asked_language(&words));
-                complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
-                return BAD_INPUT;
-            }
-            return match output::unless_reader_left(usage.print()) {
+        Err(usage) if usage.use_stderr() => {
+            messages::begin(Verbosity::Normal, asked_language(words), reader);
+            complain_of_usage(&usage, words.iter().map(OsString::as_os_str));
+            return BAD_INPUT;
+        }
+        Err(help) => {
+            return match output::unless_reader_left(help.print()) {
                 Ok(()) => 0,
                 Err(error) => {
                     complain_of(error.into());
@@ -55,7 +90,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
             };
         }
     };
-    messages::begin(arguments.verbosity(), arguments.language());
+    messages::begin(arguments.verbosity(), arguments.language(), reader);
     if inputs.iter().filter(|path| is_standard_input(path)).count() > 1 {
         complain_of(CliError::StandardInput.into());
         return BAD_INPUT;
@@ -115,6 +150,8 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Completions(arguments) => command::completions::run(&arguments)?,
         Command::Man(arguments) => command::man::run(&arguments)?,
         Command::Schema(arguments) => command::schema::run(&arguments)?,
+        // It has become another command.
+        Command::Ask(_) => {}
         Command::Validate(arguments) => return command::validate::run(&arguments),
     }
     Ok(0)

@@ -10,8 +10,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{Language, Message};
-use riffel_web::{ERRORS_AS_JSON, ErrorDocument};
 use riffel_words::in_german;
+use serde_json::{Value, json};
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -37,9 +37,22 @@ fn printed() -> MutexGuard<'static, Vec<String>> {
 /// True if this run speaks German.
 static GERMAN: AtomicBool = AtomicBool::new(false);
 
-/// Begin a run that says as much, in a language.
-pub(crate) fn begin(verbosity: Verbosity, language: Language) {
+/// Who reads what a run says beside its results.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reader {
+    /// A person, in words.
+    Person,
+    /// Another program, in lines of JSON.
+    Program,
+}
+
+/// True if this run speaks to a program.
+static TO_A_PROGRAM: AtomicBool = AtomicBool::new(false);
+
+/// Begin a run that says as much, in a language, to somebody.
+pub(crate) fn begin(verbosity: Verbosity, language: Language, reader: Reader) {
     VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
+    TO_A_PROGRAM.store(reader == Reader::Program, Ordering::Relaxed);
     GERMAN.store(language == Language::German, Ordering::Relaxed);
     printed().clear();
 }
@@ -84,6 +97,9 @@ pub(crate) fn complain(message: impl Display) {
 }
 
 fn complain_as_written(message: &str) {
+    if is_for_a_program() {
+        return write_line(&json!({ "remark": Message::verbatim(message).document(language()) }));
+    }
     let _ = writeln!(io::stderr().lock(), "{}", in_a_message(message));
 }
 
@@ -105,16 +121,18 @@ pub(crate) fn complain_of(report: Report) {
 
 /// True if another program reads what ends the run.
 fn is_for_a_program() -> bool {
-    std::env::var_os(ERRORS_AS_JSON).is_some()
+    TO_A_PROGRAM.load(Ordering::Relaxed)
 }
 
 /// An error as one line of JSON.
 fn write_document(message: &str, help: Option<&str>) {
-    let document = ErrorDocument {
-        message: in_a_message(message).into_owned(),
-        help: help.map(|help| in_a_message(help).into_owned()),
-    };
-    let document = serde_json::to_string(&document).unwrap_or_default();
+    let help = help.map(in_a_message);
+    let error = json!({ "message": in_a_message(message), "help": help });
+    write_line(&json!({ "error": error }));
+}
+
+/// A document on a line of standard error.
+fn write_line(document: &Value) {
     let _ = writeln!(io::stderr().lock(), "{document}");
 }
 
@@ -217,6 +235,8 @@ pub(crate) fn say(message: impl Display) {
 pub(crate) trait Note {
     fn in_a_line(&self) -> Cow<'_, str>;
     fn in_full(&self) -> Cow<'_, str>;
+    /// For a program.
+    fn document(&self) -> Value;
 }
 
 impl Note for Message {
@@ -234,6 +254,10 @@ impl Note for Message {
             _ => words.into(),
         }
     }
+
+    fn document(&self) -> Value {
+        self.document(language())
+    }
 }
 
 impl Note for String {
@@ -243,6 +267,10 @@ impl Note for String {
 
     fn in_full(&self) -> Cow<'_, str> {
         in_language(self)
+    }
+
+    fn document(&self) -> Value {
+        Message::verbatim(self).document(language())
     }
 }
 
@@ -260,7 +288,9 @@ pub(crate) fn print_remarks(remarks: &[impl Note]) {
                 Language::English => "note",
                 Language::German => "Hinweis",
             };
-            if !is_quiet() {
+            if is_for_a_program() {
+                write_line(&json!({ "remark": remark.document() }));
+            } else if !is_quiet() {
                 complain_as_written(&format!("{word}: {note}"));
             }
             printed.push(note.into_owned());

@@ -25,6 +25,7 @@ mod key_file;
 mod language;
 pub mod message;
 pub mod quantity;
+pub mod question;
 mod range;
 pub mod table;
 pub mod text_file;

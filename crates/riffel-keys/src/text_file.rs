@@ -7,7 +7,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
-use crate::CaseError;
+use crate::{CaseError, question};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
 /// table of observations.
@@ -128,7 +128,7 @@ pub fn is_standard_input(path: &Path) -> bool {
 }
 
 /// What stands on standard input, up to so many bytes: the same as often as it is asked for.
-fn standard_input(most: u64) -> io::Result<Vec<u8>> {
+pub(crate) fn standard_input(most: u64) -> io::Result<Vec<u8>> {
     static READ: Mutex<Option<Vec<u8>>> = Mutex::new(None);
     let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(bytes) = &*read {
@@ -156,7 +156,9 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
         path: path.to_owned(),
         reason,
     };
-    let bytes = if is_standard_input(path) {
+    let bytes = if let Some(document) = question::as_toml(path) {
+        document
+    } else if is_standard_input(path) {
         standard_input(largest + 1)
     } else {
         File::open(path).and_then(|file| read_to(file, largest + 1))

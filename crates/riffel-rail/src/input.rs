@@ -1,11 +1,11 @@
 //! The bytes of a record, which may be large: looked at first, then read within bounds.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, Cursor, Read};
 use std::path::Path;
 
-use riffel_keys::CaseError;
 use riffel_keys::text_file::{Encoding, decode, is_standard_input};
+use riffel_keys::{CaseError, question};
 
 use crate::refusal::Refusal;
 
@@ -29,7 +29,9 @@ pub(super) fn read(
         path: path.to_owned(),
         reason,
     };
-    let mut file: Box<dyn Read> = if is_standard_input(path) {
+    let mut file: Box<dyn Read> = if let Some(table) = question::as_csv(path) {
+        Box::new(Cursor::new(table.map_err(failed)?))
+    } else if is_standard_input(path) {
         Box::new(io::stdin().lock())
     } else {
         Box::new(File::open(path).map_err(failed)?)

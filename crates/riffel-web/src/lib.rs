@@ -18,6 +18,7 @@ mod server;
 #[cfg(test)]
 mod tests;
 mod uploads;
+mod workspace;
 
 use axum::Router;
 use axum::http::StatusCode;
@@ -31,7 +32,6 @@ use riffel_page::QUESTIONS;
 use uploads::Uploads;
 
 pub use file::{FILE_GENERATOR, PAGE_MODULE, PageFileError, page_file};
-pub use program::{ERRORS_AS_JSON, ErrorDocument};
 pub use server::{Options, ServeError, serve};
 
 /// What all requests share.

@@ -8,26 +8,30 @@ use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use axum::http::StatusCode;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
+use serde_json::Value;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::Fault;
 use crate::queue::Wanted;
 
-/// Set in the environment of a run whose error is read by a program: it is printed as one JSON document, on one line.
-pub const ERRORS_AS_JSON: &str = "RIFFEL_ERRORS_AS_JSON";
+/// What a run says on a line of standard error; only what ends it matters here.
+#[derive(Deserialize)]
+struct Line {
+    error: ErrorDocument,
+}
 
-/// An error of the program, as its document.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ErrorDocument {
+/// What ended a run.
+#[derive(Deserialize)]
+struct ErrorDocument {
     /// The sentence.
-    pub message: String,
+    message: String,
     /// What would be right.
-    pub help: Option<String>,
+    help: Option<String>,
 }
 
 /// How often is looked whether the result is still wanted.
@@ -100,18 +104,34 @@ impl Program {
         }
     }
 
-    /// What the program prints when it is run with the arguments in the folder.
+    /// The answer to a question on the files of a folder.
+    pub(crate) fn ask(
+        &self,
+        folder: &Path,
+        name: &str,
+        question: &Value,
+        wanted: &Wanted,
+    ) -> Result<Value, Fault> {
+        let printed = self.run(folder, &["ask", name], question, wanted)?;
+        serde_json::from_str(&printed)
+            .map_err(|_| Fault::defect("the program printed something else than a document"))
+    }
+
+    /// What the program prints when it is run with the arguments in the folder, and a document on standard input.
     pub(crate) fn run(
         &self,
         folder: &Path,
         arguments: &[&str],
+        input: &Value,
         wanted: &Wanted,
     ) -> Result<String, Fault> {
         let failed =
             |error: io::Error| Fault::defect(&format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(failed)?;
-        let (out, err) = (place.path().join("out"), place.path().join("err"));
+        let file = |name| place.path().join(name);
+        let (input_file, out, err) = (file("in"), file("out"), file("err"));
+        fs::write(&input_file, input.to_string()).map_err(failed)?;
         let (program, first) = self
             .command
             .split_first()
@@ -120,8 +140,7 @@ impl Program {
             .args(first)
             .args(arguments)
             .current_dir(folder)
-            .env(ERRORS_AS_JSON, "1")
-            .stdin(Stdio::null())
+            .stdin(File::open(&input_file).map_err(failed)?)
             .stdout(File::create(&out).map_err(failed)?)
             .stderr(File::create(&err).map_err(failed)?)
             .spawn()
@@ -159,9 +178,9 @@ impl Program {
 
 /// The error among what the program has said on standard error, notes left aside.
 fn fault_of(words: &str) -> Fault {
-    let documents = words.lines().rev();
-    let mut documents = documents.filter_map(|line| serde_json::from_str(line).ok());
-    match documents.next() {
+    let lines = words.lines().rev();
+    let mut lines = lines.filter_map(|line| serde_json::from_str::<Line>(line).ok());
+    match lines.next().map(|line| line.error) {
         Some(ErrorDocument { message, help }) => Fault::refused(
             StatusCode::UNPROCESSABLE_ENTITY,
             message,
@@ -184,7 +203,12 @@ mod tests {
             most_memory: 50 << 20,
             ..Program::new(vec!["tail".into()])
         };
-        let fault = program.run(place.path(), &["/dev/zero"], &Wanted::default());
+        let fault = program.run(
+            place.path(),
+            &["/dev/zero"],
+            &Value::Null,
+            &Wanted::default(),
+        );
         let fault = serde_json::to_value(fault.unwrap_err()).unwrap();
         let message = fault["message"].as_str().unwrap();
         assert!(message.contains("more memory than the 50 MiB"), "{message}");
@@ -192,14 +216,13 @@ mod tests {
 
     #[test]
     fn the_error_is_found_among_the_notes() {
-        let error = ErrorDocument {
-            message: "record.csv, line 1: no table of numbers begins here or below".to_owned(),
-            help: Some("a profile is a position and a height".to_owned()),
-        };
-        let printed = format!("note: {{}}\n{}\n", serde_json::to_string(&error).unwrap());
+        let message = "record.csv, line 1: no table of numbers begins here or below";
+        let help = "a profile is a position and a height";
+        let error = serde_json::json!({ "error": { "message": message, "help": help } });
+        let printed = format!("{{\"remark\": {{}}}}\n{error}\n");
         let fault = serde_json::to_value(fault_of(&printed)).unwrap();
-        assert_eq!(fault["message"], error.message);
-        assert_eq!(fault["help"], error.help.unwrap());
+        assert_eq!(fault["message"], message);
+        assert_eq!(fault["help"], help);
         let silent = serde_json::to_value(fault_of("note: nothing\n")).unwrap();
         assert_eq!(silent["message"], "the program broke off");
     }

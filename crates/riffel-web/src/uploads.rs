@@ -56,6 +56,11 @@ impl Upload {
     pub(crate) fn folder(&self) -> &Path {
         self.folder.path()
     }
+
+    /// The file of the page.
+    pub(crate) fn file(&self) -> PathBuf {
+        self.folder().join(&self.name)
+    }
 }
 
 /// Name of a file made of what is told of its kind: nothing of what was sent becomes part of a path.

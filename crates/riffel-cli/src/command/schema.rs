@@ -1,13 +1,20 @@
 //! `riffel schema`
 
-use crate::arguments::Schema;
+use clap::CommandFactory;
+
+use crate::arguments::{Arguments, Schema};
 use crate::output::print_json;
+use crate::question;
 
 pub(crate) fn run(arguments: &Schema) -> miette::Result<()> {
-    print_json(&match arguments {
-        Schema { traffic: true, .. } => riffel_case::traffic_schema(),
-        Schema { study: true, .. } => riffel_study::plan_schema(),
-        _ => riffel_case::json_schema(),
-    })?;
+    match arguments {
+        Schema { traffic: true, .. } => print_json(&riffel_case::traffic_schema())?,
+        Schema { study: true, .. } => print_json(&riffel_study::plan_schema())?,
+        Schema { question, .. } if !question.is_empty() => {
+            let command = question::find(&Arguments::command(), question)?;
+            print_json(&question::schema(&command, question))?;
+        }
+        _ => print_json(&riffel_case::json_schema())?,
+    }
     Ok(())
 }

@@ -160,46 +160,6 @@ fn a_dash_is_standard_input() {
     assert!(text.contains("only one file can be -"), "{text}");
 }
 
-/// Another program is told of every error that ends a run in one line of JSON, those of the command line among them.
-#[test]
-fn errors_are_told_to_programs_as_json() {
-    let sandbox = Sandbox::new();
-    for (arguments, message, help) in [
-        ("map nothing.toml", "nothing.toml", None),
-        (
-            "map --frequency 3",
-            "unexpected argument '--frequency'",
-            Some("Usage: riffel map"),
-        ),
-        (
-            "forecast - --traffic - --ground x",
-            "only one file can be -",
-            None,
-        ),
-    ] {
-        let words = shlex::split(arguments).unwrap();
-        let mut command = sandbox.command();
-        let output = command
-            .args(words)
-            .env("RIFFEL_ERRORS_AS_JSON", "1")
-            .output()
-            .unwrap();
-        assert_eq!(output.status.code(), Some(2), "{arguments}");
-        let told = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(told.lines().count(), 1, "{told}");
-        let document: serde_json::Value = serde_json::from_str(&told).unwrap();
-        assert!(
-            document["message"].as_str().unwrap().contains(message),
-            "{told}"
-        );
-        let found = document["help"].as_str();
-        assert!(
-            help.is_none_or(|part| found.unwrap().contains(part)),
-            "{told}"
-        );
-    }
-}
-
 /// Each case to start from runs as it is written, stands on supports, and finds growth inside its window.
 #[test]
 fn the_cases_to_start_from_run() {

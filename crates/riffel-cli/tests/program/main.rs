@@ -1,6 +1,7 @@
 //! The program as its users meet it.
 
 mod all_axes;
+mod ask;
 mod axlebox;
 mod book;
 mod contact;

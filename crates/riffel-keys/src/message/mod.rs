@@ -78,6 +78,17 @@ impl Message {
         first.into_iter().flatten().chain(letters).collect()
     }
 
+    /// As data: `id`, `text` in the language, `values` by their names.
+    pub fn document(&self, language: Language) -> serde_json::Value {
+        let values = self.values.iter();
+        let values = values.map(|(name, value)| ((*name).to_owned(), value.document(language)));
+        serde_json::json!({
+            "id": self.id,
+            "text": self.text(language),
+            "values": values.collect::<serde_json::Map<_, _>>(),
+        })
+    }
+
     /// The words with its values between them, for who shows some of them in another way.
     pub fn pieces(&self, language: Language) -> Vec<Piece<'_>> {
         piece::pieces(self, language, None)

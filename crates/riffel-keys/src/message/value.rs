@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use super::Message;
+use crate::Language;
 
 /// A value of a [`Message`].
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +20,23 @@ pub enum Value {
     Message(Box<Message>),
     /// Several of them, separated by commas.
     List(Vec<Value>),
+}
+
+impl Value {
+    /// As data: numbers as numbers, other messages with their own id and values.
+    pub(super) fn document(&self, language: Language) -> serde_json::Value {
+        match self {
+            Self::Text(text) | Self::Key(text) => text.as_str().into(),
+            Self::Number(number) => serde_json::from_str::<serde_json::Number>(number)
+                .map_or_else(|_| number.as_str().into(), Into::into),
+            Self::Count(count) => (*count).into(),
+            Self::Message(message) => message.document(language),
+            Self::List(values) => values
+                .iter()
+                .map(|value| value.document(language))
+                .collect(),
+        }
+    }
 }
 
 /// A number as it is displayed: `number(format_args!("{x:.1e}"))`.

@@ -1,19 +1,20 @@
 //! `POST /api/along`: a measured rail along the line; `POST /api/along/spectrum`: its spectrum at one place;
 //! `GET /api/sample`: a profile to try.
 
+use std::path::Path;
+
 use axum::Json;
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel_rail::ReaderFormat;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::names::named;
-use super::roughness::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use crate::workspace::Workspace;
 
 /// Where the program puts its tables.
 const RESULTS: &str = "along";
@@ -62,21 +63,13 @@ pub(crate) async fn post(
     let program = page.program.clone();
     page.long
         .run(asker.subject("course"), move |wanted| {
-            let reading = Reading::new(&upload, question.format.as_ref())?;
-            let block = format!("{block} m");
-            let results = [
-                "--block", &block, "--output", RESULTS, "--force", "--quiet", "--json",
-            ];
-            let run = program.run(
-                upload.folder(),
-                &reading.arguments("roughness", &results),
-                wanted,
-            );
-            run.map_err(|fault| fault.in_words(|words| named(&question.name, words, &upload)))?;
-            let table = std::fs::read_to_string(upload.folder().join(RESULTS).join("blocks.csv"))
-                .map_err(|error| {
-                Fault::defect(&format!("there is no table of blocks: {error}"))
-            })?;
+            let files = Workspace::within(upload.folder())?;
+            let file = files.put(&upload.file(), &question.name)?;
+            let question = json!({
+                "file": file, "format": question.format, "block": format!("{block} m"), "output": RESULTS,
+            });
+            program.ask(files.path(), "roughness", &question, wanted)?;
+            let table = files.read(Path::new(RESULTS).join("blocks.csv"))?;
             courses(&table)
                 .map(Json)
                 .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))
@@ -145,24 +138,16 @@ pub(crate) async fn spectrum(
     let program = page.program.clone();
     page.long
         .run(asker.subject("place"), move |wanted| {
-            let reading = Reading::new(&upload, question.format.as_ref())?;
-            // Positions may be below zero, hence one argument with its value.
-            let stretch = [
-                format!("--from={} m", question.from_m),
-                format!("--to={} m", question.to_m),
-            ];
-            let arguments = [&stretch[0], &stretch[1], "--json"];
-            let in_words = |words: &str| named(&question.name, words, &upload);
-            let printed = program
-                .run(
-                    upload.folder(),
-                    &reading.arguments("roughness", &arguments),
-                    wanted,
-                )
-                .map_err(|fault| fault.in_words(in_words))?;
-            serde_json::from_str(&printed)
+            let files = Workspace::within(upload.folder())?;
+            let question = json!({
+                "file": files.put(&upload.file(), &question.name)?,
+                "format": question.format,
+                "from": format!("{} m", question.from_m),
+                "to": format!("{} m", question.to_m),
+            });
+            program
+                .ask(files.path(), "roughness", &question, wanted)
                 .map(Json)
-                .map_err(|_| Fault::defect("the program printed something else than a document"))
         })
         .await
 }
@@ -179,7 +164,12 @@ pub(crate) async fn sample(
             let folder = uploads
                 .folder()
                 .map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
-            program.run(folder.path(), &["roughness", "--synthesise"], wanted)
+            program.run(
+                folder.path(),
+                &["roughness", "--synthesise"],
+                &Value::Null,
+                wanted,
+            )
         })
         .await?;
     Ok(([(header::CONTENT_TYPE, "text/csv; charset=utf-8")], text))

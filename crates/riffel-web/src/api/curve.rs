@@ -9,13 +9,14 @@ use riffel_keys::{CaseError, Message};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::names::LONGEST_NAME;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use riffel_page::Note;
 
+/// Longest name of a file that is shown, in letters.
+const LONGEST_NAME: usize = 120;
 /// Endings of names by which a reader tells formats apart; others are left out.
 const ENDINGS: [&str; 8] = ["ban", "mpt", "prr", "prw", "rai", "slcs", "whe", "whl"];
 

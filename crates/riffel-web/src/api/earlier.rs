@@ -1,5 +1,7 @@
 //! `POST /api/earlier`: an earlier record of the rail; `/read`: its spectrum; `/remove`: it goes.
 
+use std::path::PathBuf;
+
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
@@ -8,12 +10,12 @@ use riffel_rail::{ReaderFormat, read_date};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::names::Names;
-use super::roughness::{Reading, kind_and_length};
+use super::roughness::kind_and_length;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
 use crate::uploads::Upload;
+use crate::workspace::Workspace;
 
 /// Receive a file beside that of the page.
 pub(crate) async fn post(
@@ -69,11 +71,11 @@ pub(crate) async fn read(
     let subject = asker.subject(&format!("earlier record {}", question.number));
     page.long
         .run(subject, move |wanted| {
-            let reading = Reading::of_file(&file, &upload, question.format.as_ref())?;
-            let names = Names::new([(file, question.name)]);
-            let arguments = reading.arguments("roughness", &["--json"]);
-            names
-                .document(&program, upload.folder(), &arguments, wanted)
+            let files = Workspace::within(upload.folder())?;
+            let file = files.put(&upload.folder().join(file), &question.name)?;
+            let question = json!({ "file": file, "format": question.format });
+            program
+                .ask(files.path(), "roughness", &question, wanted)
                 .map(Json)
         })
         .await
@@ -91,12 +93,12 @@ pub(super) struct EarlierRecord {
 
 /// Earlier records as the program is told of them, the oldest first.
 pub(super) struct Earlier {
-    files: Vec<String>,
-    names: Vec<String>,
+    /// Their files, with the names to the user.
+    files: Vec<(PathBuf, String)>,
     /// Dates of all records, that of the present one last; empty if one has none.
     dates: Vec<String>,
-    /// The latest record with a date before that of the present one, and the days between.
-    dated: Option<(String, f64)>,
+    /// Which one is the latest with a date before that of the present one, and the days between.
+    dated: Option<(usize, f64)>,
 }
 
 impl Earlier {
@@ -107,8 +109,11 @@ impl Earlier {
     ) -> Result<Self, Fault> {
         let files = records
             .iter()
-            .map(|record| upload.earlier.file(record.number))
-            .collect::<Result<Vec<_>, _>>()?;
+            .map(|record| {
+                let file = upload.earlier.file(record.number)?;
+                Ok((upload.folder().join(file), record.name.clone()))
+            })
+            .collect::<Result<Vec<_>, Fault>>()?;
         let given = records.iter().map(|record| record.date.as_deref());
         let given: Vec<Option<_>> = given
             .chain([date])
@@ -130,48 +135,42 @@ impl Earlier {
         }
         let dated = before
             .iter()
-            .zip(&files)
-            .filter_map(|(date, file)| Some(((*date)?, file)))
+            .enumerate()
+            .filter_map(|(place, date)| Some(((*date)?, place)))
             .max();
-        let dated = dated.zip(own).and_then(|((before, file), own)| {
+        let dated = dated.zip(own).and_then(|((before, place), own)| {
             let days = own.since(before).ok()?.get_days();
-            Some((file.clone(), f64::from(days)))
+            Some((place, f64::from(days)))
         });
         let dates = all.filter(|_| !files.is_empty()).unwrap_or_default();
         let dates = dates.iter().map(ToString::to_string).collect();
         Ok(Self {
             files,
-            names: records.iter().map(|record| record.name.clone()).collect(),
             dates,
             dated,
         })
     }
 
-    /// Names of the files here with those to the user.
-    pub(super) fn named(&self) -> impl Iterator<Item = (String, String)> {
-        self.files.iter().cloned().zip(self.names.iter().cloned())
-    }
-
-    /// Arguments of a diagnosis or a report.
-    pub(super) fn of_diagnosis(&self) -> Vec<String> {
+    /// Put the records into the folder of a question; their names there.
+    pub(super) fn put(&self, folder: &Workspace) -> Result<Vec<String>, Fault> {
         let files = self.files.iter();
-        let mut arguments: Vec<String> = files
-            .flat_map(|file| ["--earlier".to_owned(), file.clone()])
-            .collect();
-        if !self.dates.is_empty() {
-            arguments.extend(["--dates".to_owned(), self.dates.join(",")]);
-        }
-        arguments
+        files.map(|(file, name)| folder.put(file, name)).collect()
     }
 
-    /// Arguments of a forecast, under so many axle passages a day.
-    pub(super) fn of_forecast(&self, passages_per_day: f64) -> Vec<String> {
-        self.dated.as_ref().map_or_else(Vec::new, |(file, days)| {
-            let passages = (days * passages_per_day).to_string();
-            ["--earlier", file, "--passages-between", &passages]
-                .map(str::to_owned)
-                .to_vec()
-        })
+    /// Name the records, and their dates, in the question of a diagnosis or a report.
+    pub(super) fn add_to_diagnosis(&self, names: &[String], question: &mut Value) {
+        question["earlier"] = json!(names);
+        if !self.dates.is_empty() {
+            question["dates"] = self.dates.join(",").into();
+        }
+    }
+
+    /// Name the latest record in the question of a forecast, under so many axle passages a day.
+    pub(super) fn add_to_forecast(&self, names: &[String], per_day: f64, question: &mut Value) {
+        if let Some((place, days)) = self.dated {
+            question["earlier"] = names[place].as_str().into();
+            question["passages_between"] = json!(days * per_day);
+        }
     }
 }
 
@@ -207,27 +206,37 @@ mod tests {
         let asked = |dates: &[Option<&str>], own| Earlier::new(&records(dates), own, &upload);
         let told = |dates: &[Option<&str>], own| {
             let earlier = asked(dates, own).unwrap();
-            let arguments = [earlier.of_diagnosis(), earlier.of_forecast(1000.0)].concat();
-            arguments.join(" ")
+            let files = Workspace::within(place.path()).unwrap();
+            let names = earlier.put(&files).unwrap();
+            let (mut diagnosis, mut forecast) = (json!({}), json!({}));
+            earlier.add_to_diagnosis(&names, &mut diagnosis);
+            earlier.add_to_forecast(&names, 1000.0, &mut forecast);
+            json!([diagnosis, forecast])
         };
-        let files = "--earlier earlier-1.csv --earlier earlier-2.csv";
-        assert_eq!(told(&[], Some("2026-05-01")), "");
-        assert_eq!(told(&[None, None], None), files);
+        let undated = json!({ "earlier": ["1", "2"] });
+        let year = |name| json!({ "earlier": name, "passages_between": 365_000.0 });
+        assert_eq!(
+            told(&[], Some("2026-05-01")),
+            json!([{ "earlier": [] }, {}])
+        );
+        assert_eq!(told(&[None, None], None), json!([undated, {}]));
         // 365 days of 1000 passages; the diagnosis has dates where all records have one.
+        let dates = "2024-05-01,2025-05-01,2026-05-01";
         assert_eq!(
             told(
                 &[Some("2024-05-01"), Some("2025-05-01")],
                 Some("2026-05-01")
             ),
-            format!(
-                "{files} --dates 2024-05-01,2025-05-01,2026-05-01 --earlier earlier-2.csv --passages-between 365000"
-            )
+            json!([{ "earlier": ["1", "2"], "dates": dates }, year("2")])
         );
         assert_eq!(
             told(&[Some("2025-05-01"), None], Some("2026-05-01")),
-            format!("{files} --earlier earlier-1.csv --passages-between 365000")
+            json!([undated, year("1")])
         );
-        assert_eq!(told(&[Some("2025-05-01"), None], None), files);
+        assert_eq!(
+            told(&[Some("2025-05-01"), None], None),
+            json!([undated, {}])
+        );
         for (dates, own, words) in [
             (
                 [Some("2025-05-01"), Some("2024-05-01")],

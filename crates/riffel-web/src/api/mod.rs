@@ -4,7 +4,6 @@ pub(crate) mod along;
 pub(crate) mod curve;
 pub(crate) mod earlier;
 pub(crate) mod export;
-mod names;
 pub(crate) mod noise;
 pub(crate) mod questions;
 pub(crate) mod report;

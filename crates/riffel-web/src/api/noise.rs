@@ -5,7 +5,7 @@ use axum::extract::State;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::roughness::{self, Reading, Run};
+use super::roughness::{self, CASE_FILE, fault_as_answer};
 use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
@@ -27,11 +27,11 @@ enum Wheel {
 }
 
 impl Wheel {
-    /// Arguments of the program for its modes.
-    fn arguments(self) -> &'static [&'static str] {
+    /// The name of its modes.
+    fn modes(self) -> Option<&'static str> {
         match self {
-            Self::Rigid => &[],
-            Self::StraightWeb920 => &["--wheel-modes", "straight-web-920"],
+            Self::Rigid => None,
+            Self::StraightWeb920 => Some("straight-web-920"),
         }
     }
 }
@@ -68,36 +68,14 @@ pub(crate) async fn post(
                 let fault = Fault::of_key("track.model", why, "");
                 return Ok(Json(json!({ "fault": fault })));
             }
-            rail.write(&upload)?;
-            let run = Run {
-                names: rail.names(&upload, &rail.earlier(&upload)?),
-                program: &program,
-                upload: &upload,
-                wanted,
-            };
-            let reading = Reading::new(&upload, rail.format.as_ref())?;
-            let speed = format!("{} m/s", rail.traffic.mean_speed());
-            let months = rail.months.to_string();
-            let limit = limit.map(|limit| limit.to_string());
-            let mut arguments = vec![
-                "noise",
-                "case.toml",
-                "--roughness",
-                &upload.name,
-                "--speed",
-                &speed,
-                "--traffic",
-                TRAFFIC_FILE,
-                "--months",
-                &months,
-                "--json",
-            ];
-            if let Some(limit) = &limit {
-                arguments.extend(["--limit-dba", limit]);
-            }
-            arguments.extend(question.wheel.arguments());
-            arguments.extend(reading.format());
-            run.document_or_fault(&arguments).map(Json)
+            let (files, record) = rail.put(&upload)?;
+            let question = json!({
+                "case": CASE_FILE, "roughness": record, "format": rail.format, "traffic": TRAFFIC_FILE,
+                "speed": format!("{} m/s", rail.traffic.mean_speed()), "months": rail.months,
+                "limit_dba": limit, "wheel_modes": question.wheel.modes(),
+            });
+            let answer = program.ask(files.path(), "noise", &question, wanted);
+            fault_as_answer(answer, wanted).map(Json)
         })
         .await
 }

@@ -1,19 +1,21 @@
 //! `POST /api/report`: the report of a measured rail; `POST /api/report/case`: that of a case alone.
 
-use std::path::Path;
-
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel_keys::Language;
 use riffel_page::CaseText;
 use serde::Deserialize;
+use serde_json::{Value, json};
 
-use super::roughness::{self, Reading};
+use super::roughness::{self, CASE_FILE};
 use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
+use crate::program::Program;
+use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
+use crate::workspace::Workspace;
 
 /// The page that the program writes.
 const REPORT: &str = "report.html";
@@ -25,15 +27,6 @@ pub(crate) struct OfRail {
     rail: roughness::Question,
     #[serde(default)]
     language: Language,
-}
-
-/// The option of the program for a language.
-fn spoken(language: Language) -> [&'static str; 2] {
-    let name = match language {
-        Language::English => "en",
-        Language::German => "de",
-    };
-    ["--language", name]
 }
 
 pub(crate) async fn of_rail(
@@ -51,29 +44,13 @@ pub(crate) async fn of_rail(
     let html = page
         .long
         .run(asker.subject("report"), move |wanted| {
-            question.write(&upload)?;
-            let (file, months) = (upload.name.as_str(), question.months.to_string());
-            let more = [question.traffic.speed_arguments(), earlier.of_diagnosis()].concat();
-            let names = question.names(&upload, &earlier);
-            let reading = Reading::new(&upload, question.format.as_ref())?;
-            let mut arguments = vec![
-                "report",
-                "case.toml",
-                "--roughness",
-                file,
-                "--traffic",
-                TRAFFIC_FILE,
-                "--months",
-                &months,
-                "-o",
-                REPORT,
-            ];
-            arguments.extend(more.iter().map(String::as_str));
-            arguments.extend(reading.format());
-            arguments.extend(spoken(language));
-            let run = program.run(upload.folder(), &arguments, wanted);
-            run.map_err(|fault| fault.in_words(|words| names.put_into(words)))?;
-            Ok(names.put_into_page(&report_in(upload.folder())?))
+            let (files, record) = question.put(&upload)?;
+            let mut report = json!({
+                "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE, "months": question.months,
+                "format": question.format, "speed": question.traffic.speed_range(), "output": REPORT,
+            });
+            earlier.add_to_diagnosis(&earlier.put(&files)?, &mut report);
+            write(&program, &files, &report, language, wanted)
         })
         .await?;
     Ok(attached(html))
@@ -97,22 +74,33 @@ pub(crate) async fn of_case(
         .run(asker.subject("report"), move |wanted| {
             // It is checked here, and opens no file.
             question.case.read()?;
-            let stored = |error| Fault::defect(&format!("the case cannot be stored: {error}"));
-            let folder = uploads.folder().map_err(stored)?;
-            let text = question.case.toml()?;
-            std::fs::write(folder.path().join("case.toml"), text).map_err(stored)?;
-            let [option, language] = spoken(question.language);
-            let arguments = ["report", "case.toml", "-o", REPORT, option, language];
-            program.run(folder.path(), &arguments, wanted)?;
-            report_in(folder.path())
+            let folder = uploads.folder();
+            let folder =
+                folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+            let files = Workspace::within(folder.path())?;
+            files.write(CASE_FILE, &question.case.toml()?)?;
+            let report = json!({ "case": CASE_FILE, "output": REPORT });
+            write(&program, &files, &report, question.language, wanted)
         })
         .await?;
     Ok(attached(html))
 }
 
-fn report_in(folder: &Path) -> Result<String, Fault> {
-    std::fs::read_to_string(folder.join(REPORT))
-        .map_err(|error| Fault::defect(&format!("there is no report: {error}")))
+/// The report that the program writes to a question.
+fn write(
+    program: &Program,
+    files: &Workspace,
+    question: &Value,
+    language: Language,
+    wanted: &Wanted,
+) -> Result<String, Fault> {
+    let language = match language {
+        Language::English => "en",
+        Language::German => "de",
+    };
+    let words = ["ask", "report", "--language", language];
+    program.run(files.path(), &words, question, wanted)?;
+    files.read(REPORT)
 }
 
 /// A page for the disk of the user, not for this origin to show.

@@ -10,14 +10,16 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::earlier::{Earlier, EarlierRecord};
-use super::names::Names;
 use super::traffic::{TRAFFIC_FILE, Traffic};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::program::Program;
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::uploads::Upload;
+use crate::workspace::Workspace;
+
+/// The case beside the record.
+pub(super) const CASE_FILE: &str = "case.toml";
 
 /// Farthest look ahead.
 const MOST_MONTHS: f64 = 1200.0;
@@ -65,58 +67,6 @@ pub(crate) struct Question {
     earlier: Vec<EarlierRecord>,
 }
 
-/// How the program is told to read the file of a page.
-pub(super) struct Reading {
-    file: String,
-    chosen: bool,
-}
-
-/// A reader profile beside the file.
-const FORMAT: &str = "format.toml";
-
-impl Reading {
-    /// Put the reader profile, if there is one, beside the file.
-    pub(super) fn new(upload: &Upload, format: Option<&ReaderFormat>) -> Result<Self, Fault> {
-        Self::of_file(&upload.name, upload, format)
-    }
-
-    /// The same for another file in the folder.
-    pub(super) fn of_file(
-        file: &str,
-        upload: &Upload,
-        format: Option<&ReaderFormat>,
-    ) -> Result<Self, Fault> {
-        if let Some(format) = format {
-            let text = toml::to_string(format)
-                .map_err(|error| Fault::bad(format!("the columns cannot be written: {error}")))?;
-            std::fs::write(upload.folder().join(FORMAT), text).map_err(|error| {
-                Fault::defect(&format!("the columns cannot be stored: {error}"))
-            })?;
-        }
-        Ok(Self {
-            file: file.to_owned(),
-            chosen: format.is_some(),
-        })
-    }
-
-    /// Those of `riffel roughness` on the file, and more.
-    pub(super) fn arguments<'a>(&'a self, command: &'a str, more: &[&'a str]) -> Vec<&'a str> {
-        let mut arguments = vec![command, &self.file];
-        arguments.extend(self.format());
-        arguments.extend(more);
-        arguments
-    }
-
-    /// Arguments that name the reader profile.
-    pub(super) fn format(&self) -> Vec<&'static str> {
-        if self.chosen {
-            vec!["--format", FORMAT]
-        } else {
-            Vec::new()
-        }
-    }
-}
-
 impl Question {
     pub(super) fn check(&self) -> Result<(), Fault> {
         self.traffic.check()?;
@@ -134,21 +84,15 @@ impl Question {
         Earlier::new(&self.earlier, self.date.as_deref(), upload)
     }
 
-    /// Names of all files that are asked about.
-    pub(super) fn names(&self, upload: &Upload, earlier: &Earlier) -> Names {
-        let own = (upload.name.clone(), self.name.clone());
-        Names::new([own].into_iter().chain(earlier.named()))
-    }
-
-    /// Put case and traffic beside the file.
-    pub(super) fn write(&self, upload: &Upload) -> Result<(), Fault> {
+    /// The files of the question in a folder of their own: case, traffic and record, by its name here.
+    pub(super) fn put(&self, upload: &Upload) -> Result<(Workspace, String), Fault> {
         // It is checked here, and opens no file.
         self.case.read()?;
-        let write = |name: &str, text: &str| std::fs::write(upload.folder().join(name), text);
-        let traffic = self.traffic.toml()?;
-        write("case.toml", &self.case.toml()?)
-            .and_then(|()| write(TRAFFIC_FILE, &traffic))
-            .map_err(|error| Fault::defect(&format!("the case cannot be stored: {error}")))
+        let files = Workspace::within(upload.folder())?;
+        let record = files.put(&upload.file(), &self.name)?;
+        files.write(CASE_FILE, &self.case.toml()?)?;
+        files.write(TRAFFIC_FILE, &self.traffic.toml()?)?;
+        Ok((files, record))
     }
 }
 
@@ -163,44 +107,29 @@ pub(crate) async fn measure(
     let program = page.program.clone();
     page.long
         .run(asker.subject("measurement"), move |wanted| {
-            question.write(&upload)?;
-            let run = Run {
-                names: question.names(&upload, &earlier),
-                program: &program,
-                upload: &upload,
-                wanted,
-            };
-            let file = upload.name.as_str();
-            let reading = Reading::new(&upload, question.format.as_ref())?;
-            let roughness = run.document(&reading.arguments("roughness", &["--json"]))?;
+            let (files, record) = question.put(&upload)?;
+            let before = earlier.put(&files)?;
+            let ask = |name, question: &Value| program.ask(files.path(), name, question, wanted);
             // Short of a diagnosis or a forecast the levels are still worth seeing.
-            let mut diagnose = vec![
-                "diagnose", "case.toml", "--roughness", file, "--traffic", TRAFFIC_FILE, "--json",
-            ];
-            let more = [question.traffic.speed_arguments(), earlier.of_diagnosis()].concat();
-            diagnose.extend(more.iter().map(String::as_str));
-            diagnose.extend(reading.format());
-            let diagnosis = run.document_or_fault(&diagnose)?;
-            let months = question.months.to_string();
-            let mut forecast = vec![
-                "forecast",
-                "case.toml",
-                "--spectrum",
-                file,
-                "--traffic",
-                TRAFFIC_FILE,
-                "--months",
-                &months,
-                "--json",
-            ];
-            forecast.extend(reading.format());
-            let between = earlier.of_forecast(question.traffic.passages_per_day);
-            let between = between.iter().map(String::as_str);
-            let fitted = [forecast.clone(), between.collect()].concat();
-            let mut answer = run.document_or_fault(&fitted)?;
+            let ask_or_fault = |name, question| fault_as_answer(ask(name, question), wanted);
+            let format = &question.format;
+            let roughness = ask("roughness", &json!({ "file": record, "format": format }))?;
+            let mut diagnose = json!({
+                "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE, "format": format,
+                "speed": question.traffic.speed_range(),
+            });
+            earlier.add_to_diagnosis(&before, &mut diagnose);
+            let diagnosis = ask_or_fault("diagnose", &diagnose)?;
+            let forecast = json!({
+                "case": CASE_FILE, "spectrum": record, "traffic": TRAFFIC_FILE, "format": format,
+                "months": question.months,
+            });
+            let mut fitted = forecast.clone();
+            earlier.add_to_forecast(&before, question.traffic.passages_per_day, &mut fitted);
+            let mut answer = ask_or_fault("forecast", &fitted)?;
             // Short of a fit the forecast is still worth seeing.
             if fitted != forecast && answer.get("fault").is_some() {
-                let without = run.document_or_fault(&forecast)?;
+                let without = ask_or_fault("forecast", &forecast)?;
                 let fault = std::mem::replace(&mut answer, without)["fault"].take();
                 if answer.get("fault").is_none() {
                     answer["fit_fault"] = fault;
@@ -214,27 +143,14 @@ pub(crate) async fn measure(
         .await
 }
 
-/// The program on the file of a question.
-pub(super) struct Run<'a> {
-    pub(super) names: Names,
-    pub(super) program: &'a Program,
-    pub(super) upload: &'a Upload,
-    pub(super) wanted: &'a Wanted,
-}
-
-impl Run<'_> {
-    fn document(&self, arguments: &[&str]) -> Result<Value, Fault> {
-        let folder = self.upload.folder();
-        self.names
-            .document(self.program, folder, arguments, self.wanted)
-    }
-
-    /// The document, or the fault in its place; none where nobody waits any more.
-    pub(super) fn document_or_fault(&self, arguments: &[&str]) -> Result<Value, Fault> {
-        match self.document(arguments) {
-            Err(fault) if self.wanted.still() => Ok(json!({ "fault": fault })),
-            outcome => outcome,
-        }
+/// The answer, or the fault in its place; none where nobody waits any more.
+pub(super) fn fault_as_answer(
+    answer: Result<Value, Fault>,
+    wanted: &Wanted,
+) -> Result<Value, Fault> {
+    match answer {
+        Err(fault) if wanted.still() => Ok(json!({ "fault": fault })),
+        outcome => outcome,
     }
 }
 

@@ -185,15 +185,12 @@ impl Traffic {
             / shares
     }
 
-    /// Arguments of a diagnosis or a report: the range of speeds of the wheel of the case; without any the program takes
-    /// those of the vehicles of the traffic file.
-    pub(super) fn speed_arguments(&self) -> Vec<String> {
-        if self.vehicles.is_empty() {
-            let speeds = format!("{} m/s..{} m/s", self.slowest_m_per_s, self.fastest_m_per_s);
-            vec!["--speed".to_owned(), speeds]
-        } else {
-            Vec::new()
-        }
+    /// The range of speeds of the wheel of the case, for a diagnosis or a report; without one the program takes those of the
+    /// vehicles of the traffic file.
+    pub(super) fn speed_range(&self) -> Option<String> {
+        let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
+        let range = || format!("{slowest} m/s..{fastest} m/s");
+        self.vehicles.is_empty().then(range)
     }
 }
 
@@ -244,7 +241,7 @@ mod tests {
         assert_eq!((speed.mean.si(), deviation), (25.0, 10.0 / 12f64.sqrt()));
         assert_eq!(read.file.line.passages_per_day, Some(4000.0));
         assert_eq!(traffic.mean_speed(), 25.0);
-        assert_eq!(traffic.speed_arguments(), ["--speed", "20 m/s..30 m/s"]);
+        assert_eq!(traffic.speed_range().unwrap(), "20 m/s..30 m/s");
     }
 
     #[test]
@@ -264,7 +261,7 @@ mod tests {
         assert_eq!(freight.tractive_ratio.unwrap().si(), 0.03);
         assert!(freight.speed.unwrap().standard_deviation.is_none());
         assert_eq!(traffic.mean_speed(), 0.75 * 35.0 + 0.25 * 20.0);
-        assert!(traffic.speed_arguments().is_empty());
+        assert_eq!(traffic.speed_range(), None);
     }
 
     #[test]

@@ -1,0 +1,213 @@
+//! `ask`: questions in JSON, as another program puts them.
+
+use std::io::Write;
+use std::process::{Output, Stdio};
+
+use serde_json::{Value, json};
+
+use crate::sandbox::Sandbox;
+
+fn ask(sandbox: &Sandbox, name: &str, question: &str) -> Output {
+    let mut command = sandbox.command();
+    command.arg("ask").args(shlex::split(name).unwrap());
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    input.write_all(question.as_bytes()).unwrap();
+    drop(input);
+    child.wait_with_output().unwrap()
+}
+
+/// The answer.
+fn answer(sandbox: &Sandbox, name: &str, question: &Value) -> Value {
+    let output = ask(sandbox, name, &question.to_string());
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{name}: {errors}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// What is said on standard error, line by line.
+fn said(output: &Output) -> Vec<Value> {
+    let lines = std::str::from_utf8(&output.stderr).unwrap().lines();
+    lines
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
+}
+
+fn spectrum() -> Value {
+    let wavelengths = [0.02, 0.025, 0.0315, 0.04, 0.05, 0.063, 0.08, 0.1];
+    let levels = [2.0, 3.5, 5.25, 6.0, 7.0, 9.0, 8.0, 6.0];
+    json!({ "wavelength_m": wavelengths, "level_db": levels })
+}
+
+#[test]
+fn the_answer_is_that_of_the_command() {
+    let sandbox = Sandbox::new();
+    let point = json!({
+        "case": "cases/nominal.toml", "set": ["contact.friction=0.3"], "wavelength": "56 mm", "speed": 30,
+    });
+    let command = "point cases/nominal.toml --set contact.friction=0.3 --wavelength '56 mm' --speed 30 --json";
+    assert_eq!(answer(&sandbox, "point", &point), sandbox.json(command));
+    let presets = answer(&sandbox, "presets", &json!({ "name": "60E1" }));
+    assert_eq!(presets, sandbox.json("presets 60E1 --json"));
+}
+
+#[test]
+fn documents_stand_in_place_of_files() {
+    let sandbox = Sandbox::new();
+    let read = |name: &str| std::fs::read_to_string(sandbox.path(name)).unwrap();
+    let keys = |text: &str| toml::from_str::<Value>(text).unwrap();
+    let traffic = "[line]\npassages_per_day = 4000\n[[vehicle]]\nname = \"all\"\nshare = 1\n\
+                   speed = { mean = \"80 km/h\", standard_deviation = \"5 km/h\" }\n";
+    let rows = |table: &Value| {
+        let [x, y] = ["wavelength_m", "level_db"].map(|name| table[name].as_array().unwrap());
+        let rows = x.iter().zip(y).map(|(x, y)| format!("{x},{y}\n"));
+        format!("wavelength_m,level_db\n{}", rows.collect::<String>())
+    };
+    std::fs::write(sandbox.path("traffic.toml"), traffic).unwrap();
+    std::fs::write(sandbox.path("spectrum.csv"), rows(&spectrum())).unwrap();
+    let files = json!({
+        "case": "cases/main-line.toml", "roughness": "spectrum.csv", "traffic": "traffic.toml", "speed": "80 km/h",
+        "months": 6, "limit_dba": 90,
+    });
+    let mut documents = files.clone();
+    documents["case"] = keys(&read("cases/main-line.toml"));
+    documents["roughness"] = spectrum();
+    documents["traffic"] = keys(traffic);
+    documents["wheel_roughness"] = Value::Null;
+    let by_files = answer(&sandbox, "noise", &files);
+    assert_eq!(by_files, answer(&sandbox, "noise", &documents));
+    assert!(by_files["course"]["months_to_limit"].is_null());
+    // What is wrong in a document is told by its key.
+    documents["traffic"]["vehicle"][0]["share"] = json!(0.5);
+    let refused = ask(&sandbox, "noise", &documents.to_string());
+    assert_eq!(refused.status.code(), Some(2));
+    let error = &said(&refused)[0]["error"];
+    let sentence = error["message"].as_str().unwrap();
+    assert!(
+        sentence.contains("the shares of `vehicle` sum to 0.5"),
+        "{sentence}"
+    );
+    documents["roughness"]["level_db"]
+        .as_array_mut()
+        .unwrap()
+        .pop();
+    let refused = ask(&sandbox, "noise", &documents.to_string());
+    let error = said(&refused)[0]["error"]["message"].to_string();
+    assert!(
+        error.contains("question:roughness: level_db has 7 values"),
+        "{error}"
+    );
+}
+
+#[test]
+fn remarks_are_data_in_the_language_asked_for() {
+    let sandbox = Sandbox::new();
+    let question = json!({ "case": "cases/main-line.toml", "roughness": spectrum(), "speed": 30 });
+    let output = ask(&sandbox, "noise --language de", &question.to_string());
+    assert!(output.status.success());
+    let left_out = said(&output)
+        .into_iter()
+        .map(|mut line| line["remark"].take())
+        .find(|remark| remark["id"] == "bands-left-out")
+        .unwrap();
+    assert!(
+        left_out["text"].as_str().unwrap().contains("fehlt in jedem Pegel"),
+        "{left_out}"
+    );
+    let frequencies = left_out["values"]["frequencies"].as_array().unwrap();
+    assert!(frequencies.contains(&json!(5000)), "{left_out}");
+    let quiet = ask(&sandbox, "noise --quiet", &question.to_string());
+    assert_eq!(quiet.stdout, output.stdout);
+    assert!(quiet.stderr.is_empty());
+}
+
+#[test]
+fn what_is_wrong_is_one_line_of_json() {
+    let sandbox = Sandbox::new();
+    let point = r#""case": "cases/nominal.toml", "speed": 30"#;
+    for (name, question, message) in [
+        ("nose", "{}".to_owned(), "NAME is nose, but must be one of"),
+        ("network", "{}".to_owned(), "NAME is network, but"),
+        ("serve", "{}".to_owned(), "NAME is serve, but"),
+        (
+            "point",
+            "[1]".to_owned(),
+            "the question is not a JSON object",
+        ),
+        ("point", "{".to_owned(), "the question is not JSON: EOF"),
+        ("point", String::new(), "the question is not JSON: EOF"),
+        (
+            "point",
+            format!("{{{point}, \"wavelenth\": 1}}"),
+            "unexpected argument '--wavelenth'",
+        ),
+        (
+            "point",
+            format!("{{{point}, \"wavelength\": [0.05]}}"),
+            "`wavelength` is [0.05], but must be a number",
+        ),
+        (
+            "point",
+            format!("{{{point}, \"wavelength\": true}}"),
+            "`wavelength` is true, but must be a number",
+        ),
+        (
+            "point",
+            format!("{{{point}, \"wavelength\": {{\"x\": 1}}}}"),
+            "`wavelength` is {\"x\":1}, but must be a number",
+        ),
+        (
+            "point",
+            format!("{{{point}, \"wavelength\": \"5 kg\"}}"),
+            "invalid value '5 kg' for '--wavelength",
+        ),
+        (
+            "point",
+            r#"{"case": "-", "speed": 30, "wavelength": 0.05}"#.to_owned(),
+            "`case` is \"-\", but must be a file: standard input holds the question",
+        ),
+        (
+            "map",
+            r#"{"case": "nothing.toml"}"#.to_owned(),
+            "nothing.toml",
+        ),
+        (
+            "map",
+            r#"{"case": {"wheels": 1}}"#.to_owned(),
+            "`wheels` is not a key",
+        ),
+    ] {
+        let output = ask(&sandbox, name, &question);
+        assert_eq!(output.status.code(), Some(2), "{name} {question}");
+        assert!(output.stdout.is_empty(), "{name} {question}");
+        let lines = said(&output);
+        let [line] = &lines[..] else {
+            panic!("{name} {question}: {lines:?}")
+        };
+        let told = line["error"]["message"].as_str().unwrap();
+        assert!(told.contains(message), "{told}");
+    }
+}
+
+#[test]
+fn the_schema_of_a_question_has_its_keys() {
+    let sandbox = Sandbox::new();
+    let schema = sandbox.json("schema --question noise");
+    assert_eq!(schema["required"], json!(["case", "roughness", "speed"]));
+    let of = |key: &str| schema["properties"][key].clone();
+    assert_eq!(of("roughness")["type"], json!(["string", "object"]));
+    assert_eq!(of("where")["type"], "array");
+    assert_eq!(
+        (&of("wheels")["type"], &of("wheels")["default"]),
+        (&json!("integer"), &json!(4))
+    );
+    assert_eq!(of("months")["default"], json!(12));
+    assert!(of("json").is_null() && of("language").is_null());
+    let below = sandbox.json("schema --question network worst");
+    assert_eq!(below["title"], "riffel ask network worst");
+    assert_eq!(below["required"], json!(["store"]));
+}

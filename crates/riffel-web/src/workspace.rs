@@ -1,0 +1,101 @@
+//! The files of one question to the program, under the names that the user knows, so that all that is said of them is said in
+//! the user's words.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use crate::fault::Fault;
+
+/// Longest name of a file \[bytes\].
+const LONGEST_NAME: usize = 120;
+
+/// A folder for one question, which goes with it.
+pub(crate) struct Workspace(TempDir);
+
+impl Workspace {
+    /// A folder within another, on whose disk the files are.
+    pub(crate) fn within(folder: &Path) -> Result<Self, Fault> {
+        tempfile::tempdir_in(folder).map(Self).map_err(no_place)
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    /// Write a file.
+    pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
+        fs::write(self.path().join(name), text).map_err(no_place)
+    }
+
+    /// A file that the program has written.
+    pub(crate) fn read(&self, name: impl AsRef<Path>) -> Result<String, Fault> {
+        let path = self.path().join(name);
+        fs::read_to_string(path).map_err(|error| Fault::defect(&format!("no result: {error}")))
+    }
+
+    /// Put a file in; its name here, which is that of the user as far as it can be one.
+    pub(crate) fn put(&self, file: &Path, name: &str) -> Result<String, Fault> {
+        let plain = file_name(name);
+        let mut names = (2..).map(|number| format!("{number}-{plain}"));
+        let is_free = |name: &String| !self.path().join(name).exists();
+        let name = Some(plain.clone()).filter(is_free);
+        let name = name.or_else(|| names.find(is_free)).unwrap_or(plain);
+        let place = self.path().join(&name);
+        // Not every disk has links.
+        fs::hard_link(file, &place)
+            .or_else(|_| fs::copy(file, &place).map(|_| ()))
+            .map_err(no_place)?;
+        Ok(name)
+    }
+}
+
+/// A name without what parts folders, what a terminal obeys and what systems keep for themselves.
+fn file_name(name: &str) -> String {
+    let plain = |c: char| match c {
+        '/' | '\\' | ':' | '*' | '?' | '"' | '<' | '>' | '|' => '_',
+        c if c.is_control() => '_',
+        c => c,
+    };
+    let mut end = name.len().min(LONGEST_NAME);
+    while !name.is_char_boundary(end) {
+        end -= 1;
+    }
+    let name: String = name[..end].chars().map(plain).collect();
+    match name.trim().trim_matches('.') {
+        "" | "-" => "record".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+fn no_place(error: io::Error) -> Fault {
+    Fault::defect(&format!("the file cannot be stored: {error}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_have_the_names_of_the_user_and_stay_in_the_folder() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = folder.path().join("record.csv");
+        fs::write(&record, "0,1\n").unwrap();
+        let workspace = Workspace::within(folder.path()).unwrap();
+        let long = "ä".repeat(200);
+        for (name, here) in [
+            ("Mai 2026 (links).csv", "Mai 2026 (links).csv"),
+            ("Mai 2026 (links).csv", "2-Mai 2026 (links).csv"),
+            ("../../etc/passwd", "_.._etc_passwd"),
+            ("a\u{1b}[31m\n.csv", "a_[31m_.csv"),
+            ("..", "record"),
+            ("-", "2-record"),
+            (&long, &"ä".repeat(60)),
+        ] {
+            assert_eq!(workspace.put(&record, name).unwrap(), here);
+            assert_eq!(workspace.read(here).unwrap(), "0,1\n");
+        }
+    }
+}
