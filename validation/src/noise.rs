@@ -4,11 +4,8 @@ use std::sync::LazyLock;
 
 use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_answers::noise::{NoiseAnswer, NoiseRequest, Part, PassByLevels, Train};
+use riffel_answers::noise::{Levels, NoiseQuestion, RoughWheels};
 use riffel_case::{Case, MAIN_LINE_CASE};
-use riffel_rail::{
-    Limit, LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
-};
 
 use crate::Row;
 
@@ -25,14 +22,24 @@ const SPEED: f64 = 136.0 / 3.6;
 /// The wheel whose modes are taken, of which nothing is known but the diameter of 920 mm.
 const WHEEL: &str = "straight-web-920";
 
+/// Computed levels of all parts.
+struct Computed {
+    /// Nominal centres of the bands \[Hz\].
+    frequencies: Vec<f64>,
+    /// Levels by band \[dB\].
+    levels: Vec<Option<f64>>,
+    /// Level of all bands \[dB(A)\].
+    a_weighted: f64,
+}
+
 /// A section of the site.
 struct Section {
     /// Computed levels with rigid wheels.
-    computed: PassByLevels,
+    computed: Computed,
     /// Computed levels with wheels that ring.
-    ringing: PassByLevels,
+    ringing: Computed,
     /// Computed levels by the transfer functions of the directive.
-    by_transfer: PassByLevels,
+    by_transfer: Computed,
     /// Roughness spectra of both rails and all dates.
     roughness: Vec<Spectrum>,
     /// Vertical decay rates \[dB/m\], one list a band.
@@ -86,47 +93,42 @@ impl Section {
     fn new(name: &str) -> Self {
         let roughness = roughness(name);
         let decay = decay(name);
-        let request = |wheel_modes| NoiseRequest {
-            speed: SPEED,
-            wheel_modes,
-            roughness: Spectrum::energy_mean(&roughness).expect("spectra"),
-            wheels: WheelRoughness::find("cnossos-disc-brakes")
-                .map(|wheels| (wheels.name, wheels.spectrum)),
-            decay: Some(
-                decay
-                    .iter()
-                    .map(|(band, rates)| {
-                        let logarithms: Vec<f64> = rates.iter().map(|rate| rate.ln()).collect();
-                        (*band, mean(&logarithms).exp())
-                    })
-                    .collect(),
-            ),
-            transfer: Some([
-                TransferTable::find("cnossos-monobloc-hard-pads", TransferPart::Track)
-                    .expect("a table"),
-                TransferTable::find("cnossos-wheel-920", TransferPart::Vehicle).expect("a table"),
-            ]),
-            limit: limit(),
-            train: Train {
-                wheels: 4,
-                length: 26.4,
-                distance: 2.5,
-                height: 1.2,
-                surroundings: Surroundings::OnPlate,
-            },
-            rail_foot: 0.15,
-            sleeper_area: 0.33,
-            future: None,
-        };
         let overrides = ["vehicle=passenger-coach".to_owned()];
         let case = Case::parse("main-line.toml", MAIN_LINE_CASE, &overrides).expect("a case");
-        let answer = |modes| NoiseAnswer::new(&case, request(modes), &|_| ()).expect("levels");
-        let ringing = WheelModesTable::find(WHEEL).expect("modes");
-        let (answer, ringing) = (answer(None), answer(Some(ringing)));
+        let answer = |wheel_modes: Option<&str>| {
+            let mean_rate = |rates: &[f64]| {
+                let logarithms: Vec<f64> = rates.iter().map(|rate| rate.ln()).collect();
+                mean(&logarithms).exp()
+            };
+            let rates = decay.iter().map(|(band, rates)| (*band, mean_rate(rates)));
+            let roughness = Spectrum::energy_mean(&roughness).expect("spectra");
+            let question = NoiseQuestion {
+                wheel_modes: wheel_modes.map(str::to_owned),
+                wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
+                decay_rate: Some(rates.collect()),
+                transfer: Some(
+                    ["cnossos-monobloc-hard-pads", "cnossos-wheel-920"].map(str::to_owned),
+                ),
+                distance: 2.5,
+                surroundings: Surroundings::OnPlate,
+                ..NoiseQuestion::of_a_coach(SPEED, roughness, "iso-3095-2013".to_owned())
+            };
+            question.answer(&case, &|_| ()).expect("levels")
+        };
+        let rigid = answer(None);
+        let transfer = rigid.by_transfer_functions.expect("levels");
+        let computed = |frequencies: Vec<f64>, levels, a_weighted: Option<f64>| Computed {
+            frequencies,
+            levels,
+            a_weighted: a_weighted.expect("a level"),
+        };
+        let of_model =
+            |frequencies, level: Levels| computed(frequencies, level.total_db, level.total_dba);
+        let ringing = answer(Some(WHEEL));
         Self {
-            ringing: ringing.levels,
-            by_transfer: answer.by_transfer.expect("levels by transfer functions"),
-            computed: answer.levels,
+            ringing: of_model(ringing.frequency_hz, ringing.level),
+            by_transfer: computed(transfer.frequency_hz, transfer.total_db, transfer.total_dba),
+            computed: of_model(rigid.frequency_hz, rigid.level),
             roughness,
             decay,
             measured: measured(name),
@@ -144,11 +146,11 @@ impl Section {
 
     /// Computed less measured A-weighted level of a band, with the standard deviation that trains, roughness spectra and
     /// decay rates have together \[dB\].
-    fn difference(&self, computed: &PassByLevels, band: FrequencyBand) -> (f64, f64) {
-        let mut bands = computed.bands().iter();
-        let computed = bands
-            .find(|other| other.band == band)
-            .and_then(|other| other.level(Part::Total))
+    fn difference(&self, computed: &Computed, band: FrequencyBand) -> (f64, f64) {
+        let mut frequencies = computed.frequencies.iter();
+        let place = frequencies.position(|centre| *centre == band.nominal());
+        let computed = place
+            .and_then(|place| computed.levels[place])
             .expect("a level");
         let levels = self.levels(band);
         let wave = ThirdOctave::containing(SPEED / band.centre()).expect("a wavelength");
@@ -230,17 +232,6 @@ fn measured(section: &str) -> Vec<Passage> {
         .collect()
 }
 
-fn limit() -> (LimitTable, riffel::roughness::LevelLimit) {
-    let table = LimitTable::find("iso-3095-2013").expect("a table");
-    match &table.limit {
-        Limit::Levels(levels) => {
-            let levels = levels.clone();
-            (table, levels)
-        }
-        Limit::Rms(_) => unreachable!("a table of levels"),
-    }
-}
-
 pub(crate) fn pass_by_level_of_the_site() -> Row {
     total_of(
         "Pass-by level from roughness, receptances, decay rates and radiation, nothing fitted",
@@ -255,10 +246,10 @@ pub(crate) fn directive_level_of_the_site() -> Row {
     )
 }
 
-fn total_of(statement: &'static str, computed: &PassByLevels) -> Row {
+fn total_of(statement: &'static str, computed: &Computed) -> Row {
     let totals = B5.totals();
     let (expected, spread) = (mean(&totals), deviation(&totals));
-    let got = computed.a_weighted(Part::Total);
+    let got = computed.a_weighted;
     Row {
         statement,
         source: SOURCE,
@@ -323,8 +314,7 @@ pub(crate) fn dampers_save_no_more_than_computed() -> Row {
     let (mut expected, mut got) = (Vec::new(), Vec::new());
     for name in ["B2", "B3", "B4"] {
         let section = Section::new(name);
-        let computed =
-            B5.computed.a_weighted(Part::Total) - section.computed.a_weighted(Part::Total);
+        let computed = B5.computed.a_weighted - section.computed.a_weighted;
         let savings: Vec<f64> = section
             .measured
             .iter()

@@ -18,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod answer;
 pub mod axlebox;
 mod capital;
 mod column;
@@ -29,6 +30,7 @@ mod error;
 pub mod forecast;
 mod growth_lines;
 mod highest;
+mod level_limit;
 pub mod map;
 pub mod models;
 mod netcdf;
@@ -46,13 +48,17 @@ pub mod roughness;
 pub mod simulate;
 mod stability;
 pub mod study;
+mod table;
 mod track_in_words;
 pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
+pub use answer::Answer;
 pub use capital::capital;
 pub use error::AnswerError;
 pub use highest::Highest;
+pub use level_limit::level_limit;
 pub use parameters::parameters;
+pub use table::{Column, Table, Values};
 pub use track_in_words::place;

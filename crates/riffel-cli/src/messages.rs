@@ -288,10 +288,10 @@ pub(crate) fn print_remarks(remarks: &[impl Note]) {
                 Language::English => "note",
                 Language::German => "Hinweis",
             };
-            if is_for_a_program() {
-                write_line(&json!({ "remark": remark.document() }));
-            } else if !is_quiet() {
-                complain_as_written(&format!("{word}: {note}"));
+            match (is_quiet(), is_for_a_program()) {
+                (true, _) => {}
+                (false, true) => write_line(&json!({ "remark": remark.document() })),
+                (false, false) => complain_as_written(&format!("{word}: {note}")),
             }
             printed.push(note.into_owned());
         }

@@ -94,6 +94,17 @@ impl Display for Table {
     }
 }
 
+/// A table of an answer as a reader sees it: words to the left, numbers to the right.
+pub(crate) fn table_of(table: &riffel_answers::Table) -> comfy_table::Table {
+    let (heads, rows) = table.shown(language());
+    let mut shown = comfy_table::Table::new();
+    shown.load_style(STYLE).set_header(heads).add_rows(rows);
+    for column in shown.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+    }
+    shown
+}
+
 /// A table with right-aligned columns but the first.
 pub(crate) fn table(header: &[&str]) -> Table {
     let mut table = comfy_table::Table::new();

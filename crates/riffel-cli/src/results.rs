@@ -2,9 +2,13 @@
 
 use std::path::Path;
 
+use riffel_answers::Answer;
+use riffel_keys::Message;
+
 use crate::arguments::CaseArguments;
 use crate::error::CliError;
-use crate::output::print;
+use crate::messages::{language, print_remarks};
+use crate::output::{json, print, table_of};
 use crate::staging::Staging;
 
 /// Where the results of a command on a case go: with `--json` the document is printed, and files are written only to a
@@ -42,5 +46,32 @@ impl Results<'_> {
             return Ok(());
         }
         print(&format!("{}{}: {files}\n", readable(), folder.display()))
+    }
+
+    /// Hand out an answer: its figure, a file for each table and its document, or what they say in words; then its remarks.
+    pub(crate) fn answer<A: Answer>(&self, answer: &A) -> Result<(), CliError> {
+        let tables = answer.tables();
+        self.hand_out(
+            || json(answer),
+            |staging| {
+                staging.write_figure(A::NAME, &answer.figure())?;
+                for table in &tables {
+                    let name = format!("{}.csv", table.name);
+                    staging.write_with(&name, |file| table.csv(file))?;
+                }
+                staging.write("summary.json", json(answer))
+            },
+            || {
+                let lines = |messages: Vec<Message>| -> String {
+                    let lines = messages.iter().map(|line| line.text(language()) + "\n");
+                    lines.collect()
+                };
+                let tables = tables.iter().map(|table| format!("{}\n", table_of(table)));
+                let tables = tables.collect::<String>();
+                lines(answer.introduction()) + &tables + &lines(answer.sentences())
+            },
+        )?;
+        print_remarks(answer.remarks());
+        Ok(())
     }
 }

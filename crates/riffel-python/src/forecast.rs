@@ -18,9 +18,8 @@ use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
 use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_case, of_physics, wrong};
+use crate::errors::{of_answer, of_case, of_physics, wrong};
 use crate::records::{GivenRoughness, places_of_both, survey};
-use crate::roughness::level_limit;
 use crate::tables;
 
 /// A traffic file, its keys, or the wheel of the case at speeds of a mean and a standard deviation.
@@ -98,7 +97,7 @@ pub(crate) fn forecast<'py>(
     months: Option<PyReadonlyArray1<'py, f64>>,
     limit: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (table, limit) = level_limit(limit)?;
+    let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let begins = begins(measured, ground, &limit, &table.edition)?;
     let spectrum = begins.ok_or_else(|| wrong("give spectrum, ground or from_limit"))?;
     let traffic = traffic.traffic()?;
@@ -241,7 +240,7 @@ pub(crate) fn compare<'py>(
         variant.hold = hold;
     }
     let traffic = traffic.traffic()?;
-    let (table, limit) = level_limit(limit)?;
+    let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let measured = begins(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
         Comparison::compute(

@@ -8,14 +8,14 @@ use pyo3::types::PyDict;
 use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, GrindSettings, LevelLimit, PIT_DEPTH, PowerSpectrum, Profile,
-    RailAnalysis, RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
+    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
 use crate::arrays_of_rails::{Stretch, profiles, spectrum};
-use crate::errors::{of_case, of_physics, wrong};
+use crate::errors::{of_answer, of_case, of_physics, wrong};
 use crate::interrupt::interruptible;
 use crate::records::{GivenLayout, read};
 use crate::tables;
@@ -300,7 +300,10 @@ pub(crate) fn compare_with_limit<'py>(
     limit: &str,
 ) -> PyResult<Levels<'py>> {
     let spectrum = spectrum(&owned(&wavelengths), &owned(&levels))?;
-    let compared = level_limit(limit)?.1.compare(&spectrum);
+    let compared = riffel_answers::level_limit(limit)
+        .map_err(of_answer)?
+        .1
+        .compare(&spectrum);
     let column = |value: fn(&riffel::roughness::LevelExcess) -> f64| {
         compared
             .iter()
@@ -313,21 +316,6 @@ pub(crate) fn compare_with_limit<'py>(
         column(|band| band.level),
         column(|band| band.limit),
     ))
-}
-
-/// A table of levels by its name or file, and its edition.
-pub(crate) fn level_limit(name: &str) -> PyResult<(LimitTable, LevelLimit)> {
-    let table = LimitTable::find(name).map_err(of_case)?;
-    match &table.limit {
-        Limit::Levels(limit) => {
-            let limit = limit.clone();
-            Ok((table, limit))
-        }
-        Limit::Rms(_) => Err(wrong(format!(
-            "limit is \"{name}\", but must be a table of one-third-octave levels: an RMS along the rail does not \
-             follow from a spectrum"
-        ))),
-    }
 }
 
 /// Mean of several spectra on mean squares.

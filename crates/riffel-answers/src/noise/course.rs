@@ -1,56 +1,54 @@
 //! The level in months to come.
 
 use riffel::forecast::Forecast;
+use riffel::noise::Part;
 use riffel::roughness::Spectrum;
-use riffel_case::traffic::bands_of;
+use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
-use riffel_keys::Message;
+use riffel_keys::{Message, fixed, number, say};
+use serde::Serialize;
 
-use super::{Future, NoiseRequest, Part, levels_of};
+use super::Train;
 use crate::AnswerError;
 
 /// Steps of the time looked ahead.
 const STEPS: u32 = 24;
 
 /// The A-weighted level of a train on a rail that grows rougher, or smoother, under traffic.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Course {
     /// Months from now.
-    pub months: Vec<f64>,
+    pub month: Vec<f64>,
     /// Level of all parts \[dB(A)\].
-    pub levels: Vec<f64>,
+    pub total_dba: Vec<f64>,
     /// Highest level that is allowed \[dB(A)\].
-    pub limit: Option<f64>,
+    pub limit_dba: Option<f64>,
     /// Months until the level reaches the limit; none where it does not.
     pub months_to_limit: Option<f64>,
     /// The time looked ahead goes beyond the linear range of growth, where the course ends.
-    pub cut: bool,
-    /// What the reader should know about the growth.
-    pub remarks: Vec<Message>,
+    pub beyond_linear_range: bool,
 }
 
 impl Course {
-    /// The level of the train of the request, while the rail changes under the traffic; wavelengths outside the map of the
+    /// The level of a train while the rail changes under traffic, and remarks on its growth; wavelengths outside the map of the
     /// case keep their level.
     pub(super) fn new(
         case: &Case,
-        request: &NoiseRequest,
-        future: &Future,
+        train: &Train<'_>,
+        traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
-        let bands = bands_of(case);
-        let on = future
-            .traffic
-            .on(case, &bands, &Variant::none(""), progress)?;
+    ) -> Result<(Self, Vec<Message>), AnswerError> {
+        let question = train.question;
+        let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let per_month = on
             .passages_per_month()
             .ok_or(AnswerError::NoPassagesPerDay)?;
-        let forecast = Forecast::new(&request.roughness, on.growth.clone())
+        let forecast = Forecast::new(&question.roughness, on.growth.clone())
             .map_err(AnswerError::OutsideWindow)?;
         // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
         let linear = forecast.valid_to() / per_month;
-        let end = future.months.min(linear);
-        let months: Vec<f64> = if end > 0.0 {
+        let end = question.months.min(linear);
+        let month: Vec<f64> = if end > 0.0 {
             let share = |step| f64::from(step) / f64::from(STEPS);
             (0..=STEPS).map(|step| end * share(step)).collect()
         } else {
@@ -58,49 +56,58 @@ impl Course {
         };
         let level = |month: f64| -> Result<f64, AnswerError> {
             let passages = (month * per_month).min(forecast.valid_to());
-            let roughness = then(&request.roughness, &forecast.spectrum(passages)?)?;
-            let heard = levels_of(case, request, &roughness, request.speed)?;
-            Ok(heard.a_weighted(Part::Total))
+            let roughness = then(&question.roughness, &forecast.spectrum(passages)?)?;
+            let heard = train.levels(case, &roughness, question.speed)?;
+            Ok(heard.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY))
         };
-        let levels: Vec<f64> = months
-            .iter()
-            .map(|&month| level(month))
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
-            months_to_limit: match future.limit {
-                Some(limit) => reached(&months, &levels, limit, level)?,
+        let levels = month.iter().map(|&month| level(month));
+        let total_dba = levels.collect::<Result<Vec<_>, _>>()?;
+        let course = Self {
+            months_to_limit: match question.limit_dba {
+                Some(limit) => reached(&month, &total_dba, limit, level)?,
                 None => None,
             },
-            cut: linear < future.months,
-            limit: future.limit,
-            months,
-            levels,
-            remarks: on.remarks,
-        })
+            beyond_linear_range: linear < question.months,
+            limit_dba: question.limit_dba,
+            month,
+            total_dba,
+        };
+        Ok((course, on.remarks))
     }
-}
 
-impl Course {
-    /// The course as one sentence without its full stop.
-    pub fn in_words(&self) -> String {
+    /// The course in a sentence without its full stop.
+    pub fn in_words(&self) -> Message {
         // A course begins with the level of now.
-        let (from, to) = (self.levels[0], self.levels[self.levels.len() - 1]);
-        let months = self.months[self.months.len() - 1];
-        let mut sentence =
-            format!("under the traffic {from:.1} dB(A) become {to:.1} dB(A) in {months:.1} months");
-        if self.cut {
-            sentence += ", where roughness leaves the linear range";
-        }
-        match (self.limit, self.months_to_limit) {
-            (None, _) => sentence,
-            (Some(limit), Some(0.0)) if to < limit => {
-                format!("{sentence}; it is above {limit} dB(A) now and falls below")
+        let last = self.total_dba.len() - 1;
+        let [from, to] = [0, last].map(|place| fixed(self.total_dba[place], 1));
+        let months = fixed(self.month[last], 1);
+        let course = match self.beyond_linear_range {
+            false => say!(noise_becomes, from = from, to = to, months = months),
+            true => say!(
+                noise_becomes_to_linear_end,
+                from = from,
+                to = to,
+                months = months
+            ),
+        };
+        let Some(limit) = self.limit_dba else {
+            return course;
+        };
+        let falls_below = self.total_dba[last] < limit;
+        let limit = number(limit);
+        match self.months_to_limit {
+            Some(0.0) if falls_below => say!(noise_falls_below, sentence = course, limit = limit),
+            Some(0.0) => say!(noise_limit_now, sentence = course, limit = limit),
+            Some(months) => {
+                let months = fixed(months, 1);
+                say!(
+                    noise_limit_in_months,
+                    sentence = course,
+                    limit = limit,
+                    months = months
+                )
             }
-            (Some(limit), Some(0.0)) => format!("{sentence}; {limit} dB(A) are reached now"),
-            (Some(limit), Some(months)) => {
-                format!("{sentence}; {limit} dB(A) are reached in {months:.1} months")
-            }
-            (Some(limit), None) => format!("{sentence}; {limit} dB(A) are not reached"),
+            None => say!(noise_limit_not_reached, sentence = course, limit = limit),
         }
     }
 }

@@ -1,13 +1,12 @@
 //! Levels beside the track as a picture.
 
-use riffel_case::Case;
+use riffel::noise::Part;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
-use super::{Course, NoiseAnswer, Part, PassByLevels};
-use crate::parameters;
+use super::tables::name_of;
+use super::{Course, NoiseAnswer};
 
-pub(super) fn figure(answer: &NoiseAnswer, case: &Case) -> LineFigure {
-    let train = &answer.request.train;
+pub(super) fn figure(answer: &NoiseAnswer) -> LineFigure {
     let mut panels = vec![parts(answer), measures(answer)];
     panels.extend(answer.course.as_ref().map(course));
     LineFigure {
@@ -15,10 +14,10 @@ pub(super) fn figure(answer: &NoiseAnswer, case: &Case) -> LineFigure {
         caption: format!(
             "Equivalent level over the passage at {:.0} km/h, {} m from the middle of the track and {} m above the rail, \
              re 20 µPa, one-third octaves without weighting. {}",
-            3.6 * answer.request.speed,
-            train.distance,
-            train.height,
-            parameters(case)
+            3.6 * answer.speed_m_per_s,
+            answer.distance_m,
+            answer.height_m,
+            answer.parameters
         ),
         panels,
         arrangement: Arrangement::Stacked,
@@ -27,30 +26,22 @@ pub(super) fn figure(answer: &NoiseAnswer, case: &Case) -> LineFigure {
 
 /// Rail, sleepers, wheel and their sum; that by transfer functions beside it.
 fn parts(answer: &NoiseAnswer) -> LinePanel {
-    let styles = [
-        (Part::Rail, OKABE_ITO[1]),
-        (Part::Sleepers, OKABE_ITO[2]),
-        (Part::Wheel, OKABE_ITO[3]),
-        (Part::Total, Rgb::BLACK),
-    ];
-    let mut series: Vec<Series> = styles
-        .iter()
-        .map(|(part, color)| {
-            let level = answer.levels.a_weighted(*part);
-            let label = format!("{} {level:.1} dB(A)", part.name());
-            curve(&answer.levels, *part, label, LineStyle::Solid, *color)
+    let colors = [OKABE_ITO[1], OKABE_ITO[2], OKABE_ITO[3], Rgb::BLACK];
+    let parts = Part::ALL.into_iter().zip(colors);
+    let mut series: Vec<Series> = parts
+        .filter_map(|(part, color)| {
+            let (levels, a_weighted) = answer.level.of(part);
+            let label = format!("{} {:.1} dB(A)", name_of(part), a_weighted?);
+            let style = LineStyle::Solid;
+            Some(curve(&answer.frequency_hz, levels, label, style, color))
         })
-        .filter(|series| series.y.iter().any(|level| level.is_finite()))
         .collect();
-    if let Some(levels) = &answer.by_transfer {
-        let label = format!(
-            "by transfer functions {:.1} dB(A)",
-            levels.a_weighted(Part::Total)
-        );
+    if let Some(levels) = &answer.by_transfer_functions {
+        let total = levels.total_dba.unwrap_or(f64::NAN);
         series.push(curve(
-            levels,
-            Part::Total,
-            label,
+            &levels.frequency_hz,
+            &levels.total_db,
+            format!("by transfer functions {total:.1} dB(A)"),
             LineStyle::Dashed,
             Rgb::BLACK,
         ));
@@ -60,26 +51,18 @@ fn parts(answer: &NoiseAnswer) -> LinePanel {
 
 /// The sum now and after each measure.
 fn measures(answer: &NoiseAnswer) -> LinePanel {
-    let now = curve(
-        &answer.levels,
-        Part::Total,
-        "now".to_owned(),
-        LineStyle::Solid,
-        Rgb::BLACK,
-    );
+    let (levels, _) = answer.level.of(Part::Total);
+    let (label, style) = ("now".to_owned(), LineStyle::Solid);
+    let now = curve(&answer.frequency_hz, levels, label, style, Rgb::BLACK);
     let after = answer.measures.iter().enumerate().map(|(place, measure)| {
         // Not −0.0.
-        let change = (-10.0 * measure.saved).round() / 10.0 + 0.0;
+        let change = (-10.0 * measure.saved_db).round() / 10.0 + 0.0;
         let label = format!("{}: {change:+.1} dB(A)", measure.title);
         // Black is that of now.
         let color = OKABE_ITO[1 + place % (OKABE_ITO.len() - 1)];
-        curve(
-            &measure.levels,
-            Part::Total,
-            label,
-            LineStyle::Dashed,
-            color,
-        )
+        let levels = measure.levels.levels(Part::Total);
+        let frequencies = super::nominal(&measure.levels);
+        curve(&frequencies, &levels, label, LineStyle::Dashed, color)
     });
     panel(
         "what would help, each alone",
@@ -90,12 +73,12 @@ fn measures(answer: &NoiseAnswer) -> LinePanel {
 fn course(course: &Course) -> LinePanel {
     let mut series = vec![Series {
         label: "total".to_owned(),
-        x: course.months.clone(),
-        y: course.levels.clone(),
+        x: course.month.clone(),
+        y: course.total_dba.clone(),
         color: Some(Rgb::BLACK),
         ..Series::default()
     }];
-    if let (Some(limit), Some(&last)) = (course.limit, course.months.last()) {
+    if let (Some(limit), Some(&last)) = (course.limit_dba, course.month.last()) {
         series.push(Series {
             label: "limit".to_owned(),
             x: vec![0.0, last],
@@ -113,14 +96,19 @@ fn course(course: &Course) -> LinePanel {
     }
 }
 
-fn curve(levels: &PassByLevels, part: Part, label: String, style: LineStyle, color: Rgb) -> Series {
-    let bands = levels.bands();
+fn curve(
+    frequencies: &[f64],
+    levels: &[Option<f64>],
+    label: String,
+    style: LineStyle,
+    color: Rgb,
+) -> Series {
     Series {
         label,
-        x: bands.iter().map(|band| band.band.centre()).collect(),
-        y: bands
+        x: frequencies.to_vec(),
+        y: levels
             .iter()
-            .map(|band| band.level(part).unwrap_or(f64::NAN))
+            .map(|level| level.unwrap_or(f64::NAN))
             .collect(),
         style,
         color: Some(color),

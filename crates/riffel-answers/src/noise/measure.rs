@@ -1,22 +1,28 @@
 //! What would make a train quieter: one thing changed, and nothing else.
 
-use riffel::roughness::LevelLimit;
+use riffel::noise::{Energies, Part};
+use riffel::roughness::Spectrum;
 use riffel_case::Case;
+use riffel_keys::{Message, fixed, say};
+use serde::Serialize;
 
-use super::{NoiseRequest, Part, PassByLevels, levels_of, levels_with_wheel_dampers};
+use super::Train;
 use crate::AnswerError;
 use crate::pads::with_pads_of;
 
 /// A measure with what it does.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Measure {
     /// What is done.
-    pub title: String,
-    /// Levels after it.
-    pub levels: PassByLevels,
+    pub title: Message,
+    /// Of the level now, less what is saved.
+    pub total_dba: Option<f64>,
     /// What it saves of the level \[dB(A)\], over the bands that are known before and after; below zero where it is
     /// louder.
-    pub saved: f64,
+    pub saved_db: f64,
+    /// Levels after it.
+    #[serde(skip)]
+    pub levels: Energies,
 }
 
 /// Share of the level that the bands known before and after may lack \[dB(A)\].
@@ -28,61 +34,57 @@ const DAMPED: f64 = 0.01;
 /// Grinding, speed, pads and dampers, each alone.
 pub(super) fn measures(
     case: &Case,
-    request: &NoiseRequest,
-    now: &PassByLevels,
+    train: &Train<'_>,
+    now: &Energies,
 ) -> Result<Vec<Measure>, AnswerError> {
+    let (roughness, speed) = (&train.question.roughness, train.question.speed);
+    let total = |levels: &Energies| levels.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY);
     let mut found = Vec::new();
-    let mut add = |title: String, levels: PassByLevels| {
+    let mut add = |title: Message, levels: Energies| {
         let [before, after] = [now.within(&levels), levels.within(now)];
-        let level = before.a_weighted(Part::Total);
-        if now.a_weighted(Part::Total) - level <= LACKING {
+        let level = total(&before);
+        if total(now) - level <= LACKING {
+            let saved_db = level - total(&after);
             found.push(Measure {
                 title,
-                saved: level - after.a_weighted(Part::Total),
+                total_dba: now.a_weighted(Part::Total).map(|now| now - saved_db),
+                saved_db,
                 levels,
             });
         }
     };
-    let (table, limit) = &request.limit;
-    let ground = ground_to(request, limit)?;
+    let (table, _) = &train.limit;
+    let ground = ground_to_limit(train)?;
     add(
-        format!("rail ground to {}", table.edition),
-        levels_of(case, request, &ground, request.speed)?,
+        say!(rail_ground_to, edition = &table.edition),
+        train.levels(case, &ground, speed)?,
     );
     for factor in [0.8, 0.5] {
-        let slower = levels_of(case, request, &request.roughness, factor * request.speed)?;
-        add(format!("{:.0} km/h", 3.6 * factor * request.speed), slower);
+        let title = say!(at_speed, speed = fixed(3.6 * factor * speed, 0));
+        add(title, train.levels(case, roughness, factor * speed)?);
     }
-    add(
-        "rail dampers that double the decay rate".to_owned(),
-        now.with_track_at(0.5),
-    );
-    if let Some(levels) = levels_with_wheel_dampers(case, request, DAMPED)? {
-        add(
-            format!("wheel dampers, modes of {:.0} % damping", 1e2 * DAMPED),
-            levels,
-        );
+    add(say!(rail_dampers), now.with_track_at(0.5));
+    if let Some(modes) = train.wheel_modes() {
+        let damped = modes.damped(DAMPED);
+        let powers = train.powers_with(case, Some(&damped), roughness, speed)?;
+        let title = say!(wheel_dampers, percent = fixed(1e2 * DAMPED, 0));
+        add(title, train.heard(&powers));
     }
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
     // Measured decay rates are those of the pads that are there.
-    if let (Some(stiffness), None) = (pad, &request.decay) {
-        for (factor, word) in [(0.5, "half"), (2.0, "twice")] {
+    if let (Some(stiffness), None) = (pad, &train.question.decay_rate) {
+        for (factor, title) in [(0.5, say!(softer_pads)), (2.0, say!(stiffer_pads))] {
             let other = with_pads_of(case, factor * stiffness.si())?;
-            add(
-                format!("pads of {word} the stiffness"),
-                levels_of(&other, request, &request.roughness, request.speed)?,
-            );
+            add(title, train.levels(&other, roughness, speed)?);
         }
     }
     Ok(found)
 }
 
 /// The rail with no band above the limit; bands without a limit stay.
-fn ground_to(
-    request: &NoiseRequest,
-    limit: &LevelLimit,
-) -> Result<riffel::roughness::Spectrum, AnswerError> {
-    Ok(request.roughness.map(|level| {
+fn ground_to_limit(train: &Train<'_>) -> Result<Spectrum, AnswerError> {
+    let (_, limit) = &train.limit;
+    Ok(train.question.roughness.map(|level| {
         let limit = limit.spectrum().level(level.band);
         level.level.min(limit.unwrap_or(f64::INFINITY))
     })?)

@@ -1,437 +1,442 @@
 //! Rolling noise of a train on a rough rail, and what would make it quieter.
 
 mod course;
-mod document;
 mod figure;
-mod levels;
 mod measure;
-mod range;
+mod remarks;
+mod sources;
+mod tables;
 
-use riffel_keys::{Message, Value, fixed, number, say};
-use std::io::{self, Write};
+use std::path::PathBuf;
 
-use riffel::STEEL_DENSITY;
-use riffel::contact::ContactFilter;
-use riffel::noise::{
-    Air, Excitation, FrequencyBand, OscillatingCylinder, OscillatingSphere, PassBy, Piston,
-    RailDecay, RollingSource, Sleepers, SoundPower, Surroundings, WheelModes,
-};
+use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
+use riffel_keys::{Message, PhysicalRange};
 use riffel_plot::LineFigure;
-use riffel_rail::{LimitTable, TransferTable, WheelModesTable};
+use riffel_rail::{
+    LimitTable, RoughnessFile, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
+};
+use serde::Serialize;
 
 pub use course::Course;
-pub use document::NoiseDocument;
-pub use levels::{BandPressure, Part, PassByLevels, PowerLevels};
 pub use measure::Measure;
+pub use sources::without_decay;
+pub(crate) use tables::name_of;
 
-use crate::AnswerError;
+use crate::{Answer, AnswerError, Table, parameters};
 
-/// Width of a wheel across its tread \[m\], that of the profiles of EN 13715.
-const WHEEL_WIDTH: f64 = 0.135;
-/// Area of the 60E1 section \[m²\], for a rail of which nothing is known but its receptance.
-const RAIL_AREA: f64 = 76.7e-4;
-/// Distance of pass-by measurements up to which what absorbs is left out by the field \[m\]: ISO 3095 measures at 7.5 and 25 m.
-const FAR: f64 = 25.0;
-/// Difference of radii up to which modes are taken to be those of the wheel.
-const LARGEST_DIFFERENCE: f64 = 0.05;
-/// Distance of sleepers \[m\] where a model has them spread evenly.
-const SLEEPER_SPACING: f64 = 0.6;
+/// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
+const LENGTH_PER_WHEEL: f64 = 6.6;
+/// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
+const LEAST_PER_WHEEL: f64 = 0.5;
 
-/// A train past a receiver.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Train {
-    /// Wheels on one rail.
-    pub wheels: u32,
-    /// Length \[m\].
-    pub length: f64,
-    /// Distance of the receiver from the middle of the track \[m\].
-    pub distance: f64,
-    /// Height of the receiver over the rail head \[m\].
-    pub height: f64,
-    /// What is around it.
-    pub surroundings: Surroundings,
+/// The roughness of the wheels.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RoughWheels {
+    /// A table that comes with Riffel, or a file of spectra.
+    Named(String),
+    /// Levels.
+    Given(Spectrum),
 }
 
-impl Train {
-    /// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
-    pub const LENGTH_PER_WHEEL: f64 = 6.6;
-}
-
-/// The rail in months to come.
-pub struct Future {
-    /// The traffic.
-    pub traffic: Traffic,
-    /// How far to look ahead \[months\].
-    pub months: f64,
-    /// Highest level that is allowed \[dB(A)\].
-    pub limit: Option<f64>,
-}
-
-/// What is asked.
-pub struct NoiseRequest {
-    /// Speed of the train \[m/s\].
+/// What is asked of rolling noise; numbers are SI.
+pub struct NoiseQuestion {
+    /// Speed of the train.
     pub speed: f64,
     /// Roughness of the rail.
     pub roughness: Spectrum,
-    /// Roughness of the wheels, with its name; none for smooth ones.
-    pub wheels: Option<(String, Spectrum)>,
-    /// Modes of the web and tyre of the wheels; none for rigid ones.
-    pub wheel_modes: Option<WheelModesTable>,
-    /// Measured decay rates of the track \[dB/m\], in place of those of the model.
-    pub decay: Option<Vec<(FrequencyBand, f64)>>,
-    /// Transfer functions of track and vehicle, for the level by the directive beside that by the model.
-    pub transfer: Option<[TransferTable; 2]>,
-    /// What the rail may be ground to.
-    pub limit: (LimitTable, LevelLimit),
-    /// The train.
-    pub train: Train,
-    /// Breadth of the rail foot \[m\].
+    /// Roughness of the wheels; none for smooth ones.
+    pub wheel_roughness: Option<RoughWheels>,
+    /// Modes of the web and tyre of the wheels, by name or file; none for rigid wheels.
+    pub wheel_modes: Option<String>,
+    /// Bands with their decay rates \[dB/m\], in place of those of the case.
+    pub decay_rate: Option<Vec<(FrequencyBand, f64)>>,
+    /// Transfer functions of track and vehicle, by name or file, for the level by the directive beside that by the model.
+    pub transfer: Option<[String; 2]>,
+    /// What the rail may be ground to, by name or file.
+    pub limit: String,
+    /// Wheels of the train on one rail.
+    pub wheels: u32,
+    /// Length of the train; 6.6 m for each wheel if left out.
+    pub train_length: Option<f64>,
+    /// Distance of the receiver from the middle of the track.
+    pub distance: f64,
+    /// Height of the receiver over the rail head.
+    pub height: f64,
+    /// What is around track and receiver.
+    pub surroundings: Surroundings,
+    /// Breadth of the rail foot.
     pub rail_foot: f64,
-    /// Face of a sleeper that belongs to one rail \[m²\].
+    /// Face of a sleeper that belongs to one rail.
     pub sleeper_area: f64,
-    /// What becomes of the rail.
-    pub future: Option<Future>,
+    /// Traffic under which the rail changes.
+    pub traffic: Option<Traffic>,
+    /// How far to look ahead under it \[months\].
+    pub months: f64,
+    /// Highest level that is allowed \[dB(A)\].
+    pub limit_dba: Option<f64>,
 }
 
-impl NoiseRequest {
+impl NoiseQuestion {
     /// A coach on four wheelsets with smooth wheels, 7.5 m from the track and 1.2 m above the rail, as ISO 3095 measures, on a rail
     /// with a foot of 150 mm and sleepers of which 0.33 m² belong to each rail.
-    pub fn of_a_coach(speed: f64, roughness: Spectrum, limit: (LimitTable, LevelLimit)) -> Self {
-        const WHEELS: u32 = 4;
+    pub fn of_a_coach(speed: f64, roughness: Spectrum, limit: String) -> Self {
         Self {
             speed,
             roughness,
-            wheels: None,
+            wheel_roughness: None,
             wheel_modes: None,
-            decay: None,
+            decay_rate: None,
             transfer: None,
             limit,
-            train: Train {
-                wheels: WHEELS,
-                length: Train::LENGTH_PER_WHEEL * f64::from(WHEELS),
-                distance: 7.5,
-                height: 1.2,
-                surroundings: Surroundings::HardGround,
-            },
+            wheels: 4,
+            train_length: None,
+            distance: 7.5,
+            height: 1.2,
+            surroundings: Surroundings::HardGround,
             rail_foot: 0.15,
             sleeper_area: 0.33,
-            future: None,
+            traffic: None,
+            months: 12.0,
+            limit_dba: None,
         }
     }
-}
 
-/// Levels beside the track, and what would lower them.
-pub struct NoiseAnswer {
-    /// What was asked.
-    pub request: NoiseRequest,
-    /// Levels now.
-    pub levels: PassByLevels,
-    /// What a wheel with its rail radiates now.
-    pub powers: PowerLevels,
-    /// Levels by the transfer functions of the directive.
-    pub by_transfer: Option<PassByLevels>,
-    /// What would help, each by itself.
-    pub measures: Vec<Measure>,
-    /// The level in months to come.
-    pub course: Option<Course>,
-    /// Bands of 100–5000 Hz in which roughness, decay or receptance is not known.
-    pub left_out: Vec<FrequencyBand>,
-    /// What the reader should know.
-    pub remarks: Vec<Message>,
-}
+    fn length(&self) -> f64 {
+        let length = LENGTH_PER_WHEEL * f64::from(self.wheels);
+        self.train_length.unwrap_or(length)
+    }
 
-impl NoiseAnswer {
-    /// Levels on a case; `progress` is told of each vehicle of the traffic.
+    /// `Ok` where every number is within its physical range, whoever asks.
+    fn check(&self) -> Result<(), AnswerError> {
+        let wrong = |argument, value: String, rule: String| {
+            Err(AnswerError::Argument {
+                argument,
+                value,
+                rule,
+            })
+        };
+        if self.distance.is_nan() || self.distance <= PassBy::NEAREST {
+            let rule = "beyond the rail, 0.75 m".to_owned();
+            return wrong("--distance", format!("{} m", self.distance), rule);
+        }
+        for (argument, value, unit) in [
+            ("--speed", self.speed, "m/s"),
+            ("--distance", self.distance, "m"),
+            ("--height", self.height, "m"),
+            ("--train-length", self.length(), "m"),
+            ("--rail-foot", self.rail_foot, "m"),
+            ("--sleeper-area", self.sleeper_area, "m²"),
+        ] {
+            if let Some(range) = PhysicalRange::of(argument) {
+                let [low, high] = range.hard;
+                if !(value >= low && value <= high) {
+                    let rule = format!("between {low} and {high} {unit}");
+                    return wrong(argument, format!("{value} {unit}"), rule);
+                }
+            }
+        }
+        let shortest = LEAST_PER_WHEEL * f64::from(self.wheels);
+        if self.length() < shortest {
+            let rule = format!(
+                "at least {shortest} m, half a metre to each of {} wheels",
+                self.wheels
+            );
+            return wrong("--train-length", format!("{} m", self.length()), rule);
+        }
+        match self.traffic.as_ref().map(|_| self.months) {
+            Some(months) if !(months.is_finite() && months > 0.0) => wrong(
+                "--months",
+                months.to_string(),
+                "finite and greater than zero".to_owned(),
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// The answer on a case; `progress` is called after each vehicle of the traffic.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] where a number is outside its range, no band is known, or the track has no decay;
-    /// [`AnswerError::Case`] with the key at fault.
-    pub fn new(
+    /// [`AnswerError::Case`] with the key or the file at fault.
+    pub fn answer(
+        &self,
         case: &Case,
-        request: NoiseRequest,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, AnswerError> {
-        if let (None, Some(why)) = (&request.decay, without_decay(case)) {
+    ) -> Result<NoiseAnswer, AnswerError> {
+        if let (None, Some(why)) = (&self.decay_rate, without_decay(case)) {
             return Err(AnswerError::Argument {
                 argument: "--decay-rate",
                 value: "left out".to_owned(),
                 rule: format!("given: {why}"),
             });
         }
-        range::check(&request)?;
-        let modes = modes_of(&request);
-        let powers = powers_of(case, &request, modes, &request.roughness, request.speed)?;
-        let levels = heard(&request, &powers)?;
-        let left_out: Vec<FrequencyBand> = FrequencyBand::all()
-            .filter(|band| levels.bands().iter().all(|level| level.band != *band))
-            .collect();
-        if levels.bands().is_empty() {
+        self.check()?;
+        let train = Train::new(self)?;
+        let powers = train.powers(case, &self.roughness, self.speed)?;
+        let levels = train.heard(&powers);
+        if levels.bands.is_empty() {
             return Err(AnswerError::Argument {
                 argument: "--speed",
-                value: format!("{:.1} km/h", 3.6 * request.speed),
+                value: format!("{:.1} km/h", 3.6 * self.speed),
                 rule: "one at which the wavelengths of the roughness fill a one-third octave \
                        between 100 Hz and 5 kHz"
                     .to_owned(),
             });
         }
-        let by_transfer = match &request.transfer {
-            Some(tables) => Some(levels_by_transfer(case, &request, tables)?),
+        let left_out: Vec<FrequencyBand> = FrequencyBand::all()
+            .filter(|band| levels.bands.iter().all(|level| level.band != *band))
+            .collect();
+        let course = match &self.traffic {
+            Some(traffic) => Some(Course::new(case, &train, traffic, progress)?),
             None => None,
         };
-        let measures = measure::measures(case, &request, &levels)?;
-        let course = match &request.future {
-            Some(future) => Some(Course::new(case, &request, future, progress)?),
+        let mut remarks = remarks::remarks(case, &train, &powers, &left_out);
+        let (course, of_traffic) = course.unzip();
+        remarks.extend(of_traffic.into_iter().flatten());
+        let by_transfer_functions = match &train.transfer {
+            Some([track, vehicle]) => {
+                let levels = train.levels_by_transfer(case, [track, vehicle])?;
+                Some(TransferLevels {
+                    track: track.name.clone(),
+                    vehicle: vehicle.name.clone(),
+                    frequency_hz: nominal(&levels),
+                    track_db: levels.levels(Part::Rail),
+                    vehicle_db: levels.levels(Part::Wheel),
+                    total_db: levels.levels(Part::Total),
+                    total_dba: levels.a_weighted(Part::Total),
+                })
+            }
+            None => None,
+        };
+        let level = Levels::from(&levels);
+        let total = level.total_dba.unwrap_or(f64::NEG_INFINITY);
+        let duration = self.length() / self.speed;
+        let name = |(name, _): &(String, Spectrum)| name.clone();
+        Ok(NoiseAnswer {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            speed_m_per_s: self.speed,
+            wheels: self.wheels,
+            train_length_m: self.length(),
+            distance_m: self.distance,
+            height_m: self.height,
+            wheel_roughness: train.wheels.as_ref().map(name),
+            wheel_modes: self.wheel_modes.clone(),
+            frequency_hz: nominal(&levels),
+            sound_power_level: Levels::from(&sources::powers_of_parts(&powers)),
+            by_transfer_functions,
+            sound_exposure_level_dba: total + 10.0 * duration.log10(),
+            measures: measure::measures(case, &train, &levels)?,
+            level,
+            course,
+            left_out_hz: left_out.iter().map(|band| band.nominal()).collect(),
+            remarks,
+            title: case.file.title.clone(),
+            parameters: parameters(case),
+        })
+    }
+}
+
+/// What the names of a question stand for.
+struct Train<'a> {
+    question: &'a NoiseQuestion,
+    /// Roughness of the wheels with its name.
+    wheels: Option<(String, Spectrum)>,
+    modes: Option<WheelModesTable>,
+    transfer: Option<[TransferTable; 2]>,
+    limit: (LimitTable, LevelLimit),
+    pass: PassBy,
+}
+
+impl<'a> Train<'a> {
+    fn new(question: &'a NoiseQuestion) -> Result<Self, AnswerError> {
+        let wheels = match &question.wheel_roughness {
+            None => None,
+            Some(RoughWheels::Given(levels)) => Some(("given".to_owned(), levels.clone())),
+            Some(RoughWheels::Named(name)) => Some(match WheelRoughness::find(name) {
+                Some(table) => (table.name, table.spectrum),
+                None => {
+                    let path = PathBuf::from(name);
+                    let file =
+                        RoughnessFile::read(&path, &riffel_rail::Layout::default(), &|_| ())?;
+                    (name.clone(), Survey::of(&path, file)?.mean())
+                }
+            }),
+        };
+        let modes = question.wheel_modes.as_deref().map(WheelModesTable::find);
+        let transfer = match &question.transfer {
+            Some([track, vehicle]) => Some([
+                TransferTable::find(track, TransferPart::Track)?,
+                TransferTable::find(vehicle, TransferPart::Vehicle)?,
+            ]),
             None => None,
         };
         Ok(Self {
-            remarks: remarks(case, &request, &powers, &left_out),
-            powers: PowerLevels::new(powers),
-            request,
-            levels,
-            by_transfer,
-            measures,
-            course,
-            left_out,
+            question,
+            wheels,
+            modes: modes.transpose()?,
+            transfer,
+            limit: crate::level_limit(&question.limit)?,
+            pass: PassBy::new(
+                question.distance,
+                question.height,
+                f64::from(question.wheels),
+                question.length(),
+                question.surroundings,
+            )?,
         })
     }
 
-    /// Levels by band, and what each measure does.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        figure::figure(self, case)
-    }
-
-    /// The answer as data: what `riffel noise --json` prints.
-    pub fn document(&self) -> NoiseDocument<'_> {
-        document::document(self)
-    }
-
-    /// One row for each band.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn bands_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::bands_csv(self, file)
-    }
-
-    /// Time that the train takes to pass \[s\].
-    pub fn duration(&self) -> f64 {
-        self.request.train.length / self.request.speed
-    }
-
-    /// Sound exposure level of the passage \[dB(A) re (20 µPa)² s\].
-    pub fn exposure_level(&self) -> f64 {
-        self.levels.a_weighted(Part::Total) + 10.0 * self.duration().log10()
+    fn wheel_modes(&self) -> Option<&WheelModes> {
+        self.modes.as_ref().map(|table| &table.modes)
     }
 }
 
-/// Levels of a case with some roughness of the rail at some speed.
-pub(crate) fn levels_of(
-    case: &Case,
-    request: &NoiseRequest,
-    roughness: &Spectrum,
-    speed: f64,
-) -> Result<PassByLevels, AnswerError> {
-    let powers = powers_of(case, request, modes_of(request), roughness, speed)?;
-    heard(request, &powers)
+/// Levels beside the track, and what would lower them. Levels of pressure in dB re 20 µPa, of power in dB re 1 pW.
+#[derive(Debug, Serialize)]
+pub struct NoiseAnswer {
+    /// Version of the program.
+    pub riffel_version: &'static str,
+    /// Speed of the train.
+    pub speed_m_per_s: f64,
+    /// Wheels of the train on one rail.
+    pub wheels: u32,
+    /// Length of the train.
+    pub train_length_m: f64,
+    /// Distance of the receiver from the middle of the track.
+    pub distance_m: f64,
+    /// Height of the receiver above the rail.
+    pub height_m: f64,
+    /// Name of the roughness of the wheels; null for smooth ones.
+    pub wheel_roughness: Option<String>,
+    /// Name of the modes of the wheels; null for rigid ones.
+    pub wheel_modes: Option<String>,
+    /// Nominal centres of the bands.
+    pub frequency_hz: Vec<f64>,
+    /// Over the passage of the train.
+    pub level: Levels,
+    /// Of one wheel with the rail and the sleepers under it.
+    pub sound_power_level: Levels,
+    /// Null without transfer functions.
+    pub by_transfer_functions: Option<TransferLevels>,
+    /// Of the whole passage, dB(A) re (20 µPa)² s.
+    pub sound_exposure_level_dba: f64,
+    /// What would help, each by itself.
+    pub measures: Vec<Measure>,
+    /// Null without traffic.
+    pub course: Option<Course>,
+    /// Nominal centres of the bands that are not known.
+    pub left_out_hz: Vec<f64>,
+    /// What the reader should know.
+    pub remarks: Vec<Message>,
+    #[serde(skip)]
+    title: Option<String>,
+    #[serde(skip)]
+    parameters: String,
 }
 
-/// Levels of a case where dampers leave no mode of the wheel with less than a damping ratio; none for a rigid wheel.
-pub(crate) fn levels_with_wheel_dampers(
-    case: &Case,
-    request: &NoiseRequest,
-    damping_ratio: f64,
-) -> Result<Option<PassByLevels>, AnswerError> {
-    let Some(modes) = modes_of(request) else {
-        return Ok(None);
-    };
-    let damped = modes.damped(damping_ratio);
-    let powers = powers_of(
-        case,
-        request,
-        Some(&damped),
-        &request.roughness,
-        request.speed,
-    )?;
-    heard(request, &powers).map(Some)
+impl NoiseAnswer {
+    /// What each measure does.
+    pub(crate) fn measures_table(&self) -> Table {
+        tables::measures(self)
+    }
 }
 
-fn modes_of(request: &NoiseRequest) -> Option<&WheelModes> {
-    request.wheel_modes.as_ref().map(|table| &table.modes)
+/// Levels of the parts in bands and over all of them; none where a part radiates nothing.
+#[derive(Debug, Serialize)]
+pub struct Levels {
+    /// Rail, by band.
+    pub rail_db: Vec<Option<f64>>,
+    /// Sleepers, by band.
+    pub sleepers_db: Vec<Option<f64>>,
+    /// Wheel, by band.
+    pub wheel_db: Vec<Option<f64>>,
+    /// All of it, by band.
+    pub total_db: Vec<Option<f64>>,
+    /// Rail, all bands.
+    pub rail_dba: Option<f64>,
+    /// Sleepers, all bands.
+    pub sleepers_dba: Option<f64>,
+    /// Wheel, all bands.
+    pub wheel_dba: Option<f64>,
+    /// All of it, all bands.
+    pub total_dba: Option<f64>,
 }
 
-/// Why a track has no level of its own, if it has none: nothing is known of how far its rail carries vibration, or it carries it
-/// further than a length can be told, at every frequency, so that the level would be that of where the length is cut.
-pub fn without_decay(case: &Case) -> Option<String> {
-    let model = case.file.track.model.name();
-    let Some(track) = case.track.structure.as_deref() else {
-        return Some(format!(
-            "track.model = \"{model}\" says what the rail does under the wheel alone, not how far its vibration runs"
-        ));
-    };
-    let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
-    runs_on.then(|| {
-        format!("the rail of track.model = \"{model}\" carries its vibration on without end at every frequency")
-    })
-}
-
-/// Pressures beside the track of some sound powers of a wheel on one rail.
-fn heard(request: &NoiseRequest, powers: &[SoundPower]) -> Result<PassByLevels, AnswerError> {
-    let (air, pass) = (Air::default(), pass_by(request)?);
-    let bands = powers.iter().map(|power| BandPressure {
-        band: power.band,
-        rail: pass.of_wheels(&air, power.rail),
-        sleepers: pass.of_wheels(&air, power.sleepers),
-        wheel: pass.of_wheels(&air, power.wheel),
-    });
-    Ok(PassByLevels::new(bands.collect()))
-}
-
-/// Sound powers of a wheel on one rail, in the bands that are known.
-fn powers_of(
-    case: &Case,
-    request: &NoiseRequest,
-    modes: Option<&WheelModes>,
-    roughness: &Spectrum,
-    speed: f64,
-) -> Result<Vec<SoundPower>, AnswerError> {
-    let excitation = excitation(case, request, roughness, speed)?;
-    let file = &case.file;
-    let area = match (file.rail.area, case.track.rail_mass) {
-        (Some(area), _) => area.si(),
-        (None, Some(mass)) => mass / file.rail.density.map_or(STEEL_DENSITY, |rho| rho.si()),
-        (None, None) => RAIL_AREA,
-    };
-    let spacing = file.track.support_spacing.map(|spacing| spacing.si());
-    let face = Piston::new(request.sleeper_area)?;
-    let source = RollingSource {
-        feedback: &case.feedback,
-        decay: match (&request.decay, case.track.structure.as_deref()) {
-            (None, Some(track)) => RailDecay::Track(track),
-            (rates, track) => RailDecay::Rates {
-                rates: rates.clone().unwrap_or_default(),
-                track,
-            },
-        },
-        rail: OscillatingCylinder::of_rail(request.rail_foot, area)?,
-        sleepers: case.track.support.map(|support| Sleepers {
-            support,
-            face,
-            spacing: spacing.unwrap_or(SLEEPER_SPACING),
-        }),
-        wheel: OscillatingSphere::of_wheel(case.hertz.rolling_radius(), WHEEL_WIDTH)?,
-        wheel_modes: modes,
-        air: Air::default(),
-    };
-    let (lowest, highest) = case.known_frequencies();
-    let mut powers = Vec::new();
-    for band in FrequencyBand::all() {
-        let (low, high) = band.range();
-        if low >= lowest && high <= highest {
-            powers.extend(source.power(&excitation, band)?);
+impl From<&Energies> for Levels {
+    fn from(energies: &Energies) -> Self {
+        Self {
+            rail_db: energies.levels(Part::Rail),
+            sleepers_db: energies.levels(Part::Sleepers),
+            wheel_db: energies.levels(Part::Wheel),
+            total_db: energies.levels(Part::Total),
+            rail_dba: energies.a_weighted(Part::Rail),
+            sleepers_dba: energies.a_weighted(Part::Sleepers),
+            wheel_dba: energies.a_weighted(Part::Wheel),
+            total_dba: energies.a_weighted(Part::Total),
         }
     }
-    Ok(powers)
 }
 
-/// Levels by transfer functions: those of the track are the rail's, those of the vehicle the wheel's.
-fn levels_by_transfer(
-    case: &Case,
-    request: &NoiseRequest,
-    [track, vehicle]: &[TransferTable; 2],
-) -> Result<PassByLevels, AnswerError> {
-    let excitation = excitation(case, request, &request.roughness, request.speed)?;
-    let (air, pass) = (Air::default(), pass_by(request)?);
-    let mut bands = Vec::new();
-    for band in FrequencyBand::all().filter(|band| excitation.covers(*band)) {
-        let (low, high) = band.range();
-        let roughness = excitation.mean_square(low, high)?;
-        let powers = [track, vehicle].map(|table| table.function.power(band, roughness));
-        if let [Some(track), Some(vehicle)] = powers {
-            bands.push(BandPressure {
-                band,
-                rail: pass.of_wheelsets(&air, track),
-                sleepers: 0.0,
-                wheel: pass.of_wheelsets(&air, vehicle),
-            });
+impl Levels {
+    /// Levels of a part in bands, and the A-weighted one over all.
+    pub(crate) fn of(&self, part: Part) -> (&Vec<Option<f64>>, Option<f64>) {
+        match part {
+            Part::Rail => (&self.rail_db, self.rail_dba),
+            Part::Sleepers => (&self.sleepers_db, self.sleepers_dba),
+            Part::Wheel => (&self.wheel_db, self.wheel_dba),
+            Part::Total => (&self.total_db, self.total_dba),
         }
     }
-    Ok(PassByLevels::new(bands))
 }
 
-fn excitation(
-    case: &Case,
-    request: &NoiseRequest,
-    roughness: &Spectrum,
-    speed: f64,
-) -> Result<Excitation, AnswerError> {
-    let wheel = request.wheels.as_ref().map(|(_, spectrum)| spectrum);
-    let filter = ContactFilter::of(&case.hertz);
-    Ok(Excitation::new(roughness, wheel, filter, speed)?)
+/// Levels by the transfer functions of the directive.
+#[derive(Debug, Serialize)]
+pub struct TransferLevels {
+    /// Transfer function of the track.
+    pub track: String,
+    /// Transfer function of the vehicle.
+    pub vehicle: String,
+    /// Nominal centres of the bands.
+    pub frequency_hz: Vec<f64>,
+    /// Of the track, by band.
+    pub track_db: Vec<Option<f64>>,
+    /// Of the vehicle, by band.
+    pub vehicle_db: Vec<Option<f64>>,
+    /// All of it, by band.
+    pub total_db: Vec<Option<f64>>,
+    /// All of it, all bands.
+    pub total_dba: Option<f64>,
 }
 
-fn pass_by(request: &NoiseRequest) -> Result<PassBy, AnswerError> {
-    let train = &request.train;
-    Ok(PassBy::new(
-        train.distance,
-        train.height,
-        f64::from(train.wheels),
-        train.length,
-        train.surroundings,
-    )?)
+/// Nominal centres of bands \[Hz\].
+fn nominal(levels: &Energies) -> Vec<f64> {
+    let bands = levels.bands.iter();
+    bands.map(|band| band.band.nominal()).collect()
 }
 
-fn remarks(
-    case: &Case,
-    request: &NoiseRequest,
-    powers: &[SoundPower],
-    left_out: &[FrequencyBand],
-) -> Vec<Message> {
-    let mut remarks = Vec::new();
-    match &request.wheel_modes {
-        None => remarks.push(say!(rigid_wheel)),
-        Some(table) => {
-            remarks.push(say!(ringing_wheel));
-            let radius = case.hertz.rolling_radius();
-            if (table.rolling_radius / radius - 1.0).abs() > LARGEST_DIFFERENCE {
-                remarks.push(say!(
-                    modes_of_other_wheel,
-                    of_modes = fixed(2e3 * table.rolling_radius, 0),
-                    of_case = fixed(2e3 * radius, 0)
-                ));
-            }
-        }
-    }
-    if request.train.distance > FAR {
-        remarks.push(say!(far_away, distance = request.train.distance, far = FAR));
-    }
-    if request.wheels.is_none() {
-        remarks.push(say!(smooth_wheels));
-    }
-    // The amplitude of a sinusoid of the same mean square, as in the forecast.
-    let force = powers.iter().map(|power| 2.0 * power.force).sum::<f64>();
-    let ratio = force.sqrt() / case.hertz.normal_force();
-    if ratio >= 1.0 {
-        remarks.push(say!(noise_beyond_linear_range, ratio = fixed(ratio, 2)));
-    }
-    if let (None, Some(track)) = (&request.decay, case.track.structure.as_deref()) {
-        let bands = powers.iter().map(|power| power.band);
-        let far: Vec<FrequencyBand> = bands
-            .filter(|band| RailDecay::runs_on(track, band.centre()))
-            .collect();
-        if !far.is_empty() {
-            remarks.push(say!(rail_cut_short, frequencies = nominal(&far)));
-        }
-    }
-    if !left_out.is_empty() {
-        remarks.push(say!(bands_left_out, frequencies = nominal(left_out)));
-    }
-    remarks
-}
+impl Answer for NoiseAnswer {
+    const NAME: &'static str = "noise";
 
-/// Nominal frequencies in a row.
-fn nominal(bands: &[FrequencyBand]) -> Value {
-    bands.iter().map(|band| number(band.nominal())).collect()
+    fn introduction(&self) -> Vec<Message> {
+        tables::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables::tables(self)
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        self.course.iter().map(Course::in_words).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        figure::figure(self)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
 }

@@ -164,7 +164,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 Err(why) => Outlook::left_out("What-if", why),
             };
             let noise = match noise {
-                Ok(answer) => noise::heard(case, answer)?,
+                Ok(answer) => noise::heard(answer)?,
                 Err(why) => Outlook::left_out("Rolling noise", why),
             };
             for outlook in [forecast, what_if, noise] {

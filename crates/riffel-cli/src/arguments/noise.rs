@@ -45,7 +45,7 @@ pub(crate) struct Noise {
     /// Roughness of the wheels: a file of spectra, or cnossos-cast-iron-blocks, cnossos-composite-blocks or
     /// cnossos-disc-brakes [default: none, smooth wheels].
     #[arg(long, value_name = "FILE")]
-    pub(crate) wheel_roughness: Option<PathBuf>,
+    pub(crate) wheel_roughness: Option<String>,
 
     /// Modes of the web and tyre of the wheels by name, straight-web-920, or as a TOML file [default: none, rigid wheels].
     #[arg(long, value_name = "MODES")]

@@ -9,7 +9,7 @@ use riffel_case::{Case, Hold, Variant};
 use riffel_keys::CaseError;
 use riffel_rail::Survey;
 
-use super::forecast::{ground_rail, level_limit, outside};
+use super::forecast::{ground_rail, outside};
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
@@ -79,7 +79,7 @@ pub(super) fn compare(
             (Traffic::of_case(speeds), words)
         }
     };
-    let (table, limit) = level_limit(&arguments.limit)?;
+    let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     let survey = match &ground {
         Some(_) => None,

@@ -115,7 +115,10 @@ fn remarks_are_data_in_the_language_asked_for() {
         .find(|remark| remark["id"] == "bands-left-out")
         .unwrap();
     assert!(
-        left_out["text"].as_str().unwrap().contains("fehlt in jedem Pegel"),
+        left_out["text"]
+            .as_str()
+            .unwrap()
+            .contains("fehlt in jedem Pegel"),
         "{left_out}"
     );
     let frequencies = left_out["values"]["frequencies"].as_array().unwrap();

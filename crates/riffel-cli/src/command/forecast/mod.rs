@@ -5,12 +5,11 @@ mod ground;
 mod wear;
 
 use dated::Dated;
-use riffel::roughness::LevelLimit;
-use riffel_answers::AnswerError;
 use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
+use riffel_answers::{AnswerError, level_limit};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_rail::{Limit, LimitTable, Survey};
+use riffel_rail::Survey;
 use wear::wear_report;
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
@@ -119,25 +118,6 @@ fn readable(case: &Case, answer: &ForecastAnswer) -> String {
         text += &wear::readable(wear);
     }
     text
-}
-
-/// The limit of levels of a name or a file.
-pub(crate) fn level_limit(name: &str) -> miette::Result<(LimitTable, LevelLimit)> {
-    let table = LimitTable::find(name)?;
-    match &table.limit {
-        Limit::Levels(limit) => {
-            let limit = limit.clone();
-            Ok((table, limit))
-        }
-        Limit::Rms(_) => Err(CliError::Argument {
-            argument: "--limit",
-            value: name.to_owned(),
-            rule:
-                "a table of one-third-octave levels: an RMS along the rail does not follow from a \
-                   spectrum"
-                    .to_owned(),
-        })?,
-    }
 }
 
 /// How far to look ahead: as asked for, or a year.

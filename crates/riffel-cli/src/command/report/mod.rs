@@ -9,7 +9,7 @@ use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::MapAnswer;
-use riffel_answers::noise::{Future, NoiseAnswer, NoiseRequest};
+use riffel_answers::noise::{NoiseAnswer, NoiseQuestion};
 use riffel_answers::report::{
     GENERATOR, Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site,
     block_of_strip, report,
@@ -29,7 +29,7 @@ use crate::arguments::{
 };
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
-use crate::command::forecast::{forecast, level_limit as level_limit_of};
+use crate::command::forecast::forecast;
 use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
@@ -408,21 +408,17 @@ fn heard(
     let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(NO_LEVEL_LIMIT.to_owned()));
     };
-    let roughness = now.survey.mean();
-    let future = match &arguments.record.traffic {
-        Some(traffic) => Some(Future {
-            traffic: Traffic::read(traffic)?,
-            months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
-            limit: arguments.limit_dba,
-        }),
-        None => None,
-    };
-    let request = NoiseRequest {
-        future,
-        ..NoiseRequest::of_a_coach(now.speed, roughness, level_limit_of(&limit)?)
+    let traffic = arguments.record.traffic.as_deref();
+    let question = NoiseQuestion {
+        traffic: traffic.map(Traffic::read).transpose()?,
+        months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
+        limit_dba: arguments.limit_dba,
+        ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
-    Ok(NoiseAnswer::new(case, request, &|_| ()).map_err(|error| format!("{error}.")))
+    Ok(question
+        .answer(case, &|_| ())
+        .map_err(|error| format!("{error}.")))
 }
 
 /// What would help, with what is measured now if anything is, or why that is left out.

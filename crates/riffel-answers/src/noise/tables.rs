@@ -1,0 +1,144 @@
+//! Levels as tables.
+
+use riffel::noise::Part;
+use riffel_keys::{Message, fixed, number, say};
+
+use super::NoiseAnswer;
+use crate::{Column, Table, Values};
+
+/// The name of a part.
+pub(crate) fn name_of(part: Part) -> Message {
+    match part {
+        Part::Rail => say!(noise_of_rail),
+        Part::Sleepers => say!(noise_of_sleepers),
+        Part::Wheel => say!(noise_of_wheel),
+        Part::Total => say!(noise_of_all),
+    }
+}
+
+pub(super) fn introduction(answer: &NoiseAnswer) -> Vec<Message> {
+    let title = answer.title.clone();
+    let title = title.map_or_else(|| say!(rolling_noise), Message::verbatim);
+    vec![
+        say!(
+            noise_at_speed,
+            title = title,
+            speed = fixed(3.6 * answer.speed_m_per_s, 1)
+        ),
+        say!(
+            noise_heard_at,
+            distance = number(answer.distance_m),
+            height = number(answer.height_m)
+        ),
+    ]
+}
+
+pub(super) fn tables(answer: &NoiseAnswer) -> Vec<Table> {
+    vec![bands(answer), parts(answer), measures(answer)]
+}
+
+fn bands(answer: &NoiseAnswer) -> Table {
+    let mut columns = vec![Column {
+        name: "frequency_hz".to_owned(),
+        head: Some(say!(frequency_in_hertz)),
+        values: Values::Plain(answer.frequency_hz.clone()),
+    }];
+    for part in Part::ALL {
+        let (levels, _) = answer.level.of(part);
+        let head = say!(in_decibels, what = name_of(part));
+        let name = format!("{}_db", name_of(part));
+        columns.push(Column::decibels(name, Some(head), levels.clone()));
+    }
+    for part in Part::ALL {
+        let (levels, _) = answer.sound_power_level.of(part);
+        let name = format!("{}_power_db", name_of(part));
+        columns.push(Column::decibels(name, None, levels.clone()));
+    }
+    if let Some(transfer) = &answer.by_transfer_functions {
+        let total = say!(in_decibels, what = say!(by_transfer_functions));
+        for (name, head, levels) in [
+            ("track", None, &transfer.track_db),
+            ("vehicle", None, &transfer.vehicle_db),
+            ("total", Some(total), &transfer.total_db),
+        ] {
+            let of_band = |band: &f64| {
+                let place = transfer.frequency_hz.iter().position(|other| other == band);
+                place.and_then(|place| levels[place])
+            };
+            let levels = answer.frequency_hz.iter().map(of_band).collect();
+            let name = format!("transfer_{name}_db");
+            columns.push(Column::decibels(name, head, levels));
+        }
+    }
+    Table {
+        name: "bands",
+        columns,
+    }
+}
+
+/// The A-weighted levels of what radiates anything.
+fn parts(answer: &NoiseAnswer) -> Table {
+    let levels = Part::ALL.map(|part| {
+        let [(_, heard), (_, power)] =
+            [&answer.level, &answer.sound_power_level].map(|levels| levels.of(part));
+        (name_of(part), heard, power)
+    });
+    let mut rows: Vec<_> = levels
+        .into_iter()
+        .filter(|(_, heard, power)| heard.is_some() || power.is_some())
+        .collect();
+    if let Some(transfer) = &answer.by_transfer_functions {
+        rows.push((say!(by_transfer_functions), transfer.total_dba, None));
+    }
+    let exposure = Some(answer.sound_exposure_level_dba);
+    rows.push((say!(sound_exposure, wheels = answer.wheels), exposure, None));
+    let column = |name: &str, head, values| Column::decibels(name.to_owned(), Some(head), values);
+    Table {
+        name: "parts",
+        columns: vec![
+            Column::words(
+                "part",
+                say!(what_radiates),
+                rows.iter().map(|(part, ..)| part.clone()).collect(),
+            ),
+            column(
+                "level_dba",
+                say!(decibels_a_weighted),
+                rows.iter().map(|(_, heard, _)| *heard).collect(),
+            ),
+            column(
+                "power_dba",
+                say!(sound_power_of_a_wheel),
+                rows.iter().map(|(.., power)| *power).collect(),
+            ),
+        ],
+    }
+}
+
+pub(super) fn measures(answer: &NoiseAnswer) -> Table {
+    let measures = answer.measures.iter();
+    let titles = measures.clone().map(|measure| measure.title.clone());
+    let total = measures.clone().map(|measure| measure.total_dba);
+    let saved = measures.map(|measure| Some(measure.saved_db));
+    Table {
+        name: "measures",
+        columns: vec![
+            Column::words("title", say!(each_alone), titles.collect()),
+            Column::decibels(
+                "total_dba".to_owned(),
+                Some(say!(decibels_a_weighted)),
+                total.collect(),
+            ),
+            Column {
+                name: "saved_db".to_owned(),
+                head: Some(say!(saves_decibels)),
+                values: Values::Fixed {
+                    values: saved.collect(),
+                    file: 3,
+                    shown: 1,
+                    signed: true,
+                },
+            },
+        ],
+    }
+}

@@ -1,0 +1,153 @@
+//! Tables of answers: what a file, a terminal, a page and an array show, once.
+
+use std::io::{self, Write};
+
+use riffel_keys::{Language, Message};
+
+/// A table by columns of equal length.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// Of its file, without `.csv`.
+    pub name: &'static str,
+    /// The columns.
+    pub columns: Vec<Column>,
+}
+
+/// A column.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// In a file: quantity and unit, as in `total_db`.
+    pub name: String,
+    /// For a reader, with the unit; none leaves the column to files.
+    pub head: Option<Message>,
+    /// The cells.
+    pub values: Values,
+}
+
+/// Cells of a column.
+#[derive(Debug, Clone)]
+pub enum Values {
+    /// Words.
+    Words(Vec<Message>),
+    /// Numbers as they are, such as nominal frequencies.
+    Plain(Vec<f64>),
+    /// Numbers to so many digits after the point in a file and before a reader; none where there is nothing.
+    Fixed {
+        /// The numbers.
+        values: Vec<Option<f64>>,
+        /// In a file.
+        file: usize,
+        /// Before a reader.
+        shown: usize,
+        /// Differences have their sign.
+        signed: bool,
+    },
+}
+
+impl Values {
+    fn count(&self) -> usize {
+        match self {
+            Self::Words(words) => words.len(),
+            Self::Plain(values) => values.len(),
+            Self::Fixed { values, .. } => values.len(),
+        }
+    }
+
+    fn in_file(&self, row: usize) -> String {
+        match self {
+            Self::Words(words) => words[row].to_string(),
+            Self::Plain(values) => values[row].to_string(),
+            Self::Fixed { values, file, .. } => {
+                values[row].map_or_else(String::new, |value| format!("{value:.file$}"))
+            }
+        }
+    }
+
+    fn shown(&self, row: usize, language: Language) -> String {
+        let number = match self {
+            Self::Words(words) => return words[row].text(language),
+            Self::Fixed {
+                values,
+                shown,
+                signed,
+                ..
+            } => {
+                let Some(value) = values[row] else {
+                    return String::new();
+                };
+                // Not −0.0.
+                let power = 10f64.powi(*shown as i32);
+                let value = (power * value).round() / power + 0.0;
+                match signed {
+                    true => format!("{value:+.shown$}"),
+                    false => format!("{value:.shown$}"),
+                }
+            }
+            Self::Plain(_) => self.in_file(row),
+        };
+        number.replace('.', language.decimal_mark())
+    }
+}
+
+impl Column {
+    /// Words that a reader sees.
+    pub fn words(name: &str, head: Message, words: Vec<Message>) -> Self {
+        Self {
+            name: name.to_owned(),
+            head: Some(head),
+            values: Values::Words(words),
+        }
+    }
+
+    /// Decibels: to a tenth before a reader, to a thousandth in a file.
+    pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
+        let values = Values::Fixed {
+            values,
+            file: 3,
+            shown: 1,
+            signed: false,
+        };
+        Self { name, head, values }
+    }
+}
+
+impl Table {
+    /// Number of rows.
+    pub fn rows(&self) -> usize {
+        let columns = self.columns.iter();
+        columns
+            .map(|column| column.values.count())
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// Heads and rows for a reader.
+    pub fn shown(&self, language: Language) -> (Vec<String>, Vec<Vec<String>>) {
+        let columns = self.columns.iter();
+        let columns: Vec<(&Message, &Values)> = columns
+            .filter_map(|column| Some((column.head.as_ref()?, &column.values)))
+            .collect();
+        let heads = columns.iter().map(|(head, _)| head.text(language));
+        let row = |row| {
+            let cells = columns.iter();
+            cells
+                .map(|(_, values)| values.shown(row, language))
+                .collect()
+        };
+        (heads.collect(), (0..self.rows()).map(row).collect())
+    }
+
+    /// Write it as CSV.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn csv(&self, file: impl Write) -> io::Result<()> {
+        let mut writer = csv::Writer::from_writer(file);
+        writer.write_record(self.columns.iter().map(|column| &column.name))?;
+        for row in 0..self.rows() {
+            let cells = self.columns.iter();
+            writer.write_record(cells.map(|column| column.values.in_file(row)))?;
+        }
+        writer.flush()
+    }
+}
