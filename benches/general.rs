@@ -131,6 +131,7 @@ impl RollingContact for Round {
             by_longitudinal: by([4e6, -5e5], 9e3),
             by_lateral: Some(by([-5e5, 5e6], 5e3)),
             by_spin: None,
+            by_curvature: None,
         }
     }
 }
@@ -148,6 +149,7 @@ fn at_hand(wheels: usize) -> Result<Loop, Failure> {
         rolling: rolling.clone(),
         motion: [const { Motion::Compliant(()) }; 2],
         moving: None,
+        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 6e-3, 0.3),
         wear,
     });

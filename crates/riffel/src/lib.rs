@@ -43,6 +43,7 @@
 //!     contact_stiffness: hertz.stiffness(),
 //!     contact: Arc::new(contact),
 //!     rotation: Motion::compliant(RigidInertia::new(inertia, 0.46)?),
+//!     wave: None,
 //!     place_of_wear: PlaceOfWear::new(
 //!         DissipationPhase::Lag,
 //!         hertz.semi_axis_longitudinal(),

@@ -154,6 +154,7 @@ impl CheckedKeys {
                 angle: keys.contact_angle,
                 profile,
                 stiffness: hertz.stiffness(),
+                wave: None,
                 place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
                 rolling: built.rolling,
                 motion: self.motion(),

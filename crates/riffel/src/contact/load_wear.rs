@@ -39,6 +39,7 @@ impl RollingContact for LoadWear {
             by_longitudinal,
             by_lateral,
             by_spin,
+            by_curvature,
         } = self.contact.response(wavelength);
         let steady = self.steady();
         let wearing = |by: ContactDerivative, energy: f64| {
@@ -57,6 +58,7 @@ impl RollingContact for LoadWear {
             by_longitudinal: idle(by_longitudinal),
             by_lateral: by_lateral.map(idle),
             by_spin: by_spin.map(idle),
+            by_curvature: by_curvature.map(idle),
         }
     }
 }

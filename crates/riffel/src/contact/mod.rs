@@ -16,10 +16,11 @@ mod response;
 mod rolling;
 mod spring_dashpot;
 mod virtual_penetration;
+mod wave_geometry;
 
 pub use conformity::Conformity;
 pub use ellipse::{
-    ContactBody, ContactFilter, EllipticContact, EllipticIntegrals, HertzContact,
+    ContactBody, ContactFilter, CurvatureFilter, EllipticContact, EllipticIntegrals, HertzContact,
     KalkerCoefficients, creep_coefficient,
 };
 pub use half_space::{
@@ -43,3 +44,4 @@ pub use response::{ContactDerivative, ContactResponse, GridError, OscillatingCre
 pub use rolling::RollingContact;
 pub use spring_dashpot::SpringDashpot;
 pub use virtual_penetration::{GapStrip, PenetrationState, VirtualPenetration};
+pub use wave_geometry::{WaveGeometry, WavePatch};

@@ -272,6 +272,7 @@ impl RollingContact for NonSteady {
             by_lateral: (self.creepages != OscillatingCreepages::Longitudinal)
                 .then(|| derivative(2)),
             by_spin: (self.creepages == OscillatingCreepages::All).then(|| derivative(3)),
+            by_curvature: None,
         }
     }
 }

@@ -4,7 +4,7 @@ use num_complex::Complex64;
 
 use super::{
     ContactDerivative, ContactResponse, CreepForces, CreepLaw, Creepages, ForceLimit, MeanRolling,
-    MeanState, RollingContact,
+    MeanState, RollingContact, WaveGeometry,
 };
 use crate::Error;
 
@@ -82,9 +82,29 @@ impl<L: CreepLaw> QuasiStatic<L> {
                 by_longitudinal: derivative(slopes.by_longitudinal, forces.longitudinal),
                 by_lateral: Some(derivative(slopes.by_lateral, forces.lateral)),
                 by_spin: Some(derivative(by_spin, 0.0)),
+                by_curvature: None,
             },
             law,
         }
+    }
+
+    /// The same contact on waves, where `law` is that of the wheel of the radius R/(1 + κ).
+    ///
+    /// Method: [`WaveGeometry::derivative`], which for a law in the creepages over ab·C_ii is −F_ξ ξ₀σ₁ − F_η η₀σ₂,
+    /// σ_i = −d ln(ab C_ii)/dκ, to 1e-11 of friction (test `curvature_of_a_scaled_law`).
+    ///
+    /// # Errors
+    /// Those of `law`.
+    pub fn on_waves<M: CreepLaw, E>(self, law: impl Fn(f64) -> Result<M, E>) -> Result<Self, E> {
+        const STEP: f64 = 1e-3;
+        let steady = self.steady;
+        let by_radius = WaveGeometry::derivative(STEP, |curvature| {
+            Ok(law(curvature)?.forces(steady.normal_force, steady.creepages))
+        })?;
+        Ok(Self {
+            response: self.response.with_curvature(by_radius, &steady),
+            ..self
+        })
     }
 
     /// The creep law.

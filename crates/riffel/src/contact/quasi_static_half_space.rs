@@ -30,6 +30,7 @@ impl QuasiStaticHalfSpace {
                 by_longitudinal: at_once(response.by_longitudinal),
                 by_lateral: response.by_lateral.map(at_once),
                 by_spin: response.by_spin.map(at_once),
+                by_curvature: None,
             },
         })
     }

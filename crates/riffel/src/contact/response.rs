@@ -2,6 +2,8 @@
 
 use num_complex::Complex64;
 
+use super::{CreepForces, MeanRolling};
+
 /// Linear response of a rolling contact at one wavelength: to the normal force and to each creepage, the other inputs
 /// held constant.
 ///
@@ -18,6 +20,9 @@ pub struct ContactResponse {
     pub by_lateral: Option<ContactDerivative>,
     /// By the spin φ \[1/m\]; none where the contact does not tell it.
     pub by_spin: Option<ContactDerivative>,
+    /// By the curvature κ \[-\] of a [wave](super::WaveGeometry) at constant load and slip speed, where every creepage is c₀(1 + κ);
+    /// none where the contact does not tell it.
+    pub by_curvature: Option<ContactDerivative>,
 }
 
 /// The creepages whose oscillation a response is asked about, besides the load.
@@ -57,6 +62,35 @@ pub struct GridError {
     pub force: f64,
     /// Of the energy, both at this instant and at a point of the rail \[J/m per unit\].
     pub energy: f64,
+}
+
+impl ContactResponse {
+    /// The response with that of a contact about a mean state to the curvature of a wave, whose forces under constant load and
+    /// creepages \[N\] are `by_radius`: F_κ + F_c c₀ for the force, (F_κ + F_c c₀)·c₀ + F₀·c₀ for the energy. Without the moment of spin.
+    pub(super) fn with_curvature(mut self, by_radius: CreepForces, steady: &MeanRolling) -> Self {
+        let (mean, forces) = (steady.creepages, steady.forces);
+        let mut force = [by_radius.longitudinal, by_radius.lateral].map(Complex64::from);
+        let creepages = [
+            (Some(self.by_longitudinal), mean.longitudinal),
+            (self.by_lateral, mean.lateral),
+            (self.by_spin, mean.spin),
+        ];
+        for (by, creepage) in creepages {
+            let Some(by) = by else { continue };
+            for (force, by) in force.iter_mut().zip(by.force) {
+                *force += by * creepage;
+            }
+        }
+        let energy = mean.longitudinal * (force[0] + forces.longitudinal)
+            + mean.lateral * (force[1] + forces.lateral);
+        self.by_curvature = Some(ContactDerivative {
+            force,
+            energy,
+            energy_at_rail: None,
+            error: None,
+        });
+        self
+    }
 }
 
 impl ContactDerivative {

@@ -81,6 +81,10 @@ impl<C: RollingContact> RollingContact for SpringDashpot<C> {
             by_longitudinal: delayed(slow.by_longitudinal, [1.0, 0.0]),
             by_lateral: slow.by_lateral.map(|by| delayed(by, [0.0, 1.0])),
             by_spin: slow.by_spin.map(|by| delayed(by, [0.0, 0.0])),
+            by_curvature: slow.by_curvature.map(|by| {
+                let mean = steady.creepages;
+                delayed(by, [mean.longitudinal, mean.lateral])
+            }),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::Loop;
 use crate::vector::Vector;
 
 /// Numbers of each contact.
-const NUMBERS: usize = 15;
+const NUMBERS: usize = 18;
 
 /// Wavelengths solved together, with all that depends on them alone.
 #[derive(Clone)]
@@ -38,6 +38,10 @@ pub(super) struct Answer<N> {
     pub(super) approach_by_shift: N,
     /// Roll by the cross slope of the profile \[rad\], right side down for the wheel against the rail.
     pub(super) roll: N,
+    /// The force that the profile makes by its own geometry \[N\].
+    pub(super) force_by_profile: [N; 2],
+    /// What that geometry adds to Ŵ₁ of the mean growth at constant load and slip speed \[-\].
+    pub(super) growth_by_profile: N,
     /// What its energies at the rail point add to Ŵ₁ of the mean growth, per normal force \[1/N\].
     pub(super) growth_by_load: N,
     /// The same per creepage \[-\].
@@ -80,7 +84,7 @@ impl Answers {
     pub(super) fn of_contacts<S: Simd>(&self) -> impl Iterator<Item = Answer<Vector<S>>> {
         let (contacts, _) = Vector::<S>::row(&self.numbers).as_chunks::<NUMBERS>();
         contacts.iter().map(|&numbers| {
-            let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = numbers.map(Vector::from);
+            let [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r] = numbers.map(Vector::from);
             Answer {
                 force_by_load: [a, b],
                 force_by_creepage: [[c, d], [e, f]],
@@ -91,6 +95,8 @@ impl Answers {
                 growth_by_load: l,
                 growth_by_creepage: [m, n],
                 growth_by_shift: o,
+                force_by_profile: [p, q],
+                growth_by_profile: r,
             }
         })
     }
@@ -103,11 +109,10 @@ impl Answer<Complex64> {
         let wavenumber = 2.0 * PI / wavelength;
         let [along, across] = derivatives.by_creepage.map(|by| by.force);
         let phase = contact.phase(wavenumber);
-        let lag = contact.place_of_wear.lag(wavelength);
         let growth = of.share_of_growth(index) / (phase * contact.profile_or_one());
-        let by_creepage = derivatives.by_creepage.map(|by| by.at_rail(lag) * growth);
-        let by_load = derivatives.by_load.at_rail(lag) * growth;
-        let by_spin = derivatives.by_spin.at_rail(lag) * growth;
+        let by_creepage = derivatives.by_creepage.map(|by| by.at_rail * growth);
+        let by_load = derivatives.by_load.at_rail * growth;
+        let by_spin = derivatives.by_spin.at_rail * growth;
         // With f the forces in the axes of the mean state, Q = f − (its part by the shift): Q − F_P P − F_ξ ξ = 0.
         let shift = contact.by_shift();
         let own = [0.0, shift.lateral_force];
@@ -119,10 +124,11 @@ impl Answer<Complex64> {
         });
         let profile = of.amplitude * contact.profile * phase;
         let cross_slope = contact.moving.map_or(0.0, |moving| moving.cross_slope);
+        let by_profile = derivatives.by_profile;
         Self {
             force_by_load: derivatives.by_load.force,
             force_by_creepage: [[along[0], across[0]], [along[1], across[1]]],
-            profile,
+            profile: profile * derivatives.pressed,
             force_by_shift,
             approach_by_shift: (-shift.normal_force / contact.stiffness).into(),
             roll: contact.rail.sign() * cross_slope * profile,
@@ -130,6 +136,8 @@ impl Answer<Complex64> {
             growth_by_creepage: by_creepage,
             growth_by_shift: by_creepage[0] * shift.creepage + by_spin * shift.spin
                 - by_load * shift.normal_force,
+            force_by_profile: by_profile.force.map(|force| force * profile),
+            growth_by_profile: by_profile.at_rail * growth * profile,
         }
     }
 
@@ -138,6 +146,7 @@ impl Answer<Complex64> {
         let [[c, d], [e, f]] = self.force_by_creepage;
         let [h, i] = self.force_by_shift;
         let [m, n] = self.growth_by_creepage;
+        let [p, q] = self.force_by_profile;
         [
             a,
             b,
@@ -154,6 +163,9 @@ impl Answer<Complex64> {
             m,
             n,
             self.growth_by_shift,
+            p,
+            q,
+            self.growth_by_profile,
         ]
     }
 }

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
+use super::contact::{Derivative, Derivatives};
 use super::{Contact, ContactState, Loop, LoopState};
 use crate::Receptance;
-use crate::contact::{ContactResponse, MeanRolling};
+use crate::contact::MeanRolling;
 use crate::wheelset::Motion;
 
 /// One wheel that is held across the rail, and whose own receptances and that of the track say all.
@@ -31,9 +32,15 @@ struct Turn {
     track_receptance: Complex64,
     wheel_receptance: Complex64,
     normal_force: Complex64,
-    response: ContactResponse,
+    creep: Creep,
+}
+
+/// What a contact makes of its normal force and its profile.
+struct Creep {
     tangential_force: Complex64,
-    creepage: Complex64,
+    /// s₁/V \[-\], the creepage but for what the wave's own geometry makes of it.
+    slip: Complex64,
+    energy: Complex64,
     dissipation_at_rail: Complex64,
 }
 
@@ -68,21 +75,20 @@ impl ClosedForm {
     }
 
     pub(super) fn at(&self, wavelength: f64, speed: f64) -> LoopState {
+        let response = self.contact.rolling.response(wavelength);
+        let derivatives = self.contact.derivatives_of(&response, wavelength);
         let Turn {
             track_receptance,
             wheel_receptance,
             normal_force,
-            response,
-            tangential_force,
-            creepage,
-            dissipation_at_rail,
-        } = self.turn(wavelength, speed);
+            creep,
+        } = self.turn(&derivatives, wavelength, speed);
         let angular_frequency = 2.0 * PI * speed / wavelength;
-        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
-        // (14), (19)
-        let energy = by_load.energy * normal_force + by_creepage.energy * creepage;
-        let dissipation = energy * speed;
+        let dissipation = creep.energy * speed; // (19)
+        let dissipation_at_rail = creep.dissipation_at_rail;
         let normalized = dissipation_at_rail / self.full_slip(speed); // (20)
+        let wave = self.contact.wave_state(wavelength, self.amplitude.into());
+        let creepage = wave.map_or(creep.slip, |wave| creep.slip + wave.creepage[0]);
         let along = match &self.rotation {
             Motion::Compliant(structure) => structure.receptance(angular_frequency, speed),
             Motion::Held | Motion::Free => Complex64::ZERO,
@@ -110,20 +116,29 @@ impl ClosedForm {
             mean_dissipation: self.steady.energy_per_metre() * speed,
             growth_rate,
             contacts: vec![ContactState {
-                force: [tangential_force, Complex64::ZERO, normal_force],
+                force: [creep.tangential_force, Complex64::ZERO, normal_force],
                 creepage: [creepage, Complex64::ZERO],
                 spin: Complex64::ZERO,
                 shift: Complex64::ZERO,
-                energy,
+                energy: creep.energy,
                 energy_at_rail: dissipation_at_rail / speed,
                 growth_rate: Some(growth_rate),
+                wave,
             }],
         }
     }
 
     /// Ŵ₁ of [`at`](Self::at) alone.
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
-        self.turn(wavelength, speed).dissipation_at_rail / self.full_slip(speed)
+        let derivatives = self.contact.derivatives(wavelength);
+        let turn = self.turn(&derivatives, wavelength, speed);
+        turn.creep.dissipation_at_rail / self.full_slip(speed)
+    }
+
+    /// The share of a profile of the wavenumber \[rad/m\] that presses.
+    pub(crate) fn pressed(&self, wavenumber: f64) -> f64 {
+        let wave = self.contact.wave.as_ref();
+        wave.map_or(1.0, |wave| wave.pressed(wavenumber))
     }
 
     /// μP₀Vξ₀ \[W\].
@@ -131,42 +146,68 @@ impl ClosedForm {
         self.steady.full_slip_energy_per_metre() * speed
     }
 
-    /// Oscillation of the energy per metre left at a rail point \[J/m\] by an oscillation of one newton of the normal force.
-    pub(crate) fn energy_by_normal_force(&self, wavelength: f64, speed: f64) -> Complex64 {
-        let turn = self.turn(wavelength, speed);
-        turn.dissipation_at_rail / (turn.normal_force * speed)
+    /// Oscillation of the energy per metre left at a rail point \[J/m\] by one newton of the normal force, and by a metre of
+    /// the profile under a constant one.
+    pub(crate) fn energy_by_normal_force_and_profile(
+        &self,
+        wavelength: f64,
+        speed: f64,
+    ) -> [Complex64; 2] {
+        let derivatives = self.contact.derivatives(wavelength);
+        let force = self.turn(&derivatives, wavelength, speed).normal_force;
+        let by_force = self.creep(&derivatives, [force, Complex64::ZERO], wavelength, speed);
+        let inputs = [Complex64::ZERO, Complex64::ONE];
+        let by_profile = self.creep(&derivatives, inputs, wavelength, speed);
+        [
+            by_force.dissipation_at_rail / (force * speed),
+            by_profile.dissipation_at_rail / speed,
+        ]
     }
 
-    fn turn(&self, wavelength: f64, speed: f64) -> Turn {
+    fn turn(&self, derivatives: &Derivatives, wavelength: f64, speed: f64) -> Turn {
         let angular_frequency = 2.0 * PI * speed / wavelength;
-        let response = self.contact.rolling.response(wavelength);
-        let (by_load, by_creepage) = (response.by_load, response.by_longitudinal);
-
         let track_receptance = self.track.receptance(angular_frequency, speed);
         let wheel_receptance = self.wheel.receptance(angular_frequency, speed);
         // (24)
-        let normal_force =
-            self.amplitude / (track_receptance + wheel_receptance + self.contact.stiffness.recip());
-
-        // (13) and (16) for ξ₁ and Q₁, finite in both limits of the inertia: (17), (18)
-        let ratio = self.rotation.ratio(angular_frequency, speed);
-        let creepage = -ratio.speed / speed;
-        let slip =
-            by_load.force[0] * normal_force / (ratio.force - by_creepage.force[0] * creepage);
-        let tangential_force = slip * ratio.force;
-        let creepage = slip * creepage;
-
-        let lag = self.contact.place_of_wear.lag(wavelength);
-        let dissipation_at_rail =
-            (by_load.at_rail(lag) * normal_force + by_creepage.at_rail(lag) * creepage) * speed;
+        let normal_force = self.amplitude * derivatives.pressed
+            / (track_receptance + wheel_receptance + self.contact.stiffness.recip());
+        let inputs = [normal_force, self.amplitude.into()];
         Turn {
             track_receptance,
             wheel_receptance,
             normal_force,
-            response,
-            tangential_force,
-            creepage,
-            dissipation_at_rail,
+            creep: self.creep(derivatives, inputs, wavelength, speed),
+        }
+    }
+
+    /// What a normal force \[N\] and a profile \[m\] do.
+    fn creep(
+        &self,
+        derivatives: &Derivatives,
+        [normal_force, profile]: [Complex64; 2],
+        wavelength: f64,
+        speed: f64,
+    ) -> Creep {
+        let Derivatives {
+            by_load,
+            by_creepage: [by_creepage, _],
+            by_profile,
+            ..
+        } = derivatives;
+        // (13) and (16) for s₁/V and Q₁, finite in both limits of the inertia: (17), (18)
+        let ratio = self.rotation.ratio(2.0 * PI * speed / wavelength, speed);
+        let slip = -ratio.speed / speed;
+        let force = by_load.force[0] * normal_force + by_profile.force[0] * profile;
+        let share = force / (ratio.force - by_creepage.force[0] * slip);
+        let slip = share * slip;
+        let energy = |of: fn(&Derivative) -> Complex64| {
+            of(by_load) * normal_force + of(by_creepage) * slip + of(by_profile) * profile
+        };
+        Creep {
+            tangential_force: share * ratio.force,
+            slip,
+            energy: energy(|by| by.energy), // (14)
+            dissipation_at_rail: energy(|by| by.at_rail) * speed,
         }
     }
 }

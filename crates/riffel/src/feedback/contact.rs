@@ -1,11 +1,11 @@
 //! A contact among those of the loop.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::contact::{ContactDerivative, MovingContact};
+use crate::contact::{ContactDerivative, ContactResponse, MovingContact, WaveGeometry};
 use crate::wheelset::Motion;
 use crate::{Direction, EnergyWear, Error, Place, PlaceOfWear, Rail, RollingContact};
 
@@ -32,6 +32,8 @@ pub struct Contact {
     pub moving: Option<MovingContact>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
+    /// The geometry of the waves on its rail; none where that has no part in the loop.
+    pub wave: Option<WaveGeometry>,
     /// Law of wear.
     pub wear: EnergyWear,
 }
@@ -131,37 +133,117 @@ impl Contact {
                 creepage: "lateral creepage",
             });
         }
+        if self.wave.is_some() && self.rolling.response(WAVELENGTH).by_curvature.is_none() {
+            return Err(Error::NoResponse {
+                creepage: "the curvature of a wave",
+            });
+        }
         Ok(())
     }
 
+    /// What the geometry of a wave \[m\] of a profile \[m\] does under it.
+    pub(super) fn wave_state(&self, wavelength: f64, profile: Complex64) -> Option<WaveState> {
+        let wave = self.wave.as_ref()?;
+        let wavenumber = 2.0 * PI / wavelength;
+        let curvature = wave.curvature(wavenumber);
+        let creepages = self.rolling.steady().creepages;
+        let by = |creepage: f64| curvature * creepage * profile;
+        Some(WaveState {
+            curvature_per_metre: curvature,
+            share: wave.share(wavenumber),
+            creepage: [by(creepages.longitudinal), by(creepages.lateral)],
+            spin: by(creepages.spin),
+        })
+    }
+
     /// The derivatives of its forces and its energy at one wavelength.
-    pub(super) fn derivatives(&self, wavelength: f64) -> Derivatives {
-        /// What a creepage that is held does.
-        const NOTHING: ContactDerivative = ContactDerivative {
-            force: [Complex64::ZERO; 2],
-            energy: Complex64::ZERO,
-            energy_at_rail: None,
-            error: None,
+    pub(crate) fn derivatives(&self, wavelength: f64) -> Derivatives {
+        self.derivatives_of(&self.rolling.response(wavelength), wavelength)
+    }
+
+    /// Those of a response that is known.
+    pub(super) fn derivatives_of(
+        &self,
+        response: &ContactResponse,
+        wavelength: f64,
+    ) -> Derivatives {
+        let lag = self.place_of_wear.lag(wavelength);
+        let wavenumber = 2.0 * PI / wavelength;
+        let (mut pressed, mut later) = (1.0, Complex64::cis(-lag));
+        if let Some(wave) = &self.wave {
+            pressed = wave.pressed(wavenumber);
+            if wave.is_sliding() {
+                later = pressed.into();
+            }
+        }
+        let of = |by: ContactDerivative| Derivative {
+            force: by.force,
+            energy: by.energy,
+            at_rail: by.energy_at_rail.unwrap_or_else(|| by.energy * later),
         };
-        let response = self.rolling.response(wavelength);
+        let on = |by: Option<ContactDerivative>| by.map_or(Derivative::default(), of);
+        let by_profile = match (&self.wave, response.by_curvature) {
+            (Some(wave), Some(by)) => {
+                /// Share of the angle that the energy lags by at constant slip speed, fitted to transient half-spaces.
+                const SHARE: f64 = 0.75;
+                let curvature = wave.curvature(wavenumber);
+                let later = match wave.is_sliding() {
+                    true => Complex64::ONE,
+                    false => Complex64::new(1.0, SHARE * lag).inv(),
+                };
+                Derivative {
+                    force: by.force.map(|force| force * curvature),
+                    energy: by.energy * curvature,
+                    at_rail: by.energy_at_rail.unwrap_or_else(|| by.energy * later) * curvature,
+                }
+            }
+            _ => Derivative::default(),
+        };
         Derivatives {
-            by_spin: response.by_spin.unwrap_or(NOTHING),
-            by_load: response.by_load,
-            by_creepage: [
-                response.by_longitudinal,
-                response.by_lateral.unwrap_or(NOTHING),
-            ],
+            by_load: of(response.by_load),
+            by_creepage: [of(response.by_longitudinal), on(response.by_lateral)],
+            by_spin: on(response.by_spin),
+            by_profile,
+            pressed,
         }
     }
 }
 
-/// What the forces and the energy of a contact answer to at one wavelength.
+/// What the wave's own geometry does at a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct WaveState {
+    /// κ/Δ \[1/m\].
+    pub curvature_per_metre: f64,
+    /// Φ \[-\].
+    pub share: f64,
+    /// c₀κ \[-\], along and across the rail: what it adds to the creepage.
+    pub creepage: [Complex64; 2],
+    /// c₀κ of the spin \[1/m\].
+    pub spin: Complex64,
+}
+
+/// What forces and energies do under one input.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Derivative {
+    /// Creep force along and across the rail.
+    pub(crate) force: [Complex64; 2],
+    /// Energy left on a metre of rail at the wheel.
+    pub(crate) energy: Complex64,
+    /// The same at a point of the rail.
+    pub(crate) at_rail: Complex64,
+}
+
+/// What the forces and the energy of a contact answer to at one wavelength; nothing where it does not tell it.
 #[derive(Clone, Copy)]
-pub(super) struct Derivatives {
-    pub(super) by_load: ContactDerivative,
-    pub(super) by_creepage: [ContactDerivative; 2],
-    /// Nothing where the contact does not tell it.
-    pub(super) by_spin: ContactDerivative,
+pub(crate) struct Derivatives {
+    pub(crate) by_load: Derivative,
+    pub(crate) by_creepage: [Derivative; 2],
+    pub(crate) by_spin: Derivative,
+    /// By the profile under the contact \[m\], at constant load and slip speed.
+    pub(crate) by_profile: Derivative,
+    /// The share of the profile that presses.
+    pub(crate) pressed: f64,
 }
 
 /// What a shift of the contact on the wheel does, per metre to the right.

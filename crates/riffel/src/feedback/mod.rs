@@ -12,7 +12,8 @@ mod turn;
 
 pub(crate) use answers::Answers;
 pub(crate) use closed_form::ClosedForm;
-pub use contact::Contact;
+pub use contact::{Contact, WaveState};
+pub(crate) use contact::{Derivative, Derivatives};
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
 pub(crate) use system::System;
@@ -42,8 +43,8 @@ use crate::{Error, Rail};
 /// ```text
 /// normal    P₁/k_H = Δ p − (H f₁)_n                   p = e^{ikx} of the place, times the profile of its rail
 /// creepage  V ξ₁ = −iω (H f₁)_{x,t}
-/// creep     Q₁ = F_P P₁ + F_ξ ξ₁
-/// energy    e₁ = e_P P₁ + e_ξ ξ₁
+/// creep     Q₁ = F_P P₁ + F_ξ ξ₁ + F_κ κ
+/// energy    e₁ = e_P P₁ + e_ξ ξ₁ + e_κ κ                κ = R k²Φ Δ p, where the wave's own geometry has a part
 /// growth    g = −k_w/(ρ 2b) · Re(e₁ at the rail point / p)/Δ per passage of the wheel
 /// ```
 ///
@@ -121,7 +122,7 @@ pub struct LoopState {
 pub struct ContactState {
     /// Forces Q_x, Q_t and P of the wheel on the rail \[N\].
     pub force: [Complex64; 3],
-    /// Longitudinal and lateral creepage \[-\].
+    /// Longitudinal and lateral creepage \[-\], with that of the wave's own geometry.
     pub creepage: [Complex64; 2],
     /// Spin of a contact that moves across the profiles \[1/m\].
     pub spin: Complex64,
@@ -135,6 +136,8 @@ pub struct ContactState {
     /// Growth rate of the profile of its rail per passage of this wheel \[-\], positive where corrugation grows; none
     /// on a smooth rail.
     pub growth_rate: Option<f64>,
+    /// What the wave's own geometry does; none where it has no part.
+    pub wave: Option<WaveState>,
 }
 
 impl Loop {
@@ -187,6 +190,14 @@ impl Loop {
     /// The loop with another reading of the interference of several wheels.
     pub fn with_comb(mut self, comb: Comb) -> Self {
         self.comb = comb;
+        self
+    }
+
+    /// The loop without any part of the waves' own geometry.
+    pub fn without_wave_geometry(mut self) -> Self {
+        for contact in &mut self.contacts {
+            contact.wave = None;
+        }
         self
     }
 
@@ -414,5 +425,11 @@ impl LoopState {
     /// Longitudinal creepage ξ₁ of the first contact \[-\].
     pub fn creepage(&self) -> Complex64 {
         self.contacts[0].creepage[0]
+    }
+
+    /// Longitudinal slip speed over V of the first contact \[-\]: the creepage but for that of the wave's own geometry.
+    pub fn slip(&self) -> Complex64 {
+        let of_wave = self.contacts[0].wave.map(|wave| wave.creepage[0]);
+        of_wave.map_or(self.creepage(), |of_wave| self.creepage() - of_wave)
     }
 }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Contact, Loop};
+use crate::contact::WaveGeometry;
 use crate::receptance::Uncoupled;
 use crate::wheelset::Motion;
 use crate::{EnergyWear, Error, PlaceOfWear, Rail, Receptance, RollingContact};
@@ -22,6 +23,8 @@ pub struct OneWheel {
     pub contact: Arc<dyn RollingContact>,
     /// Phase between dissipation at the wheel and at a point of the rail.
     pub place_of_wear: PlaceOfWear,
+    /// The geometry of the waves on the rail; none where that has no part in the loop.
+    pub wave: Option<WaveGeometry>,
     /// Law of wear.
     pub wear: EnergyWear,
     /// Amplitude Δ of the profile \[m\].
@@ -44,6 +47,7 @@ impl Loop {
             contact_stiffness: closed.contact.stiffness,
             contact: closed.contact.rolling,
             place_of_wear: closed.contact.place_of_wear,
+            wave: closed.contact.wave,
             wear: closed.contact.wear,
             amplitude: closed.amplitude,
         }
@@ -72,6 +76,7 @@ impl OneWheel {
             motion: [along, Motion::Held],
             moving: None,
             place_of_wear: self.place_of_wear,
+            wave: self.wave,
             wear: self.wear,
         };
         let track = Uncoupled {

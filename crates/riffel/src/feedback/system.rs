@@ -297,16 +297,27 @@ impl System {
             force[1] -= by_shift.lateral_force * on_wheel;
             force[NORMAL] -= by_shift.normal_force * on_wheel;
         }
-        let lag = contact.place_of_wear.lag(wavelength);
-        let mut energy = derivatives.by_load.energy * force[NORMAL];
-        let mut at_rail = derivatives.by_load.at_rail(lag) * force[NORMAL];
-        let creepages = creepage.into_iter().chain([spin]);
-        let by = derivatives.by_creepage.iter().chain([&derivatives.by_spin]);
-        for (by, creepage) in by.zip(creepages) {
-            energy += by.energy * creepage;
-            at_rail += by.at_rail(lag) * creepage;
-        }
         let phase = contact.phase(wavenumber);
+        let profile = of.amplitude * contact.profile * phase;
+        let inputs = [
+            (&derivatives.by_load, force[NORMAL]),
+            (&derivatives.by_creepage[0], creepage[0]),
+            (&derivatives.by_creepage[1], creepage[1]),
+            (&derivatives.by_spin, spin),
+            (&derivatives.by_profile, profile),
+        ];
+        let (mut energy, mut at_rail) = (Complex64::ZERO, Complex64::ZERO);
+        for (by, input) in inputs {
+            energy += by.energy * input;
+            at_rail += by.at_rail * input;
+        }
+        let wave = contact.wave_state(wavelength, profile);
+        if let Some(wave) = wave {
+            for (creepage, of_wave) in creepage.iter_mut().zip(wave.creepage) {
+                *creepage += of_wave;
+            }
+            spin += wave.spin;
+        }
         let energy_at_rail = at_rail / (phase * contact.profile_or_one());
         let depth = contact.wear.depth_per_energy() * energy_at_rail.re;
         ContactState {
@@ -317,6 +328,7 @@ impl System {
             energy,
             energy_at_rail,
             growth_rate: (contact.profile != 0.0).then(|| -depth / of.amplitude),
+            wave,
         }
     }
 

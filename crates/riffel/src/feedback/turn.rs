@@ -48,7 +48,7 @@ impl Turn<'_> {
     /// The equations, with ξ = −ik (H f) in the tangent plane where an axis is compliant:
     ///
     /// ```text
-    /// Q − F_P P − F_ξ ξ = 0        two rows a contact
+    /// Q − F_P P − F_ξ ξ = F_κ κ    two rows a contact
     /// P/k_H + (H f)_n = Δ p        one row
     /// ```
     ///
@@ -56,7 +56,7 @@ impl Turn<'_> {
     /// y + (H f)_t on the wheel, see [`MovingContact`](crate::contact::MovingContact),
     ///
     /// ```text
-    /// f − F_P f_n − F_ξ ξ + c (y + (H f)_t) = 0
+    /// f − F_P f_n − F_ξ ξ + c (y + (H f)_t) = F_κ κ
     /// f_n/k_H + (H f)_n + d (y + (H f)_t) = Δ p
     /// y/R_r + θ − (H f)_t/R_t = ψ_p                one row more
     /// ```
@@ -115,6 +115,7 @@ impl Turn<'_> {
                     add(simd, &mut row[own + SHIFT], answer.force_by_shift[axis]);
                 }
                 right.fill(zero.parts());
+                right[excitation] = answer.force_by_profile[axis].parts();
             }
             let (row, right) = rows[NORMAL * width..][..width].split_at_mut(size);
             row.copy_from_slice(normal);
@@ -168,6 +169,7 @@ impl Turn<'_> {
                 growth_by_load,
                 growth_by_creepage,
                 growth_by_shift,
+                growth_by_profile,
                 ..
             } = answer;
             let mut displacements = [Vector::<S>::zero(simd); 2];
@@ -182,6 +184,7 @@ impl Turn<'_> {
             }
             let load = equations.unknown::<S>(unknowns * index + NORMAL, column);
             dissipation = growth_by_load.times_plus(simd, load, dissipation);
+            dissipation = growth_by_profile.plus(simd, dissipation);
             if contact.moving.is_some() {
                 let mut shift = equations.unknown::<S>(unknowns * index + SHIFT, column);
                 if contact.shifts_with_displacement() {

@@ -13,6 +13,8 @@ pub(super) struct Closing<'a> {
     pub(super) by_force: &'a SplitComplex,
     pub(super) by_speed: &'a SplitComplex,
     pub(super) slip: &'a SplitComplex,
+    /// The same two columns of the wave's own geometry.
+    pub(super) wave: Option<&'a [SplitComplex; 2]>,
     /// z, the share of the force.
     pub(super) force: f64,
     /// 1/k_H \[m/N\].
@@ -26,7 +28,7 @@ impl WithSimd for Closing<'_> {
     type Output = ();
 
     /// Ŵ₁ = (by_force z + by_speed y/V) / ((H + H_w + 1/k_H)(z + slip y/V)), z and y the shares of force and
-    /// speed: one division for each wavelength.
+    /// speed, and the receptance times the same of the wave in the numerator: one division for each wavelength.
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let [track, wheel, speeds, by_force, by_speed, slip] = [
@@ -38,6 +40,7 @@ impl WithSimd for Closing<'_> {
             self.slip,
         ]
         .map(|row| Rows::<S>::of(row));
+        let wave = self.wave.map(|wave| wave.each_ref().map(Rows::<S>::of));
         let contact = simd.splat_f64s(self.contact);
         let per_speed = simd.splat_f64s(self.per_speed);
         let one = simd.splat_f64s(1.0);
@@ -54,7 +57,12 @@ impl WithSimd for Closing<'_> {
                 im: simd.add_f64s(track.at(j).im, wheel.at(j).im),
             };
             let numerator = by_force.at(j).scaled(simd, force.re);
-            let numerator = by_speed.at(j).times_plus(simd, speed, numerator);
+            let mut numerator = by_speed.at(j).times_plus(simd, speed, numerator);
+            if let Some([by_force, by_speed]) = &wave {
+                let geometry = by_force.at(j).scaled(simd, force.re);
+                let geometry = by_speed.at(j).times_plus(simd, speed, geometry);
+                numerator = geometry.times_plus(simd, receptance, numerator);
+            }
             let sliding = slip.at(j).times_plus(simd, speed, force);
             let denominator = receptance.times(simd, sliding);
             let inverse = simd.div_f64s(one, denominator.norm_sqr(simd));

@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::closing::Closing;
-use crate::feedback::{Answers, ClosedForm, Loop, System};
+use crate::feedback::{Answers, ClosedForm, Derivative, Derivatives, Loop, System};
 use crate::receptance::Tabulated;
 use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
 
@@ -53,7 +53,8 @@ struct AllAxes {
 /// wavelength.
 ///
 /// With z : y the ratio of the creep force to the speed of the wheel's surface, eliminating the creepage −y/V from
-/// (13), (14) leaves Ŵ₁ = (by_force z + by_speed y/V) / ((H + H_w + 1/k_H)(z + slip y/V)).
+/// (13), (14) leaves Ŵ₁ = (by_force z + by_speed y/V) / ((H + H_w + 1/k_H)(z + slip y/V)), and the wave's own geometry adds
+/// (by_force z + by_speed y/V)/(z + slip y/V) with two columns of its own.
 struct Columns {
     /// 2π/λ \[rad/m\].
     wavenumber: Tile,
@@ -65,6 +66,8 @@ struct Columns {
     by_speed: SplitComplex,
     /// Q_ξ.
     slip: SplitComplex,
+    /// Of the wave's own geometry e_r Δ/(μP₀ξ₀) and (e_r Q_ξ − e_ξ Q_r) Δ/(μP₀ξ₀), r the profile; none where it has no part.
+    wave: Option<[SplitComplex; 2]>,
 }
 
 /// What a tile and a speed give.
@@ -83,38 +86,28 @@ impl Columns {
         let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
         let scale = feedback.amplitude / feedback.steady.full_slip_energy_per_metre();
         let contact = &feedback.contact;
-        let at = wavelengths.map(|wavelength| {
-            let response = contact.rolling.response(wavelength);
-            let lag = contact.place_of_wear.lag(wavelength);
-            At {
-                force_by_load: response.by_load.force[0],
-                force_by_creepage: response.by_longitudinal.force[0],
-                rail_by_load: response.by_load.at_rail(lag),
-                rail_by_creepage: response.by_longitudinal.at_rail(lag),
-            }
-        });
-        let column = |value: &dyn Fn(&At) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
+        let at = wavelengths.map(|wavelength| contact.derivatives(wavelength));
+        let column =
+            |value: &dyn Fn(&Derivatives) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
+        // [..] of two inputs: what the second makes in the place of the first.
+        let cross = |first: &Derivative, at: &Derivatives| {
+            let by_creepage = at.by_creepage[0];
+            first.at_rail * by_creepage.force[0] - by_creepage.at_rail * first.force[0]
+        };
         Self {
             wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
             per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
-            by_force: column(&|at| at.rail_by_load * scale),
-            by_speed: column(&|at| {
-                let cross =
-                    at.rail_by_load * at.force_by_creepage - at.rail_by_creepage * at.force_by_load;
-                cross * scale
+            by_force: column(&|at| at.by_load.at_rail * scale * at.pressed),
+            by_speed: column(&|at| cross(&at.by_load, at) * scale * at.pressed),
+            slip: column(&|at| at.by_creepage[0].force[0]),
+            wave: contact.wave.is_some().then(|| {
+                [
+                    column(&|at| at.by_profile.at_rail * scale),
+                    column(&|at| cross(&at.by_profile, at) * scale),
+                ]
             }),
-            slip: column(&|at| at.force_by_creepage),
         }
     }
-}
-
-/// What the contact answers at one wavelength.
-#[derive(Clone, Copy)]
-struct At {
-    force_by_load: Complex64,
-    force_by_creepage: Complex64,
-    rail_by_load: Complex64,
-    rail_by_creepage: Complex64,
 }
 
 impl RowEvaluator {
@@ -215,6 +208,7 @@ impl Tiles {
             by_force: &columns.by_force,
             by_speed: &columns.by_speed,
             slip: &columns.slip,
+            wave: columns.wave.as_ref(),
             force: joints.rotation.force(),
             contact: joints.contact.stiffness.recip(),
             per_speed,

@@ -16,7 +16,7 @@ use crate::receptance::MovingLoadOnSupports;
 /// G = −(k_w/ρ2b) diag(e_n) A⁻¹, A_nm = Ĥ_{n−m}(ω + mΩ) + δ_nm (H_w(ω + nΩ) + 1/k_H),
 ///
 /// with Ĥ_n of [`MovingLoadOnSupports`], and e_n the oscillation of the energy per metre that the loop makes of a normal
-/// force at k_n. N = A⁻¹r is the normal force by harmonic balance. G₀₀ is the growth of the wave alone, the mean over the bay of
+/// force at k_n; what the wave's own geometry makes of the profile at k_n stands beside it on the diagonal. N = A⁻¹r is the normal force by harmonic balance. G₀₀ is the growth of the wave alone, the mean over the bay of
 /// the quasi-static loop for V → 0; the eigenvalues tend to the growth at each place of the bay as more neighbours are taken,
 /// where growth does not change from one neighbour to the next. An eigenvalue is the growth rate of its pattern
 /// (real part) and the phase by which it moves along the rail in each passage (imaginary part, positive ahead of e^{ikx}).
@@ -93,11 +93,15 @@ impl GrowthWithNeighbours {
         }
         let mut operator = inverse(matrix);
         let per_energy = feedback.contact.wear.depth_per_energy();
-        for (row, k) in operator.iter_mut().zip(&wavenumbers) {
+        let pressed: Vec<f64> = wavenumbers.iter().map(|&k| feedback.pressed(k)).collect();
+        for (n, (row, k)) in operator.iter_mut().zip(&wavenumbers).enumerate() {
             let wavelength = std::f64::consts::TAU / k;
-            let energy = feedback.energy_by_normal_force(wavelength, speed);
-            row.iter_mut()
-                .for_each(|entry| *entry *= -per_energy * energy);
+            let [by_force, by_profile] =
+                feedback.energy_by_normal_force_and_profile(wavelength, speed);
+            for (entry, pressed) in row.iter_mut().zip(&pressed) {
+                *entry *= -per_energy * by_force * pressed;
+            }
+            row[n] -= per_energy * by_profile;
         }
         let (leading, pattern) = leading(&operator);
         Ok(Self {

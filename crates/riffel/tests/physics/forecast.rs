@@ -34,6 +34,7 @@ fn feedback(load: f64, ratio: f64, wear: f64) -> Result<Loop, Error> {
         )?)),
         wheel: Arc::new(RigidMass::new(350.0)?),
         contact_stiffness: hertz.stiffness(),
+        wave: None,
         place_of_wear: PlaceOfWear::new(
             DissipationPhase::Lag,
             hertz.semi_axis_longitudinal(),

@@ -67,6 +67,7 @@ pub(crate) fn contact(
         rolling,
         motion,
         moving: None,
+        wave: None,
         place_of_wear: place_of_wear(),
         wear: wear(),
     }
@@ -117,6 +118,7 @@ proptest! {
             contact_stiffness: hertz().stiffness(),
             contact: rolling(creepage, 0.0),
             rotation: motion[kind].clone(),
+            wave: None,
             place_of_wear: place_of_wear(),
             wear: wear(),
             amplitude: AMPLITUDE,

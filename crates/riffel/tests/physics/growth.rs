@@ -80,6 +80,7 @@ impl Railway {
             contact_stiffness: hertz.stiffness(),
             contact: Arc::new(contact),
             rotation,
+            wave: None,
             place_of_wear: PlaceOfWear::new(
                 DissipationPhase::Lag,
                 hertz.semi_axis_longitudinal(),

@@ -26,6 +26,7 @@ fn on_rigid_ground(wheel: impl Receptance + 'static, stiffness: f64) -> Loop {
         contact: Arc::new(LoadWear::new(Arc::new(rolling))),
         rotation: Motion::Held,
         // The patch takes no part, so neither does the reading of its phase.
+        wave: None,
         place_of_wear: PlaceOfWear::new(
             DissipationPhase::Lag,
             hertz.semi_axis_longitudinal(),

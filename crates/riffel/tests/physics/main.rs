@@ -14,5 +14,6 @@ mod passing_supports;
 mod spatial_track;
 mod supports_on_all_axes;
 mod track;
+mod wave_geometry;
 mod wheelset;
 mod work;

@@ -89,6 +89,7 @@ fn both(
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(rotation),
+        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, ratio),
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude,

@@ -52,6 +52,7 @@ fn feedback(amplitude: f64) -> Loop {
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(inertia, 0.46).unwrap()),
+        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 0.0, 0.3),
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude,

@@ -77,6 +77,7 @@ fn feedback<R: Receptance + 'static>(
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(27.77, 0.46).unwrap()),
+        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, hertz.semi_axis_longitudinal(), 0.1),
         wear: EnergyWear::new(1e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
         amplitude: 20e-6,

@@ -2,6 +2,7 @@
 
 mod contact_filter;
 mod creep_coefficient;
+mod curvature_filter;
 mod elliptic_contact;
 mod elliptic_integrals;
 mod hertz;
@@ -11,6 +12,7 @@ mod unit_ellipse;
 
 pub use contact_filter::ContactFilter;
 pub use creep_coefficient::creep_coefficient;
+pub use curvature_filter::CurvatureFilter;
 pub(super) use elliptic_contact::contact_modulus;
 pub use elliptic_contact::{ContactBody, EllipticContact};
 pub use elliptic_integrals::EllipticIntegrals;

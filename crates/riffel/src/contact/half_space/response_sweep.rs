@@ -78,6 +78,7 @@ impl<'a> ResponseSweep<'a> {
             by_longitudinal: derivative(&responses[1], 1.0),
             by_lateral: responses.get(2).map(|response| derivative(response, 1.0)),
             by_spin: responses.get(3).map(|response| derivative(response, 1.0)),
+            by_curvature: None,
         })
     }
 

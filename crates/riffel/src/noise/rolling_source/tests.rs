@@ -45,6 +45,7 @@ fn feedback(track: Arc<dyn crate::Receptance>) -> Loop {
         contact_stiffness: hertz.stiffness(),
         contact: Arc::new(contact),
         rotation: Motion::compliant(RigidInertia::new(60.0, 0.46).unwrap()),
+        wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, 5e-3, 0.1),
         wear: EnergyWear::new(2.5e-9, 7850.0, 5e-3).unwrap(),
         amplitude: 1e-6,
