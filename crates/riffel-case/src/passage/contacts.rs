@@ -5,7 +5,7 @@ use std::sync::Arc;
 use riffel::Rail;
 use riffel::contact::CreepLaw;
 use riffel::feedback::Contact;
-use riffel::passage::{ContactInTime, TransientContact};
+use riffel::passage::{ContactInTime, TransientContact, WaveInTime};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -20,17 +20,26 @@ const MOST_CONTACTS: usize = 8;
 impl Case {
     /// The contacts of the loop, that under study first.
     pub(super) fn contacts_in_time(&self) -> Result<Vec<ContactInTime>, CaseError> {
-        let Some(keys) = self.keys.general()? else {
-            return Ok(vec![self.one_contact_in_time()?]);
-        };
+        let keys = self.keys.general()?;
         let contacts = self.feedback.contacts().iter();
         contacts
-            .map(|contact| self.contact_of_loop_in_time(contact, &keys))
+            .map(|contact| {
+                let in_time = match &keys {
+                    None => self.one_contact_in_time(contact)?,
+                    Some(keys) => self.contact_of_loop_in_time(contact, keys)?,
+                };
+                if contact.wave.is_some() && in_time.wave.is_none() {
+                    let message = "a passage in time has the wave's own geometry with contacts that answer at once and do not slide \
+                                   everywhere, not with this one; set it to false";
+                    return Err(self.refuse("contact.wave_geometry", message));
+                }
+                Ok(in_time)
+            })
             .collect()
     }
 
     /// The contact of one wheel along one axis.
-    fn one_contact_in_time(&self) -> Result<ContactInTime, CaseError> {
+    fn one_contact_in_time(&self, of_loop: &Contact) -> Result<ContactInTime, CaseError> {
         let (keys, friction) = (&self.keys, self.steady.friction);
         // The paper's law does without Kalker's coefficients, which have a table that ends.
         let law = match self.carter {
@@ -45,6 +54,7 @@ impl Case {
         let contact = keys.physics("contact", contact)?;
         let even = self.file.wheel.rotation() == Rotation::ConstantCreepage;
         Ok(ContactInTime {
+            wave: WaveInTime::of(of_loop).filter(|_| late.is_none()),
             late,
             held: [even, contact.held[1]],
             ..contact

@@ -184,12 +184,10 @@ impl Contact {
         let on = |by: Option<ContactDerivative>| by.map_or(Derivative::default(), of);
         let by_profile = match (&self.wave, response.by_curvature) {
             (Some(wave), Some(by)) => {
-                /// Share of the angle that the energy lags by at constant slip speed, fitted to transient half-spaces.
-                const SHARE: f64 = 0.75;
                 let curvature = wave.curvature(wavenumber);
                 let later = match wave.is_sliding() {
                     true => Complex64::ONE,
-                    false => Complex64::new(1.0, SHARE * lag).inv(),
+                    false => later_of_wave(lag),
                 };
                 Derivative {
                     force: by.force.map(|force| force * curvature),
@@ -207,6 +205,13 @@ impl Contact {
             pressed,
         }
     }
+}
+
+/// Where the energy of a wave's own geometry comes to a point of the rail, at an angle of the place of wear \[rad\].
+pub(crate) fn later_of_wave(lag: f64) -> Complex64 {
+    /// Share of the angle that the energy lags by at constant slip speed, fitted to transient half-spaces.
+    const SHARE: f64 = 0.75;
+    Complex64::new(1.0, SHARE * lag).inv()
 }
 
 /// What the wave's own geometry does at a contact.

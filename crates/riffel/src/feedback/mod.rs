@@ -13,7 +13,7 @@ mod turn;
 pub(crate) use answers::Answers;
 pub(crate) use closed_form::ClosedForm;
 pub use contact::{Contact, WaveState};
-pub(crate) use contact::{Derivative, Derivatives};
+pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
 pub(crate) use system::System;

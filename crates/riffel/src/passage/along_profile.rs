@@ -58,15 +58,27 @@ impl PassageModel {
                 (trend.slope * index as f64 + rough) * faded(share)
             }
         };
+        let bent = self.contacts.iter().map(|contact| {
+            let wave = contact.wave.as_ref();
+            wave.map_or_else(Vec::new, |wave| wave.along(profile))
+        });
+        let bent: Vec<Vec<f64>> = bent.collect();
+        let curvature = |contact: usize, index: isize| match usize::try_from(index) {
+            Ok(index) => bent[contact][index.min(heights.len() - 1)],
+            Err(_) => {
+                let before = index.unsigned_abs().min(run_in);
+                bent[contact][before] * faded(1.0 - before as f64 / run_in as f64)
+            }
+        };
         let substeps = (spacing / largest_step).ceil().max(1.0);
         let mut march = self.march_before(spacing / substeps, run_in as f64 * spacing)?;
         let mut roll = Roll::new(&mut march, substeps as usize, spacing);
-        roll.along(rail, -(run_in as isize), 0, |_| ());
+        roll.along(rail, curvature, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let first = roll.march.now();
         let mut contacts: Vec<Vec<ContactInstant>> =
             first.iter().map(|&first| vec![first]).collect();
-        roll.along(rail, 0, heights.len() as isize - 1, |now| {
+        roll.along(rail, curvature, 0, heights.len() as isize - 1, |now| {
             for (contacts, now) in contacts.iter_mut().zip(now) {
                 contacts.push(*now);
             }
@@ -190,10 +202,11 @@ impl<'a, 'm> Roll<'a, 'm> {
         self.lost as f64 / self.steps as f64
     }
 
-    /// On from one height to another; `visit` is shown the contacts when the first wheel is at each height after the first.
+    /// On from one height to another, with κ under the contacts by their numbers at each; `visit` is shown the contacts when the first wheel is at each height after the first.
     pub(super) fn along(
         &mut self,
         heights: impl Fn(isize) -> f64,
+        curvatures: impl Fn(usize, isize) -> f64,
         from: isize,
         to: isize,
         mut visit: impl FnMut(&[ContactInstant]),
@@ -203,14 +216,26 @@ impl<'a, 'm> Roll<'a, 'm> {
             let under_first = around(index);
             for step in 1..=self.substeps {
                 let share = step as f64 / self.substeps as f64;
-                self.march.advance_along(|ahead| {
-                    if ahead == 0.0 {
-                        return cubic(under_first, share);
-                    }
+                let place = |ahead: f64| {
                     let place = share + ahead / self.spacing;
-                    let before = place.floor();
-                    cubic(around(index + before as isize), place - before)
-                });
+                    (index + place.floor() as isize, place - place.floor())
+                };
+                self.march.advance_along(
+                    |ahead| {
+                        if ahead == 0.0 {
+                            return cubic(under_first, share);
+                        }
+                        let (index, share) = place(ahead);
+                        cubic(around(index), share)
+                    },
+                    |contact, ahead| {
+                        let (index, share) = place(ahead);
+                        cubic(
+                            [-1, 0, 1, 2].map(|by| curvatures(contact, index + by)),
+                            share,
+                        )
+                    },
+                );
                 for contact in self.march.now() {
                     let [least, largest] = &mut self.normal_force;
                     *least = least.min(contact.normal_force);

@@ -6,8 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-use super::PassageModel;
 use super::along_profile::{Roll, faded};
+use super::{PassageModel, WaveInTime};
+use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
 
@@ -237,18 +238,28 @@ impl Evolution {
         let run_in = (wheel.memory / self.spacing).ceil();
         let substeps = (self.spacing / largest_step).ceil().max(1.0);
         let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
-        let averaged = self.felt(heights, model);
-        let heights = averaged.as_deref().unwrap_or(heights);
+        let raw = heights;
+        let averaged = self.felt(raw, model);
+        let heights = averaged.as_deref().unwrap_or(raw);
         let count = heights.len() as isize;
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
-        let fading = |index: isize| ring(index) * faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
-        roll.along(fading, -(run_in as isize), 0, |_| ());
+        let share = |index: isize| faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
+        let bent = self.curvatures(raw, model);
+        let curvature =
+            |contact: usize, index: isize| bent[contact][index.rem_euclid(count) as usize];
+        roll.along(
+            |index| ring(index) * share(index),
+            |contact, index| curvature(contact, index) * share(index),
+            -(run_in as isize),
+            0,
+            |_| (),
+        );
         roll.begin_to_count();
         let worn = model.on_rail_under_study();
         let mut energies = vec![vec![0.0; heights.len()]; worn.len()];
         let mut index = 0;
-        roll.along(ring, 0, count, |contacts| {
+        roll.along(ring, curvature, 0, count, |contacts| {
             // The first wheel is now at the next height; the last is the first.
             index = (index + 1) % heights.len();
             for (energies, (contact, _)) in energies.iter_mut().zip(&worn) {
@@ -259,20 +270,34 @@ impl Evolution {
         let length = heights.len() as f64 * self.spacing;
         let mut change = vec![Complex64::ZERO; heights.len() / 2 + 1];
         let mut depth = 0.0;
-        for (energies, (contact, along)) in energies.iter().zip(&worn) {
+        for (energies, (index, along)) in energies.iter().zip(&worn) {
+            let contact = &model.contacts[*index];
             let waves = spectrum(energies);
+            // What of the energy is that of the wave's own geometry at constant load and slip speed.
+            let own: Option<Vec<Complex64>> = contact.wave.as_ref().map(|wave| {
+                let waves = spectrum(&bent[*index]).into_iter();
+                waves
+                    .map(|bent| wave.energy() * contact.profile * bent)
+                    .collect()
+            });
             depth += per_energy * waves[0].re / heights.len() as f64;
             for (n, (sum, wave)) in change.iter_mut().zip(waves).enumerate().skip(1) {
                 let wavelength = length / n as f64;
                 if wavelength < wear.shortest {
                     continue;
                 }
-                let left = match &model.contacts[*contact].late {
-                    None => -wear.place.lag(wavelength),
+                let lag = wear.place.lag(wavelength);
+                let left = match &contact.late {
+                    None => -lag,
                     Some(late) => TAU * late.behind() / wavelength,
                 };
-                let ahead = left - TAU * along / wavelength;
-                *sum -= per_energy * wave * Complex64::from_polar(1.0, ahead);
+                // That of the geometry stands at the phase of the profile there.
+                let by_place = Complex64::cis(TAU * along / wavelength);
+                let own = own
+                    .as_ref()
+                    .map_or(Complex64::ZERO, |own| own[n] * by_place);
+                let at_rail = (wave - own) * Complex64::cis(left) + own * later_of_wave(lag);
+                *sum -= per_energy * at_rail * by_place.conj();
             }
         }
         Ok(Change {
@@ -283,6 +308,15 @@ impl Evolution {
                 normal_force: roll.normal_force,
             },
         })
+    }
+
+    /// κ around the ring under each contact, nothing where the wave's own geometry has no part.
+    fn curvatures(&self, heights: &[f64], model: &PassageModel) -> Vec<Vec<f64>> {
+        let contacts = model.contacts.iter();
+        let of = |wave: Option<&WaveInTime>| {
+            wave.map_or_else(Vec::new, |wave| wave.around(heights, self.spacing))
+        };
+        contacts.map(|contact| of(contact.wave.as_ref())).collect()
     }
 
     /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.
@@ -331,7 +365,7 @@ struct Change {
 }
 
 /// Coefficients of the Fourier series, not scaled.
-fn spectrum(values: &[f64]) -> Vec<Complex64> {
+pub(super) fn spectrum(values: &[f64]) -> Vec<Complex64> {
     let transform = RealFftPlanner::new().plan_fft_forward(values.len());
     let mut values = values.to_vec();
     let mut waves = transform.make_output_vec();
@@ -341,7 +375,7 @@ fn spectrum(values: &[f64]) -> Vec<Complex64> {
 }
 
 /// The values of a series.
-fn series(mut waves: Vec<Complex64>, count: usize) -> Vec<f64> {
+pub(super) fn series(mut waves: Vec<Complex64>, count: usize) -> Vec<f64> {
     let transform = RealFftPlanner::new().plan_fft_inverse(count);
     let mut values = transform.make_output_vec();
     if count.is_multiple_of(2)

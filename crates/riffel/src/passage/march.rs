@@ -61,6 +61,8 @@ pub struct March<'a> {
     before: Vec<[f64; 2]>,
     forces_before: Vec<f64>,
     heights: Vec<f64>,
+    /// κ of the waves under the contacts.
+    curvatures: Vec<f64>,
 }
 
 impl<'a> March<'a> {
@@ -110,6 +112,7 @@ impl<'a> March<'a> {
             before: Vec::with_capacity(model.contacts.len()),
             forces_before: vec![0.0; size],
             heights: vec![0.0; model.contacts.len()],
+            curvatures: vec![0.0; model.contacts.len()],
             model,
         }
     }
@@ -119,7 +122,8 @@ impl<'a> March<'a> {
         &self.now
     }
 
-    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals.
+    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals, and no curvature that
+    /// counts.
     pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
         /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
         const SWEEPS: usize = 40;
@@ -170,13 +174,25 @@ impl<'a> March<'a> {
         &self.now
     }
 
-    /// One step on along a rail whose height under study is told at a distance ahead of the first wheel \[m\].
-    pub(super) fn advance_along(&mut self, height: impl Fn(f64) -> f64) {
+    /// One step on along a rail whose height under study, and κ under a contact of a number, are told at a distance ahead of the first
+    /// wheel \[m\].
+    pub(super) fn advance_along(
+        &mut self,
+        height: impl Fn(f64) -> f64,
+        curvature: impl Fn(usize, f64) -> f64,
+    ) {
         let mut heights = std::mem::take(&mut self.heights);
-        for (own, contact) in heights.iter_mut().zip(&self.model.contacts) {
-            *own = match contact.profile {
-                0.0 => 0.0,
-                profile => profile * height(contact.along),
+        for (index, contact) in self.model.contacts.iter().enumerate() {
+            (heights[index], self.curvatures[index]) = match contact.profile {
+                0.0 => (0.0, 0.0),
+                profile => {
+                    let curvature = contact
+                        .wave
+                        .as_ref()
+                        .map(|_| curvature(index, contact.along));
+                    let height = profile * height(contact.along);
+                    (height, profile * curvature.unwrap_or(0.0))
+                }
             };
         }
         self.advance(&heights);
@@ -207,13 +223,16 @@ impl<'a> March<'a> {
         let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
 
         let mean = &contact.mean;
+        let curvature = self.curvatures[index];
+        let slower = 1.0 + curvature;
         let at_rest = [mean.creepages.longitudinal, mean.creepages.lateral];
-        let v = self.model.speed;
+        let v = self.model.speed / slower;
         let mut equation = TangentEquation {
             contact,
             late: self.late[index].as_ref(),
             normal_force,
-            known: at_rest,
+            curvature,
+            known: at_rest.map(|creepage| creepage * slower),
             by_force: [[0.0; 2]; 2],
         };
         for axis in [0, 1].into_iter().filter(|&axis| !contact.held[axis]) {

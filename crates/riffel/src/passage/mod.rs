@@ -32,6 +32,7 @@ mod tangent_equation;
 mod track_motion;
 mod transient_contact;
 mod vector_fitting;
+mod wave_in_time;
 
 pub use along_profile::Passage;
 pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
@@ -44,3 +45,4 @@ pub use settled::{Harmonic, Settled, Sinusoid};
 pub use smooth_rail::{ContactSwing, Outcome, SmoothRail};
 pub use structures::StructuresInTime;
 pub use transient_contact::{TransientContact, TransientSettled};
+pub use wave_in_time::WaveInTime;

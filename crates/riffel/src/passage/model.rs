@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::{HertzSpring, LateContact, March, StructuresInTime};
+use super::{HertzSpring, LateContact, March, StructuresInTime, WaveInTime};
 use crate::contact::{ContactFilter, CreepLaw, MeanRolling};
 use crate::feedback::Contact;
 use crate::wheelset::Motion;
@@ -18,6 +18,8 @@ pub struct ContactInTime {
     pub law: Arc<dyn CreepLaw>,
     /// What of load and longitudinal creepage the law is asked about, where the contact answers late.
     pub late: Option<Arc<LateContact>>,
+    /// The geometry of the waves under it; none where that has no part in its motion.
+    pub wave: Option<WaveInTime>,
     /// The mean state, at which a march begins.
     pub mean: MeanRolling,
     /// The rail.
@@ -35,7 +37,7 @@ pub struct ContactInTime {
 /// * Displacements u = ∫ g(t − τ) (f − f₀) dτ of track and wheels together, f = (Q_x, Q_t, P) at all contacts, from
 ///   their position under the mean forces.
 /// * Normal: δ = δ₀ − u_n + r for a profile of height r along the normal, P = C_H δ^{3/2} or none.
-/// * Creep: (ξ, η) = (ξ₀, η₀) − (du_x/dt, du_t/dt)/V; forces of a steady law at the P and creepages of the instant, or what a contact
+/// * Creep: (ξ, η) = ((ξ₀, η₀) − (du_x/dt, du_t/dt)/V)(1 + κ), κ of the [geometry of the wave](WaveInTime), zero without; forces of a steady law at the P and creepages of the instant, or what a contact
 ///   that answers [late](LateContact) feels of them along the rail, none without contact; spin as in the mean state.
 ///
 /// On discrete supports g is that of the place of the first wheel at τ, and what the mean forces make of the rail between supports is
@@ -69,6 +71,7 @@ impl ContactInTime {
             along: contact.along,
             profile: contact.profile,
             held: contact.motion.each_ref().map(held),
+            wave: WaveInTime::of(contact),
             ..Self::of_one_wheel(mean, contact.stiffness, law)?
         })
     }
@@ -87,6 +90,7 @@ impl ContactInTime {
             spring: HertzSpring::new(mean.normal_force, stiffness)?,
             law,
             late: None,
+            wave: None,
             mean,
             rail: Rail::Right,
             along: 0.0,

@@ -141,8 +141,15 @@ impl PassageModel {
             amplitude: profile.amplitude * self.felt(profile.wavelength),
             ..profile
         };
+        let bent = self.contacts.iter().map(|contact| {
+            let wave = contact.wave.as_ref();
+            wave.map_or(0.0, |wave| {
+                profile.amplitude * wave.per_metre(profile.wavelength)
+            })
+        });
+        let bent: Vec<f64> = bent.collect();
         if let Some(spacing) = self.structures.support_spacing() {
-            return self.settle_over_supports(felt, steps, spacing, wanted);
+            return self.settle_over_supports(felt, &bent, steps, spacing, wanted);
         }
         let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
@@ -156,8 +163,12 @@ impl PassageModel {
             waves.iter_mut().for_each(Vec::clear);
             for step in 1..=steps {
                 let share = step as f64 / steps as f64;
-                let grown = felt.amplitude * faded(((number - 1) as f64 + share) / onset);
-                march.advance_along(|ahead| grown * (TAU * share + TAU * ahead / wavelength).cos());
+                let grown = faded(((number - 1) as f64 + share) / onset);
+                let wave = |ahead: f64| (TAU * share + TAU * ahead / wavelength).cos();
+                march.advance_along(
+                    |ahead| grown * felt.amplitude * wave(ahead),
+                    |index, ahead| grown * bent[index] * wave(ahead),
+                );
                 for (wave, instant) in waves.iter_mut().zip(march.now()) {
                     wave.push(*instant);
                 }
@@ -191,10 +202,11 @@ impl PassageModel {
         })
     }
 
-    /// The same of a sinusoid as the wheels feel it, on discrete supports at a spacing \[m\].
+    /// The same of a sinusoid as the wheels feel it, with κ of its crests under the contacts, on discrete supports at a spacing \[m\].
     fn settle_over_supports(
         &self,
         profile: Sinusoid,
+        bent: &[f64],
         steps: usize,
         spacing: f64,
         wanted: &dyn Fn() -> bool,
@@ -219,9 +231,13 @@ impl PassageModel {
                     change: f64::INFINITY,
                 });
             }
-            let grown = amplitude * faded(index as f64 / onset);
+            let grown = faded(index as f64 / onset);
             let angle = TAU * (index % steps) as f64 / steps as f64;
-            march.advance_along(|ahead| grown * (angle + TAU * ahead / wavelength).cos());
+            let wave = |ahead: f64| (angle + TAU * ahead / wavelength).cos();
+            march.advance_along(
+                |ahead| grown * amplitude * wave(ahead),
+                |index, ahead| grown * bent[index] * wave(ahead),
+            );
             if index > before * steps {
                 for (contacts, now) in contacts.iter_mut().zip(march.now()) {
                     contacts.push(*now);

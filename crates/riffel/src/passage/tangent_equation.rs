@@ -10,6 +10,8 @@ pub(super) struct TangentEquation<'a> {
     /// Of a contact that answers late.
     pub(super) late: Option<&'a LateMotion>,
     pub(super) normal_force: f64,
+    /// κ of the wave under it.
+    pub(super) curvature: f64,
     pub(super) known: [f64; 2],
     pub(super) by_force: [[f64; 2]; 2],
 }
@@ -19,7 +21,7 @@ impl TangentEquation<'_> {
         Creepages {
             longitudinal,
             lateral,
-            spin: self.contact.mean.creepages.spin,
+            spin: (1.0 + self.curvature) * self.contact.mean.creepages.spin,
         }
     }
 
@@ -30,10 +32,21 @@ impl TangentEquation<'_> {
         }
         let Some(late) = self.late else {
             let creepages = self.creepages(creepage);
-            return pair(self.contact.law.forces(self.normal_force, creepages));
+            let force = pair(self.contact.law.forces(self.normal_force, creepages));
+            return match &self.contact.wave {
+                Some(wave) => {
+                    let change = wave.force(self.curvature);
+                    self.within_friction([0, 1].map(|axis| force[axis] + change[axis]))
+                }
+                None => force,
+            };
         };
         let (load, along) = late.for_force(self.contact, self.normal_force, creepage[0]);
-        let force = self.steady_force(load, [along, creepage[1]]);
+        self.within_friction(self.steady_force(load, [along, creepage[1]]))
+    }
+
+    /// A creep force, no larger than friction.
+    fn within_friction(&self, force: [f64; 2]) -> [f64; 2] {
         let (size, bound) = (
             force[0].hypot(force[1]),
             self.contact.law.friction() * self.normal_force,

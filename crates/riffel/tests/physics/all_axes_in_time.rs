@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepEllipse, CreepLaw, Creepages, FallingFriction, KalkerCoefficients, MeanState, Polach,
-    QuasiStatic, SlopeReduction,
+    CreepEllipse, CreepLaw, Creepages, CurvatureFilter, FallingFriction, KalkerCoefficients,
+    MeanState, Polach, QuasiStatic, SlopeReduction, WaveGeometry, WavePatch,
 };
 use riffel::feedback::{Contact, Loop};
 use riffel::passage::{
@@ -18,7 +18,7 @@ use riffel::receptance::{
 };
 use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
-use riffel::{Carter3d, Complex64, Receptance, RollingContact};
+use riffel::{Carter3d, Complex64, DissipationPhase, PlaceOfWear, Receptance, RollingContact};
 
 use crate::general_loop::{contact, hertz, wheel};
 
@@ -124,16 +124,24 @@ fn one_wheel_along_one_axis_is_the_same() {
     }
 }
 
-/// Two wheels on one rail that creep along and across it.
-fn two_wheels() -> (Loop, Arc<dyn CreepLaw>) {
-    let law: Arc<dyn CreepLaw> = Arc::new(Carter3d::new(hertz(), 0.35).unwrap());
+/// Two wheels on one rail that creep along and across it, and feel the waves' own geometry if asked to.
+fn two_wheels(on_waves: bool) -> (Loop, Arc<dyn CreepLaw>) {
+    let bent = |curvature: f64| {
+        let hertz = hertz().with_longitudinal_radius(RADIUS / (1.0 + curvature))?;
+        Carter3d::new(hertz, 0.35)
+    };
+    let law: Arc<dyn CreepLaw> = Arc::new(bent(0.0).unwrap());
     let mean = MeanState::Creepages(Creepages {
         longitudinal: 5e-4,
         lateral: 1e-3,
         spin: 0.0,
     });
-    let rolling: Arc<dyn RollingContact> =
-        Arc::new(QuasiStatic::new(law.clone(), 60e3, mean).unwrap());
+    let rolling = QuasiStatic::new(law.clone(), 60e3, mean).unwrap();
+    let rolling: Arc<dyn RollingContact> = Arc::new(rolling.on_waves(bent).unwrap());
+    let patch = Arc::new(CurvatureFilter::of(&hertz()).unwrap());
+    let wave = WaveGeometry::new(RADIUS, WavePatch::Ellipse(patch)).unwrap();
+    let semi_axis = hertz().semi_axis_longitudinal();
+    let place = PlaceOfWear::new(DissipationPhase::Lag, semi_axis, 0.4);
     let rails = SpatialRail {
         vertical: rail(),
         lateral: None,
@@ -150,7 +158,11 @@ fn two_wheels() -> (Loop, Arc<dyn CreepLaw>) {
         ..wheel(MASS, INERTIA)
     });
     let motion = [Motion::Compliant(()), Motion::Compliant(())];
-    let contacts = [0.0, -1.3].map(|along| contact(along, rolling.clone(), motion.clone()));
+    let contacts = [0.0, -1.3].map(|along| Contact {
+        wave: on_waves.then(|| wave.clone()),
+        place_of_wear: place,
+        ..contact(along, rolling.clone(), motion.clone())
+    });
     let feedback = Loop::new(Arc::new(track), Arc::new(wheels), contacts.to_vec(), 1e-7);
     (feedback.unwrap(), law)
 }
@@ -170,11 +182,70 @@ impl Structure for TwoWheels {
     }
 }
 
+/// First harmonics over 1 µm are those of the linear loop with the waves' own geometry, of which they would lack a tenth without it.
+#[test]
+fn waves_bend_contacts_in_time() {
+    let (feedback, law) = two_wheels(true);
+    let model = in_time(&feedback, &law, SPEED);
+    for wavelength in [0.03, 0.06, 0.11] {
+        let (amplitude, scale) = (1e-6, 1e-6 / feedback.amplitude());
+        let profile = Sinusoid {
+            amplitude,
+            wavelength,
+        };
+        let linear = feedback.at(wavelength, SPEED);
+        let plain = feedback
+            .clone()
+            .without_wave_geometry()
+            .at(wavelength, SPEED);
+        let settled = model.settle(profile, 512).unwrap();
+        for (index, settled) in settled.iter().enumerate() {
+            let first = &settled.harmonics[1];
+            let of = |state: &riffel::LoopState| {
+                let contact = &state.contacts[index];
+                let [along, across] = contact.force[..2] else {
+                    panic!("three axes")
+                };
+                let values = [
+                    along,
+                    across,
+                    contact.creepage[0],
+                    contact.creepage[1],
+                    contact.energy,
+                ];
+                values.map(|value| scale * value)
+            };
+            let got = [
+                first.tangential_force,
+                first.lateral_force,
+                first.creepage,
+                first.lateral_creepage,
+                first.dissipation,
+            ];
+            let mut most = 0f64;
+            for ((got, expected), plain) in got.into_iter().zip(of(&linear)).zip(of(&plain)) {
+                let off = (got - expected).norm() / expected.norm();
+                assert!(
+                    off < 1e-3,
+                    "{wavelength} {index}: {got} {expected} {off:.1e}"
+                );
+                most = most.max((plain - expected).norm() / expected.norm());
+            }
+            assert!(most > 0.1, "{wavelength} {index}: {most}");
+        }
+    }
+}
+
 /// Growth over passages of two wheels that answer each other through the rail is the mean growth of the linear loop: Heun's
 /// steps leave 10⁻³ of it, the step of the march and the fit as much.
 #[test]
 fn growth_under_two_wheels_is_linear_growth() {
-    let (feedback, law) = two_wheels();
+    for on_waves in [false, true] {
+        growth_is_linear(two_wheels(on_waves));
+    }
+}
+
+fn growth_is_linear((feedback, law): (Loop, Arc<dyn CreepLaw>)) {
     let model = in_time(&feedback, &law, SPEED);
     let first: &Contact = &feedback.contacts()[0];
     let (waves, length, count) = (50, 3.0, 3000);
@@ -214,7 +285,7 @@ fn growth_under_two_wheels_is_linear_growth() {
 /// Halving the step quarters what it changes: the error of first harmonics goes with its square.
 #[test]
 fn second_order_on_all_axes() {
-    let (feedback, law) = two_wheels();
+    let (feedback, law) = two_wheels(false);
     let model = in_time(&feedback, &law, SPEED);
     let profile = Sinusoid {
         amplitude: 20e-6,
