@@ -62,3 +62,10 @@ pub use level_limit::level_limit;
 pub use parameters::parameters;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
+
+/// The listings of the book, compiled and run.
+#[cfg(doctest)]
+mod book {
+    #[doc = include_str!("../../../docs/src/adding-a-command.md")]
+    mod command {}
+}

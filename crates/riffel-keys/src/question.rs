@@ -18,6 +18,15 @@ pub fn path_of(key: &str) -> String {
     format!("{HERE}{key}")
 }
 
+/// True for the path of a document that stands in the question.
+pub fn holds(path: &Path) -> bool {
+    key_of(path).is_some()
+}
+
+fn key_of(path: &Path) -> Option<&str> {
+    path.to_str()?.strip_prefix(HERE)
+}
+
 /// The question on standard input.
 ///
 /// # Errors
@@ -51,8 +60,7 @@ pub fn as_csv(path: &Path) -> Option<io::Result<Vec<u8>>> {
 }
 
 fn document(path: &Path) -> Option<io::Result<Value>> {
-    let key = path.to_str()?.strip_prefix(HERE)?;
-    let pointer = format!("/{}", key.replace('.', "/"));
+    let pointer = format!("/{}", key_of(path)?.replace('.', "/"));
     let missing = || io::Error::new(io::ErrorKind::NotFound, "the question has no such key");
     Some(read().and_then(|question| {
         let question = Value::Object(question);

@@ -19,7 +19,7 @@ use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
-use riffel_keys::{CaseError, Language};
+use riffel_keys::{CaseError, Language, question};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_words::page_in_german;
 
@@ -246,7 +246,7 @@ fn inputs(
 
 /// Put a file among the inputs, with its fingerprint.
 fn add(inputs: &mut Inputs, role: &str, path: &Path, origin: &str) -> Result<(), CaseError> {
-    let hash = if is_standard_input(path) {
+    let hash = if is_standard_input(path) || question::holds(path) {
         "standard input".to_owned()
     } else {
         fingerprint(path)
