@@ -53,6 +53,9 @@ impl Case {
             "contact" if inner == "grid" && self.creep_law() != CreepLawName::HALF_SPACE => {
                 "it belongs to contact.creep_law = \"half-space\""
             }
+            "contact" if inner == "wave_patch" && contact.wave_geometry != Some(true) => {
+                "it belongs to contact.wave_geometry = true"
+            }
             "contact"
                 if inner == "dissipation_phase"
                     && contact.response == ContactDynamics::NonSteady =>

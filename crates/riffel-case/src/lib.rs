@@ -62,7 +62,7 @@ pub use discrete_supports::DrawnSupports;
 pub use hold::Hold;
 pub use key::CaseKey;
 pub use measurement::UniversalFunction;
-pub use point::{AllAxes, ContactPoint, Point, PointQuantity, PointValue};
+pub use point::{AllAxes, ContactPoint, Point, PointQuantity, PointValue, WaveCreepage, WavePoint};
 pub use portable_case::PortableCase;
 pub use preset::{Badge, Preset, PresetKind, PresetValue, preset, presets};
 pub use sensitivity::Sensitivity;

@@ -1,5 +1,7 @@
 //! All that a case says of one wavelength and speed, each quantity with its name and unit.
 
+use std::f64::consts::TAU;
+
 use riffel::Complex64;
 use riffel::LoopState;
 use riffel_keys::CaseError;
@@ -277,7 +279,7 @@ impl PointQuantity {
                 Some(()) => return None,
             },
             Self::AngularVelocityRadPerS => {
-                one_axis().map(|()| state.creepage() / creepage_per_omega)?
+                one_axis().map(|()| state.slip() / creepage_per_omega)?
             }
             Self::DissipationW => state.dissipation,
             Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
@@ -313,8 +315,52 @@ pub enum PointValue {
 pub struct Point {
     /// In the order of documents.
     pub quantities: Vec<(PointQuantity, PointValue)>,
+    /// What the wave's own geometry does; none where it has no part.
+    pub wave_geometry: Option<WavePoint>,
     /// What a loop on all axes adds.
     pub all_axes: Option<AllAxes>,
+}
+
+/// What the wave's own geometry does at the contact under study.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WavePoint {
+    /// κ/Δ.
+    pub kappa_per_m: f64,
+    /// Φ.
+    pub phi: f64,
+    /// c₀κ, what it adds to the creepage: along the rail, and on all axes across it too.
+    pub creepage: WaveCreepage,
+    /// What it adds to the normalised dissipation at a point of the rail.
+    pub dissipation: PointValue,
+}
+
+/// Creepage by the wave's own geometry, in phase with the profile.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum WaveCreepage {
+    /// Along the rail.
+    Along(f64),
+    /// Along and across it.
+    InPlane([f64; 2]),
+}
+
+impl WavePoint {
+    fn new(case: &Case, state: &LoopState) -> Option<Self> {
+        let wave = state.contacts[0].wave?;
+        let [along, across] = wave.creepage.map(|creepage| creepage.re);
+        let plain = case.feedback.clone().without_wave_geometry();
+        let plain = plain.at(state.wavelength, state.speed);
+        let added = state.normalized_dissipation - plain.normalized_dissipation;
+        Some(Self {
+            kappa_per_m: wave.curvature_per_metre,
+            phi: wave.share,
+            creepage: match case.feedback.is_along_one_axis() {
+                true => WaveCreepage::Along(along),
+                false => WaveCreepage::InPlane([along, across]),
+            },
+            dissipation: PointValue::Complex(added),
+        })
+    }
 }
 
 /// What a loop on all axes adds to a point; axes of the contact are x, t, n.
@@ -385,6 +431,7 @@ impl Point {
             quantities: quantities
                 .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
                 .collect(),
+            wave_geometry: WavePoint::new(case, state),
             all_axes: AllAxes::new(case, state),
         }
     }
@@ -417,6 +464,9 @@ impl Serialize for Point {
         for (quantity, value) in &self.quantities {
             map.serialize_entry(quantity.key(), value)?;
         }
+        if let Some(wave) = &self.wave_geometry {
+            map.serialize_entry("wave_geometry", wave)?;
+        }
         if let Some(all_axes) = &self.all_axes {
             map.serialize_entry("steady_force_n", &all_axes.steady_force_n)?;
             let track = &all_axes.track_receptance_matrix_m_per_n;
@@ -437,6 +487,20 @@ impl Case {
     /// and where a number would not be finite.
     pub fn point(&self, wavelength: f64, speed: f64) -> Result<LoopState, CaseError> {
         self.check_points([wavelength; 2], [speed; 2])?;
+        let amplitude = self.feedback.amplitude();
+        let wave = self.feedback.contacts()[0].wave.as_ref();
+        let bridged = |radius: f64| amplitude * radius * (TAU / wavelength).powi(2) >= 1.0;
+        let chosen = self.keys.text.is_written("corrugation.amplitude");
+        if chosen && wave.is_some_and(|wave| bridged(wave.radius())) {
+            return Err(self.keys.out_of_range(
+                "corrugation.amplitude",
+                self.file.corrugation.amplitude,
+                &format!(
+                    "below λ²/4π²R at the wavelength of {wavelength} m: beyond it the profile is as curved as the wheel, which \
+                     bridges the troughs"
+                ),
+            ));
+        }
         let case = self.covering(wavelength, wavelength)?;
         let state = case.feedback.at(wavelength, speed);
         match Point::new(&case, &state).not_finite() {

@@ -36,6 +36,11 @@ no-average-over-patch = der Kontakt ist quasistatisch und mittelt nicht über se
 closed-form-of-ellipse = die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der Kontaktellipse weicht quer zur Schiene um { $percent } % ab (contact.hertz = "exact" wählen)
 falling-friction-at-one-speed = die fallende Reibung ist die beim Schlupf bei { $rolling }, contact.polach.speed, bei jeder Geschwindigkeit ({ $window })
 wheel-and-rail-part = bei einer Amplitude von { $amplitude } µm erreicht |P₁/P₀| { $worst }: Rad und Schiene trennen sich; Kräfte sind bis { $limit } µm linear (Wachstumsraten gelten für kleine Amplituden und ändern sich nicht)
+wave-geometry-left-out = die Geometrie der Welle selbst ist nicht dabei (contact.wave_geometry): sie nähme etwa { $takes } je m von einem Wachstum von { $growth } je m, bei { $wavelength } mm und { $speed } km/h
+    .short = ohne die Geometrie der Welle selbst, die etwa { $takes } je m von { $growth } nähme (contact.wave_geometry)
+wave-shorter-than-patch = unter { $shortest } mm, drei halben Längen der Kontaktfläche, ist die Geometrie der Welle selbst nur grob geschätzt
+troughs-bridged = eine Amplitude von { $amplitude } µm ist unter { $bridged } mm so gekrümmt wie das Rad: dort überbrückt es die Täler (Wachstumsraten gelten für kleine Amplituden)
+    .short = { $amplitude } µm sind unter { $bridged } mm so gekrümmt wie das Rad: es überbrückt die Täler
 
 ## Branches of the ridge
 
@@ -132,6 +137,7 @@ profile-over-wheel = Δ/H Rad
 
 loss-factors-not-causal = Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis das nächste kausale, Rezeptanz im Mittel { $per_cent } % daneben
 fitted-receptances-off = in der Zeit liegen die Rezeptanzen von Gleis und Rädern bis 3 kHz im Mittel { $per_cent } % daneben, höchstens { $most } %: Verlustfaktoren sind nicht kausal, und Wellen zwischen weit entfernten Rädern brauchen mehr Schwingungen, als angepasst werden
+wave-geometry-not-in-time = in der Zeit rollt das Rad über die Welle ohne deren eigene Geometrie, die der Kreis dieses Falls hat: Wachstum ist hier das von contact.wave_geometry = false
 unstable-but-at-rest = linear ist der Kreis instabil, doch der Anstoß ist abgeklungen: was wächst, wächst langsamer, als diese Rechnung zeigt
 stable-but-limit-cycle = linear ist der Kreis stabil, doch der Anstoß reicht für einen Grenzzyklus neben der Ruhelage
 support-passing-close-to-wave = auch die Überfahrt der Stützpunkte regt das Rad alle { $length } mm an, zu nahe an dieser Welle, um beide zu trennen: die Harmonischen enthalten beides

@@ -44,6 +44,11 @@ falling-friction-at-one-speed = falling friction is that of the slip at { $rolli
     .short = falling friction is that at { $rolling } at every speed of the { $window }
 wheel-and-rail-part = an amplitude of { $amplitude } µm makes |P₁/P₀| reach { $worst }: wheel and rail part; forces are linear up to { $limit } µm (growth rates hold for small amplitudes and do not change)
     .short = { $amplitude } µm make wheel and rail part (|P₁/P₀| = { $worst }); forces are linear up to { $limit } µm
+wave-geometry-left-out = the wave's own geometry has no part (contact.wave_geometry): it would take some { $takes } per m off a growth of { $growth } per m, at { $wavelength } mm and { $speed } km/h
+    .short = without the wave's own geometry, which would take some { $takes } per m off { $growth } (contact.wave_geometry)
+wave-shorter-than-patch = below { $shortest } mm, three half-lengths of the patch, the wave's own geometry is a rough estimate
+troughs-bridged = an amplitude of { $amplitude } µm is as curved as the wheel below { $bridged } mm: there the wheel bridges the troughs (growth rates hold for small amplitudes)
+    .short = { $amplitude } µm are as curved as the wheel below { $bridged } mm: it bridges the troughs
 
 ## Branches of the ridge
 
@@ -140,6 +145,7 @@ profile-over-wheel = Δ/H wheel
 
 loss-factors-not-causal = loss factors are not causal: in time the track is the nearest causal one, { $per_cent } % rms off in receptance
 fitted-receptances-off = in time receptances of track and wheels are { $per_cent } % rms off up to 3 kHz, { $most } % at worst: loss factors are not causal, and waves between wheels far apart take more oscillations than are fitted
+wave-geometry-not-in-time = in time the wheel rolls over a wave without its own geometry, which the loop of this case has: growth here is that of contact.wave_geometry = false
 unstable-but-at-rest = the linear loop is unstable, but what the push began has died out: what grows does so more slowly than this run shows
 stable-but-limit-cycle = the linear loop is stable, but the push is large enough for a limit cycle beside the state of rest
 support-passing-close-to-wave = passing the supports shakes the wheel every { $length } mm as well, too close to this wave to tell them apart: harmonics hold both

@@ -186,7 +186,7 @@ impl Computed {
 }
 
 /// Keys and tables that a model may leave aside; those of the window and of the amplitude have their use in the page.
-const MAY_BE_IDLE: [&str; 25] = [
+const MAY_BE_IDLE: [&str; 26] = [
     "track.preset",
     "track.pad",
     "track.sleeper",
@@ -203,6 +203,7 @@ const MAY_BE_IDLE: [&str; 25] = [
     "contact.grid",
     "contact.conformity",
     "contact.dissipation_phase",
+    "contact.wave_patch",
     "wheelset.mass",
     "wheelset.roll_inertia",
     "wheelset.spin_inertia",

@@ -209,7 +209,7 @@ const NAMES = {
   'track.rail_damping': ['rail damping', 'Dämpfung der Schiene'], 'track.position': ['position of the wheel', 'Ort des Rades'],
   'contact.transverse_radius': ['transverse radius R_r', 'Querradius R_r'], 'contact.normal_load': ['normal load P₀', 'Radlast P₀'],
   'contact.friction': ['friction μ', 'Reibung μ'], 'contact.tractive_ratio': ['tractive ratio τ', 'Kraftschluss\u00adausnutzung τ'],
-  'contact.creepage': ['creepage ξ₀', 'Schlupf ξ₀'], 'contact.dissipation_phase': ['dissipation phase', 'Phase der Dissipation'],
+  'contact.creepage': ['creepage ξ₀', 'Schlupf ξ₀'], 'contact.dissipation_phase': ['dissipation phase', 'Phase der Dissipation'], 'contact.wave_geometry': ["the wave's own geometry", 'Geometrie der Welle selbst'], 'contact.wave_patch': ['curvature of waves', 'Krümmung von Wellen'],
   'contact.creep_law': ['creep law', 'Kraftschluss\u00adgesetz'], 'contact.response': ['response', 'Antwort'], 'contact.hertz': ['ellipse', 'Ellipse'],
   'contact.grid': ['grid', 'Gitter'], 'contact.polach': ["Polach's law", 'Gesetz von Polach'],
   'contact.polach.limit_friction_ratio': ['limit friction ratio A', 'Reibungsverhältnis A'], 'contact.polach.friction_decay': ['friction decay B', 'Reibungsabfall B'],

@@ -1,6 +1,7 @@
 //! What the reader of a march should know.
 
 use riffel::passage::{Outcome, PassageModel, Settled, Sinusoid, TransientContact};
+use riffel_case::Case;
 use riffel_keys::{Message, fixed, say};
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
@@ -26,6 +27,12 @@ pub(super) fn of_track(model: &PassageModel) -> Option<Message> {
             )
         }),
     }
+}
+
+/// That a march does not have the wave's own geometry, which the loop of the case has.
+pub(super) fn of_waves(case: &Case) -> Option<Message> {
+    let has = case.file.contact.wave_geometry == Some(true);
+    has.then(|| say!(wave_geometry_not_in_time))
 }
 
 /// That a linear loop and what follows a push do not say the same, if so.

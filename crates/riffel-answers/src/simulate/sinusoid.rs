@@ -159,6 +159,7 @@ impl SinusoidAnswer {
             .flatten();
         let remarks = remarks::of_track(&model)
             .into_iter()
+            .chain(remarks::of_waves(case))
             .chain(troughs)
             .chain(supports)
             .chain(elements);

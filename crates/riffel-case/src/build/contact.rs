@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepLaw, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
-    OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
+    CreepForces, CreepLaw, Creepages, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling,
+    MeanState, NonSteady, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
+    WaveGeometry,
 };
 use riffel::passage::LateContact;
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
 
 use crate::checked_keys::CheckedKeys;
-use crate::file::{ContactDynamics, CreepLawName, HertzTheory};
+use crate::file::{ContactDynamics, CreepLawName, HertzTheory, WavePatch};
 use crate::general_keys::{ContactKeys, contact};
 
 /// Elements over a diameter; the half grid has half as many.
@@ -127,7 +128,13 @@ impl CheckedKeys {
         let load = hertz.normal_force();
         if self.creep_law_name() == CreepLawName::CARTER_3D {
             let law = self.physics("contact", Carter3d::new(hertz, friction))?;
-            let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
+            let mut rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
+            if self.feels_waves() {
+                rolling = rolling.on_waves(|curvature| {
+                    let hertz = self.curved(hertz, curvature)?;
+                    self.physics("contact", Carter3d::new(hertz, friction))
+                })?;
+            }
             return Ok(BuiltContact {
                 rolling: self.answering(rolling, hertz),
                 carter: Some(law),
@@ -138,15 +145,25 @@ impl CheckedKeys {
                 let key = || {
                     let contact = &self.file.contact;
                     format!(
-                        "{hertz:?} {friction:?} {mean:?} {:?} {:?} {:?} {oscillating:?}",
-                        self.file.map.wavelength, contact.grid, contact.response
+                        "{hertz:?} {friction:?} {mean:?} {:?} {:?} {:?} {oscillating:?} {}",
+                        self.file.map.wavelength,
+                        contact.grid,
+                        contact.response,
+                        self.feels_waves()
                     )
                 };
                 let tables = &self.given.tables;
                 tables.get(key, || self.half_space(hertz, friction, mean, oscillating))?
             }
             Some(law) => {
-                let rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
+                let mut rolling =
+                    self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
+                if self.feels_waves() {
+                    rolling = rolling.on_waves(|curvature| {
+                        let law = self.creep_law(self.curved(hertz, curvature)?, friction)?;
+                        Ok::<_, CaseError>(law.expect("a formula on any ellipse"))
+                    })?;
+                }
                 self.answering(rolling, hertz)
             }
         };
@@ -166,6 +183,58 @@ impl CheckedKeys {
             ContactDynamics::SpringDashpot => Arc::new(SpringDashpot::new(law, hertz)),
             _ => Arc::new(law),
         }
+    }
+
+    /// Whether the wave's own geometry has a part.
+    pub(crate) fn feels_waves(&self) -> bool {
+        self.file.contact.wave_geometry == Some(true)
+    }
+
+    /// A contact on a wheel of the radius R/(1 + κ).
+    fn curved(&self, hertz: HertzContact, curvature: f64) -> Result<HertzContact, CaseError> {
+        let radius = hertz.longitudinal_radius() / (1.0 + curvature);
+        let curved = hertz.with_longitudinal_radius(radius);
+        self.physics("contact.longitudinal_radius", curved)
+    }
+
+    /// The geometry of waves under a contact; none where it has no part.
+    pub(super) fn wave(&self, hertz: HertzContact) -> Result<Option<WaveGeometry>, CaseError> {
+        if !self.feels_waves() {
+            return Ok(None);
+        }
+        let patch = match self.file.contact.wave_patch {
+            WavePatch::Point => riffel::contact::WavePatch::Point,
+            WavePatch::Patch => {
+                let filter = self.physics("contact", CurvatureFilter::of(&hertz))?;
+                riffel::contact::WavePatch::Ellipse(Arc::new(filter))
+            }
+        };
+        let wave = WaveGeometry::new(hertz.longitudinal_radius(), patch);
+        let wave = self.physics("contact.longitudinal_radius", wave)?;
+        Ok(Some(match self.creep_law_name().name() {
+            "full-sliding" => wave.sliding(&hertz),
+            _ => wave,
+        }))
+    }
+
+    /// How the forces of the exact theory under constant load and creepages change with κ on a wheel of the radius R/(1 + κ).
+    fn exact_on_waves(
+        &self,
+        hertz: HertzContact,
+        friction: f64,
+        creepages: Creepages,
+    ) -> Result<Option<CreepForces>, CaseError> {
+        /// Leaves 1e-5 of the force beside 1e-6 of the iteration over it.
+        const STEP: f64 = 0.05;
+        if !self.feels_waves() {
+            return Ok(None);
+        }
+        let by_radius = WaveGeometry::derivative(STEP, |curvature| {
+            let contact = self.half_space_of(self.curved(hertz, curvature)?, friction)?;
+            let rolling = contact.roll_with(creepages);
+            Ok::<_, CaseError>(self.physics("contact.wave_geometry", rolling)?.forces())
+        })?;
+        Ok(Some(by_radius))
     }
 
     /// A contact by the exact theory.
@@ -252,8 +321,10 @@ impl CheckedKeys {
                 ),
             ));
         }
+        let by_radius = self.exact_on_waves(hertz, friction, contact.steady(&state).creepages)?;
         if self.file.contact.response != ContactDynamics::NonSteady {
-            let slow = self.physics("contact", QuasiStaticHalfSpace::new(&contact, &state))?;
+            let slow = QuasiStaticHalfSpace::new(&contact, &state, by_radius);
+            let slow = self.physics("contact", slow)?;
             return Ok(self.answering(slow, hertz));
         }
         let (wavelength, _) = self.window()?;
@@ -265,7 +336,11 @@ impl CheckedKeys {
             wavelength.max(),
             NonSteady::DEFAULT_TOLERANCE,
         );
-        Ok(Arc::new(self.physics("map.wavelength.min", table)?))
+        let mut table = self.physics("map.wavelength.min", table)?;
+        if let Some(by_radius) = by_radius {
+            table = self.physics("contact", table.on_waves(&contact, &state, by_radius))?;
+        }
+        Ok(Arc::new(table))
     }
 
     /// Tractive ratio or creepage: just one of them.

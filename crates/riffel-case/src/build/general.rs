@@ -154,7 +154,7 @@ impl CheckedKeys {
                 angle: keys.contact_angle,
                 profile,
                 stiffness: hertz.stiffness(),
-                wave: None,
+                wave: self.wave(hertz)?,
                 place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
                 rolling: built.rolling,
                 motion: self.motion(),

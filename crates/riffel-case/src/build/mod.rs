@@ -117,7 +117,7 @@ impl CheckedKeys {
             contact_stiffness: hertz.stiffness(),
             contact: contact.rolling,
             rotation: self.rotation(hertz.rolling_radius())?,
-            wave: None,
+            wave: self.wave(hertz)?,
             place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
             wear: self.wear(hertz)?,
             amplitude: self.file.corrugation.amplitude.si(),

@@ -1,9 +1,11 @@
 //! Where the models of a case leave their range of validity.
 
-use riffel::contact::EllipticContact;
+use std::f64::consts::TAU;
+
+use riffel::contact::{CurvatureFilter, EllipticContact};
 use riffel::feedback::Stability;
 use riffel::{Axis, Direction, Error, HertzContact, Loop};
-use riffel_keys::{Message, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
@@ -81,6 +83,7 @@ pub(crate) fn remarks(
     }
     remarks.extend(of_contact(keys, hertz, wavelength.min()));
     remarks.extend(unstable(feedback, speed));
+    remarks.extend(of_waves(keys, feedback, hertz, [wavelength, speed]));
     if let Some(wheelset) = wheelset {
         remarks.extend(wheelset.beyond_its_modes(highest));
     }
@@ -160,6 +163,74 @@ pub(crate) fn of_contact(
         ));
     }
     remarks
+}
+
+/// What the wave's own geometry would take where the case does not speak of it, and where it leaves its range.
+fn of_waves(
+    keys: &CheckedKeys,
+    feedback: &Loop,
+    hertz: HertzContact,
+    [wavelength, speed]: [Axis; 2],
+) -> Vec<Message> {
+    let (a, amplitude) = (hertz.semi_axis_longitudinal(), feedback.amplitude());
+    let curvature = |wavelength: f64| {
+        let wavenumber = TAU / wavelength;
+        hertz.longitudinal_radius() * wavenumber * wavenumber
+    };
+    let mut remarks = Vec::new();
+    if keys.feels_waves() {
+        let shortest = 3.0 * a;
+        if wavelength.min() < shortest {
+            remarks.push(say!(
+                wave_shorter_than_patch,
+                shortest = fixed(1e3 * shortest, 0)
+            ));
+        }
+        // Growth does not depend on an amplitude that nobody chose.
+        let chosen = keys.text.is_written("corrugation.amplitude");
+        if chosen && amplitude * curvature(wavelength.min()) >= 1.0 {
+            let bridged = TAU * (hertz.longitudinal_radius() * amplitude).sqrt();
+            remarks.push(say!(
+                troughs_bridged,
+                amplitude = fixed(1e6 * amplitude, 1),
+                bridged = fixed(1e3 * bridged, 0)
+            ));
+        }
+    }
+    if keys.file.contact.wave_geometry.is_none() {
+        /// Wavelengths to look at for the fastest growth.
+        const LOOKS: i32 = 60;
+        let speed = 0.5 * (speed.min() + speed.max());
+        let per_metre = 1.0 / (feedback.steady().energy_per_metre() * amplitude);
+        let ratio = wavelength.max() / wavelength.min();
+        let looks = (0..=LOOKS)
+            .map(|step| wavelength.min() * ratio.powf(f64::from(step) / f64::from(LOOKS)))
+            .map(|wavelength| {
+                let state = feedback.at(wavelength, speed);
+                (wavelength, -state.contacts[0].energy_at_rail.re * per_metre)
+            });
+        let fastest = looks
+            .filter(|(_, growth)| *growth > 0.0)
+            .max_by(|one, other| one.1.total_cmp(&other.1));
+        if let Some((wavelength, growth)) = fastest {
+            let share =
+                CurvatureFilter::of(&hertz).map_or(1.0, |filter| filter.share(TAU / wavelength));
+            remarks.push(say!(
+                wave_geometry_left_out,
+                takes = readable(share * curvature(wavelength)),
+                growth = readable(growth),
+                wavelength = fixed(1e3 * wavelength, 0),
+                speed = fixed(3.6 * speed, 0)
+            ));
+        }
+    }
+    remarks
+}
+
+/// A growth to three digits \[1/m\].
+fn readable(growth: f64) -> Value {
+    let place = 10f64.powf(growth.log10().floor() - 2.0);
+    number((growth / place).round() * place)
 }
 
 /// A loop on all axes that oscillates by itself at a speed of the window, or of which that cannot be told, for want of any loss or

@@ -49,6 +49,13 @@ pub struct Contact {
     /// contact resolves it itself.
     #[serde(default)]
     pub dissipation_phase: DissipationPhase,
+    /// Whether the shape of the wave itself has a part: the contact runs slower over crests and presses as a smaller wheel. Left out, false, with
+    /// a remark on what it would take.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wave_geometry: Option<bool>,
+    /// What of the curvature of a wave the contact feels.
+    #[serde(default)]
+    pub wave_patch: WavePatch,
     /// Steady creep law; left out, `carter-3d`, or `half-space` with a non-steady response.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub creep_law: Option<CreepLawName>,
@@ -148,6 +155,17 @@ pub enum ContactDynamics {
     SpringDashpot,
     /// By the exact theory of non-steady rolling, which resolves where in the patch the rail wears.
     NonSteady,
+}
+
+/// What of the curvature of a wave the contact feels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum WavePatch {
+    /// What an ellipse does.
+    #[default]
+    Patch,
+    /// All of it, as a point does.
+    Point,
 }
 
 /// Theory of the contact ellipse.

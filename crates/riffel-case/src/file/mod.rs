@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 
 pub use contact::{
     Conformity, Contact, ContactDynamics, DissipationPhase, HertzTheory, PolachParameters,
+    WavePatch,
 };
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};

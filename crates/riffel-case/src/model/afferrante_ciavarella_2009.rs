@@ -19,6 +19,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Carter,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Lag,
         wear: WearJoint::Energy,
     },
@@ -29,6 +30,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "dissipation at a point of the rail lags that at the wheel by a share of the patch",
     ],
     leaves_out: &[
+        "the wave's own geometry",
         "supports of the rail",
         "lateral creepage and spin",
         "the delay of the contact",

@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::SpringDashpot,
         conformity: true,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,
     },
@@ -35,6 +36,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "the roll of the wheel",
     ],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "profiles of wheel and rail, steady creepages and values of the track: those of the case stand in",
         "most of its results are with the dashpot alone, which is the quasi-static response",
     ],

@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Carter,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::NormalForce,
     },
@@ -27,6 +28,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "without damping all waves longer than speed over natural frequency grow",
     ],
     leaves_out: &[
+        "the wave's own geometry",
         "creepage: tangential forces take no part",
         "rail and supports, which are rigid",
         "the mass below the spring",

@@ -19,6 +19,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Carter,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::NormalForce,
     },
@@ -28,6 +29,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "growth where the force is smallest on the crests, below the contact resonance",
     ],
     leaves_out: &[
+        "the wave's own geometry",
         "creepage: tangential forces take no part",
         "the threshold of plastic flow",
     ],

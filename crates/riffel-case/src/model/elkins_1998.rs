@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::QuasiStatic,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
     },
@@ -28,6 +29,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
     ],
     leaves_out: &["lateral creepage and spin", "the delay of the contact"],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "a loop that tells growth: that of this program stands in",
         "how near to saturation: a tractive ratio of 0.95 is taken",
     ],

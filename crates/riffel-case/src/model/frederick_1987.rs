@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::QuasiStatic,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,
     },
@@ -28,6 +29,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
     ],
     leaves_out: &["the delay of the contact"],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "details of wheelset and contact, which the paper draws crudely: those of the case stand in",
         "its values of track and creepage",
     ],

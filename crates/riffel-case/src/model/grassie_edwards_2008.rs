@@ -19,6 +19,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Carter,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::WheelCentre,
         wear: WearJoint::Energy,
     },
@@ -33,6 +34,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "varying tangential load under constant normal load, its second case",
     ],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "the phase of the dissipation, which the paper does not check: that of the loop is taken, under the wheel centre",
         "its equations and values in full: only what Afferrante & Ciavarella (2009) report was at hand",
     ],

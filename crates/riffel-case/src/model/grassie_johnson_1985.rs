@@ -19,6 +19,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Carter,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Lag,
         wear: WearJoint::Energy,
     },
@@ -32,6 +33,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "lateral creepage and spin",
     ],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "its contact resolves the slip zone in time: the slopes of the steady law and a lag stand in",
         "its values of the track: that of the case stands in",
     ],

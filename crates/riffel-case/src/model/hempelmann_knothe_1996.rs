@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Exact,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
     },
@@ -28,6 +29,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
     ],
     leaves_out: &["longitudinal creepage and spin", "rotation of the wheel"],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "its rail of several beams and its wheel of modes: rail and wheelset of the case stand in, so its high lateral \
          resonances are missing unless the case has them",
         "its creepage and values of the track",

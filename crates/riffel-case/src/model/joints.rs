@@ -17,6 +17,8 @@ pub enum Joint {
     Conformity,
     /// What the patch leaves of the profile.
     ContactFilter,
+    /// What the shape of the wave itself does.
+    WaveGeometry,
     /// Phase between dissipation and wear.
     PlaceOfWear,
     /// What wears the rail.
@@ -25,13 +27,14 @@ pub enum Joint {
 
 impl Joint {
     /// Every joint, in the order of tables.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Track,
         Self::Wheel,
         Self::Creepage,
         Self::Contact,
         Self::Conformity,
         Self::ContactFilter,
+        Self::WaveGeometry,
         Self::PlaceOfWear,
         Self::Wear,
     ];
@@ -45,6 +48,7 @@ impl Joint {
             Self::Contact => "contact",
             Self::Conformity => "conformity",
             Self::ContactFilter => "contact_filter",
+            Self::WaveGeometry => "wave_geometry",
             Self::PlaceOfWear => "place_of_wear",
             Self::Wear => "wear",
         }
@@ -59,6 +63,7 @@ impl Joint {
             Self::Contact => "contact",
             Self::Conformity => "conformity",
             Self::ContactFilter => "contact filter",
+            Self::WaveGeometry => "wave geometry",
             Self::PlaceOfWear => "place of wear",
             Self::Wear => "wear",
         }
@@ -74,6 +79,7 @@ pub struct Joints {
     pub(crate) contact: ContactJoint,
     pub(crate) conformity: bool,
     pub(crate) contact_filter: bool,
+    pub(crate) wave_geometry: bool,
     pub(crate) place_of_wear: PlaceOfWearJoint,
     pub(crate) wear: WearJoint,
 }
@@ -169,6 +175,7 @@ impl Joints {
         contact: ContactJoint::Exact,
         conformity: true,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
     };
@@ -184,6 +191,7 @@ impl Joints {
             Joint::Contact => changed.contact = of.contact,
             Joint::Conformity => changed.conformity = of.conformity,
             Joint::ContactFilter => changed.contact_filter = of.contact_filter,
+            Joint::WaveGeometry => changed.wave_geometry = of.wave_geometry,
             Joint::PlaceOfWear => changed.place_of_wear = of.place_of_wear,
             Joint::Wear => changed.wear = of.wear,
         }
@@ -250,6 +258,10 @@ impl Joints {
             },
             Joint::ContactFilter => match self.contact_filter {
                 true => "mean of the profile over the patch",
+                false => "none",
+            },
+            Joint::WaveGeometry => match self.wave_geometry {
+                true => "slower over crests, and as curved as the wave",
                 false => "none",
             },
             Joint::PlaceOfWear => match (self.place_of_wear, self.wear, self.contact) {

@@ -49,8 +49,8 @@ pub struct FieldModel {
 }
 
 impl FieldModel {
-    /// Every model, by year; that of this program last.
-    pub const ALL: [&'static Self; 12] = [
+    /// Every model, by year; those of this program last.
+    pub const ALL: [&'static Self; 13] = [
         &carson_johnson_1971::MODEL,
         &grassie_johnson_1985::MODEL,
         &frederick_1987::MODEL,
@@ -63,6 +63,7 @@ impl FieldModel {
         &grassie_edwards_2008::MODEL,
         &afferrante_ciavarella_2009::MODEL,
         Self::EXACT,
+        &riffel_exact::WITH_WAVES,
     ];
 
     /// The case with the exact contact, towards which others are compared.

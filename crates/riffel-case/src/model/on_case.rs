@@ -76,6 +76,7 @@ impl ModelOnCase {
         if !joints.conformity {
             keys.remove(&["contact.conformity"]);
         }
+        keys.set("contact.wave_geometry", joints.wave_geometry)?;
         match joints.place_of_wear {
             PlaceOfWearJoint::Own => {}
             PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase", "lag")?,

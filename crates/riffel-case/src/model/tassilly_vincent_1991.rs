@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::QuasiStatic,
         conformity: false,
         contact_filter: false,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
     },
@@ -29,6 +30,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
     ],
     leaves_out: &["the delay of the contact"],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "its measured frequency responses: wheelset and track of the case stand in",
         "its creep law: that of the case stands in",
         "the profile of the opposite rail: that of the case, and smooth where it has none",

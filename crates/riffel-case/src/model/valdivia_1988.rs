@@ -18,6 +18,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         contact: ContactJoint::Exact,
         conformity: false,
         contact_filter: true,
+        wave_geometry: false,
         place_of_wear: PlaceOfWearJoint::Own,
         wear: WearJoint::Energy,
     },
@@ -33,6 +34,7 @@ pub(super) static MODEL: FieldModel = FieldModel {
         "his nonlinear treatment",
     ],
     not_given: &[
+        "the wave's own geometry: not found in what could be read of it, so none is taken",
         "his coefficients of the non-steady contact: the exact theory stands in",
         "his track, wheel and creepage: those of the case stand in, supports spread evenly",
     ],

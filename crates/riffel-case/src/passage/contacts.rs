@@ -215,6 +215,8 @@ mod tests {
             "track.pad.damping=20e3",
             "rail.loss_factor=0",
             "contact.creep_law=polach",
+            // Marches do not have it.
+            "contact.wave_geometry=false",
         ];
         case(TRAILER, &[&viscous, overrides].concat())
     }

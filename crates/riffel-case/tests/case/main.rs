@@ -11,6 +11,7 @@ mod models;
 mod remarks;
 mod track;
 mod traffic;
+mod wave_geometry;
 mod wheelset_cases;
 mod wheelset_files;
 mod wheelset_presets;

@@ -151,7 +151,7 @@ fn readable(case: &Case, state: &LoopState) -> String {
         ("tangential force Q₁", state.tangential_force(), "N"),
     ];
     if case.feedback.is_along_one_axis() {
-        let angular_velocity = -state.creepage() * state.speed / case.hertz.rolling_radius();
+        let angular_velocity = -state.slip() * state.speed / case.hertz.rolling_radius();
         rows.push(("angular velocity Ω₁", angular_velocity * 1e3, "mrad/s"));
     } else {
         rows.push(("lateral force", state.contacts[0].force[1], "N"));

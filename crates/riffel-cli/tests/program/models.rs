@@ -35,7 +35,7 @@ fn models_stand_side_by_side() {
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     assert_eq!(document, summary);
     let models = document["models"].as_array().unwrap();
-    assert_eq!(models.len(), 12);
+    assert_eq!(models.len(), 13);
     let model = |name: &str| models.iter().find(|model| model["name"] == name).unwrap();
     for model in models {
         let applies = model["applies"].as_bool().unwrap();

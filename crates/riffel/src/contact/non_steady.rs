@@ -6,8 +6,8 @@ use num_complex::Complex64;
 
 use super::half_space::{FoundResponses, REMEDY};
 use super::{
-    ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
-    OscillatingCreepages, RollingContact,
+    ContactDerivative, ContactResponse, CreepForces, GridError, HalfSpace, HalfSpaceRolling,
+    MeanRolling, OscillatingCreepages, RollingContact,
 };
 use crate::Error;
 
@@ -32,6 +32,8 @@ pub struct NonSteady {
     /// Number of the first octave from there.
     first: f64,
     octaves: Vec<Octave>,
+    /// By the curvature of a wave; none where that was not asked for.
+    by_curvature: Option<ContactDerivative>,
 }
 
 /// Responses at Chebyshev's points, from the longest wavelength to the shortest.
@@ -145,7 +147,25 @@ impl NonSteady {
             resolved,
             first: below,
             octaves,
+            by_curvature: None,
         })
+    }
+
+    /// The same on waves, with the slopes of the forces by κ under constant load and creepages on a wheel of the radius R/(1 + κ).
+    ///
+    /// As of a contact that answers at once: with the lag of the place of wear within 5 % of transient half-spaces from 9 semi-axes of a wave on, 12 % from 5.
+    ///
+    /// # Errors
+    /// Those of [`HalfSpace::response`].
+    pub fn on_waves(
+        mut self,
+        contact: &HalfSpace,
+        state: &HalfSpaceRolling,
+        by_radius: CreepForces,
+    ) -> Result<Self, Error> {
+        let slow = contact.response(state, f64::INFINITY)?;
+        self.by_curvature = slow.with_curvature(by_radius, &self.steady).by_curvature;
+        Ok(self)
     }
 }
 
@@ -272,7 +292,7 @@ impl RollingContact for NonSteady {
             by_lateral: (self.creepages != OscillatingCreepages::Longitudinal)
                 .then(|| derivative(2)),
             by_spin: (self.creepages == OscillatingCreepages::All).then(|| derivative(3)),
-            by_curvature: None,
+            by_curvature: self.by_curvature,
         }
     }
 }
