@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import runpy
 from pathlib import Path
 
 import pytest
@@ -22,3 +23,20 @@ def test_listings_of_the_page_on_python(tmp_path: Path, monkeypatch: pytest.Monk
         exec(compile(listing, "docs/src/python.md", "exec"), names)
     growth = names["growth"]
     assert growth.sizes == {"speed": 221, "wavelength": 241}  # type: ignore[attr-defined]
+
+
+def test_waves_on_a_half_plane_need_nothing_of_the_package() -> None:
+    script = runpy.run_path(str(ROOT / "docs" / "src" / "wave_on_half_plane.py"))
+    for wavelength, theory in [(0.0557, 0.9449), (0.02, 0.6658)]:
+        # The grid leaves 2e-4, the amplitude 3e-4.
+        assert abs(script["weight"](wavelength, places=32) - theory) < 1e-3
+
+
+def test_rolling_circles_need_nothing_of_the_package() -> None:
+    script = runpy.run_path(str(ROOT / "docs" / "src" / "wave_geometry.py"))
+    curvature = script["KAPPA"]
+    assert abs(script["sliding_point"]()[0] / curvature - 1) < 5e-3
+    force, _ = script["carter"](constant_force=True)
+    speed, slope = script["carter"](constant_force=False)
+    assert abs(force / curvature - 0.5) < 5e-3
+    assert abs(speed / curvature - 1 - slope / 2) < 5e-3

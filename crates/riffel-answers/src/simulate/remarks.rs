@@ -29,10 +29,10 @@ pub(super) fn of_track(model: &PassageModel) -> Option<Message> {
     }
 }
 
-/// That a march does not have the wave's own geometry, which the loop of the case has.
+/// That a march does not have the wave's own geometry, where the loop of the case has it.
 pub(super) fn of_waves(case: &Case) -> Option<Message> {
     let has = case.file.contact.wave_geometry == Some(true);
-    has.then(|| say!(wave_geometry_not_in_time))
+    (has && !case.waves_bend_in_time()).then(|| say!(wave_geometry_not_in_time))
 }
 
 /// That a linear loop and what follows a push do not say the same, if so.

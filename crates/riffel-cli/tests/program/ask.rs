@@ -82,7 +82,11 @@ fn documents_stand_in_place_of_files() {
     assert_eq!(by_files, answer(&sandbox, "noise", &documents));
     assert!(by_files["course"]["months_to_limit"].is_null());
     let report = json!({ "case": documents["case"], "output": "report.html" });
-    assert!(ask(&sandbox, "report", &report.to_string()).status.success());
+    assert!(
+        ask(&sandbox, "report", &report.to_string())
+            .status
+            .success()
+    );
     assert!(read("report.html").contains("question:case"));
     // What is wrong in a document is told by its key.
     documents["traffic"]["vehicle"][0]["share"] = json!(0.5);
