@@ -462,30 +462,3 @@ fn a_response_is_asked_for() {
     let error = joints.close().err().unwrap();
     assert!(matches!(error, Error::NoResponse { .. }), "{error}");
 }
-
-/// Time of a point of a map with and without.
-#[test]
-#[ignore = "a measurement"]
-fn time_of_a_point() {
-    let with = one_wheel(0.1, DissipationPhase::Lag, 27.7725)
-        .close()
-        .unwrap();
-    let without = with.clone().without_wave_geometry();
-    let wavelengths: Vec<f64> = (0..2048).map(|i| 0.02 + 3e-5 * f64::from(i)).collect();
-    let mut row = vec![Complex64::ZERO; wavelengths.len()];
-    let mut times = [f64::INFINITY; 2];
-    let mut evaluators = [
-        RowEvaluator::new(&without, &wavelengths),
-        RowEvaluator::new(&with, &wavelengths),
-    ];
-    for _ in 0..400 {
-        for (time, evaluator) in times.iter_mut().zip(&mut evaluators) {
-            let begun = std::time::Instant::now();
-            for speed in 1..=10 {
-                evaluator.evaluate(6.0 * f64::from(speed), &mut row);
-            }
-            *time = time.min(begun.elapsed().as_secs_f64() / (10.0 * wavelengths.len() as f64));
-        }
-    }
-    panic!("{:?} ns", times.map(|time| 1e9 * time));
-}
