@@ -5,6 +5,7 @@ mod columns;
 mod file;
 mod head;
 mod listener;
+mod riff;
 mod sensor;
 mod table;
 mod universal;

@@ -1,15 +1,13 @@
 //! WAV files with what axle boxes felt.
 
-use std::fs::File;
-use std::io::BufReader;
 use std::path::Path;
 
-use hound::{SampleFormat, WavReader};
 use riffel_keys::CaseError;
 use riffel_keys::table::Heading;
 
 use super::columns::{Content, channel_name, content};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, Signals};
+use super::riff::{Wave, WaveError};
 use crate::refusal::Refusal;
 
 /// What `--channels` looks like.
@@ -38,8 +36,8 @@ impl AxleBoxWave {
         layout: &AxleBoxLayout,
     ) -> Result<(Self, AxleBoxHead), CaseError> {
         let refuse = |message: String| CaseError::data(path, message);
-        let spec = open(path)?.spec();
-        let count = usize::from(spec.channels);
+        let wave = open(path)?;
+        let count = wave.channels;
         if layout.channels.is_empty() {
             return Err(refuse(format!(
                 "a WAV file has no units: name its channels in their order, each with its value at full scale, as in {EXAMPLE}"
@@ -87,7 +85,7 @@ impl AxleBoxWave {
                     .to_owned(),
             ));
         };
-        let rate = f64::from(spec.sample_rate);
+        let rate = wave.rate;
         if layout.rate.is_some_and(|given| given != rate) {
             return Err(refuse(format!(
                 "the file says {rate} samples a second; leave out --rate"
@@ -111,36 +109,10 @@ impl AxleBoxWave {
         take: &mut dyn FnMut(&Row<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
     ) -> Result<(), CaseError> {
-        let reader = open(path)?;
-        let spec = reader.spec();
-        let count = usize::from(spec.channels);
-        let width = count * usize::from(spec.bits_per_sample.div_ceil(8));
-        let full = 2f64.powi(i32::from(spec.bits_per_sample) - 1);
-        let mut values: Box<dyn Iterator<Item = hound::Result<f64>>> = match spec.sample_format {
-            SampleFormat::Int => Box::new(
-                reader
-                    .into_samples::<i32>()
-                    .map(move |value| Ok(f64::from(value?) / full)),
-            ),
-            SampleFormat::Float => Box::new(
-                reader
-                    .into_samples::<f32>()
-                    .map(|value| Ok(f64::from(value?))),
-            ),
-        };
-        let mut sample = vec![0.0; count];
+        let wave = open(path)?;
         let mut accelerations = vec![0.0; self.channels.len()];
-        for number in 1.. {
-            for (channel, place) in sample.iter_mut().enumerate() {
-                match values.next() {
-                    None if channel == 0 => return Ok(()),
-                    None => {}
-                    Some(value) => {
-                        *place = value.map_err(|error| wrong(path, &error, Some(number)))?;
-                    }
-                }
-            }
-            progress(width);
+        let mut take = |number: usize, sample: &[f64]| {
+            progress(wave.width);
             for (acceleration, (channel, scale)) in accelerations.iter_mut().zip(&self.channels) {
                 *acceleration = scale * sample[*channel];
             }
@@ -152,28 +124,185 @@ impl AxleBoxWave {
                     .map_or(f64::NAN, |(channel, scale)| scale * sample[channel]),
                 marked: None,
                 number,
-            })?;
-        }
-        Ok(())
+            })
+        };
+        wave.each(path, &mut take, |error, number| {
+            wrong(path, &error, Some(number))
+        })
     }
 }
 
-fn open(path: &Path) -> Result<WavReader<BufReader<File>>, CaseError> {
-    WavReader::open(path).map_err(|error| wrong(path, &error, None))
+fn open(path: &Path) -> Result<Wave, CaseError> {
+    Wave::open(path).map_err(|error| wrong(path, &error, None))
 }
 
 /// What a WAV file lacks.
-fn wrong(path: &Path, error: &hound::Error, sample: Option<usize>) -> CaseError {
+fn wrong(path: &Path, error: &WaveError, sample: Option<usize>) -> CaseError {
     let at = sample.map_or_else(String::new, |number| format!("sample {number}: "));
     let message = match error {
-        hound::Error::IoError(_) => {
-            format!("{at}the WAV file ends before its head says, or cannot be read")
-        }
-        hound::Error::FormatError(what) => format!(
-            "{at}no WAV file that is read here ({what}): integers of 8 to 32 bits or floating point of 32, at most 4 GB; longer \
-             runs as text in columns or as a universal file"
-        ),
-        other => format!("{at}no WAV file that is read here: {other}"),
+        WaveError::Read => format!("{at}the WAV file ends before its head says, or cannot be read"),
+        WaveError::Form(what) => format!("{at}no WAV file that is read here: {what}"),
     };
     Refusal::new(None, message).of(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    /// A file of one channel at 1 kHz: its mark, chunks before the samples, how samples are written, their bytes, and the
+    /// size told of them.
+    struct Made<'a> {
+        mark: &'a [u8; 4],
+        before: &'a [u8],
+        /// Tag, bytes and bits of a sample; the bits apart from the bytes are told in the long form.
+        form: (u16, u16, u16),
+        samples: Vec<u8>,
+        size: Option<u32>,
+    }
+
+    impl Made<'_> {
+        fn values(&self) -> Result<Vec<f64>, String> {
+            let (tag, width, bits) = self.form;
+            let mut form = Vec::new();
+            let long = bits != 8 * width;
+            let head = [if long { 0xFFFE } else { tag }, 1];
+            form.extend(head.iter().flat_map(|value: &u16| value.to_le_bytes()));
+            form.extend(
+                [1000u32, 1000 * u32::from(width)]
+                    .iter()
+                    .flat_map(|value| value.to_le_bytes()),
+            );
+            form.extend(
+                [width, 8 * width]
+                    .iter()
+                    .flat_map(|value| value.to_le_bytes()),
+            );
+            if long {
+                form.extend(
+                    [22, bits, 0, 0, tag]
+                        .iter()
+                        .flat_map(|value: &u16| value.to_le_bytes()),
+                );
+                form.extend([0; 14]);
+            }
+            let chunk = |name: &[u8], size: u32, content: &[u8]| {
+                [name, &size.to_le_bytes()[..], content].concat()
+            };
+            let size = self.size.unwrap_or(self.samples.len() as u32);
+            let bytes = [
+                &self.mark[..],
+                &u32::MAX.to_le_bytes(),
+                b"WAVE",
+                self.before,
+                &chunk(b"fmt ", form.len() as u32, &form),
+                &chunk(b"data", size, &self.samples),
+            ]
+            .concat();
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join("run.wav");
+            fs::write(&path, bytes).unwrap();
+            let wave = open(&path).map_err(|error| error.to_string())?;
+            let mut values = Vec::new();
+            let mut take = |_, sample: &[f64]| {
+                values.push(sample[0]);
+                Ok(())
+            };
+            let each = wave.each(&path, &mut take, |error, number| {
+                wrong(&path, &error, Some(number))
+            });
+            each.map_err(|error| error.to_string())?;
+            Ok(values)
+        }
+    }
+
+    /// Half, minus a quarter and one bit of 24 above nought, in every form in which they are written.
+    #[test]
+    fn every_form_has_the_same_values() {
+        let bit = 1.0 / f64::from(1 << 23);
+        let wanted = [0.5, -0.25, bit];
+        let whole = |bits: i32, width: usize, up: u32| -> Vec<u8> {
+            let scaled = wanted.iter().map(|value| value * 2f64.powi(bits - 1));
+            scaled
+                .flat_map(|value| ((value as i32) << up).to_le_bytes()[..width].to_vec())
+                .collect()
+        };
+        let floats = wanted
+            .iter()
+            .flat_map(|value| (*value as f32).to_le_bytes());
+        let doubles = wanted.iter().flat_map(|value| value.to_le_bytes());
+        let forms = [
+            ("24 bits", (1, 3, 24), whole(24, 3, 0)),
+            ("32 bits", (1, 4, 32), whole(32, 4, 0)),
+            ("24 bits at the top of 32", (1, 4, 24), whole(24, 4, 8)),
+            ("24 bits at the bottom of 32", (1, 4, 24), whole(24, 4, 0)),
+            ("floating point of 32", (3, 4, 32), floats.collect()),
+            ("floating point of 64", (3, 8, 64), doubles.collect()),
+        ];
+        for (name, form, samples) in forms {
+            let plain = Made {
+                mark: b"RIFF",
+                before: b"",
+                form,
+                samples,
+                size: None,
+            };
+            assert_eq!(plain.values().unwrap(), wanted, "{name}");
+        }
+    }
+
+    /// Chunks of odd length with and without the byte behind them, files of more than 4 GB and those whose writer could not
+    /// go back.
+    #[test]
+    fn samples_are_found_behind_any_chunks() {
+        let long = [
+            &b"ds64\x1c\0\0\0"[..],
+            &[0; 8],
+            &4u64.to_le_bytes(),
+            &[0; 12],
+        ]
+        .concat();
+        let cases: [(&[u8; 4], &[u8], Option<u32>); 6] = [
+            (b"RIFF", b"LIST\x07\0\0\0INFOabc\0", None),
+            (b"RIFF", b"LIST\x07\0\0\0INFOabc", None),
+            (b"RF64", &long, Some(u32::MAX)),
+            (b"BW64", &long, Some(u32::MAX)),
+            (b"RIFF", b"", Some(u32::MAX)),
+            (b"RIFF", b"", Some(0)),
+        ];
+        for (mark, before, size) in cases {
+            let made = Made {
+                mark,
+                before,
+                form: (1, 2, 16),
+                samples: vec![0, 0x40, 0, 0xE0],
+                size,
+            };
+            assert_eq!(made.values().unwrap(), [0.5, -0.25], "{before:?} {size:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_such_file_is_refused() {
+        let made = |mark: &'static [u8; 4], form, size| Made {
+            mark,
+            before: b"",
+            form,
+            samples: vec![0, 0x40],
+            size,
+        };
+        for (refused, says) in [
+            (made(b"RIFX", (1, 2, 16), None), "no RIFF or RF64"),
+            (made(b"RIFF", (2, 2, 16), None), "floating point"),
+            (
+                made(b"RIFF", (1, 2, 16), Some(8)),
+                "ends before its head says",
+            ),
+        ] {
+            let refusal = refused.values().unwrap_err();
+            assert!(refusal.contains(says), "{refusal}");
+        }
+    }
 }
