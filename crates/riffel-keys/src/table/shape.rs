@@ -218,6 +218,10 @@ impl Table {
 
     /// Whether a column only numbers the rows, 0, 1, 2 …, as pandas writes it without a name, or under "Unnamed: 0".
     pub fn is_index(&self, column: usize) -> bool {
+        // A column without any number has no sample.
+        if !self.kinds.get(column).is_some_and(|kind| kind.is_numeric()) {
+            return false;
+        }
         let name = self.heading.name(column);
         let first = self.sample.first().map(|row| row[column]);
         let has_no_name = match name {
@@ -376,6 +380,8 @@ mod tests {
             (Delimiter::Comma, DecimalMark::Comma)
         );
         assert_eq!((table.count(), table.sample[3][1]), (2, 3.5));
+        // Nor does a column of words behind the numbers number the rows.
+        assert!(!table.is_index(2));
         assert_eq!(table.heading.unit_of(1), Some("um"));
     }
 
