@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel::roughness::{
-    BandSettings, BandStatistics, PIT_DEPTH, PowerSpectrum, Profile, SpikeCriterion, WHEEL_RADIUS,
-    WavelengthBand,
+    BandLevel, BandSettings, BandStatistics, PIT_DEPTH, Profile, Spectrum, SpikeCriterion,
+    WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{Layout, RoughnessFile};
 
@@ -60,8 +60,8 @@ pub(crate) fn contest(task: &str, file: &str, samples: usize) -> Result<(f64, f6
     });
     black_box(BandStatistics::of_profile(&profile, &settings)?);
     profile.roll_over(WHEEL_RADIUS, PIT_DEPTH);
-    let power = PowerSpectrum::of_record(&[profile], 1.0)?;
-    let sum: f64 = power.lines().map(|(_, power)| power).sum();
+    let levels = Spectrum::of_record(&[profile], 1.0)?;
+    let sum: f64 = levels.levels().iter().map(BandLevel::mean_square).sum();
     Ok((begun.elapsed().as_secs_f64(), sum.sqrt()))
 }
 

@@ -8,8 +8,8 @@ use riffel::diagnosis::{
     MechanismKind, TimeUnit, TrafficSpeeds, dominant_levels, rank,
 };
 use riffel::roughness::{
-    BandPass, ColouredNoise, Irregularity, PowerSpectrum, Profile, Recipe, Spectrum,
-    SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, moving_peak_to_peak, moving_rms,
+    BandPass, ColouredNoise, Irregularity, Profile, Recipe, Spectrum, SpikeCriterion, ThirdOctave,
+    WHEEL_RADIUS, WavelengthBand, moving_peak_to_peak, moving_rms,
 };
 
 use crate::Row;
@@ -42,9 +42,7 @@ fn wave(samples: usize, amplitude: f64, wavelength: f64) -> Vec<f64> {
 }
 
 fn spectrum(heights: Vec<f64>, longest: f64) -> Spectrum {
-    PowerSpectrum::of_record(&[profile(heights)], longest)
-        .and_then(|power| power.third_octaves(longest))
-        .expect("a record of some metres")
+    Spectrum::of_record(&[profile(heights)], longest).expect("a record of some metres")
 }
 
 /// Wavelengths of 20 to 400 mm in the middles of their bands, and between.

@@ -280,3 +280,18 @@ noise-falls-below = { $sentence }; jetzt liegt er über { $limit } dB(A) und fä
 noise-limit-now = { $sentence }; { $limit } dB(A) sind jetzt erreicht
 noise-limit-in-months = { $sentence }; { $limit } dB(A) sind in { $months } Monaten erreicht
 noise-limit-not-reached = { $sentence }; { $limit } dB(A) werden nicht erreicht
+
+## Gemessenes Wachstum
+
+decaying-bands-stay = Bänder, die abklingen, behalten den Pegel von heute: nichts im Modell macht die Rauheit, die der Verkehr auf einer Schiene macht
+growth-unexplained = kein Verschleißbeiwert: das Modell erklärt das Wachstum bei { $shortest }–{ $longest } mm nicht, { $measured } dB gemessen und { $fitted } dB mit dem besten Beiwert; die Prognose geht nach dem, was gemessen wurde
+grew-in-a-year = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen
+grew-in-a-year-within = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen, 95-%-Intervall { $low } bis { $high }
+grew-in-a-million = { $wavelength } mm ist um { $rate } dB je 10⁶ Überrollungen gewachsen
+grew-in-a-million-within = { $wavelength } mm ist um { $rate } dB je 10⁶ Überrollungen gewachsen, 95-%-Intervall { $low } bis { $high }
+
+## Schweißungen, Stöße und Squats
+
+defect-at = { $place } m ({ $height } µm)
+defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } (--keep-defects behält sie)
+many-defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } und { $more } weitere (--keep-defects behält sie)

@@ -288,3 +288,18 @@ noise-falls-below = { $sentence }; it is above { $limit } dB(A) now and falls be
 noise-limit-now = { $sentence }; { $limit } dB(A) are reached now
 noise-limit-in-months = { $sentence }; { $limit } dB(A) are reached in { $months } months
 noise-limit-not-reached = { $sentence }; { $limit } dB(A) are not reached
+
+## Measured growth
+
+decaying-bands-stay = bands that decay keep today's level: nothing in the model makes the roughness that traffic makes on a rail
+growth-unexplained = no wear coefficient: the model does not explain the growth at { $shortest }–{ $longest } mm, { $measured } dB measured and { $fitted } dB with the best coefficient; the forecast goes by what was measured
+grew-in-a-year = { $wavelength } mm has grown by { $rate } dB a year
+grew-in-a-year-within = { $wavelength } mm has grown by { $rate } dB a year, 95 % interval { $low } to { $high }
+grew-in-a-million = { $wavelength } mm has grown by { $rate } dB per 10⁶ passages
+grew-in-a-million-within = { $wavelength } mm has grown by { $rate } dB per 10⁶ passages, 95 % interval { $low } to { $high }
+
+## Welds, joints and squats
+
+defect-at = { $place } m ({ $height } µm)
+defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } (--keep-defects keeps them)
+many-defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } and { $more } more (--keep-defects keeps them)

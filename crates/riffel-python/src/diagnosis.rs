@@ -34,6 +34,7 @@ pub(crate) fn diagnose<'py>(
     choose: Vec<String>,
     by: Option<String>,
     from_vehicle: bool,
+    keep_defects: bool,
 ) -> PyResult<Bound<'py, PyAny>> {
     let (speeds, remark) = match speeds {
         Some(GivenSpeeds::Ranges(ranges)) => (TrafficSpeeds::of_ranges(ranges), None),
@@ -65,6 +66,7 @@ pub(crate) fn diagnose<'py>(
             spectra: SpectraChoice {
                 choose: &choose,
                 by: by.as_deref(),
+                keep_defects,
             },
             torsion,
             bending,

@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use riffel::Axis;
 use riffel::diagnosis::{DominantWavelength, FineSpectrum, dominant_levels};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, PowerSpectrum, Profile, RailAnalysis,
-    RmsLimit, Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, Profile, RailAnalysis, RmsLimit,
+    Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
@@ -118,9 +118,7 @@ pub(crate) fn third_octaves<'py>(
     longest: f64,
 ) -> PyResult<Levels<'py>> {
     let stretches = profiles(&stretches, spacing)?;
-    let spectrum = interruptible(py, move || {
-        PowerSpectrum::of_record(&stretches, longest)?.third_octaves(longest)
-    })?;
+    let spectrum = interruptible(py, move || Spectrum::of_record(&stretches, longest))?;
     Ok(levels(py, &spectrum.map_err(of_physics)?))
 }
 

@@ -15,6 +15,8 @@ pub struct DiagnosisDocument {
     /// What the shares mean.
     share: &'static str,
     dominant_wavelengths: Vec<Dominant>,
+    /// Welds, joints and squats that the spectra leave out.
+    defects: Vec<DefectDocument>,
     warnings: Vec<String>,
 }
 
@@ -44,6 +46,17 @@ struct Dominant {
     summary: String,
     candidates: Vec<CandidateDocument>,
     measurements: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct DefectDocument {
+    rail: String,
+    /// weld-or-joint | squat
+    kind: &'static str,
+    from_m: f64,
+    to_m: f64,
+    /// Over the line from its beginning to its end; negative for a dip.
+    height_m: f64,
 }
 
 #[derive(Serialize)]
@@ -102,6 +115,20 @@ impl DiagnosisDocument {
                 .findings
                 .iter()
                 .map(|finding| Dominant::new(finding, speeds.slowest(), speeds.fastest()))
+                .collect(),
+            defects: diagnosis
+                .defects
+                .iter()
+                .map(|(rail, defect)| DefectDocument {
+                    rail: rail.clone(),
+                    kind: match defect.is_short() {
+                        true => "squat",
+                        false => "weld-or-joint",
+                    },
+                    from_m: defect.from,
+                    to_m: defect.to,
+                    height_m: defect.height,
+                })
                 .collect(),
             warnings: diagnosis.warnings.clone(),
         }

@@ -17,6 +17,7 @@ pub use candidate_row::candidate_row;
 pub use document::{DiagnosisDocument, SHARE};
 pub use finding::Finding;
 
+use riffel::roughness::RailDefect;
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::LineFigure;
@@ -49,6 +50,8 @@ pub struct Diagnosis {
     pub curves: Curves,
     /// What the records are, in words.
     pub words: String,
+    /// Welds, joints and squats by rail, which the spectra leave out unless they were kept.
+    pub defects: Vec<(String, RailDefect)>,
     /// What was put right in the records, and what the case knows nothing of.
     pub warnings: Vec<String>,
 }
@@ -112,6 +115,7 @@ impl Diagnosis {
             findings,
             curves: records.curves,
             words: records.words,
+            defects: records.defects,
             speeds: speeds.clone(),
             warnings,
         })

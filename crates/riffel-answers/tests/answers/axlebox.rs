@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, RunSettings, Sample};
 use riffel::roughness::{
-    AnalysisSettings, BandPass, ColouredNoise, PowerSpectrum, Profile, RailAnalysis, Recipe,
-    Spectrum, WavelengthBand,
+    AnalysisSettings, BandPass, ColouredNoise, Profile, RailAnalysis, Recipe, Spectrum,
+    WavelengthBand,
 };
 use riffel_case::{Case, NOMINAL_CASE};
 
@@ -152,8 +152,7 @@ fn felt(case: &Case, settings: RunSettings, samples: &[Sample]) -> Vec<FeltProfi
 }
 
 fn spectrum(profile: &Profile) -> Spectrum {
-    let power = PowerSpectrum::of_record(std::slice::from_ref(profile), 0.4).unwrap();
-    power.third_octaves(0.4).unwrap()
+    Spectrum::of_record(std::slice::from_ref(profile), 0.4).unwrap()
 }
 
 /// Level felt less level there, by band between 20 and 315 mm; the bands as nominal millimetres.

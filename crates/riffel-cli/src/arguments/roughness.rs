@@ -217,6 +217,10 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "COLUMN")]
     pub(crate) by: Option<String>,
 
+    /// Keep welds, joints and squats in the spectra of a profile [default: they are listed and left out].
+    #[arg(long)]
+    pub(crate) keep_defects: bool,
+
     /// Speeds of the traffic, as "80 km/h" or a range "60 km/h..90 km/h"; may be repeated [default: those
     /// of the map of the case].
     #[arg(long, value_name = "SPEED")]
@@ -250,6 +254,7 @@ impl DiagnosisArguments {
             ("--earlier", !self.earlier.is_empty()),
             ("--where", !self.choose.is_empty()),
             ("--by", self.by.is_some()),
+            ("--keep-defects", self.keep_defects),
             ("--speed", !self.speed.is_empty()),
             ("--traffic", self.traffic.is_some()),
             ("--torsion", !self.torsion.is_empty()),

@@ -779,6 +779,7 @@ class Case:
         height_unit: str | None = None,
         position_unit: str | None = None,
         from_vehicle: bool = False,
+        keep_defects: bool = False,
     ) -> dict[str, Any]:
         """What may have made the wavelengths that stand out of a rail, held against this case.
 
@@ -811,12 +812,14 @@ class Case:
             Units of heights and positions in files, as "mm", whatever these say.
         from_vehicle : bool
             Whether the record was taken from a vehicle, whose wheels are in it, and not with a trolley.
+        keep_defects : bool
+            Whether welds, joints and squats stay in the spectra of heights; else they are listed and left out.
 
         Returns
         -------
         dict
             With the keys of ``riffel diagnose --json``: ``dominant_wavelengths``, each with its ``candidates``, the
-            likeliest first, and ``warnings``. A share compares the candidates of one list, each taken to be equally
+            likeliest first, ``defects`` and ``warnings``. A share compares the candidates of one list, each taken to be equally
             likely beforehand; it is no probability that a finding is right.
 
         Raises
@@ -864,6 +867,7 @@ class Case:
             height_unit=height_unit,
             position_unit=position_unit,
             from_vehicle=from_vehicle,
+            keep_defects=keep_defects,
         )
 
     def curve(self, overrides: Overrides | None = None, *, radius: Quantities | None = None) -> xr.Dataset:

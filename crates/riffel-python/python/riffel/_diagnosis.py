@@ -32,6 +32,7 @@ def diagnose(
     height_unit: str | None,
     position_unit: str | None,
     from_vehicle: bool,
+    keep_defects: bool,
 ) -> dict[str, Any]:
     """Check what a user gave and ask the extension; see `Case.diagnose`."""
     if traffic is not None and speed is not None:
@@ -55,6 +56,7 @@ def diagnose(
         [f"{column}={value}" for column, value in (where or {}).items()],
         by,
         from_vehicle,
+        keep_defects,
     )
     return found
 

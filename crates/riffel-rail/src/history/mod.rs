@@ -5,7 +5,7 @@ mod tables;
 
 use jiff::civil::Date;
 use riffel::diagnosis::{Course, DominantWavelength, FineSpectrum, Place, TimeUnit};
-use riffel::roughness::Spectrum;
+use riffel::roughness::{RailDefect, Spectrum};
 use riffel_keys::CaseError;
 
 use crate::{RailRecord, RailRoughness};
@@ -48,6 +48,8 @@ pub struct RailHistory {
     pub curves: Curves,
     /// What the records are, in words.
     pub words: String,
+    /// Welds, joints and squats of the present record by rail, which its spectra leave out unless they were kept.
+    pub defects: Vec<(String, RailDefect)>,
     /// What was put right in the records.
     pub warnings: Vec<String>,
 }
@@ -59,6 +61,8 @@ pub struct SpectraChoice<'a> {
     pub choose: &'a [String],
     /// Column that tells the spectra of one table apart in time; `date` by default, if there is one.
     pub by: Option<&'a str>,
+    /// Keep welds, joints and squats in the spectra of profiles.
+    pub keep_defects: bool,
 }
 
 impl RailHistory {

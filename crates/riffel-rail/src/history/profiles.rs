@@ -2,7 +2,8 @@
 
 use jiff::civil::Date;
 use riffel::diagnosis::{CleanRail, Course, CoursePoint, LocatedWavelength, WINDOW};
-use riffel_keys::CaseError;
+use riffel::roughness::RailDefect;
+use riffel_keys::{CaseError, Value, fixed, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
 use crate::{Rail, RailRecord, RailRoughness};
@@ -29,10 +30,13 @@ pub(super) fn history(
     }
     let mut warnings = warnings.to_vec();
     let wrong = |error: riffel::Error| CaseError::data(present.name, error.to_string());
-    let clean: Vec<CleanRail> = rails
-        .iter()
-        .map(|rail| CleanRail::new(rail.stretches.clone()))
-        .collect();
+    let clean: Vec<CleanRail> = rails.iter().map(|rail| clean_rail(rail, choice)).collect();
+    let mut defects = Vec::new();
+    for (rail, clean) in rails.iter().zip(&clean) {
+        let own = clean.defects().iter();
+        defects.extend(own.map(|defect| (rail.name.clone(), *defect)));
+        warnings.extend(left_out(&rail.name, clean.defects()));
+    }
     let mut found: Vec<(usize, Vec<LocatedWavelength>)> = Vec::new();
     for (index, rail) in clean.iter().enumerate() {
         found.push((index, rail.dominant().map_err(wrong)?));
@@ -125,7 +129,7 @@ pub(super) fn history(
                 ));
                 continue;
             };
-            let same = CleanRail::new(same.stretches.clone());
+            let same = clean_rail(same, choice);
             for (finding, (_, one)) in findings() {
                 if !point(finding, place, &same, one) {
                     let place = one.places[0];
@@ -164,8 +168,48 @@ pub(super) fn history(
         measured: measured.collect(),
         words,
         curves: Curves::Fine(curves),
+        defects,
         warnings,
     })
+}
+
+/// A rail with its welds, joints and squats, or without.
+fn clean_rail(rail: &Rail, choice: SpectraChoice<'_>) -> CleanRail {
+    let stretches = rail.stretches.clone();
+    match choice.keep_defects {
+        true => CleanRail::with_defects(stretches),
+        false => CleanRail::new(stretches),
+    }
+}
+
+/// What to say of the defects that the spectra of a rail leave out.
+fn left_out(rail: &str, defects: &[RailDefect]) -> Option<String> {
+    /// More are counted.
+    const NAMED: usize = 6;
+    let places = defects.iter().take(NAMED).map(|defect| {
+        let middle = 0.5 * (defect.from + defect.to);
+        let height = fixed(1e6 * defect.height, 0);
+        say!(defect_at, place = fixed(middle, 1), height = height)
+    });
+    let places: Value = places.collect();
+    let (rail, count) = (rail.to_owned(), defects.len());
+    let said = match count {
+        0 => return None,
+        1..=NAMED => say!(
+            defects_left_out,
+            rail = rail,
+            count = count,
+            places = places
+        ),
+        _ => say!(
+            many_defects_left_out,
+            rail = rail,
+            count = count,
+            places = places,
+            more = count - NAMED
+        ),
+    };
+    Some(said.to_string())
 }
 
 /// The rail of an earlier record that is this one: that of the same name, or where no name agrees the one at the

@@ -110,6 +110,7 @@ pub(super) fn history(
         measured,
         words,
         curves: Curves::Levels(curves),
+        defects: Vec::new(),
         warnings,
     })
 }

@@ -16,6 +16,8 @@ const LEFT_OUT: usize = 6;
 const PROMINENT: f64 = 3.0;
 /// How many bands of noise may look like this in one spectrum.
 const FALSE_ALARMS: f64 = 0.01;
+/// Ratio of the wavelengths of half the power above which a peak is a hump of the trend and no wave: an octave.
+const BROADEST: f64 = 2.0;
 /// Shortest wavelength \[m\]; below, rails are not measured.
 const SHORTEST: f64 = 0.005;
 /// Most that are named: those that stand out most.
@@ -139,7 +141,8 @@ impl FineSpectrum {
     }
 
     /// The wavelengths that stand 3 dB or more above the trend, and so far that pure noise of the same
-    /// trend has such a peak in one spectrum of a hundred; the most prominent first, six at most.
+    /// trend has such a peak in one spectrum of a hundred, and are no broader than an octave; the most prominent first, six
+    /// at most.
     pub fn dominant(&self) -> Vec<DominantWavelength> {
         self.dominant_among(1)
     }
@@ -169,7 +172,10 @@ impl FineSpectrum {
                 self.take_flank(peak, side, &mut taken);
             }
             taken[peak] = true;
-            found.push(self.measured(peak, excess(peak), false_peaks(peak)));
+            let measured = self.measured(peak, excess(peak), false_peaks(peak));
+            if measured.to <= BROADEST * measured.from {
+                found.push(measured);
+            }
         }
         for index in 0..found.len() {
             found[index].harmonic_of = harmonic(&found[index], &found);

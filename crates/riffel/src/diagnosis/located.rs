@@ -8,7 +8,8 @@ use super::dominant::{MOST, harmonic};
 use super::{DominantWavelength, FineSpectrum};
 use crate::Error;
 use crate::roughness::{
-    BandPass, PIT_DEPTH, Profile, SpikeCriterion, WHEEL_RADIUS, WavelengthBand, moving_rms,
+    BandPass, PIT_DEPTH, Profile, RailDefect, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
+    moving_rms,
 };
 
 /// Length of the windows in which a dominant wavelength is looked for \[m\]: five segments of 10 m, of which nine
@@ -22,8 +23,12 @@ const SMOOTHING: f64 = 5.0;
 const SMOOTHED_WAVES: f64 = 50.0;
 /// How far the wavelengths of a peak are widened to filter it out of the profile.
 const WIDENED: f64 = 1.1;
-/// Decibels by which a place stands over the whole rail to be named.
-const CONCENTRATED: f64 = 3.0;
+/// Share of a rail on which a wavelength stands all along.
+const ALL_ALONG: f64 = 0.9;
+/// Waves over which the power of a wave is averaged to see whether it lasts.
+const LASTING_WAVES: f64 = 3.0;
+/// Share of a place on which this must be a quarter of its mean or more: a single event has its power in one spot.
+const LASTING: f64 = 0.5;
 /// Good length between two places of one wavelength that are one \[m\].
 const APART: f64 = 10.0;
 
@@ -52,12 +57,13 @@ pub struct LocatedWavelength {
     pub all_along: bool,
 }
 
-/// A rail without spikes, and what the wheel sees of it after EN 15610.
+/// A rail without spikes and single defects, and what the wheel sees of it after EN 15610.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct CleanRail {
     on_rail: Vec<Profile>,
     on_wheel: Vec<Profile>,
+    defects: Vec<RailDefect>,
 }
 
 /// A peak of a window.
@@ -68,8 +74,22 @@ struct Seed {
 }
 
 impl CleanRail {
-    /// The stretches of one rail, cleaned of spikes, and the same rolled over by the wheel.
-    pub fn new(mut stretches: Vec<Profile>) -> Self {
+    /// The stretches of one rail, cleaned of spikes and of [defects](Self::defects), and the same rolled over by the wheel.
+    pub fn new(stretches: Vec<Profile>) -> Self {
+        let mut clean = Self::with_defects(stretches);
+        for (on_rail, on_wheel) in clean.on_rail.iter_mut().zip(&mut clean.on_wheel) {
+            // What the wheel bridges is no defect to it.
+            let defects = on_wheel.bridge_defects();
+            for defect in &defects {
+                on_rail.bridge_between(defect.from, defect.to);
+            }
+            clean.defects.extend(defects);
+        }
+        clean
+    }
+
+    /// The same with its welds, joints and squats.
+    pub fn with_defects(mut stretches: Vec<Profile>) -> Self {
         for stretch in &mut stretches {
             stretch.remove_spikes(SpikeCriterion::EN_15610);
         }
@@ -80,7 +100,13 @@ impl CleanRail {
         Self {
             on_rail: stretches,
             on_wheel,
+            defects: Vec::new(),
         }
+    }
+
+    /// The welds, joints and squats that were replaced by straight lines ([`Profile::bridge_defects`]), in order.
+    pub fn defects(&self) -> &[RailDefect] {
+        &self.defects
     }
 
     /// Length of rail \[m\].
@@ -115,8 +141,8 @@ impl CleanRail {
     /// 25 m where the rail is 100 m long or longer, so far out that noise has such a peak in one rail of a
     /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
-    /// length. A wavelength is told by its places if these are less than half of the rail and stand 3 dB over
-    /// it. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
+    /// length. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
+    /// power over three waves is a quarter of its mean or more on half of the place. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
     /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
     /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
     ///
@@ -131,11 +157,11 @@ impl CleanRail {
             let same = overall.iter().position(|peak| overlap(peak, leader));
             let along = same.map(|index| overall.swap_remove(index));
             let places = self.places(leader, &group)?;
-            found.extend(self.told(leader, along, places, &whole));
+            found.extend(self.told(leader, along, places));
         }
         for peak in overall {
             let places = self.places(&peak, &[])?;
-            found.extend(self.told(&peak.clone(), Some(peak), places, &whole));
+            found.extend(self.told(&peak.clone(), Some(peak), places));
         }
         found.sort_by(|a, b| b.peak.prominence.total_cmp(&a.peak.prominence));
         found.truncate(MOST);
@@ -212,11 +238,13 @@ impl CleanRail {
         let spacing = self.on_wheel[0].spacing();
         let band = WavelengthBand::new(peak.from / WIDENED, peak.to * WIDENED)?;
         let samples = (SMOOTHING.max(SMOOTHED_WAVES * peak.wavelength) / spacing).round() as usize;
-        let mut powers = Vec::new();
+        let waves = (LASTING_WAVES * peak.wavelength / spacing).round() as usize;
+        let (mut powers, mut filtered_rails) = (Vec::new(), Vec::new());
         for stretch in &self.on_wheel {
             let bank = BandPass::new(spacing, stretch.heights().len(), &[band])?;
             let filtered = bank.filter(stretch).swap_remove(0);
             powers.push(smoothed(&filtered, samples));
+            filtered_rails.push(filtered);
         }
         let mut found: Vec<(usize, Range<usize>)> = Vec::new();
         for seed in seeds {
@@ -237,6 +265,7 @@ impl CleanRail {
         }
         let mut places: Vec<Place> = joined(found, (APART / spacing) as usize)
             .into_iter()
+            .filter(|(stretch, samples)| lasts(&filtered_rails[*stretch][samples.clone()], waves))
             .map(|(stretch, samples)| {
                 let profile = &self.on_wheel[stretch];
                 let (from, to) = (
@@ -269,13 +298,11 @@ impl CleanRail {
         peak: &DominantWavelength,
         along: Option<DominantWavelength>,
         places: Vec<Place>,
-        whole: &FineSpectrum,
     ) -> Option<LocatedWavelength> {
         let covered: f64 = places.iter().map(|place| place.to - place.from).sum();
         let highest = *places.first()?;
-        let level = whole.level_between(peak.from, peak.to).0;
-        let concentrated = covered < 0.5 * self.length() && highest.level >= level + CONCENTRATED;
-        if let Some(along) = along.filter(|_| !concentrated) {
+        let all_along = covered >= ALL_ALONG * self.length();
+        if let Some(along) = along.filter(|_| all_along) {
             let first = self.on_wheel.first()?;
             let last = self.on_wheel.last()?;
             return Some(LocatedWavelength {
@@ -344,6 +371,14 @@ fn smoothed(heights: &[f64], window: usize) -> Vec<f64> {
     (0..heights.len())
         .map(|index| rms[index.saturating_sub(before).min(rms.len() - 1)].powi(2))
         .collect()
+}
+
+/// Whether a filtered wave lasts over a place: moving power over some samples against its mean.
+fn lasts(heights: &[f64], samples: usize) -> bool {
+    let power = smoothed(heights, samples);
+    let mean = power.iter().sum::<f64>() / power.len() as f64;
+    let lasting = power.iter().filter(|power| **power >= 0.25 * mean).count();
+    lasting as f64 >= LASTING * power.len() as f64
 }
 
 fn highest(values: &[f64]) -> usize {
@@ -481,6 +516,49 @@ mod tests {
         let everywhere = near(0.0312);
         assert!(everywhere.all_along, "{everywhere:?}");
         assert_eq!(everywhere.places[0].from, 5000.0);
+    }
+
+    /// Two thirds of a rail are no whole: the place is told, with the level there.
+    #[test]
+    fn a_wave_on_two_thirds_is_not_all_along() {
+        let found = rail(200.0, 6, &[(0.06, 8e-6, 20.0, 150.0)])
+            .dominant()
+            .unwrap();
+        let one = &found[0];
+        assert!(!one.all_along, "{found:?}");
+        let (place, level) = (one.places[0], 10.0 * 32f64.log10());
+        assert!(
+            (place.from - 5020.0).abs() < 1.0 && (place.to - 5150.0).abs() < 1.0,
+            "{one:?}"
+        );
+        assert!((place.level - level).abs() < 0.5, "{one:?}");
+    }
+
+    /// Two weld dips are no wave and hide none: the corrugation beside them is found, the welds are listed.
+    #[test]
+    fn welds_are_no_wave() {
+        let dip = |at: f64, x: f64| {
+            let u = (x - at) / 0.8;
+            let inside = if u.abs() < 0.5 { 1.0 } else { 0.0 };
+            -200e-6 * inside * (std::f64::consts::TAU * u).cos().mul_add(0.5, 0.5)
+        };
+        for waves in [&[][..], &[(0.07, 5e-6, 30.0, 90.0)]] {
+            let profile = rail(120.0, 7, waves).on_rail.swap_remove(0);
+            let mut heights = Vec::new();
+            for index in 0..profile.heights().len() {
+                let x = profile.position(index) - 5000.0;
+                heights.push(profile.heights()[index] + dip(25.3, x) + dip(97.1, x));
+            }
+            let profile = Profile::new(5000.0, 2e-3, heights).unwrap();
+            let clean = CleanRail::new(vec![profile]);
+            assert_eq!(clean.defects().len(), 2, "{:?}", clean.defects());
+            let found = clean.dominant().unwrap();
+            assert_eq!(found.len(), waves.len(), "{found:?}");
+            for one in found {
+                assert!((one.peak.wavelength / 0.07 - 1.0).abs() < 0.02, "{one:?}");
+                assert!((one.places[0].from - 5030.0).abs() < 1.5, "{one:?}");
+            }
+        }
     }
 
     /// A rail too short for windows tells the place as well.

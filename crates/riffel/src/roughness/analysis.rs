@@ -1,9 +1,9 @@
 //! Everything about the roughness of one rail, in one call.
 
 use super::{
-    BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, PowerSpectrum,
-    Profile, RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
-    grind_sections, level, mean_square,
+    BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile,
+    RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, grind_sections,
+    level, mean_square, method_a::RecordLevels,
 };
 use crate::Error;
 
@@ -50,9 +50,9 @@ pub struct RailAnalysis {
     pub pits: usize,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
-    /// Length of a segment of the transform \[m\].
+    /// Length of a segment for the longest wavelengths \[m\].
     pub segment_length: f64,
-    /// Number of segments.
+    /// Number of such segments.
     pub segments: usize,
     /// Statistics of each band that some stretch is long enough for.
     pub bands: Vec<BandSummary>,
@@ -110,7 +110,7 @@ impl RailAnalysis {
     /// of each of [`steps`](Self::steps).
     ///
     /// # Errors
-    /// As [`PowerSpectrum::of_record`].
+    /// As [`Spectrum::of_record`].
     pub fn new(
         mut stretches: Vec<Profile>,
         settings: &AnalysisSettings,
@@ -144,15 +144,15 @@ impl RailAnalysis {
             progress();
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
-        let power = PowerSpectrum::of_record(&stretches, settings.longest_wavelength)?;
+        let levels = RecordLevels::new(&stretches, settings.longest_wavelength)?;
         progress();
         let summaries = settings.bands.iter().zip(&statistics);
         Ok(Self {
             spikes,
             pits,
-            spectrum: known(power.third_octaves(settings.longest_wavelength)?, settings)?,
-            segment_length: power.segment_length(),
-            segments: power.segments(),
+            spectrum: known(levels.spectrum, settings)?,
+            segment_length: levels.segment_length,
+            segments: levels.segments,
             bands: summaries
                 .filter_map(|(band, statistics)| summary(*band, statistics, spacing, settings))
                 .collect(),

@@ -219,7 +219,7 @@ impl Recipe {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::roughness::{PowerSpectrum, Profile};
+    use crate::roughness::{Profile, Spectrum};
 
     fn recipe(length: f64) -> Recipe {
         Recipe {
@@ -250,7 +250,7 @@ mod tests {
                 ..recipe(1000.0)
             };
             let profile = Profile::new(0.0, 1e-3, made.heights()?)?;
-            let spectrum = PowerSpectrum::of_record(&[profile], 0.5)?.third_octaves(0.1)?;
+            let spectrum = Spectrum::of_record(&[profile], 0.1)?;
             assert!(spectrum.levels().len() > 10);
             for level in spectrum.levels() {
                 let expected = noise.level_at(level.band.wavelength());

@@ -1,0 +1,284 @@
+//! Single defects of a rail: welds, joints and squats.
+
+use std::ops::Range;
+
+use super::{BandPass, Profile, WavelengthBand};
+
+/// Wavelengths between which a defect stands out \[m\]: a weld among longer ones than those of corrugation.
+const BANDS: [(f64, f64); 2] = [(0.2, 2.0), (0.02, 0.2)];
+/// How far around it a defect is compared with the rail \[m\].
+const NEIGHBOURS: f64 = 15.0;
+/// Standard deviations of the rail around it above which a height is no chance: once in a billion.
+const OUTSTANDING: f64 = 6.0;
+/// The same down to which a defect reaches.
+const REACHES: f64 = 2.5;
+/// Length of calm rail at which it ends \[m\].
+const CALM: f64 = 0.1;
+/// Longest defect \[m\]: a dipped weld has a metre or two.
+const LONGEST: f64 = 3.0;
+/// Most turns of half its height that a defect has; a wave has more.
+const MOST_TURNS: usize = 4;
+/// Length from which a defect is a weld or a joint, and below which a squat \[m\] (UIC 712: a squat spreads over some
+/// centimetres).
+const SHORTEST_WELD: f64 = 0.15;
+
+/// A place where a rail departs from its own roughness once, and not in waves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RailDefect {
+    /// Where it begins \[m\].
+    pub from: f64,
+    /// Where it ends \[m\].
+    pub to: f64,
+    /// Largest height over the line from its beginning to its end \[m\]; negative for a dip.
+    pub height: f64,
+}
+
+impl RailDefect {
+    /// Whether it is as short as a squat; else it is a weld or a joint.
+    pub fn is_short(&self) -> bool {
+        self.to - self.from < SHORTEST_WELD
+    }
+}
+
+impl Profile {
+    /// Replace every single defect by a straight line between its ends; returns what was replaced, in order.
+    ///
+    /// A defect is what stands six standard deviations out of the rail 15 m to either side, between wavelengths of 0.2 and
+    /// 2 m or 20 and 200 mm, is no longer than 3 m and has no more than four turns of half its height: waves have more. The
+    /// standard deviation is that of the median, which defects of a tenth of the rail do not move. A band is left out where
+    /// the profile is shorter than four of its longest waves or heights are too far apart. Cost: two band-passes.
+    pub fn bridge_defects(&mut self) -> Vec<RailDefect> {
+        let mut defects: Vec<RailDefect> = BANDS
+            .into_iter()
+            .flat_map(|band| self.bridge_defects_among(band))
+            .collect();
+        defects.sort_by(|a, b| a.from.total_cmp(&b.from));
+        defects
+    }
+
+    fn bridge_defects_among(&mut self, band: (f64, f64)) -> Vec<RailDefect> {
+        let spacing = self.spacing();
+        let found = WavelengthBand::new(band.0, band.1)
+            .ok()
+            .filter(|band| band.fits_into(self.length()))
+            .and_then(|band| BandPass::new(spacing, self.heights.len(), &[band]).ok())
+            .map(|bank| bank.filter(self).swap_remove(0));
+        let Some(waves) = found else {
+            return Vec::new();
+        };
+        let deviations = deviations(&waves, spacing);
+        let ratio = |index: usize| waves[index].abs() / deviations[index / cell(spacing)];
+        let mut defects = Vec::new();
+        let mut index = 0;
+        while index < waves.len() {
+            if ratio(index) <= OUTSTANDING {
+                index += 1;
+                continue;
+            }
+            let samples = reach(index, waves.len(), spacing, ratio);
+            index = samples.end;
+            let long = samples.len() as f64 * spacing > LONGEST;
+            if !long && turns(&waves[samples.clone()]) <= MOST_TURNS {
+                defects.push(self.bridge(samples));
+            }
+        }
+        defects
+    }
+
+    /// Replace the heights between two positions \[m\] by a straight line.
+    pub(crate) fn bridge_between(&mut self, from: f64, to: f64) {
+        let sample = |position: f64| {
+            let index = ((position - self.start()) / self.spacing())
+                .round()
+                .max(0.0) as usize;
+            index.min(self.heights.len() - 1)
+        };
+        let (first, last) = (sample(from), sample(to));
+        self.bridge(first..last + 1);
+    }
+
+    /// Replace some samples by a straight line.
+    fn bridge(&mut self, samples: Range<usize>) -> RailDefect {
+        let (first, last) = (samples.start, samples.end - 1);
+        let (left, right) = (self.heights[first], self.heights[last]);
+        let mut height = 0.0f64;
+        for index in samples.clone() {
+            let share = (index - first) as f64 / (last - first).max(1) as f64;
+            let line = left + share * (right - left);
+            let over = self.heights[index] - line;
+            if over.abs() > height.abs() {
+                height = over;
+            }
+            self.heights[index] = line;
+        }
+        RailDefect {
+            from: self.position(first),
+            to: self.position(last),
+            height,
+        }
+    }
+}
+
+/// Samples of a cell, a metre, that has one standard deviation.
+fn cell(spacing: f64) -> usize {
+    (1.0 / spacing).round().max(1.0) as usize
+}
+
+/// Standard deviation of the rail around each cell, by the median of the heights without their sign.
+fn deviations(waves: &[f64], spacing: f64) -> Vec<f64> {
+    /// That of a normal number.
+    const MEDIAN: f64 = 0.6745;
+    let near = (NEIGHBOURS / spacing) as usize;
+    // Every so many samples are enough for a median.
+    let step = (0.01 / spacing).ceil().max(1.0) as usize;
+    let starts = (0..waves.len()).step_by(cell(spacing));
+    starts
+        .map(|start| {
+            let around = start.saturating_sub(near)..(start + near).min(waves.len());
+            let mut heights: Vec<f64> = waves[around]
+                .iter()
+                .step_by(step)
+                .map(|height| height.abs())
+                .collect();
+            let middle = heights.len() / 2;
+            let median = *heights.select_nth_unstable_by(middle, f64::total_cmp).1;
+            (median / MEDIAN).max(f64::MIN_POSITIVE)
+        })
+        .collect()
+}
+
+/// The samples about one that stands out, to where the rail is calm on either side.
+fn reach(at: usize, count: usize, spacing: f64, ratio: impl Fn(usize) -> f64) -> Range<usize> {
+    let calm = (CALM / spacing).round().max(1.0) as usize;
+    let limit = (2.0 * LONGEST / spacing) as usize;
+    let side = |step: isize| {
+        let (mut last, mut index) = (at, at);
+        while let Some(next) = index.checked_add_signed(step).filter(|next| *next < count) {
+            index = next;
+            if ratio(index) > REACHES {
+                last = index;
+            }
+            if index.abs_diff(last) > calm || index.abs_diff(at) > limit {
+                break;
+            }
+        }
+        last
+    };
+    side(-1)..side(1) + 1
+}
+
+/// Turns of half the largest height and more: changes of sign between them, and the first.
+fn turns(waves: &[f64]) -> usize {
+    let largest = waves
+        .iter()
+        .fold(0.0, |most: f64, wave| most.max(wave.abs()));
+    let large = waves.iter().filter(|wave| wave.abs() >= 0.5 * largest);
+    let mut signs: Vec<bool> = large.map(|wave| *wave > 0.0).collect();
+    signs.dedup();
+    signs.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Error;
+    use crate::roughness::{ColouredNoise, Recipe, Sinusoid};
+
+    fn rail(seed: u64, waves: &[(f64, f64, f64, f64)]) -> Vec<f64> {
+        let recipe = Recipe {
+            length: 120.0,
+            spacing: 2e-3,
+            seed,
+            sinusoids: waves
+                .iter()
+                .map(|&(wavelength, amplitude, from, to)| Sinusoid {
+                    wavelength,
+                    amplitude,
+                    phase: 0.3,
+                    from,
+                    to,
+                })
+                .collect(),
+            noise: Some(ColouredNoise {
+                level: 0.0,
+                wavelength: 0.1,
+                slope: 10.0,
+                longest: 3.0,
+            }),
+            spikes: Vec::new(),
+            pits: Vec::new(),
+            dropouts: Vec::new(),
+        };
+        recipe.heights().unwrap()
+    }
+
+    /// Versed sines in a rail.
+    fn dipped(mut heights: Vec<f64>, dips: &[(f64, f64, f64)]) -> Vec<f64> {
+        for &(at, depth, length) in dips {
+            for (index, height) in heights.iter_mut().enumerate() {
+                let x = (index as f64 * 2e-3 - at) / length;
+                if x.abs() < 0.5 {
+                    *height -= 0.5 * depth * (1.0 + (std::f64::consts::TAU * x).cos());
+                }
+            }
+        }
+        heights
+    }
+
+    #[test]
+    fn welds_and_squats_are_found_where_they_are() -> Result<(), Error> {
+        let dips = [
+            (30.0, 300e-6, 1.0),
+            (66.0, 150e-6, 0.6),
+            (90.0, 100e-6, 0.08),
+        ];
+        let mut profile = Profile::new(0.0, 2e-3, dipped(rail(1, &[]), &dips))?;
+        let found = profile.bridge_defects();
+        assert_eq!(found.len(), 3, "{found:?}");
+        for (defect, (at, depth, length)) in found.iter().zip(dips) {
+            assert!(
+                (0.5 * (defect.from + defect.to) - at).abs() < 0.2,
+                "{defect:?}"
+            );
+            assert!((defect.height / -depth - 1.0).abs() < 0.4, "{defect:?}");
+            assert_eq!(defect.is_short(), length < 0.1, "{defect:?}");
+        }
+        // Nothing of them is left.
+        assert!(profile.bridge_defects().is_empty());
+        Ok(())
+    }
+
+    /// A weld of corrugation as deep as a third of it stands out of the long waves.
+    #[test]
+    fn a_weld_is_found_in_corrugation() -> Result<(), Error> {
+        let heights = rail(2, &[(0.07, 25e-6, 0.0, 120.0)]);
+        let mut profile = Profile::new(0.0, 2e-3, dipped(heights, &[(80.0, 150e-6, 0.8)]))?;
+        let found = profile.bridge_defects();
+        let [weld] = &found[..] else {
+            panic!("{found:?}");
+        };
+        assert!((0.5 * (weld.from + weld.to) - 80.0).abs() < 0.3, "{weld:?}");
+        Ok(())
+    }
+
+    /// Noise, corrugation all along, and patches of ten waves and more are no defects.
+    #[test]
+    fn waves_are_no_defects() -> Result<(), Error> {
+        for seed in 0..10 {
+            for waves in [
+                &[][..],
+                &[(0.05, 10e-6, 0.0, 120.0)],
+                &[(0.05, 60e-6, 40.0, 42.0)],
+                &[(0.08, 40e-6, 40.0, 40.8)],
+                &[(0.3, 80e-6, 40.0, 60.0)],
+            ] {
+                let heights = rail(seed, waves);
+                let mut profile = Profile::new(0.0, 2e-3, heights.clone())?;
+                let found = profile.bridge_defects();
+                assert!(found.is_empty(), "{waves:?}: {found:?}");
+                assert_eq!(profile.heights(), heights);
+            }
+        }
+        Ok(())
+    }
+}
