@@ -103,7 +103,7 @@ pub(crate) fn wear_coefficient_is_found() -> Row {
         source: "spectra of Niederwangen, grown by the model, with an error of ±0.5 dB",
         expected: "2.2".to_owned(),
         got: format!("{:.2}, 95 % interval {low:.2} to {high:.2}", fit.factor),
-        tolerance: "the interval, of bootstrap over the records",
+        tolerance: "the interval, by the scatter of the records",
         holds: fit.verdict == WearVerdict::Fitted && low < factor && factor < high,
     }
 }

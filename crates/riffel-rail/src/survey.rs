@@ -1,6 +1,6 @@
 //! Measurements of one rail or several, as one-third-octave spectra with what is known of each.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
@@ -285,22 +285,23 @@ impl Survey {
                 .map(|label| label.unwrap_or_default().to_owned())
                 .collect()
         };
-        let sorted = |survey: &Self| {
-            let mut keyed: Vec<(Vec<String>, Spectrum)> = survey
-                .records
-                .iter()
+        let keyed = |survey: &Self| -> BTreeMap<Vec<String>, Spectrum> {
+            let records = survey.records.iter();
+            records
                 .map(|record| (key(record), record.spectrum.clone()))
-                .collect();
-            keyed.sort_by(|a, b| a.0.cmp(&b.0));
-            keyed.into_iter().unzip::<_, _, Vec<_>, Vec<_>>()
+                .collect()
         };
-        let (later_keys, later) = sorted(self);
-        let (earlier_keys, earlier) = sorted(earlier);
-        let unique = later_keys.windows(2).all(|pair| pair[0] != pair[1]);
-        if unique && later_keys == earlier_keys && !columns.is_empty() {
-            MeasuredChange::paired(earlier, later, passages)
+        let (of_later, of_earlier) = (keyed(self), keyed(earlier));
+        let unique = [(self, &of_later), (earlier, &of_earlier)]
+            .iter()
+            .all(|(survey, keyed)| survey.records.len() == keyed.len());
+        if unique && of_later.keys().eq(of_earlier.keys()) && !columns.is_empty() {
+            // In the order of the rail: neighbours scatter together.
+            let records = earlier.records.iter();
+            let now = records.map(|record| of_later[&key(record)].clone());
+            MeasuredChange::paired(earlier.spectra(), now.collect(), passages)
         } else {
-            MeasuredChange::groups(earlier, later, passages)
+            MeasuredChange::groups(earlier.spectra(), self.spectra(), passages)
         }
     }
 

@@ -15,6 +15,7 @@ use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
 use riffel::roughness::LevelLimit;
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
+use riffel_keys::say;
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
@@ -150,6 +151,22 @@ impl ForecastAnswer {
             wear: None,
             warnings,
         })
+    }
+
+    /// The same with what an earlier measurement says: where the case does not explain the growth since, it goes by what was
+    /// measured.
+    #[must_use]
+    pub fn with_wear(mut self, wear: WearReport) -> Self {
+        if let Some(growth) = wear.measured_growth(self.growth()) {
+            let rails = self.rails.iter();
+            let measured: Vec<RailSpectrum> = rails.map(|rail| rail.measured.clone()).collect();
+            if let Ok(rails) = RailForecast::of_rails(&measured, &growth, Some(&self.limit)) {
+                self.rails = rails;
+            }
+            self.on.growth = growth;
+        }
+        self.wear = Some(wear);
+        self
     }
 
     /// The figure of the forecast.
@@ -312,11 +329,7 @@ impl ForecastAnswer {
             bands.any(|band| rail.forecast.growth_rate(band) < 0.0)
         };
         if self.rails.iter().any(decays) {
-            findings.push(
-                "bands that decay: nothing in the model makes new roughness, so that in truth they fall to a \
-                 floor and not for ever"
-                    .to_owned(),
-            );
+            findings.push(say!(decaying_bands_stay).to_string());
         }
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {

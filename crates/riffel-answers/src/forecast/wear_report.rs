@@ -1,15 +1,14 @@
 //! The wear coefficient of two measurements of a rail, in words and as data.
 
-use riffel::forecast::{WearFit, WearVerdict};
+use riffel::forecast::{FittedBand, LARGE_CHANGE, TrafficGrowth, WearFit, WearVerdict};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, fixed, number, say};
 use riffel_rail::Survey;
 use serde::Serialize;
 
-/// Change of level or residual \[dB\] that is worth a sentence on a single band. A choice: energy means of
-/// eight records of the Niederwangen spectra scatter by about 1 dB.
-const LARGE_CHANGE: f64 = 2.0;
+/// Days of a year.
+const YEAR: f64 = 365.25;
 
 /// A fit with what it was made of.
 pub struct WearReport {
@@ -19,6 +18,8 @@ pub struct WearReport {
     pub passages: f64,
     /// Wear coefficient of the case that the fit began with \[kg/J\].
     coefficient: f64,
+    /// Days between them, where the traffic says how much of it there is.
+    days: Option<f64>,
     /// Records of the earlier measurement and of the later.
     pub records: [usize; 2],
 }
@@ -30,7 +31,7 @@ pub struct WearDocument {
     records_earlier: usize,
     records_later: usize,
     paired: bool,
-    /// fitted | without-interval | indistinct | against | nothing-grows
+    /// fitted | without-interval | indistinct | against | nothing-grows | unexplained
     verdict: &'static str,
     /// Null where no fit is claimed.
     coefficient_kg_per_j: Option<f64>,
@@ -46,6 +47,7 @@ pub struct WearDocument {
 struct WearBand {
     wavelength_m: f64,
     measured_change_db: f64,
+    measured_change_interval_db: Option<[f64; 2]>,
     predicted_change_db: f64,
     fitted_change_db: Option<f64>,
     residual_db: Option<f64>,
@@ -69,6 +71,7 @@ impl WearReport {
         Ok(Self {
             fit: WearFit::new(&change, &on.growth).map_err(wrong)?,
             passages,
+            days: on.passages_per_day.map(|per_day| passages / per_day),
             coefficient: case.file.wear.coefficient.si(),
             records: [earlier.records.len(), later.records.len()],
         })
@@ -78,6 +81,14 @@ impl WearReport {
     pub fn fitted_coefficient(&self) -> Option<f64> {
         let is_sure = self.fit.verdict == WearVerdict::Fitted;
         is_sure.then_some(self.fit.factor * self.coefficient)
+    }
+
+    /// Growth as it was measured, in place of that of a model that does not explain it.
+    pub(super) fn measured_growth(&self, model: &TrafficGrowth) -> Option<TrafficGrowth> {
+        let bands = self.fit.bands.iter();
+        let changes: Vec<_> = bands.map(|band| (band.band, band.measured)).collect();
+        let is_unexplained = self.fit.verdict == WearVerdict::Unexplained;
+        is_unexplained.then(|| model.clone().as_measured(&changes, self.passages))
     }
 
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
@@ -109,6 +120,60 @@ impl WearReport {
             .any(|band| band.measured.abs() >= 0.05)
     }
 
+    /// The bands whose growth the model does not explain.
+    fn unexplained(&self) -> String {
+        let bands = || self.fit.bands.iter().filter(|band| band.is_unexplained());
+        let wavelengths: Vec<f64> = bands()
+            .map(|band| band.band.nominal_millimetres())
+            .collect();
+        let most = bands().max_by(|a, b| a.residual().total_cmp(&b.residual()));
+        let (measured, fitted) = most.map_or((0.0, 0.0), |band| (band.measured, band.fitted));
+        say!(
+            growth_unexplained,
+            shortest = number(wavelengths.first().copied().unwrap_or_default()),
+            longest = number(wavelengths.last().copied().unwrap_or_default()),
+            measured = fixed(measured, 1),
+            fitted = fixed(fitted, 1),
+        )
+        .to_string()
+    }
+
+    /// How fast each band that has grown does so.
+    fn measured_rates(&self) -> impl Iterator<Item = String> {
+        let bands = self.fit.bands.iter().filter(|band| band.has_grown());
+        let per_million = 1e6 / self.passages;
+        bands.map(move |band: &FittedBand| {
+            let wavelength = number(band.band.nominal_millimetres());
+            let yearly = self.days.map(|days| YEAR / days);
+            let rate = yearly.unwrap_or(per_million);
+            let value = |change: f64| fixed(rate * change, 1);
+            let measured = value(band.measured);
+            let said = match (yearly.is_some(), band.interval) {
+                (true, Some((low, high))) => say!(
+                    grew_in_a_year_within,
+                    wavelength = wavelength,
+                    rate = measured,
+                    low = value(low),
+                    high = value(high)
+                ),
+                (true, None) => {
+                    say!(grew_in_a_year, wavelength = wavelength, rate = measured)
+                }
+                (false, Some((low, high))) => say!(
+                    grew_in_a_million_within,
+                    wavelength = wavelength,
+                    rate = measured,
+                    low = value(low),
+                    high = value(high)
+                ),
+                (false, None) => {
+                    say!(grew_in_a_million, wavelength = wavelength, rate = measured)
+                }
+            };
+            said.to_string()
+        })
+    }
+
     /// What the fit says, and what it says of single bands.
     pub fn sentences(&self) -> Vec<String> {
         let fit = &self.fit;
@@ -119,6 +184,7 @@ impl WearReport {
                  wear.coefficient={coefficient:.3e}",
                 self.interval(bounds)
             ),
+            (WearVerdict::Unexplained, _) => self.unexplained(),
             (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
                                                grows"
                 .to_owned(),
@@ -137,6 +203,9 @@ impl WearReport {
                  {coefficient:.2e} kg/J"
             ),
         }];
+        if fit.verdict == WearVerdict::Unexplained {
+            sentences.extend(self.measured_rates());
+        }
         for band in &fit.bands {
             let wavelength = band.band.nominal_millimetres();
             let (measured, predicted) = (band.measured, band.predicted);
@@ -181,6 +250,7 @@ impl WearReport {
                 WearVerdict::Indistinct => "indistinct",
                 WearVerdict::WithoutInterval => "without-interval",
                 WearVerdict::Fitted => "fitted",
+                WearVerdict::Unexplained => "unexplained",
             },
             coefficient_kg_per_j: claimed.then_some(fit.factor * self.coefficient),
             coefficient_interval_kg_per_j: fit
@@ -196,6 +266,9 @@ impl WearReport {
                 .map(|band| WearBand {
                     wavelength_m: band.band.wavelength(),
                     measured_change_db: band.measured,
+                    measured_change_interval_db: band
+                        .interval
+                        .map(|interval| scaled(interval, 1.0)),
                     predicted_change_db: band.predicted,
                     fitted_change_db: claimed.then_some(band.fitted),
                     residual_db: claimed.then(|| band.residual()),

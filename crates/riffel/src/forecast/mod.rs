@@ -14,6 +14,7 @@
 //! [`WearFit`] finds the wear coefficient of which two dated measurements speak, if they do.
 
 mod growing_sum;
+mod jackknife;
 mod lines;
 mod mean_growth;
 mod prediction;
@@ -27,4 +28,4 @@ pub use mean_growth::MeanGrowth;
 pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
 pub use traffic::{TrafficGrowth, VehicleGrowth};
-pub use wear_fit::{FittedBand, MeasuredChange, WearFit, WearVerdict};
+pub use wear_fit::{FittedBand, LARGE_CHANGE, MeasuredChange, WearFit, WearVerdict};

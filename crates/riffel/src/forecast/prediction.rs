@@ -7,6 +7,9 @@ use crate::roughness::{BandLevel, LevelLimit, Spectrum, mean_square};
 
 /// A spectrum under traffic.
 ///
+/// What decays in the model keeps today's level: nothing in it makes the roughness that traffic makes on a real rail, so
+/// that waves would sink without end.
+///
 /// Range of validity: the loop is linear. It holds while the wheel stays on the rail, see
 /// [`valid_to`](Self::valid_to), and while track, friction and traffic stay as they are. Levels beyond are what
 /// the exponentials say and nothing more: real corrugation slows down.
@@ -100,7 +103,12 @@ impl Forecast {
                     level: spectrum.level(band)?,
                 };
                 let line = now.mean_square() / LINES_PER_BAND as f64;
-                let sum = GrowingSum::new(traffic.lines(place).iter().map(|&rate| (line, rate)));
+                let sum = GrowingSum::new(
+                    traffic
+                        .lines(place)
+                        .iter()
+                        .map(|&rate| (line, rate.max(0.0))),
+                );
                 Some(ForecastBand { now, sum, place })
             })
             .collect();
@@ -140,7 +148,8 @@ impl Forecast {
         &self.bands
     }
 
-    /// Growth rate of the amplitude per axle passage in a band of the forecast \[-\], now.
+    /// Growth rate of the amplitude per axle passage in a band of the forecast by the model \[-\]; below zero it decays,
+    /// and its level stays.
     pub fn growth_rate(&self, band: &ForecastBand) -> f64 {
         self.traffic.band_rate(band.place)
     }
@@ -214,7 +223,7 @@ fn force_range<'a>(
             lines_of(band.place).map(move |line| {
                 let per_amplitude = growth.growth.squared_force_per_amplitude[line];
                 let force = square * per_amplitude / growth.wheel_load.powi(2);
-                (force, traffic.rates()[line])
+                (force, traffic.rates()[line].max(0.0))
             })
         }));
         LinearRange {

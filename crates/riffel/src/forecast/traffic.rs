@@ -144,6 +144,22 @@ impl TrafficGrowth {
         })
     }
 
+    /// The same traffic where a band grows as it was measured to, in place of what the model says: by a change of level
+    /// \[dB\] over some axle passages. Every vehicle has its share in it.
+    pub fn as_measured(mut self, changes: &[(ThirdOctave, f64)], passages: f64) -> Self {
+        for (place, band) in self.bands.iter().enumerate() {
+            let Some((_, change)) = changes.iter().find(|(own, _)| own == band) else {
+                continue;
+            };
+            let rate = change * std::f64::consts::LN_10 / 20.0 / passages;
+            self.rates[lines_of(place)].fill(rate);
+            for vehicle in &mut self.vehicles {
+                vehicle.growth.rates[lines_of(place)].fill(rate);
+            }
+        }
+        self
+    }
+
     /// The bands.
     pub fn bands(&self) -> &[ThirdOctave] {
         &self.bands

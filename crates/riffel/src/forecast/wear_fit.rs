@@ -1,18 +1,15 @@
 //! The wear coefficient from two dated measurements.
 
-use rand_xoshiro::Xoshiro256PlusPlus;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
-
+use super::jackknife::Variance;
 use super::{GrowingSum, TrafficGrowth};
 use crate::Error;
 use crate::roughness::{Spectrum, ThirdOctave, level, mean_square};
 
-/// Resamples of the bootstrap. The ends of the interval are then uncertain by a twentieth of its width.
-const RESAMPLES: usize = 2000;
-/// Share of the resamples outside the interval, half at either end.
-const OUTSIDE: f64 = 0.05;
-/// Seed of the resampling: the same records give the same interval on every machine.
-const SEED: u64 = 0x5249_4646_454c;
+/// Fewest records on a side of which an interval is told: two have one degree of freedom, and t is 13.
+const FEWEST: usize = 3;
+/// Growth of a band \[dB\] from which the model must explain it. A choice: energy means of eight records of the
+/// Niederwangen spectra scatter by about 1 dB.
+pub const LARGE_CHANGE: f64 = 2.0;
 /// Steps of the Gauss–Newton method.
 const MOST_STEPS: usize = 200;
 
@@ -38,6 +35,8 @@ pub enum WearVerdict {
     WithoutInterval,
     /// They grow.
     Fitted,
+    /// Of the bands that have grown, the best factor leaves more than half unexplained.
+    Unexplained,
 }
 
 impl WearVerdict {
@@ -56,6 +55,8 @@ pub struct FittedBand {
     pub band: ThirdOctave,
     /// Measured change of level \[dB\], of the energy means.
     pub measured: f64,
+    /// 95 % interval of the measured change \[dB\]; none with fewer than three records on a side.
+    pub interval: Option<(f64, f64)>,
     /// Change of level by the model with the wear coefficient of the case \[dB\].
     pub predicted: f64,
     /// The same with the best coefficient \[dB\].
@@ -69,6 +70,17 @@ impl FittedBand {
     pub fn residual(&self) -> f64 {
         self.measured - self.fitted
     }
+
+    /// Whether it has grown on the rail by 2 dB or more, and more than its scatter.
+    pub fn has_grown(&self) -> bool {
+        self.measured >= LARGE_CHANGE && self.interval.is_none_or(|(low, _)| low > 0.0)
+    }
+
+    /// Whether it has grown, and the model explains less than half of it and less than its interval.
+    pub fn is_unexplained(&self) -> bool {
+        let beyond = self.interval.is_none_or(|(low, _)| self.fitted < low);
+        self.has_grown() && beyond && self.fitted < 0.5 * self.measured
+    }
 }
 
 /// The wear coefficient that fits best, as a factor of that of the case.
@@ -78,18 +90,18 @@ impl FittedBand {
 pub struct WearFit {
     /// Factor of the wear coefficient \[-\]; not above zero where the bands have fallen.
     pub factor: f64,
-    /// 95 % interval of the factor by bootstrap over the records; none with fewer than three on a side.
+    /// 95 % interval of the factor by the scatter of the records; none with fewer than three on a side.
     pub interval: Option<(f64, f64)>,
     /// Every band measured twice, the shortest wavelength first.
     pub bands: Vec<FittedBand>,
-    /// Whether records were resampled in pairs of the same place.
+    /// Whether records were taken in pairs of the same place.
     pub paired: bool,
     /// What to make of it.
     pub verdict: WearVerdict,
 }
 
 impl MeasuredChange {
-    /// Records at the same places on both dates, in the same order, with the axle passages between.
+    /// Records at the same places on both dates, in their order along the rail, with the axle passages between.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless there are as many of both, one at least, and passages above zero.
@@ -144,12 +156,25 @@ impl MeasuredChange {
         self.passages
     }
 
-    /// Change of the energy mean of a band \[dB\] over the records of some indices.
-    fn change(&self, band: &Measured, earlier: &[usize], later: &[usize]) -> f64 {
-        let mean = |squares: &[f64], indices: &[usize]| {
-            indices.iter().map(|&index| squares[index]).sum::<f64>() / indices.len() as f64
+    /// 95 % interval of what `estimate` makes of the records but for one earlier and one later, if there are enough.
+    fn interval(
+        &self,
+        estimate: impl Fn(Option<usize>, Option<usize>) -> f64,
+    ) -> Option<(f64, f64)> {
+        let (earlier, later) = (self.earlier.len(), self.later.len());
+        if earlier.min(later) < FEWEST {
+            return None;
+        }
+        let all = estimate(None, None);
+        let variance = if self.paired {
+            let pairs = (0..later).map(|one| estimate(Some(one), Some(one)));
+            Variance::jackknife(all, pairs, true)
+        } else {
+            let before = (0..earlier).map(|one| estimate(Some(one), None));
+            let after = (0..later).map(|one| estimate(None, Some(one)));
+            Variance::jackknife(all, before, false).and(Variance::jackknife(all, after, false))
         };
-        level(mean(&band.later, later)) - level(mean(&band.earlier, earlier))
+        Some(variance.interval(all))
     }
 
     /// The mean squares of a band, if every record has it.
@@ -171,6 +196,19 @@ struct Measured {
     later: Vec<f64>,
 }
 
+impl Measured {
+    /// Change of the energy mean \[dB\] over all records but one earlier and one later.
+    fn change(&self, earlier: Option<usize>, later: Option<usize>) -> f64 {
+        let mean = |squares: &[f64], without: Option<usize>| {
+            let kept = squares.iter().enumerate();
+            let kept = kept.filter(|(index, _)| Some(*index) != without);
+            let count = squares.len() - usize::from(without.is_some());
+            kept.map(|(_, square)| square).sum::<f64>() / count as f64
+        };
+        level(mean(&self.later, later)) - level(mean(&self.earlier, earlier))
+    }
+}
+
 impl WearFit {
     /// Fit the wear coefficient to the measured change under the traffic.
     ///
@@ -180,9 +218,13 @@ impl WearFit {
     /// predicted but not fitted, for there what smooths a rail need not be wear by this law. κ may come out
     /// negative: then the bands have fallen.
     ///
-    /// Method: Gauss–Newton with halved steps, to rounding; 95 % interval between percentiles of 2000
-    /// resamples of the records (Efron 1979), in pairs where the places are the same.
-    /// Cost: some milliseconds.
+    /// The fit may fail: of the bands that have grown by 2 dB or more and more than their scatter, whether or not the
+    /// model says so, it must explain more than half by the sum of the squares.
+    ///
+    /// Method: Gauss–Newton with halved steps, to rounding; 95 % intervals by the jackknife over the records with
+    /// Student's t, in pairs where the places are the same, neighbours together where they scatter together. They hold
+    /// the truth in 93 to 97 of 100 cases at 3, 5, 8 and 20 records, and a coefficient is claimed where there is none in
+    /// 3 of 100 or fewer (a test counts). Cost: a millisecond.
     ///
     /// # Errors
     /// [`Error::Measurement`] where no band of the traffic is in every record.
@@ -204,60 +246,37 @@ impl WearFit {
         let growing: Vec<&(ThirdOctave, Measured, Model, bool)> =
             bands.iter().filter(|band| band.3).collect();
         let models: Vec<&Model> = growing.iter().map(|band| &band.2).collect();
-        let factor_of = |earlier: &[usize], later: &[usize]| {
-            let changes = growing.iter();
-            let changes: Vec<f64> = changes
-                .map(|band| change.change(&band.1, earlier, later))
-                .collect();
-            fit(&models, &changes, passages)
+        let factor_without = |earlier: Option<usize>, later: Option<usize>| {
+            let changes = growing.iter().map(|band| band.1.change(earlier, later));
+            fit(&models, &changes.collect::<Vec<f64>>(), passages)
         };
-        let all = |spectra: &[Spectrum]| (0..spectra.len()).collect::<Vec<usize>>();
-        let (earlier, later) = (all(&change.earlier), all(&change.later));
-        let factor = if growing.is_empty() {
-            0.0
-        } else {
-            factor_of(&earlier, &later)
+        let (factor, interval) = match growing.is_empty() {
+            true => (0.0, None),
+            false => (factor_without(None, None), change.interval(factor_without)),
         };
-        /// Fewer records have too few different resamples for a percentile of 2.5.
-        const FEWEST: usize = 3;
-        let enough = earlier.len().min(later.len()) >= FEWEST && !growing.is_empty();
-        let interval = enough.then(|| {
-            let mut random = Xoshiro256PlusPlus::seed_from_u64(SEED);
-            let mut factors: Vec<f64> = (0..RESAMPLES)
-                .map(|_| {
-                    let first = resample(&mut random, earlier.len());
-                    let second = if change.paired {
-                        first.clone()
-                    } else {
-                        resample(&mut random, later.len())
-                    };
-                    factor_of(&first, &second)
-                })
-                .collect();
-            factors.sort_by(f64::total_cmp);
-            let cut = (0.5 * OUTSIDE * RESAMPLES as f64) as usize;
-            (factors[cut], factors[RESAMPLES - 1 - cut])
-        });
+        let fitted = bands
+            .iter()
+            .map(|(band, measured, model, grows)| FittedBand {
+                band: *band,
+                measured: measured.change(None, None),
+                interval: change.interval(|earlier, later| measured.change(earlier, later)),
+                predicted: model.change(1.0, passages).0,
+                fitted: model.change(factor, passages).0,
+                grows: *grows,
+            });
+        let bands: Vec<FittedBand> = fitted.collect();
         let verdict = match interval {
-            _ if growing.is_empty() => WearVerdict::NothingGrows,
+            _ if is_unexplained(&bands) => WearVerdict::Unexplained,
+            _ if bands.iter().all(|band| !band.grows) => WearVerdict::NothingGrows,
             _ if factor <= 0.0 => WearVerdict::Against,
             None => WearVerdict::WithoutInterval,
             Some((low, _)) if low <= 0.0 => WearVerdict::Indistinct,
             Some(_) => WearVerdict::Fitted,
         };
-        let bands = bands
-            .iter()
-            .map(|(band, measured, model, grows)| FittedBand {
-                band: *band,
-                measured: change.change(measured, &earlier, &later),
-                predicted: model.change(1.0, passages).0,
-                fitted: model.change(factor, passages).0,
-                grows: *grows,
-            });
         Ok(Self {
             factor,
             interval,
-            bands: bands.collect(),
+            bands,
             paired: change.paired,
             verdict,
         })
@@ -269,6 +288,15 @@ impl WearFit {
         let squares: Vec<f64> = residuals.map(|band| band.residual().powi(2)).collect();
         (!squares.is_empty()).then(|| (squares.iter().sum::<f64>() / squares.len() as f64).sqrt())
     }
+}
+
+/// Whether a fit leaves more than half of the growth on the rail unexplained, by the sum of the squares over the bands
+/// that have grown; one that decays in the model is explained by nothing.
+fn is_unexplained(bands: &[FittedBand]) -> bool {
+    let grown = || bands.iter().filter(|band| band.has_grown());
+    let sum = |value: fn(&FittedBand) -> f64| grown().map(|band| value(band).powi(2)).sum::<f64>();
+    bands.iter().any(FittedBand::is_unexplained)
+        && sum(|band| band.measured - band.fitted.max(0.0)) > 0.5 * sum(|band| band.measured)
 }
 
 /// A band as lines of equal energy.
@@ -321,12 +349,4 @@ fn fit(models: &[&Model], changes: &[f64], passages: f64) -> f64 {
         }
     }
     factor
-}
-
-/// As many indices as there are, each any of them.
-fn resample(random: &mut Xoshiro256PlusPlus, count: usize) -> Vec<usize> {
-    (0..count)
-        // The remainder of 64 bits by a few records is even to 1e-18.
-        .map(|_| (random.next_u64() % count as u64) as usize)
-        .collect()
 }

@@ -77,13 +77,17 @@ pub(super) fn forecast(
         limit: (table, limit),
         date: arguments.date.or(measured_on),
     };
-    let mut answer = ForecastAnswer::new(case, request, &|by| progress.advance(by))
+    let answer = ForecastAnswer::new(case, request, &|by| progress.advance(by))
         .map_err(|error| of_arguments(arguments, case, error))?;
     drop(progress);
-    if let Some(dated) = &dated {
-        answer.wear = wear_report(&arguments.spectra, dated, &answer.on, case)?;
-    }
-    Ok(answer)
+    let wear = match &dated {
+        Some(dated) => wear_report(&arguments.spectra, dated, &answer.on, case)?,
+        None => None,
+    };
+    Ok(match wear {
+        Some(wear) => answer.with_wear(wear),
+        None => answer,
+    })
 }
 
 /// A forecast for the terminal.

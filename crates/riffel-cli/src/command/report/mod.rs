@@ -391,7 +391,7 @@ fn outlook(
     };
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
-        Some(Ok(fit)) => answer.wear = Some(fit),
+        Some(Ok(fit)) => answer = answer.with_wear(fit),
         Some(Err(why)) => answer.warnings.push(why),
         None => (),
     }
