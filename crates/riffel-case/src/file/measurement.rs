@@ -4,24 +4,24 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A frequency response in a file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Measurement {
     /// The file: a table (CSV), or a universal file with dataset 58 if its name ends in .uff, .unv
     /// or .u58. Relative to the case file.
     pub file: String,
     /// What was measured; left out, what the unit of a table tells, else a receptance. A universal
-    /// file says so itself.
+    /// file mostly says so itself.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quantity: Option<Response>,
-    /// Unit of the values in a table, such as "mm/s/kN", "g/N" or, of a modulus, "dB re 1 m/N"; left
-    /// out, the one in its header, else m/N, m/(s N) or m/(s² N).
+    /// Unit of the values, such as "mm/s/kN", "g/N" or, of a modulus, "dB re 1 m/N"; left out, the one
+    /// in the header of a table, else m/N, m/(s N) or m/(s² N), or that of a universal file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
     /// Column of the frequency; left out, like those of the values, the one that the header tells.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frequency: Option<String>,
-    /// Unit of the frequency; left out, the one in the header, else Hz.
+    /// Unit of the frequency; left out, the one in the file, else Hz.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frequency_unit: Option<String>,
     /// Column of the real part; with `imaginary`.
@@ -42,7 +42,8 @@ pub struct Measurement {
     /// Column of the coherence γ². Where it is below 0.8 the lines around are averaged.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub coherence: Option<String>,
-    /// Number of the function in a universal file with several, from one.
+    /// Number of the function in a universal file with several, from one; one without directions is then
+    /// taken as vertical.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub function: Option<u32>,
     /// Vertical axis of a universal file: its function must respond along it to a force along it.

@@ -5,6 +5,8 @@ use riffel_keys::universal_file::{
 };
 use riffel_keys::{Exponents, Message, say};
 
+use super::response_unit::{ValueUnit, response_of};
+use super::table::hertz_of;
 use super::{FrequencyResponse, MeasurementError};
 use crate::UniversalFunction;
 use crate::file::{Measurement, Response, VerticalAxis};
@@ -14,6 +16,8 @@ const FREQUENCY_RESPONSE: i32 = 4;
 const FREQUENCY: i32 = 18;
 const REACTION_FORCE: i32 = 9;
 const EXCITATION_FORCE: i32 = 13;
+/// Of a function that says by its units alone what it is, or not at all.
+const GENERAL: [i32; 2] = [0, 1];
 
 /// The response of a file, and what its reader should know.
 pub(super) struct Chosen {
@@ -42,7 +46,7 @@ pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, Me
         None => only(&file.functions, axis)?,
     };
     Ok(Chosen {
-        response: response(function, file.units, axis)?,
+        response: response(function, file.units, measurement)?,
         remarks: between_nodes(function).into_iter().collect(),
     })
 }
@@ -134,14 +138,27 @@ pub(super) fn of_function(
         abscissa: function.frequencies.clone(),
         ordinate: function.values.clone(),
     };
-    response(&function, None, vertical)
+    let said = Measurement {
+        vertical_axis: vertical,
+        ..Measurement::default()
+    };
+    response(&function, Some(SI), &said)
 }
+
+/// Units of a file in SI.
+const SI: Units = Units {
+    length: 1.0,
+    force: 1.0,
+    temperature: 1.0,
+    temperature_offset: 0.0,
+};
 
 fn response(
     function: &Function,
     units: Option<Units>,
-    vertical: VerticalAxis,
+    said: &Measurement,
 ) -> Result<FrequencyResponse, MeasurementError> {
+    let vertical = said.vertical_axis;
     // What was not read here has no line.
     let place = |value: String| match function.line {
         0 => value,
@@ -160,20 +177,25 @@ fn response(
     if function.abscissa_axis.kind != FREQUENCY {
         return wrong("does not run over frequency");
     }
-    let quantity = match function.numerator.kind {
-        DISPLACEMENT => Response::Receptance,
-        VELOCITY => Response::Mobility,
-        ACCELERATION => Response::Accelerance,
-        _ => return wrong("is no displacement, velocity or acceleration"),
+    let Some(hertz) = hertz(&function.abscissa_axis, said)? else {
+        return wrong(&format!(
+            "has its frequencies in {}, which is no unit of a frequency: give theirs by track.measurement.frequency_unit",
+            function.abscissa_axis.unit.trim()
+        ));
     };
-    if ![REACTION_FORCE, EXCITATION_FORCE].contains(&function.denominator.kind) {
-        return wrong("is not per force");
-    }
+    let (quantity, size) = match size(function, units, said)? {
+        Ok(known) => known,
+        Err(rule) => return wrong(rule),
+    };
     let translation = |direction: i32| (1..=3).contains(&direction.abs());
-    if !translation(function.response.direction) || !translation(function.reference.direction) {
-        return wrong("is not along x, y or z");
+    let directions = [function.response.direction, function.reference.direction];
+    let unsaid = directions == [0, 0] && (said.function.is_some() || function.line == 0);
+    if !unsaid && !directions.into_iter().all(translation) {
+        return wrong(
+            "is not along x, y or z: say that it is the vertical response to a vertical force by track.measurement.function",
+        );
     }
-    if !is_along(function, vertical) {
+    if !unsaid && !is_along(function, vertical) {
         return wrong(&format!(
             "responds along {} to a force along {}, but a vertical receptance has both along the vertical axis, here {}: \
              choose another function, or the axis by track.measurement.vertical_axis",
@@ -182,28 +204,20 @@ fn response(
             vertical.name()
         ));
     }
-    let (length, force) = units.map_or((1.0, 1.0), |units| (units.length, units.force));
-    let motion = match quantity {
-        Response::Receptance => Exponents::new(0, 1, 0),
-        Response::Mobility => Exponents::new(0, 1, -1),
-        Response::Accelerance => Exponents::new(0, 1, -2),
-    };
-    let newton = Exponents::new(1, 1, -2);
-    let factors = unit_size(&function.numerator, motion, length).zip(unit_size(
-        &function.denominator,
-        newton,
-        force,
-    ));
-    let Some((numerator, denominator)) = factors else {
-        return wrong("is labelled with a unit that does not fit what it is");
-    };
     // The sign of a direction that points against its axis.
-    let sign =
-        f64::from(function.response.direction.signum() * function.reference.direction.signum());
-    let factor = sign * numerator / denominator;
+    let sign: i32 = directions
+        .into_iter()
+        .filter(|one| *one != 0)
+        .map(i32::signum)
+        .product();
+    let factor = f64::from(sign) * size;
     Ok(FrequencyResponse {
         response: quantity,
-        frequencies: function.abscissa.clone(),
+        frequencies: function
+            .abscissa
+            .iter()
+            .map(|value| hertz * value)
+            .collect(),
         values: function
             .ordinate
             .iter()
@@ -214,4 +228,83 @@ fn response(
             .map(|number| place(format!("value {number}")))
             .collect(),
     })
+}
+
+/// Hertz in one unit of the abscissa, as the case or else the file says it; none for another unit.
+fn hertz(axis: &Axis, said: &Measurement) -> Result<Option<f64>, MeasurementError> {
+    match &said.frequency_unit {
+        Some(unit) => hertz_of(unit).map(Some).ok_or_else(|| {
+            MeasurementError::new(
+                "frequency_unit",
+                format!(
+                    "is \"{unit}\", which is no unit of a frequency: write \"Hz\", \"kHz\" or \"rad/s\""
+                ),
+            )
+        }),
+        None if axis.has_unit() => Ok(hertz_of(axis.unit.trim())),
+        None => Ok(Some(1.0)),
+    }
+}
+
+/// What was measured, and SI units in one unit of it: as the case says, as its parts do, or as the unit of the whole does;
+/// else the rule that is broken.
+fn size(
+    function: &Function,
+    units: Option<Units>,
+    said: &Measurement,
+) -> Result<Result<(Response, f64), &'static str>, MeasurementError> {
+    let Function {
+        numerator,
+        denominator,
+        ..
+    } = function;
+    if said.unit.is_some() {
+        let decoded = ValueUnit {
+            key: said.unit.as_deref(),
+            quantity: said.quantity,
+            column: &function.title,
+            in_file: None,
+            is_modulus: false,
+        }
+        .decode()?;
+        return Ok(Ok((decoded.response, decoded.linear())));
+    }
+    let whole = || response_of(numerator.unit.trim());
+    let quantity = match numerator.kind {
+        DISPLACEMENT => Response::Receptance,
+        VELOCITY => Response::Mobility,
+        ACCELERATION => Response::Accelerance,
+        kind if GENERAL.contains(&kind) && !denominator.has_unit() && whole().is_some() => {
+            return Ok(whole().ok_or(""));
+        }
+        kind if GENERAL.contains(&kind) => match said.quantity {
+            Some(quantity) => quantity,
+            None => {
+                return Ok(Err(
+                    "does not say what it is: give track.measurement.quantity and unit",
+                ));
+            }
+        },
+        _ => return Ok(Err("is no displacement, velocity or acceleration")),
+    };
+    let force = [REACTION_FORCE, EXCITATION_FORCE].contains(&denominator.kind);
+    if !force && !(GENERAL.contains(&denominator.kind) && said.quantity.is_some()) {
+        return Ok(Err("is not per force"));
+    }
+    if units.is_none() && !(numerator.has_unit() && denominator.has_unit()) {
+        return Ok(Err(
+            "names no unit, nor does its file (dataset 164): give it by track.measurement.unit",
+        ));
+    }
+    let (length, force) = units.map_or((1.0, 1.0), |units| (units.length, units.force));
+    let motion = match quantity {
+        Response::Receptance => Exponents::new(0, 1, 0),
+        Response::Mobility => Exponents::new(0, 1, -1),
+        Response::Accelerance => Exponents::new(0, 1, -2),
+    };
+    let newton = Exponents::new(1, 1, -2);
+    let factors = unit_size(numerator, motion, length).zip(unit_size(denominator, newton, force));
+    Ok(factors
+        .map(|(numerator, denominator)| (quantity, numerator / denominator))
+        .ok_or("is labelled with a unit that does not fit what it is"))
 }

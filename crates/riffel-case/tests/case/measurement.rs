@@ -315,6 +315,63 @@ fn bad_universal_files() {
     }
 }
 
+/// Frequencies in radians a second, and what a file does not say of its own: the key that says it is asked for.
+#[test]
+fn what_a_universal_file_leaves_unsaid_is_asked_for() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/universal-files");
+    let text = fs::read_to_string(folder.join("receptance_double_even.uff")).unwrap();
+    let changed = |changes: &[(&str, &str)], keys: &str| {
+        let text = changes.iter().fold(text.clone(), |text, (from, to)| {
+            assert!(text.contains(from), "{from}");
+            text.replace(from, to)
+        });
+        case("rail.uff", text.as_bytes(), keys).map_err(|error| error.to_string())
+    };
+    let at = |case: &Case, omega: f64| case.track.receptance.receptance(omega, 0.0);
+    let plain = at(&changed(&[], "").unwrap(), std::f64::consts::TAU * 400.0);
+    let radians = changed(
+        &[("Frequency            Hz   ", "Frequency            rad/s")],
+        "",
+    );
+    assert!((at(&radians.unwrap(), 400.0) / plain - 1.0).norm() < 1e-9);
+    let no_unit = ("Displacement         m   ", "Displacement         NONE");
+    let general = ("         8    1", "         1    1");
+    let nowhere = [
+        ("RAIL         1   3", "RAIL         1   0"),
+        ("RAIL         1  -3", "RAIL         1   0"),
+    ];
+    for (changes, key, says, sign) in [
+        (
+            &[no_unit][..],
+            "unit = \"m/N\"",
+            "track.measurement.unit",
+            1.0,
+        ),
+        (
+            &[general],
+            "quantity = \"receptance\"",
+            "track.measurement.quantity",
+            1.0,
+        ),
+        // Its displacement and its force pointed against each other.
+        (&nowhere, "function = 1", "track.measurement.function", -1.0),
+    ] {
+        let refusal = changed(changes, "").err().unwrap();
+        assert!(refusal.contains(says), "{refusal}");
+        let read = changed(changes, key).unwrap();
+        let found = at(&read, std::f64::consts::TAU * 400.0);
+        assert!(
+            (found / plain - sign).norm() < 1e-9,
+            "{key}: {found} {plain}"
+        );
+    }
+    let unknown = changed(
+        &[("Frequency            Hz   ", "Frequency            m/s  ")],
+        "",
+    );
+    assert!(unknown.err().unwrap().contains("frequency_unit"));
+}
+
 #[test]
 fn a_missing_file_is_named() {
     let text = NOMINAL_CASE.replace("model = \"free-beam\"", "model = \"measured\"")

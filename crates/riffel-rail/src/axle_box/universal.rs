@@ -112,7 +112,13 @@ impl AxleBoxUniversal {
             }
         }
         // Steps are printed with six digits, as 4.00000e-04.
-        let rate = 1.0 / step;
+        let time = &first.function.abscissa_axis;
+        let Some(second) = unit_size(time, Exponents::new(0, 0, 1), 1.0) else {
+            let (line, unit) = (first.function.line, time.unit.trim());
+            let message = format!("the times are in {unit}, which is no unit of time");
+            return Err(Refusal::new(Some(line), message).of(path));
+        };
+        let rate = 1.0 / (second * step);
         let digits = 10f64.powi(6 - rate.log10().ceil() as i32);
         let rate = (rate * digits).round() / digits;
         if let Some(given) = layout.rate
