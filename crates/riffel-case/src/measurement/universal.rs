@@ -287,8 +287,9 @@ fn size(
         },
         _ => return Ok(Err("is no displacement, velocity or acceleration")),
     };
-    let force = [REACTION_FORCE, EXCITATION_FORCE].contains(&denominator.kind);
-    if !force && !(GENERAL.contains(&denominator.kind) && said.quantity.is_some()) {
+    let is_force = [REACTION_FORCE, EXCITATION_FORCE].contains(&denominator.kind);
+    let is_said = GENERAL.contains(&denominator.kind) && said.quantity.is_some();
+    if !(is_force || is_said) {
         return Ok(Err("is not per force"));
     }
     if units.is_none() && !(numerator.has_unit() && denominator.has_unit()) {

@@ -28,7 +28,7 @@ pub struct RowEvaluator(Kind);
 
 #[derive(Clone)]
 enum Kind {
-    Tiles(Tiles),
+    Tiles(Box<Tiles>),
     AllAxes(AllAxes),
 }
 
@@ -115,7 +115,7 @@ impl RowEvaluator {
     pub fn new(feedback: impl Into<Loop>, wavelengths: &[f64]) -> Self {
         let feedback = feedback.into();
         Self(match feedback.closed_form() {
-            Some(closed) => Kind::Tiles(Tiles::new(closed, wavelengths)),
+            Some(closed) => Kind::Tiles(Box::new(Tiles::new(closed, wavelengths))),
             None => Kind::AllAxes(AllAxes::new(feedback, wavelengths)),
         })
     }
@@ -136,7 +136,7 @@ impl RowEvaluator {
             let highest = 2.0 * PI * fastest / shortest;
             let source = closed.track.clone();
             closed.track = Arc::new(Tabulated::new(source, lowest, highest, TABLE_TOLERANCE));
-            return Self(Kind::Tiles(Tiles::new(closed, wavelengths)));
+            return Self(Kind::Tiles(Box::new(Tiles::new(closed, wavelengths))));
         }
         Self::new(feedback, wavelengths)
     }
