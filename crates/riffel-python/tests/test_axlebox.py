@@ -99,13 +99,16 @@ def test_every_format_has_the_same_levels(felt: Signal, tmp_path: Path) -> None:
         (universal(tmp_path / "text.uff", felt, False, "m/s^2", 1.0), {}),
         (universal(tmp_path / "binary.uff", felt, True, "g", 9.80665), {}),
     ]
+    # Bands without a wave hold only what is left of others, -60 dB, which the digits of a file show.
+    heard = expected > -40
+    assert heard.sum() == 12
     for run, given in runs:
         found = levels(case.axlebox(run, **given))
         # Six digits of a step or of a sample; an odometer is averaged, a speed is not.
-        np.testing.assert_allclose(found, expected, atol=1e-3, err_msg=str(run)[:80])
+        np.testing.assert_allclose(found[heard], expected[heard], atol=1e-3, err_msg=str(run)[:80])
     # 16 bits of 100 m/s² are steps of 3 mm/s², which short waves show.
     coarse = levels(case.axlebox(wave(tmp_path / "short.wav", felt, np.int16), channels=channels))
-    np.testing.assert_allclose(coarse, expected, atol=0.05)
+    np.testing.assert_allclose(coarse[heard], expected[heard], atol=0.05)
 
 
 def test_the_program_says_the_same(felt: Signal, tmp_path: Path, program: Callable[..., Any]) -> None:

@@ -20,7 +20,7 @@ def test_seed_is_the_case(nominal: riffel.Case) -> None:
 def test_what_is_not_on_the_case_has_no_growth(nominal: riffel.Case) -> None:
     short = nominal.with_({"map.wavelength": {"min": "40 mm", "max": "60 mm", "points": 5}})
     growth = riffel.compare_models(short)
-    assert growth.sizes == {"model": 12, "wavelength": 5}
+    assert growth.sizes == {"model": 13, "wavelength": 5}
     applies = growth["applies"].values
     assert np.isnan(growth["growth_rate"].values[~applies]).all()
     assert np.isfinite(growth["growth_rate"].values[applies]).all()

@@ -10,7 +10,7 @@ from test_page import profile
 
 CASE = ROOT / "cases/main-line.toml"
 # On this one the corrugation of the record grows.
-GROWING = ROOT / "cases/tram.toml"
+GROWING = ROOT / "cases/class-soft-slab.toml"
 # Of the default traffic, 60 to 100 km/h.
 SPEED = "80 km/h"
 

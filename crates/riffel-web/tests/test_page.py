@@ -101,7 +101,7 @@ def check_branches(page, case, locale):
     named = [word["words"] for word in words]
     for branch in lines[:4]:
         hertz = branch["frequency_hz"]
-        name = f"{hertz:.0f} Hz" if hertz >= 100.0 else f"{hertz:.1f} Hz"
+        name = f"{hertz:.0f} Hz" if hertz >= 100.0 else f"{round(hertz, 1):g} Hz"
         assert (name if locale == "en-GB" else name.replace(".", ",")) in named
     verdict = page.text("#verdict")
     assert f"{branches[0]['frequency_hz']:.0f} Hz" in verdict

@@ -259,6 +259,15 @@ impl<'a> Train<'a> {
                 Some(table) => (table.name, table.spectrum),
                 None => {
                     let path = PathBuf::from(name);
+                    if !(path.exists() || riffel_keys::question::holds(&path)) {
+                        let known = WheelRoughness::all().into_iter().map(|table| table.name);
+                        let known = known.collect::<Vec<_>>().join(", ");
+                        return Err(AnswerError::Argument {
+                            argument: "--wheel-roughness",
+                            value: format!("\"{name}\""),
+                            rule: format!("a spectrum or one of {known}"),
+                        });
+                    }
                     let file =
                         RoughnessFile::read(&path, &riffel_rail::Layout::default(), &|_| ())?;
                     (name.clone(), Survey::of(&path, file)?.mean())
