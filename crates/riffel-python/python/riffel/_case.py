@@ -746,7 +746,7 @@ class Case:
         >>> before = riffel.roughness.levels([0.04, 0.05, 0.063], [1.0, 1.0, 1.0])
         >>> grown = case.forecast(before, speed="100 km/h", passages=[2e5])["level"][0]
         >>> fit = case.fit_wear(before, grown, passages=1e5, speed="100 km/h")
-        >>> fit["verdict"], round(fit["best_factor"], 1)
+        >>> fit["verdict"], round(fit["best_factor"], 6)
         ('without-interval', 2.0)
         """
         between = {"passages": passages, "days": days}

@@ -103,12 +103,8 @@ impl Forecast {
                     level: spectrum.level(band)?,
                 };
                 let line = now.mean_square() / LINES_PER_BAND as f64;
-                let sum = GrowingSum::new(
-                    traffic
-                        .lines(place)
-                        .iter()
-                        .map(|&rate| (line, rate.max(0.0))),
-                );
+                let rates = traffic.forecast_lines(place);
+                let sum = GrowingSum::new(rates.map(|rate| (line, rate)));
                 Some(ForecastBand { now, sum, place })
             })
             .collect();
@@ -220,10 +216,10 @@ fn force_range<'a>(
     let of_vehicle = |(vehicle, growth): (usize, &super::VehicleGrowth)| {
         let force = GrowingSum::new(bands.iter().flat_map(|band| {
             let square = 2.0 * band.now.mean_square() / LINES_PER_BAND as f64;
-            lines_of(band.place).map(move |line| {
+            let lines = lines_of(band.place).zip(traffic.forecast_lines(band.place));
+            lines.map(move |(line, rate)| {
                 let per_amplitude = growth.growth.squared_force_per_amplitude[line];
-                let force = square * per_amplitude / growth.wheel_load.powi(2);
-                (force, traffic.rates()[line].max(0.0))
+                (square * per_amplitude / growth.wheel_load.powi(2), rate)
             })
         }));
         LinearRange {

@@ -185,6 +185,11 @@ impl TrafficGrowth {
         &self.rates[lines_of(band)]
     }
 
+    /// The same as a forecast takes them: lines that decay keep their level.
+    pub(super) fn forecast_lines(&self, band: usize) -> impl Iterator<Item = f64> {
+        self.lines(band).iter().map(|rate| rate.max(0.0))
+    }
+
     /// Mean growth rate of the amplitude per axle passage in a band \[-\], by its place among the bands: that
     /// of the RMS of a band whose energy is spread evenly.
     pub fn band_rate(&self, band: usize) -> f64 {

@@ -216,7 +216,7 @@ impl WearFit {
     /// a band changes by D(κ) = 10 lg of the mean over its lines of exp(2κ g_j N). κ minimises
     /// Σ (measured − D(κ))² over the bands whose rate is above zero in the model; those that decay in it are
     /// predicted but not fitted, for there what smooths a rail need not be wear by this law. κ may come out
-    /// negative: then the bands have fallen.
+    /// negative: then the bands have fallen. Bands that grow go as in a [`Forecast`](super::Forecast).
     ///
     /// The fit may fail: of the bands that have grown by 2 dB or more and more than their scatter, whether or not the
     /// model says so, it must explain more than half by the sum of the squares.
@@ -233,7 +233,11 @@ impl WearFit {
         for (place, &band) in traffic.bands().iter().enumerate() {
             if let Some(measured) = change.measured(band) {
                 let grows = traffic.band_rate(place) > 0.0;
-                bands.push((band, measured, Model::new(traffic.lines(place)), grows));
+                let model = match grows {
+                    true => Model::new(traffic.forecast_lines(place)),
+                    false => Model::new(traffic.lines(place).iter().copied()),
+                };
+                bands.push((band, measured, model, grows));
             }
         }
         if bands.is_empty() {
@@ -305,9 +309,9 @@ struct Model {
 }
 
 impl Model {
-    fn new(rates: &[f64]) -> Self {
+    fn new(rates: impl Iterator<Item = f64>) -> Self {
         Self {
-            sum: GrowingSum::new(rates.iter().map(|&rate| (1.0, rate))),
+            sum: GrowingSum::new(rates.map(|rate| (1.0, rate))),
         }
     }
 
