@@ -2,7 +2,7 @@
 
 use num_complex::Complex64;
 
-use super::{CreepForces, MeanRolling};
+use super::{CreepForces, Creepages, MeanRolling};
 
 /// Linear response of a rolling contact at one wavelength: to the normal force and to each creepage, the other inputs
 /// held constant.
@@ -69,18 +69,8 @@ impl ContactResponse {
     /// creepages \[N\] are `by_radius`: F_κ + F_c c₀ for the force, (F_κ + F_c c₀)·c₀ + F₀·c₀ for the energy. Without the moment of spin.
     pub(super) fn with_curvature(mut self, by_radius: CreepForces, steady: &MeanRolling) -> Self {
         let (mean, forces) = (steady.creepages, steady.forces);
-        let mut force = [by_radius.longitudinal, by_radius.lateral].map(Complex64::from);
-        let creepages = [
-            (Some(self.by_longitudinal), mean.longitudinal),
-            (self.by_lateral, mean.lateral),
-            (self.by_spin, mean.spin),
-        ];
-        for (by, creepage) in creepages {
-            let Some(by) = by else { continue };
-            for (force, by) in force.iter_mut().zip(by.force) {
-                *force += by * creepage;
-            }
-        }
+        let [along, across] = self.force_by_creepages(mean);
+        let force = [by_radius.longitudinal + along, by_radius.lateral + across];
         let energy = mean.longitudinal * (force[0] + forces.longitudinal)
             + mean.lateral * (force[1] + forces.lateral);
         self.by_curvature = Some(ContactDerivative {
@@ -90,6 +80,23 @@ impl ContactResponse {
             error: None,
         });
         self
+    }
+}
+
+impl ContactResponse {
+    /// F_c c \[N\]: what creepages in proportion to `creepages` make of the creep force.
+    pub(crate) fn force_by_creepages(&self, creepages: Creepages) -> [Complex64; 2] {
+        let inputs = [
+            (Some(self.by_longitudinal), creepages.longitudinal),
+            (self.by_lateral, creepages.lateral),
+            (self.by_spin, creepages.spin),
+        ];
+        let told = inputs
+            .into_iter()
+            .filter_map(|(by, creepage)| Some((by?, creepage)));
+        told.fold([Complex64::ZERO; 2], |sum, (by, creepage)| {
+            [0, 1].map(|axis| sum[axis] + by.force[axis] * creepage)
+        })
     }
 }
 

@@ -58,11 +58,7 @@ impl PassageModel {
                 (trend.slope * index as f64 + rough) * faded(share)
             }
         };
-        let bent = self.contacts.iter().map(|contact| {
-            let wave = contact.wave.as_ref();
-            wave.map_or_else(Vec::new, |wave| wave.along(profile))
-        });
-        let bent: Vec<Vec<f64>> = bent.collect();
+        let bent = self.under_contacts(|wave| wave.along(profile));
         let curvature = |contact: usize, index: isize| match usize::try_from(index) {
             Ok(index) => bent[contact][index.min(heights.len() - 1)],
             Err(_) => {

@@ -6,8 +6,8 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
+use super::PassageModel;
 use super::along_profile::{Roll, faded};
-use super::{PassageModel, WaveInTime};
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
@@ -245,7 +245,7 @@ impl Evolution {
         let ring = |index: isize| heights[index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let share = |index: isize| faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
-        let bent = self.curvatures(raw, model);
+        let bent = model.under_contacts(|wave| wave.around(raw, self.spacing));
         let curvature =
             |contact: usize, index: isize| bent[contact][index.rem_euclid(count) as usize];
         roll.along(
@@ -308,15 +308,6 @@ impl Evolution {
                 normal_force: roll.normal_force,
             },
         })
-    }
-
-    /// κ around the ring under each contact, nothing where the wave's own geometry has no part.
-    fn curvatures(&self, heights: &[f64], model: &PassageModel) -> Vec<Vec<f64>> {
-        let contacts = model.contacts.iter();
-        let of = |wave: Option<&WaveInTime>| {
-            wave.map_or_else(Vec::new, |wave| wave.around(heights, self.spacing))
-        };
-        contacts.map(|contact| of(contact.wave.as_ref())).collect()
     }
 
     /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.

@@ -141,13 +141,8 @@ impl PassageModel {
             amplitude: profile.amplitude * self.felt(profile.wavelength),
             ..profile
         };
-        let bent = self.contacts.iter().map(|contact| {
-            let wave = contact.wave.as_ref();
-            wave.map_or(0.0, |wave| {
-                profile.amplitude * wave.per_metre(profile.wavelength)
-            })
-        });
-        let bent: Vec<f64> = bent.collect();
+        let bent =
+            self.under_contacts(|wave| profile.amplitude * wave.per_metre(profile.wavelength));
         if let Some(spacing) = self.structures.support_spacing() {
             return self.settle_over_supports(felt, &bent, steps, spacing, wanted);
         }

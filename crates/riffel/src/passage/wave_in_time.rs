@@ -33,24 +33,10 @@ impl WaveInTime {
         if by_curvature.energy_at_rail.is_some() {
             return None;
         }
-        let mean = contact.rolling.steady().creepages;
-        let creepages = [
-            (Some(response.by_longitudinal), mean.longitudinal),
-            (response.by_lateral, mean.lateral),
-            (response.by_spin, mean.spin),
-        ];
-        let mut by_radius = by_curvature.force;
-        for (by, creepage) in creepages {
-            for (force, by) in by_radius
-                .iter_mut()
-                .zip(by.into_iter().flat_map(|by| by.force))
-            {
-                *force -= by * creepage;
-            }
-        }
+        let by_creepages = response.force_by_creepages(contact.rolling.steady().creepages);
         Some(Self {
             geometry,
-            by_radius: by_radius.map(|force| force.re),
+            by_radius: [0, 1].map(|axis| (by_curvature.force[axis] - by_creepages[axis]).re),
             energy: by_curvature.energy.re,
         })
     }
