@@ -246,7 +246,9 @@ impl PointQuantity {
     /// for what one kind of loop alone has.
     pub fn number(self, case: &Case, state: &LoopState) -> Option<Complex64> {
         let real = |value: f64| Complex64::new(value, 0.0);
-        let one_axis = || case.feedback.is_along_one_axis().then_some(());
+        if self.is_left_out(case.feedback.is_along_one_axis()) {
+            return None;
+        }
         // ξ₁ = −Ω₁R/V from (4) turns creepage and derivatives by it into those of angular velocity.
         let creepage_per_omega = -case.hertz.rolling_radius() / state.speed;
         let (by_load, by_creepage) = (state.response.by_load, state.response.by_longitudinal);
@@ -258,29 +260,20 @@ impl PointQuantity {
             Self::SemiAxisLateralM => real(case.hertz.semi_axis_lateral()),
             Self::CreepCoefficient => real(case.carter?.creep_coefficient()),
             Self::SaturationCreepage => real(case.carter?.saturation_creepage()),
-            Self::Creepage => one_axis().map(|()| real(case.steady.creepages.longitudinal))?,
+            Self::Creepage => real(case.steady.creepages.longitudinal),
             Self::TractiveRatio => real(case.steady.tractive_ratio()),
             Self::ContactStiffnessNPerM => real(case.feedback.contacts()[0].stiffness),
             Self::AngularFrequencyRadPerS => real(state.angular_frequency),
             Self::RailReceptanceMPerN => state.normal_receptance(),
-            Self::WheelReceptanceMPerN => one_axis().map(|()| state.wheel_receptance[2][2])?,
+            Self::WheelReceptanceMPerN => state.wheel_receptance[2][2],
             Self::NormalForceN => state.normal_force(),
-            Self::DqDp => one_axis().map(|()| by_load.force[0])?,
-            Self::DqDomegaNSPerRad => {
-                one_axis().map(|()| by_creepage.force[0] * creepage_per_omega)? // (10)
-            }
-            Self::DwDpMPerS => by_load.energy * state.speed, // (11)
-            Self::DwDomegaWSPerRad => {
-                one_axis().map(|()| by_creepage.energy * creepage_per_omega * state.speed)? // (12)
-            }
+            Self::DqDp => by_load.force[0],
+            Self::DqDomegaNSPerRad => by_creepage.force[0] * creepage_per_omega, // (10)
+            Self::DwDpMPerS => by_load.energy * state.speed,                     // (11)
+            Self::DwDomegaWSPerRad => by_creepage.energy * creepage_per_omega * state.speed, // (12)
             Self::TangentialForceN => state.tangential_force(),
-            Self::LateralForceN => match one_axis() {
-                None => state.contacts[0].force[1],
-                Some(()) => return None,
-            },
-            Self::AngularVelocityRadPerS => {
-                one_axis().map(|()| state.slip() / creepage_per_omega)?
-            }
+            Self::LateralForceN => state.contacts[0].force[1],
+            Self::AngularVelocityRadPerS => state.slip() / creepage_per_omega,
             Self::DissipationW => state.dissipation,
             Self::DissipationPhaseRad => real(state.dissipation_lag_angle),
             Self::DissipationLagW => state.dissipation_at_rail,
@@ -289,6 +282,20 @@ impl PointQuantity {
             Self::MeanDissipationW => real(state.mean_dissipation),
             Self::GrowthRatePerPassage => real(state.growth_rate),
         })
+    }
+
+    /// Whether a loop along one axis, or else one on all axes, does not have it.
+    fn is_left_out(self, along_one_axis: bool) -> bool {
+        match self {
+            Self::LateralForceN => along_one_axis,
+            Self::Creepage
+            | Self::WheelReceptanceMPerN
+            | Self::DqDp
+            | Self::DqDomegaNSPerRad
+            | Self::DwDomegaWSPerRad
+            | Self::AngularVelocityRadPerS => !along_one_axis,
+            _ => false,
+        }
     }
 
     fn value(self, case: &Case, state: &LoopState) -> Option<PointValue> {
