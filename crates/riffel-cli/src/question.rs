@@ -47,19 +47,16 @@ fn names(program: &Command) -> Vec<String> {
 pub(crate) fn find(program: &Command, name: &[String]) -> Result<Command, CliError> {
     let known = names(program);
     let asked = name.join(" ");
-    if !known.contains(&asked) {
-        return Err(CliError::Argument {
-            argument: "NAME",
-            value: asked,
-            rule: format!("one of {}", known.join(", ")),
-        });
-    }
     let below = |command: Command, name: &String| command.find_subcommand(name).cloned();
     let mut command = program.clone();
     command.build();
-    let found = name.iter().try_fold(command, below);
-    found.ok_or(CliError::Question {
-        message: format!("there is no {asked}"),
+    let found = known
+        .contains(&asked)
+        .then(|| name.iter().try_fold(command, below));
+    found.flatten().ok_or_else(|| CliError::Argument {
+        argument: "NAME",
+        value: asked,
+        rule: format!("one of {}", known.join(", ")),
     })
 }
 

@@ -39,8 +39,8 @@ wheel-and-rail-part = bei einer Amplitude von { $amplitude } µm erreicht |P₁/
 wave-geometry-left-out = die Geometrie der Welle selbst ist nicht dabei (contact.wave_geometry): sie nähme etwa { $takes } je m von einem Wachstum von { $growth } je m, bei { $wavelength } mm und { $speed } km/h
     .short = ohne die Geometrie der Welle selbst, die etwa { $takes } je m von { $growth } nähme (contact.wave_geometry)
 wave-shorter-than-patch = unter { $shortest } mm, drei halben Längen der Kontaktfläche, ist die Geometrie der Welle selbst nur grob geschätzt
-troughs-bridged = eine Amplitude von { $amplitude } µm ist unter { $bridged } mm so gekrümmt wie das Rad: dort überbrückt es die Täler (Wachstumsraten gelten für kleine Amplituden)
-    .short = { $amplitude } µm sind unter { $bridged } mm so gekrümmt wie das Rad: es überbrückt die Täler
+troughs-bridged = unter { $bridged } mm überbrückt das Rad die Täler von Wellen von { $amplitude } µm (Wachstumsraten gelten für kleine Amplituden)
+    .short = unter { $bridged } mm überbrückt das Rad Täler von { $amplitude } µm
 
 ## Branches of the ridge
 

@@ -47,8 +47,8 @@ wheel-and-rail-part = an amplitude of { $amplitude } µm makes |P₁/P₀| reach
 wave-geometry-left-out = the wave's own geometry has no part (contact.wave_geometry): it would take some { $takes } per m off a growth of { $growth } per m, at { $wavelength } mm and { $speed } km/h
     .short = without the wave's own geometry, which would take some { $takes } per m off { $growth } (contact.wave_geometry)
 wave-shorter-than-patch = below { $shortest } mm, three half-lengths of the patch, the wave's own geometry is a rough estimate
-troughs-bridged = an amplitude of { $amplitude } µm is as curved as the wheel below { $bridged } mm: there the wheel bridges the troughs (growth rates hold for small amplitudes)
-    .short = { $amplitude } µm are as curved as the wheel below { $bridged } mm: it bridges the troughs
+troughs-bridged = below { $bridged } mm the wheel bridges the troughs of waves of { $amplitude } µm (growth rates hold for small amplitudes)
+    .short = below { $bridged } mm the wheel bridges troughs of { $amplitude } µm
 
 ## Branches of the ridge
 

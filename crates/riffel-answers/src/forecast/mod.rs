@@ -160,10 +160,11 @@ impl ForecastAnswer {
         if let Some(growth) = wear.measured_growth(self.growth()) {
             let rails = self.rails.iter();
             let measured: Vec<RailSpectrum> = rails.map(|rail| rail.measured.clone()).collect();
+            // The bands are those of before.
             if let Ok(rails) = RailForecast::of_rails(&measured, &growth, Some(&self.limit)) {
                 self.rails = rails;
+                self.on.growth = growth;
             }
-            self.on.growth = growth;
         }
         self.wear = Some(wear);
         self

@@ -269,15 +269,18 @@ fn size(
         .decode()?;
         return Ok(Ok((decoded.response, decoded.linear())));
     }
-    let whole = || response_of(numerator.unit.trim());
+    let is_general = GENERAL.contains(&numerator.kind);
+    if is_general
+        && !denominator.has_unit()
+        && let Some(known) = response_of(numerator.unit.trim())
+    {
+        return Ok(Ok(known));
+    }
     let quantity = match numerator.kind {
         DISPLACEMENT => Response::Receptance,
         VELOCITY => Response::Mobility,
         ACCELERATION => Response::Accelerance,
-        kind if GENERAL.contains(&kind) && !denominator.has_unit() && whole().is_some() => {
-            return Ok(whole().ok_or(""));
-        }
-        kind if GENERAL.contains(&kind) => match said.quantity {
+        _ if is_general => match said.quantity {
             Some(quantity) => quantity,
             None => {
                 return Ok(Err(
