@@ -27,6 +27,7 @@ mod roughness;
 mod time_domain;
 mod transient;
 mod twisting_rail;
+mod wave_geometry;
 mod wheelset;
 
 /// The outcome of one check.
@@ -104,6 +105,7 @@ checks! {
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail, half_space_creep_forces, frequency_response_across_the_rail,
         frequency_response_at_the_default;
+    wave_geometry: wave_under_the_half_space, curvature_filter;
     transient: carter_in_two_dimensions, slopes_of_the_half_space, shift_of_cattaneo,
         stiffness_of_mindlin, from_cattaneo_to_carter, frequency_response_by_time;
     contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,

@@ -57,6 +57,11 @@ impl Case {
                 "it belongs to contact.wave_geometry = true"
             }
             "contact"
+                if inner == "wave_patch" && contact.response == ContactDynamics::NonSteady =>
+            {
+                "a non-steady contact resolves its patch"
+            }
+            "contact"
                 if inner == "dissipation_phase"
                     && contact.response == ContactDynamics::NonSteady =>
             {

@@ -67,8 +67,19 @@ struct FrequencyResponseDocument {
     /// Input by input, output by output.
     #[serde(flatten)]
     responses: Map,
+    /// By κ = R k² Δ.
+    wave_geometry: WaveDocument,
     /// What the grid may miss of each response.
     error: Map,
+}
+
+#[derive(Serialize)]
+struct WaveDocument {
+    /// T = e₁/e₀ at points of the rail.
+    rail_dissipation: serde_json::Value,
+    /// T_Q.
+    force: serde_json::Value,
+    phi: Vec<f64>,
 }
 
 impl FrequencyResponseDocument {
@@ -91,10 +102,20 @@ impl FrequencyResponseDocument {
                 .map(|value| serde_json::Value::from(vec![value.re, value.im]))
                 .collect()
         };
+        let wave = &response.wave;
+        let mut error = each(&|output| output.errors.clone().into());
+        let [of_energy, of_force] = wave.errors.clone();
+        let of_wave = serde_json::json!({ "rail_dissipation": of_energy, "force": of_force });
+        error.insert("wave_geometry".to_owned(), of_wave);
         Self {
             wavelength_over_semi_axis: response.ratios.clone(),
             responses: each(&|output| pairs(&output.values)),
-            error: each(&|output| output.errors.clone().into()),
+            wave_geometry: WaveDocument {
+                rail_dissipation: pairs(&wave.energy),
+                force: pairs(&wave.force),
+                phi: wave.phi.clone(),
+            },
+            error,
         }
     }
 }

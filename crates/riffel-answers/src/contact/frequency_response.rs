@@ -9,6 +9,7 @@ use riffel_plot::{LinePanel, LineStyle, OKABE_ITO, Scale, Series};
 
 use super::line;
 use super::theories::{RollingTheories, refused};
+use super::wave_response::WaveResponse;
 
 /// What one output answers to one input.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,6 +47,8 @@ pub struct FrequencyResponse {
     pub inputs: Vec<InputResponse>,
     /// True for responses over the quasi-static ones.
     pub normalized: bool,
+    /// What the geometry of a wave does at each wavelength.
+    pub wave: WaveResponse,
 }
 
 /// Key and name of an output, where it stands in a derivative, where in a quasi-static one, and its error.
@@ -126,16 +129,17 @@ impl FrequencyResponse {
         progress: impl Fn(),
     ) -> Result<Self, CaseError> {
         let normalized = theories.along_rail();
-        let creepages = match normalized {
+        let oscillating = match normalized {
             true => OscillatingCreepages::Longitudinal,
             false => OscillatingCreepages::All,
-        };
+        }
+        .on_waves();
         let semi_axis = theories.hertz.semi_axis_longitudinal();
         let wavelengths = [f64::INFINITY].into_iter().chain(ratios.iter().copied());
         let wavelengths: Vec<f64> = wavelengths.map(|ratio| ratio * semi_axis).collect();
         let half_space = &theories.half_space;
         let mut responses =
-            half_space.responses(&theories.state, &wavelengths, creepages, progress);
+            half_space.responses(&theories.state, &wavelengths, oscillating, progress);
         let slow = responses.remove(0);
         let slow = slow.map_err(refused("the mean state of the case"))?;
         let responses: Vec<ContactResponse> = responses
@@ -179,10 +183,13 @@ impl FrequencyResponse {
                 outputs: outputs.collect(),
             })
         });
+        let inputs = inputs.collect();
+        let wave = WaveResponse::new(theories, &responses, &ratios)?;
         Ok(Self {
-            inputs: inputs.collect(),
+            inputs,
             ratios,
             normalized,
+            wave,
         })
     }
 
@@ -216,6 +223,7 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
     let mut header = vec!["wavelength_over_semi_axis".to_owned()];
     let parts = |name: &String| ["re", "im"].map(|part| format!("{name}_{part}"));
     header.extend(columns.iter().flat_map(|(name, _)| parts(name)));
+    header.extend(WaveResponse::COLUMNS.map(str::to_owned));
     writer.write_record(&header)?;
     for (index, &ratio) in response.ratios.iter().enumerate() {
         let mut row = vec![ratio];
@@ -224,6 +232,7 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
                 .iter()
                 .flat_map(|(_, values)| [values[index].re, values[index].im]),
         );
+        row.extend(response.wave.row(index));
         writer.serialize(row)?;
     }
     writer.flush()
@@ -231,14 +240,16 @@ pub(super) fn table(response: &FrequencyResponse, file: &mut impl Write) -> io::
 
 /// Modulus and phase against wavelength; about a table of creepages the moduli, input by input.
 pub(super) fn panels(response: &FrequencyResponse) -> Vec<LinePanel> {
-    match response.normalized {
+    let mut panels: Vec<LinePanel> = match response.normalized {
         true => normalized_panels(response).into(),
         false => response
             .inputs
             .iter()
             .map(|input| input_panel(&response.ratios, input))
             .collect(),
-    }
+    };
+    panels.push(response.wave.panel(&response.ratios));
+    panels
 }
 
 /// The moduli of what answers to one input, forces over the whole quasi-static force and energies over the quasi-static

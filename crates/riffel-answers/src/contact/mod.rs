@@ -5,6 +5,7 @@ mod document;
 mod frequency_response;
 mod patch;
 mod theories;
+mod wave_response;
 
 use std::io::{self, Write};
 
@@ -15,6 +16,7 @@ pub use creep_curves::{CreepCurve, CreepCurves};
 pub use document::{ContactDocument, SteadyDocument};
 pub use frequency_response::{FrequencyResponse, InputResponse, OutputResponse};
 pub use theories::RollingTheories;
+pub use wave_response::WaveResponse;
 
 use crate::parameters::{creepage, polach};
 

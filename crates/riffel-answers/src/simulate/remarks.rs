@@ -76,10 +76,14 @@ pub(super) fn of_troughs(amplitude: f64, wavelength: f64, rolling_radius: f64) -
 }
 
 /// That the edge of a contact made of elements moves by too few of them.
-pub(super) fn of_elements(contact: &TransientContact, settled: &Settled) -> Option<Message> {
+pub(super) fn of_elements(
+    contact: &TransientContact,
+    settled: &Settled,
+    profile: Sinusoid,
+) -> Option<Message> {
     /// From which on the errors of a first harmonic are 2 to 3 %.
     const RESOLVED: f64 = 1.4;
-    let moves = contact.elements_of_edge(settled);
+    let moves = contact.elements_of_edge(settled, profile);
     (moves < RESOLVED).then(|| {
         let across = contact.across;
         say!(

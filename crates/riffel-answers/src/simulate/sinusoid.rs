@@ -155,11 +155,11 @@ impl SinusoidAnswer {
         let troughs = remarks::of_troughs(profile.amplitude, profile.wavelength, radius);
         let supports = remarks::of_supports(&model, &profile);
         let elements = transient
-            .then(|| remarks::of_elements(&case.transient_contact(), &settled))
+            .then(|| remarks::of_elements(&case.transient_contact(), &settled, profile))
             .flatten();
         let remarks = remarks::of_track(&model)
             .into_iter()
-            .chain(remarks::of_waves(case))
+            .chain((!transient).then(|| remarks::of_waves(case)).flatten())
             .chain(troughs)
             .chain(supports)
             .chain(elements);

@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use riffel::contact::{
-    CreepForces, CreepLaw, Creepages, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling,
-    MeanState, NonSteady, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
-    WaveGeometry,
+    CreepLaw, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
+    OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot, WaveGeometry,
 };
 use riffel::passage::LateContact;
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
@@ -202,12 +201,13 @@ impl CheckedKeys {
         if !self.feels_waves() {
             return Ok(None);
         }
+        let filter = self.physics("contact", CurvatureFilter::of(&hertz))?;
         let patch = match self.file.contact.wave_patch {
-            WavePatch::Point => riffel::contact::WavePatch::Point,
-            WavePatch::Patch => {
-                let filter = self.physics("contact", CurvatureFilter::of(&hertz))?;
-                riffel::contact::WavePatch::Ellipse(Arc::new(filter))
+            _ if self.file.contact.response == ContactDynamics::NonSteady => {
+                riffel::contact::WavePatch::Resolved(Arc::new(filter))
             }
+            WavePatch::Point => riffel::contact::WavePatch::Point,
+            WavePatch::Patch => riffel::contact::WavePatch::Ellipse(Arc::new(filter)),
         };
         let wave = WaveGeometry::new(hertz.longitudinal_radius(), patch);
         let wave = self.physics("contact.longitudinal_radius", wave)?;
@@ -215,26 +215,6 @@ impl CheckedKeys {
             "full-sliding" => wave.sliding(&hertz),
             _ => wave,
         }))
-    }
-
-    /// How the forces of the exact theory under constant load and creepages change with κ on a wheel of the radius R/(1 + κ).
-    fn exact_on_waves(
-        &self,
-        hertz: HertzContact,
-        friction: f64,
-        creepages: Creepages,
-    ) -> Result<Option<CreepForces>, CaseError> {
-        /// Leaves 1e-5 of the force beside 1e-6 of the iteration over it.
-        const STEP: f64 = 0.05;
-        if !self.feels_waves() {
-            return Ok(None);
-        }
-        let by_radius = WaveGeometry::derivative(STEP, |curvature| {
-            let contact = self.half_space_of(self.curved(hertz, curvature)?, friction)?;
-            let rolling = contact.roll_with(creepages);
-            Ok::<_, CaseError>(self.physics("contact.wave_geometry", rolling)?.forces())
-        })?;
-        Ok(Some(by_radius))
     }
 
     /// A contact by the exact theory.
@@ -321,13 +301,16 @@ impl CheckedKeys {
                 ),
             ));
         }
-        let by_radius = self.exact_on_waves(hertz, friction, contact.steady(&state).creepages)?;
         if self.file.contact.response != ContactDynamics::NonSteady {
-            let slow = QuasiStaticHalfSpace::new(&contact, &state, by_radius);
+            let slow = QuasiStaticHalfSpace::new(&contact, &state);
             let slow = self.physics("contact", slow)?;
             return Ok(self.answering(slow, hertz));
         }
         let (wavelength, _) = self.window()?;
+        let oscillating = match self.feels_waves() {
+            true => oscillating.on_waves(),
+            false => oscillating.into(),
+        };
         let table = NonSteady::new(
             &contact,
             &state,
@@ -336,11 +319,7 @@ impl CheckedKeys {
             wavelength.max(),
             NonSteady::DEFAULT_TOLERANCE,
         );
-        let mut table = self.physics("map.wavelength.min", table)?;
-        if let Some(by_radius) = by_radius {
-            table = self.physics("contact", table.on_waves(&contact, &state, by_radius))?;
-        }
-        Ok(Arc::new(table))
+        Ok(Arc::new(self.physics("map.wavelength.min", table)?))
     }
 
     /// Tractive ratio or creepage: just one of them.

@@ -133,13 +133,15 @@ impl Case {
         Ok(())
     }
 
-    /// The contact of the half-space to roll element by element, on `contact.grid` elements or one more.
+    /// The contact of the half-space to roll element by element, on `contact.grid` elements or one more; over the true gap of a wave where
+    /// its geometry has a part.
     pub fn transient_contact(&self) -> TransientContact {
         let grid = usize::try_from(self.file.contact.grid).unwrap_or(usize::MAX);
         TransientContact {
             hertz: self.hertz,
             friction: self.steady.friction,
             across: grid.next_multiple_of(2),
+            over_true_gap: self.file.contact.wave_geometry == Some(true),
         }
     }
 }

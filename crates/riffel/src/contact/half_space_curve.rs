@@ -54,7 +54,7 @@ impl HalfSpaceCurve {
             let ratio = state.tangential_force() / limit;
             let slope = match ratio <= HalfSpace::LARGEST_TRACTIVE_RATIO {
                 true => {
-                    let mut sweep = contact.sweep(state, OscillatingCreepages::Longitudinal);
+                    let mut sweep = contact.sweep(state, OscillatingCreepages::Longitudinal.into());
                     sweep.at(f64::INFINITY)?.by_longitudinal.force[0].re / limit
                 }
                 false => f64::NAN,

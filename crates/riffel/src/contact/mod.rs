@@ -25,7 +25,7 @@ pub use ellipse::{
 };
 pub use half_space::{
     ContactElement, ContactGrid, HalfSpace, HalfSpaceRolling, NormalContact, NormalState,
-    PatchRolling, PatchTractions, TransientRolling, TransientStep,
+    PatchRolling, PatchTractions, PressedOnRail, TransientRolling, TransientStep,
 };
 pub use half_space_curve::HalfSpaceCurve;
 pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
@@ -40,7 +40,9 @@ pub use moving_contact::{MovingContact, ShiftEffects};
 pub use non_steady::NonSteady;
 pub use quasi_static::QuasiStatic;
 pub use quasi_static_half_space::QuasiStaticHalfSpace;
-pub use response::{ContactDerivative, ContactResponse, GridError, OscillatingCreepages};
+pub use response::{
+    ContactDerivative, ContactResponse, GridError, Oscillating, OscillatingCreepages,
+};
 pub use rolling::RollingContact;
 pub use spring_dashpot::SpringDashpot;
 pub use virtual_penetration::{GapStrip, PenetrationState, VirtualPenetration};

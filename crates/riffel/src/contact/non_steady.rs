@@ -6,8 +6,8 @@ use num_complex::Complex64;
 
 use super::half_space::{FoundResponses, REMEDY};
 use super::{
-    ContactDerivative, ContactResponse, CreepForces, GridError, HalfSpace, HalfSpaceRolling,
-    MeanRolling, OscillatingCreepages, RollingContact,
+    ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
+    Oscillating, OscillatingCreepages, RollingContact,
 };
 use crate::Error;
 
@@ -15,7 +15,7 @@ use crate::Error;
 const MOST_INTERVALS: usize = 64;
 
 /// The response of a [`HalfSpace`] about one mean state, for a loop: to load, longitudinal creepage, and the other
-/// creepages as far as they are asked for.
+/// creepages and the curvature of a wave as far as they are asked for.
 ///
 /// Method: four complex derivatives of each input in octaves of wavelength that begin at the shortest one that the grid of the
 /// contact resolves. In each octave a polynomial in the logarithm of the wavelength through Chebyshev's points, the ends
@@ -26,14 +26,12 @@ const MOST_INTERVALS: usize = 64;
 /// about its two ends. Cost: some 0.1 s an octave and input, a microsecond to ask.
 pub struct NonSteady {
     steady: MeanRolling,
-    creepages: OscillatingCreepages,
+    oscillating: Oscillating,
     /// Shortest wavelength that the grid resolves \[m\].
     resolved: f64,
     /// Number of the first octave from there.
     first: f64,
     octaves: Vec<Octave>,
-    /// By the curvature of a wave; none where that was not asked for.
-    by_curvature: Option<ContactDerivative>,
 }
 
 /// Responses at Chebyshev's points, from the longest wavelength to the shortest.
@@ -45,7 +43,7 @@ struct Node {
     errors: [GridError; INPUTS],
 }
 
-const INPUTS: usize = 4;
+const INPUTS: usize = 5;
 /// Of one input: force along and across the rail, energy at the wheel and at the rail.
 const OUTPUTS: usize = 4;
 const DERIVATIVES: usize = INPUTS * OUTPUTS;
@@ -64,6 +62,7 @@ impl Node {
             Some(response.by_longitudinal),
             response.by_lateral,
             response.by_spin,
+            response.by_curvature,
         ];
         let places = node.values.chunks_exact_mut(OUTPUTS).zip(&mut node.errors);
         for ((values, error), by) in places.zip(inputs) {
@@ -100,7 +99,7 @@ impl NonSteady {
     /// The tolerance of cases: a hundredth of the error of the half-space itself.
     pub const DEFAULT_TOLERANCE: f64 = 1e-4;
 
-    /// The response of the contact about a state to the load and these creepages, for wavelengths from `shortest` to
+    /// The response of the contact about a state to the load and what else oscillates, for wavelengths from `shortest` to
     /// `longest` \[m\], each derivative to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
@@ -108,19 +107,20 @@ impl NonSteady {
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,
-        creepages: OscillatingCreepages,
+        oscillating: impl Into<Oscillating>,
         shortest: f64,
         longest: f64,
         tolerance: f64,
     ) -> Result<Self, Error> {
         contact.check_wavelength(shortest)?;
+        let oscillating = oscillating.into();
         let steady = contact.steady(state);
         let resolved = contact.shortest_wavelength();
         let below = (shortest / resolved).log2().floor();
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
         let wavelength = |place: f64| resolved * place.exp2();
         // The ends of the octaves from nothing, so that neither depends on the other octaves.
-        let mut sweep = contact.sweep(state, creepages);
+        let mut sweep = contact.sweep(state, oscillating);
         let ends = (below as i32..=above as i32).map(|end| -> Result<_, Error> {
             sweep.begin_with(&[]);
             let node = Node::new(sweep.at(wavelength(f64::from(end)))?);
@@ -143,29 +143,11 @@ impl NonSteady {
             .collect::<Result<_, _>>()?;
         Ok(Self {
             steady,
-            creepages,
+            oscillating,
             resolved,
             first: below,
             octaves,
-            by_curvature: None,
         })
-    }
-
-    /// The same on waves, with the slopes of the forces by κ under constant load and creepages on a wheel of the radius R/(1 + κ).
-    ///
-    /// As of a contact that answers at once: with the lag of the place of wear within 5 % of transient half-spaces from 9 semi-axes of a wave on, 12 % from 5.
-    ///
-    /// # Errors
-    /// Those of [`HalfSpace::response`].
-    pub fn on_waves(
-        mut self,
-        contact: &HalfSpace,
-        state: &HalfSpaceRolling,
-        by_radius: CreepForces,
-    ) -> Result<Self, Error> {
-        let slow = contact.response(state, f64::INFINITY)?;
-        self.by_curvature = slow.with_curvature(by_radius, &self.steady).by_curvature;
-        Ok(self)
     }
 }
 
@@ -286,13 +268,13 @@ impl RollingContact for NonSteady {
                 error: Some(node.errors[input]),
             }
         };
+        let Oscillating { creepages, profile } = self.oscillating;
         ContactResponse {
             by_load: derivative(0),
             by_longitudinal: derivative(1),
-            by_lateral: (self.creepages != OscillatingCreepages::Longitudinal)
-                .then(|| derivative(2)),
-            by_spin: (self.creepages == OscillatingCreepages::All).then(|| derivative(3)),
-            by_curvature: self.by_curvature,
+            by_lateral: (creepages != OscillatingCreepages::Longitudinal).then(|| derivative(2)),
+            by_spin: (creepages == OscillatingCreepages::All).then(|| derivative(3)),
+            by_curvature: profile.then(|| derivative(4)),
         }
     }
 }

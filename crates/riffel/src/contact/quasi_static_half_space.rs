@@ -1,8 +1,7 @@
 //! Rolling contact that answers at once, with the slopes of the exact creep curve.
 
 use super::{
-    ContactDerivative, ContactResponse, CreepForces, HalfSpace, HalfSpaceRolling, MeanRolling,
-    RollingContact,
+    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RollingContact,
 };
 use crate::Error;
 
@@ -13,34 +12,25 @@ pub struct QuasiStaticHalfSpace {
 }
 
 impl QuasiStaticHalfSpace {
-    /// The slopes about a state; on waves with those of the forces by κ under constant load and creepages, on a wheel of the radius R/(1 + κ).
+    /// The slopes about a state, that by the curvature of a wave among them.
     ///
     /// # Errors
     /// Those of [`HalfSpace::response`].
-    pub fn new(
-        contact: &HalfSpace,
-        state: &HalfSpaceRolling,
-        by_radius: Option<CreepForces>,
-    ) -> Result<Self, Error> {
+    pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
         // Where the energy goes is the place of wear's to say.
         let at_once = |by: ContactDerivative| ContactDerivative {
             energy_at_rail: None,
             ..by
         };
         let response = contact.response(state, f64::INFINITY)?;
-        let steady = contact.steady(state);
-        let response = ContactResponse {
-            by_load: at_once(response.by_load),
-            by_longitudinal: at_once(response.by_longitudinal),
-            by_lateral: response.by_lateral.map(at_once),
-            by_spin: response.by_spin.map(at_once),
-            by_curvature: None,
-        };
         Ok(Self {
-            steady,
-            response: match by_radius {
-                Some(by_radius) => response.with_curvature(by_radius, &steady),
-                None => response,
+            steady: contact.steady(state),
+            response: ContactResponse {
+                by_load: at_once(response.by_load),
+                by_longitudinal: at_once(response.by_longitudinal),
+                by_lateral: response.by_lateral.map(at_once),
+                by_spin: response.by_spin.map(at_once),
+                by_curvature: response.by_curvature.map(at_once),
             },
         })
     }

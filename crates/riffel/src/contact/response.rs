@@ -36,6 +36,33 @@ pub enum OscillatingCreepages {
     All,
 }
 
+/// What oscillates, besides the load, where a response is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Oscillating {
+    pub(super) creepages: OscillatingCreepages,
+    /// The rail has a wave of its own geometry.
+    pub(super) profile: bool,
+}
+
+impl OscillatingCreepages {
+    /// These, and the curvature of a wave.
+    pub fn on_waves(self) -> Oscillating {
+        Oscillating {
+            creepages: self,
+            profile: true,
+        }
+    }
+}
+
+impl From<OscillatingCreepages> for Oscillating {
+    fn from(creepages: OscillatingCreepages) -> Self {
+        Self {
+            creepages,
+            profile: false,
+        }
+    }
+}
+
 /// What one input does to a rolling contact, per unit of the input.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactDerivative {

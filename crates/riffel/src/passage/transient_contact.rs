@@ -7,7 +7,7 @@ use num_complex::Complex64;
 use super::settled::{harmonics, largest_change};
 use super::{ContactInstant, Harmonic, PassageModel, Settled, Sinusoid};
 use crate::Error;
-use crate::contact::{Creepages, HertzContact, TransientRolling};
+use crate::contact::{Creepages, HertzContact, PressedOnRail, TransientRolling};
 
 /// The exact contact of a passage: a Hertz patch of elastic half-spaces in stick and slip, which remembers what it has rolled over
 /// at any load and creepage.
@@ -21,6 +21,8 @@ pub struct TransientContact {
     pub friction: f64,
     /// Elements over a diameter of the patch under the largest load, an even number from 16 to 200.
     pub across: usize,
+    /// Whether the pressures are those of the true gap over the wave, in the place of the ellipse of the load.
+    pub over_true_gap: bool,
 }
 
 /// The settled state of one wheel on the exact contact.
@@ -37,6 +39,9 @@ impl PassageModel {
     ///
     /// The normal force does not feel the creep force, so that it is that of [`settle`](Self::settle) with `steps` steps to a
     /// wave; under it the contact rolls from element to element and the wheel turns by equation (15).
+    ///
+    /// Over the true gap the pressures are solved anew at every element of the wave, so that the [geometry](crate::contact::WaveGeometry) of the wave
+    /// is in them without a formula; the creepage is the slip per metre that the wheel goes on.
     ///
     /// Method: creepage in the middle of a step, creep force at its end, both explicit and of second order; the elements are made
     /// as long as an even number of them is a wave. A patch shorter than two elements carries nothing. Waves follow one another until
@@ -80,10 +85,14 @@ impl PassageModel {
             });
         }
         let settled = self.settle(profile, steps)?.swap_remove(0);
-        let elements = contact.elements_of_a_wave(&settled, profile.wavelength)?;
+        let elements = contact.elements_of_a_wave(&settled, profile)?;
         let rolled = |across: usize, elements: usize| {
-            let contact = contact.with_elements(across, profile.wavelength / elements as f64)?;
-            let mut rolling = RollingOverWave::new(self, &settled, elements, contact);
+            let length = profile.wavelength / elements as f64;
+            let rolling = contact.with_elements(across, length, profile)?;
+            let mut rolling = RollingOverWave::new(self, &settled, elements, rolling);
+            if contact.over_true_gap {
+                rolling.press_on(profile)?;
+            }
             let waves = rolling.settle(self.speed)?;
             Ok((rolling, waves))
         };
@@ -97,19 +106,30 @@ impl TransientContact {
     /// How many elements the edge of the patch moves over a wave.
     ///
     /// Below one the steps by which it does are seen: errors of a first harmonic are some 3 % from 1.4 on, and tens of per cent below.
-    pub fn elements_of_edge(&self, settled: &Settled) -> f64 {
+    pub fn elements_of_edge(&self, settled: &Settled, profile: Sinusoid) -> f64 {
         let [least, largest] = settled.normal_force;
         let half = |load: f64| (load.max(0.0) / self.hertz.normal_force()).cbrt();
-        0.5 * self.across as f64 * (1.0 - half(least) / half(largest))
+        let by_load = 1.0 - half(least) / half(largest);
+        let semi_axis = self.hertz.semi_axis_longitudinal() * half(largest);
+        let by_wave = 2.0 * self.shift(profile) / semi_axis;
+        0.5 * self.across as f64 * by_load.max(by_wave)
     }
 
-    /// Largest even number of elements that a wave \[m\] has, if the patch under its largest load has `across`.
-    fn elements_of_a_wave(&self, settled: &Settled, wavelength: f64) -> Result<usize, Error> {
+    /// R r' \[m\]: how far ahead of its centre the wheel touches; nothing where the ellipse stays under it.
+    fn shift(&self, profile: Sinusoid) -> f64 {
+        match self.over_true_gap {
+            true => self.hertz.longitudinal_radius() * profile.amplitude * TAU / profile.wavelength,
+            false => 0.0,
+        }
+    }
+
+    /// Largest even number of elements that a wave has, if the patch under its largest load has `across`.
+    fn elements_of_a_wave(&self, settled: &Settled, profile: Sinusoid) -> Result<usize, Error> {
         const LEAST: f64 = 40.0;
         const MOST: f64 = 4000.0;
         /// Elements that the edge moves, below which nothing follows the load.
         const LEAST_OF_EDGE: f64 = 0.1;
-        let moves = self.elements_of_edge(settled);
+        let moves = self.elements_of_edge(settled, profile);
         if moves < LEAST_OF_EDGE {
             return Err(Error::OutOfRange {
                 quantity: "number of elements that the load moves the edge of the contact",
@@ -120,13 +140,13 @@ impl TransientContact {
         }
         let [_, largest] = settled.normal_force;
         let largest = self.hertz.under(largest.max(self.hertz.normal_force()));
-        let diameters = wavelength / (2.0 * largest.semi_axis_longitudinal());
+        let diameters = profile.wavelength / (2.0 * largest.semi_axis_longitudinal());
         // A grid may be a hundredth larger or smaller than the patch, since it has its area.
         let elements = 2.0 * (0.49 * diameters * self.across as f64).floor();
         if elements < LEAST {
             return Err(Error::OutOfRange {
                 quantity: "wavelength",
-                value: wavelength,
+                value: profile.wavelength,
                 unit: "m",
                 rule: "must be at least 40 elements of the contact: take more of them",
             });
@@ -134,7 +154,7 @@ impl TransientContact {
         if elements > MOST {
             return Err(Error::OutOfRange {
                 quantity: "wavelength",
-                value: wavelength,
+                value: profile.wavelength,
                 unit: "m",
                 rule: "must be at most 4000 elements of the contact: a wave so long has a steady contact",
             });
@@ -142,12 +162,27 @@ impl TransientContact {
         Ok(elements as usize)
     }
 
-    /// The contact on elements of a length \[m\], whatever load makes them so long.
-    fn with_elements(&self, across: usize, length: f64) -> Result<TransientRolling, Error> {
+    /// The contact on elements of a length \[m\], whatever load makes them so long, with room for where the wave takes it.
+    fn with_elements(
+        &self,
+        across: usize,
+        length: f64,
+        profile: Sinusoid,
+    ) -> Result<TransientRolling, Error> {
+        /// In a trough the patch is longer, to first order half as much as κ.
+        const LONGER: f64 = 1.0;
         let made = TransientRolling::new(self.hertz, self.friction, across)?;
         // a grows with the cube root of the load.
         let load = self.hertz.normal_force() * (length / made.step_length()).powi(3);
-        TransientRolling::new(self.hertz.under(load), self.friction, across)
+        let shift = self.shift(profile);
+        let curvature = shift * TAU / profile.wavelength;
+        let room = shift / length + LONGER * curvature * 0.5 * across as f64;
+        let room = if shift > 0.0 {
+            1 + room.ceil() as usize
+        } else {
+            0
+        };
+        TransientRolling::with_room(self.hertz.under(load), self.friction, across, room)
     }
 }
 
@@ -156,6 +191,8 @@ struct RollingOverWave {
     contact: TransientRolling,
     /// Normal force and approach at the end of each step.
     loads: Vec<[f64; 2]>,
+    /// Pressures at the end of each step; none where they are those of the load.
+    pressed: Option<Vec<PressedOnRail>>,
     /// Load under which the patch is two elements long \[N\].
     least: f64,
     /// Creepage in the middle of the step to come.
@@ -185,6 +222,7 @@ impl RollingOverWave {
         let largest = contact.hertz();
         let semi_axes = step / largest.semi_axis_longitudinal();
         Self {
+            pressed: None,
             loads: (1..=count)
                 .map(|index| at_share(&settled.wave, index as f64 / count as f64))
                 .collect(),
@@ -197,6 +235,23 @@ impl RollingOverWave {
             energy: vec![0.0; count],
             contact,
         }
+    }
+
+    /// Solve the pressures over the gap of the wave at the end of each step.
+    fn press_on(&mut self, profile: Sinusoid) -> Result<(), Error> {
+        let mut normal = self.contact.normal_contact()?;
+        let wavenumber = TAU / profile.wavelength;
+        let height = |place: f64| profile.amplitude * (wavenumber * place).cos();
+        let steps = self.loads.iter().enumerate();
+        let pressed = steps.map(|(index, &[load, _])| {
+            let centre = (index + 1) as f64 * self.contact.step_length();
+            // What is lifted carries nothing, under any pressures.
+            let load = load.max(self.least);
+            let over_centre = |x: f64| height(centre + x) - height(centre);
+            self.contact.press_on(&mut normal, load, over_centre)
+        });
+        self.pressed = Some(pressed.collect::<Result<_, _>>()?);
+        Ok(())
     }
 
     /// Rolls until a wave is like that of half as many; their number.
@@ -239,7 +294,10 @@ impl RollingOverWave {
                 0.0
             } else {
                 let creepages = Creepages::longitudinal(self.creepage);
-                let step = self.contact.roll(load, creepages)?;
+                let step = match &self.pressed {
+                    Some(pressed) => self.contact.roll_pressed(&pressed[index], creepages)?,
+                    None => self.contact.roll(load, creepages)?,
+                };
                 // The middle of this step is that of the element `index`, in whole elements from which a column lies.
                 let middle = self.contact.columns() / 2;
                 for (column, energy) in step.dissipation_along.iter().enumerate() {

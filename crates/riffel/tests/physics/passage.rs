@@ -475,6 +475,7 @@ fn transient_contact_at_small_amplitude() {
         hertz,
         friction: 0.4,
         across: 32,
+        over_true_gap: false,
     };
     let linear = at(&feedback, profile.wavelength, 30.0);
     let got = model.settle_transient(profile, 256, contact).unwrap();
@@ -511,6 +512,7 @@ fn transient_contact_that_is_lost() {
         hertz: HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap(),
         friction: 0.4,
         across: 16,
+        over_true_gap: false,
     };
     let got = model
         .settle_transient(profile, 256, contact)

@@ -1,14 +1,10 @@
 //! What a patch of finite size feels of the curvature of a wave.
 
-use std::f64::consts::PI;
-
 use super::HertzContact;
+use super::polynomial_punch::{PolynomialPunch, TERMS, spherical_bessel_functions};
 use crate::Error;
 
-/// Most terms of the series: enough up to [`FARTHEST`].
-const TERMS: usize = 72;
-
-/// Largest ka of the series, a wave of a tenth of the semi-axis; from there on Φ is taken to fall as 1/ka.
+/// Largest ka for which [`TERMS`] are enough, a wave of a tenth of the semi-axis; from there on Φ is taken to fall as 1/ka.
 const FARTHEST: f64 = 55.0;
 
 /// Φ(ka): the share of the curvature k²Δ of a wave that an elliptic patch on half-spaces feels.
@@ -42,13 +38,12 @@ impl CurvatureFilter {
         let (a, b) = (semi_axis_longitudinal, semi_axis_lateral);
         Error::unless_positive("semi-axis of the patch along the rail", a, "m")?;
         Error::unless_positive("semi-axis of the patch across the rail", b, "m")?;
-        let harmonics = harmonics(b / a);
-        let of_one = stiffness(1, &harmonics);
+        let punch = PolynomialPunch::new(a / b);
+        let of_one = punch.stiffness(1);
+        let weight = |n| 9.0 * punch.stiffness(n) / of_one;
         Ok(Self {
             semi_axis: a,
-            weights: (1..=TERMS)
-                .map(|n| 9.0 * stiffness(n, &harmonics) / of_one)
-                .collect(),
+            weights: (1..=TERMS).map(weight).collect(),
         })
     }
 
@@ -77,84 +72,11 @@ impl CurvatureFilter {
             return 1.0;
         }
         let inside = z.min(FARTHEST);
-        let squares = squared_bessel_functions(inside);
-        let terms = self.weights.iter().zip(&squares[1..]);
-        let sum: f64 = terms.map(|(weight, square)| weight * square).sum();
+        let functions = spherical_bessel_functions(inside);
+        let terms = self.weights.iter().zip(&functions[1..]);
+        let sum: f64 = terms.map(|(weight, j)| weight * j * j).sum();
         sum / (inside * inside) * (inside / z)
     }
-}
-
-/// Integrals over a turn of cos 2jψ/√(q² cos²ψ + sin²ψ), j = 0 … [`TERMS`], by the trapezoidal rule: it converges as e^{−2qM}.
-fn harmonics(q: f64) -> Vec<f64> {
-    let shorter = q.min(q.recip());
-    let points = 4 * TERMS + (40.0 / shorter).min(4096.0) as usize;
-    let step = PI / points as f64;
-    // Half a turn is the other half.
-    let weights = (0..points).map(|index| {
-        let (sine, cosine) = (step * index as f64).sin_cos();
-        2.0 * step / (q * cosine).hypot(sine)
-    });
-    let weights: Vec<f64> = weights.collect();
-    // The angle 2jψ, whole turns taken off in integers.
-    let angle = |turns: usize| 2.0 * step * (turns % points) as f64;
-    let of = |j: usize| -> f64 {
-        let terms = weights.iter().enumerate();
-        let terms = terms.map(|(index, weight)| weight * angle(j * index).cos());
-        terms.sum()
-    };
-    (0..=TERMS).map(of).collect()
-}
-
-/// s_n = (2n + 1) 1ᵀ I_n⁻¹ 1, by Cholesky's elimination: I_n is positive.
-fn stiffness(n: usize, harmonics: &[f64]) -> f64 {
-    let orders: Vec<usize> = (0..=n).rev().step_by(2).collect();
-    let size = orders.len();
-    let mut lower = vec![vec![0.0; size]; size];
-    let (mut sum, mut solved) = (0.0, vec![0.0; size]);
-    for row in 0..size {
-        for column in 0..=row {
-            let (m, other) = (orders[row], orders[column]);
-            let difference = m.abs_diff(other) / 2;
-            let entry = 0.5 * (harmonics[difference] + harmonics[usize::midpoint(m, other)]);
-            let known = (0..column).map(|k| lower[row][k] * lower[column][k]);
-            let rest = entry - known.sum::<f64>();
-            lower[row][column] = if row == column {
-                rest.sqrt()
-            } else {
-                rest / lower[column][column]
-            };
-        }
-        let known = (0..row).map(|k| lower[row][k] * solved[k]);
-        solved[row] = (1.0 - known.sum::<f64>()) / lower[row][row];
-        sum += solved[row] * solved[row];
-    }
-    (2 * n + 1) as f64 * sum
-}
-
-/// j_n(z)², n = 0 … [`TERMS`], by Miller's recurrence downwards, scaled by Σ (2n + 1) j_n² = 1 (Abramowitz & Stegun, 10.1.50).
-fn squared_bessel_functions(z: f64) -> [f64; TERMS + 1] {
-    /// Orders above, from which nothing of a wrong beginning is left.
-    const ABOVE: usize = 40;
-    let mut squares = [0.0; TERMS + 1];
-    let (mut higher, mut current) = (0.0, f64::MIN_POSITIVE.sqrt());
-    let mut sum = 0.0;
-    for n in (0..TERMS + ABOVE).rev() {
-        let lower = (2 * n + 3) as f64 / z * current - higher;
-        (higher, current) = (current, lower);
-        if n <= TERMS {
-            squares[n] = current * current;
-        }
-        sum += (2 * n + 1) as f64 * current * current;
-        if current.abs() > 1e100 {
-            let scale = current.abs().recip();
-            (higher, current) = (higher * scale, current * scale);
-            squares
-                .iter_mut()
-                .for_each(|square| *square *= scale * scale);
-            sum *= scale * scale;
-        }
-    }
-    squares.map(|square| square / sum)
 }
 
 #[cfg(test)]

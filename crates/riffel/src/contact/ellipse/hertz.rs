@@ -156,6 +156,11 @@ impl HertzContact {
         self.longitudinal_radius
     }
 
+    /// Relative radius R_r of wheel and rail across the rail \[m\].
+    pub(crate) fn transverse_radius(&self) -> f64 {
+        self.transverse_radius
+    }
+
     /// Normal force P₀ \[N\].
     pub fn normal_force(&self) -> f64 {
         self.normal_force

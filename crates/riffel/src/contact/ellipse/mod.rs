@@ -8,6 +8,7 @@ mod elliptic_integrals;
 mod hertz;
 mod kalker_coefficients;
 mod kalker_table;
+mod polynomial_punch;
 mod unit_ellipse;
 
 pub use contact_filter::ContactFilter;
@@ -18,3 +19,4 @@ pub use elliptic_contact::{ContactBody, EllipticContact};
 pub use elliptic_integrals::EllipticIntegrals;
 pub use hertz::HertzContact;
 pub use kalker_coefficients::KalkerCoefficients;
+pub(super) use polynomial_punch::{PolynomialPunch, spherical_bessel_functions};

@@ -1,5 +1,7 @@
 //! Coulomb friction over one step of the material: tractions, stick and slip.
 
+use num_complex::Complex64;
+
 use super::gmres::gmres;
 use super::influence::{Convolution, Field, Influence};
 use super::patch::Patch;
@@ -157,7 +159,7 @@ impl State {
     }
 
     /// The traction of a change dg of the bound.
-    pub(super) fn by_bound(&self, change: f64) -> [f64; 2] {
+    pub(super) fn by_bound(&self, change: Complex64) -> [Complex64; 2] {
         self.direction.map(|part| self.share * change * part)
     }
 

@@ -6,6 +6,7 @@ use super::Grid;
 use super::friction::{Slip, halves};
 use super::gmres::gmres;
 use super::influence::{Convolution, Field};
+use super::on_waves::OnWaves;
 use super::response::{Input, Oscillation, Response, Tangent};
 use super::scalar::{add_multiple, dot, norm};
 use crate::contact::Creepages;
@@ -24,6 +25,7 @@ const MOST_PRODUCTS: usize = 400;
 pub(super) struct GridSweep<'a> {
     tangent: Tangent<'a>,
     convolution: Convolution<'a>,
+    on_waves: Option<OnWaves>,
     bases: Vec<(Input, Basis)>,
 }
 
@@ -38,6 +40,9 @@ impl<'a> GridSweep<'a> {
         Self {
             tangent: Tangent::new(grid, steady, creepages),
             convolution: Convolution::new(&grid.influence, &grid.patch),
+            on_waves: inputs
+                .contains(&Input::Profile)
+                .then(|| OnWaves::new(grid, steady)),
             bases: inputs.iter().map(basis).collect(),
         }
     }
@@ -68,11 +73,15 @@ impl<'a> GridSweep<'a> {
         let Self {
             tangent,
             convolution,
+            on_waves,
             bases,
         } = self;
+        if let Some(on_waves) = on_waves {
+            on_waves.prepare(wavenumber, tangent.grid, tangent.steady, convolution);
+        }
         let oscillation = tangent.at(wavenumber);
         let response = |(input, basis): &mut (Input, Basis)| {
-            let forcing = oscillation.forcing(*input);
+            let forcing = oscillation.forcing(*input, on_waves.as_ref());
             let right = oscillation.right(&forcing);
             let (mut shares, rest) = basis.nearest(&oscillation, &right);
             let allowed = TOLERANCE * norm(&right);
@@ -92,7 +101,7 @@ impl<'a> GridSweep<'a> {
                 (shares, _) = basis.nearest(&oscillation, &right);
             }
             let tractions = basis.tractions(&shares, right.len());
-            let moved = basis.moved(&shares, &oscillation, tangent.grid().patch.steps.len());
+            let moved = basis.moved(&shares, &oscillation, tangent.grid.patch.steps.len());
             Ok(oscillation.response(&forcing, &tractions, &moved))
         };
         bases.iter_mut().map(response).collect()

@@ -134,6 +134,36 @@ impl<'a> Convolution<'a> {
         ]
     }
 
+    /// u(x) and u(x + dx) under real tractions.
+    pub(super) fn both_ends(&mut self, tractions: [&[f64]; 2]) -> [Field<f64>; 2] {
+        self.filtered_to_both_ends(tractions, |_| Complex64::ONE)
+    }
+
+    /// ∂u/∂x of both, by central differences.
+    pub(super) fn slope_along(&mut self, tractions: [&[f64]; 2]) -> [Field<f64>; 2] {
+        let dx = self.patch.dx;
+        self.filtered_to_both_ends(tractions, |x| Complex64::new(0.0, x.im / dx))
+    }
+
+    /// What is real at both ends goes through one transform as real and imaginary part.
+    fn filtered_to_both_ends(
+        &mut self,
+        tractions: [&[f64]; 2],
+        filter: impl Fn(Complex64) -> Complex64,
+    ) -> [Field<f64>; 2] {
+        let complex = tractions.map(|part| -> Vec<Complex64> {
+            part.iter().map(|&traction| traction.into()).collect()
+        });
+        let both = self.filtered([&complex[0], &complex[1]], |x, _| {
+            (1.0 + Complex64::I * x) * filter(x)
+        });
+        let parts: [fn(&Complex64) -> f64; 2] = [|value| value.re, |value| value.im];
+        parts.map(|part| {
+            both.each_ref()
+                .map(|field| field.iter().map(part).collect())
+        })
+    }
+
     /// `here`·u(x) + `ahead`·u(x + dx) under complex tractions.
     pub(super) fn complex(
         &mut self,

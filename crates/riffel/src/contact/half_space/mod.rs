@@ -4,11 +4,13 @@
 //! that of Hertz. Coulomb friction bounds the traction everywhere. What remains is to find where the
 //! patch sticks and where it slips.
 
+mod forcing;
 mod friction;
 mod gmres;
 mod grid_sweep;
 mod influence;
 mod normal;
+mod on_waves;
 mod partial_slip;
 mod patch;
 mod patch_rolling;
@@ -21,10 +23,13 @@ mod strips;
 mod tests;
 mod transform;
 mod transient;
+mod true_gap;
+mod wavy_patch;
 
 pub use self::normal::{ContactGrid, NormalContact, NormalState};
 pub use self::patch_rolling::{PatchRolling, PatchTractions};
 pub use self::transient::{TransientRolling, TransientStep};
+pub use self::true_gap::PressedOnRail;
 
 use self::friction::Slip;
 use self::influence::{Field, Influence};
@@ -34,9 +39,9 @@ pub(super) use self::response_sweep::FoundResponses;
 use self::response_sweep::ResponseSweep;
 use super::{
     Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState,
-    OscillatingCreepages, QuasiStatic, RollingContact,
+    Oscillating, OscillatingCreepages, QuasiStatic, RollingContact,
 };
-use crate::Error;
+use crate::{ElasticMaterial, Error};
 
 /// What to try where rolling does not converge.
 pub(super) const REMEDY: &str =
@@ -68,7 +73,10 @@ pub struct HalfSpace {
 
 /// One discretisation.
 struct Grid {
+    /// Of the ellipse along and across the rail \[m\].
+    semi_axes: (f64, f64),
     patch: Patch,
+    material: ElasticMaterial,
     influence: Influence,
     /// Largest traction of each element \[Pa\].
     bound: Vec<f64>,
@@ -79,6 +87,8 @@ impl Grid {
         let (a, b) = (hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral());
         let patch = Patch::new(a, b, across)?;
         Ok(Self {
+            semi_axes: (a, b),
+            material: hertz.material(),
             influence: Influence::new(hertz.material(), &patch),
             bound: patch.traction_bound(hertz, friction),
             patch,
@@ -302,7 +312,7 @@ impl HalfSpace {
         })
     }
 
-    /// Linear response to oscillations of load, creepages and spin of the wavelength \[m\] about a steady state;
+    /// Linear response to oscillations of load, creepages and spin and to waves of the rail, of the wavelength \[m\] about a steady state;
     /// infinite for the quasi-static derivatives.
     ///
     /// Method: both grids; elements on the boundary of slip slip in part; extrapolation by ¾ of the difference,
@@ -316,10 +326,11 @@ impl HalfSpace {
         state: &HalfSpaceRolling,
         wavelength: f64,
     ) -> Result<ContactResponse, Error> {
-        self.sweep(state, OscillatingCreepages::All).at(wavelength)
+        let all = OscillatingCreepages::All.on_waves();
+        self.sweep(state, all).at(wavelength)
     }
 
-    /// [`response`](Self::response) at many wavelengths \[m\], to the load and to some of the creepages alone; each in its
+    /// [`response`](Self::response) at many wavelengths \[m\], to the load and to what else is asked for; each in its
     /// place. `progress` is told of every one.
     ///
     /// Method: each wavelength begins with what the others have found, taken from the outside in: many cost little more
@@ -328,10 +339,10 @@ impl HalfSpace {
         &self,
         state: &HalfSpaceRolling,
         wavelengths: &[f64],
-        creepages: OscillatingCreepages,
+        oscillating: impl Into<Oscillating>,
         progress: impl Fn(),
     ) -> Vec<Result<ContactResponse, Error>> {
-        let mut sweep = self.sweep(state, creepages);
+        let mut sweep = self.sweep(state, oscillating.into());
         let mut responses: Vec<_> = wavelengths.iter().map(|_| None).collect();
         for index in outside_in(wavelengths.len()) {
             responses[index] = Some(sweep.at(wavelengths[index]));
@@ -344,15 +355,18 @@ impl HalfSpace {
     pub(super) fn sweep<'a>(
         &'a self,
         state: &'a HalfSpaceRolling,
-        creepages: OscillatingCreepages,
+        oscillating: Oscillating,
     ) -> ResponseSweep<'a> {
         use Input::{Lateral, Load, Longitudinal, Spin};
-        let inputs: &[Input] = match creepages {
-            OscillatingCreepages::Longitudinal => &[Load, Longitudinal],
-            OscillatingCreepages::InPlane => &[Load, Longitudinal, Lateral],
-            OscillatingCreepages::All => &[Load, Longitudinal, Lateral, Spin],
+        let mut inputs = match oscillating.creepages {
+            OscillatingCreepages::Longitudinal => vec![Load, Longitudinal],
+            OscillatingCreepages::InPlane => vec![Load, Longitudinal, Lateral],
+            OscillatingCreepages::All => vec![Load, Longitudinal, Lateral, Spin],
         };
-        ResponseSweep::new(self, state, inputs)
+        if oscillating.profile {
+            inputs.push(Input::Profile);
+        }
+        ResponseSweep::new(self, state, &inputs)
     }
 
     /// The mean state for a loop.

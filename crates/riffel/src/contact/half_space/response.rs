@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use super::Grid;
+use super::forcing::Forcing;
 use super::friction::{Slip, State, halves};
 use super::influence::{Convolution, Field};
 use super::partial_slip::slipping_shares;
@@ -20,6 +21,8 @@ pub(super) enum Input {
     Lateral,
     /// Spin, per 1/m.
     Spin,
+    /// A wave of the rail, per κ = R k² Δ under the wheel, at constant load and slip speed.
+    Profile,
 }
 
 /// Complex amplitudes per unit of the input.
@@ -80,16 +83,16 @@ impl Response {
 /// Both are p₁ = dΠ(p₁ + rS₁) + g₁ŝ with the projection Π of [`State`]; along the slip, an element that slips in part
 /// takes its [share](slipping_shares) of the one and the rest of the other.
 pub(super) struct Tangent<'a> {
-    grid: &'a Grid,
-    steady: &'a Slip,
-    creepages: Creepages,
+    pub(super) grid: &'a Grid,
+    pub(super) steady: &'a Slip,
+    pub(super) creepages: Creepages,
     /// The factor r \[Pa/m\].
     weight: f64,
     states: Vec<State>,
     /// The steady displacement u(x), u(x + dx) and ∂u/∂y at every step of the material.
-    here: Field<f64>,
-    ahead: Field<f64>,
-    across: Field<Complex64>,
+    pub(super) here: Field<f64>,
+    pub(super) ahead: Field<f64>,
+    pub(super) across: Field<Complex64>,
 }
 
 impl<'a> Tangent<'a> {
@@ -126,10 +129,6 @@ impl<'a> Tangent<'a> {
         }
     }
 
-    pub(super) fn grid(&self) -> &'a Grid {
-        self.grid
-    }
-
     /// With everything oscillating at the wavenumber k \[rad/m\].
     pub(super) fn at(&self, wavenumber: f64) -> Oscillation<'_> {
         // A step of dx: the material was one element ahead, a phase k dx ago; both ends are seen from the
@@ -162,16 +161,10 @@ impl<'a> Tangent<'a> {
 
 /// A [`Tangent`] at one wavenumber.
 pub(super) struct Oscillation<'a> {
-    tangent: &'a Tangent<'a>,
-    wavenumber: f64,
+    pub(super) tangent: &'a Tangent<'a>,
+    pub(super) wavenumber: f64,
     /// Phase from the middle of a step of the material to its front.
     half: Complex64,
-}
-
-/// The slip of each step without the unknown tractions \[m\], and the change of the bound as a share of it.
-pub(super) struct Forcing {
-    slip: Field<Complex64>,
-    growth_of_bound: f64,
 }
 
 impl Oscillation<'_> {
@@ -180,58 +173,16 @@ impl Oscillation<'_> {
         [self.half, -self.half.conj()]
     }
 
-    pub(super) fn forcing(&self, input: Input) -> Forcing {
-        let tangent = self.tangent;
-        let patch = &tangent.grid.patch;
-        let rigid = |slip: &dyn Fn((f64, f64)) -> [f64; 2]| {
-            [0, 1].map(|part| -> Vec<Complex64> {
-                let steps = patch.steps.iter();
-                let slip = steps.map(|step| (patch.dx * slip(step.middle)[part]).into());
-                slip.collect()
-            })
-        };
-        let of_creepage = |slip| Forcing {
-            slip,
-            growth_of_bound: 0.0,
-        };
-        match input {
-            Input::Longitudinal => of_creepage(rigid(&|_| [1.0, 0.0])),
-            Input::Lateral => of_creepage(rigid(&|_| [0.0, 1.0])),
-            Input::Spin => of_creepage(rigid(&|(x, y)| [-y, x])),
-            Input::Load => {
-                // Lengths and pressures of the patch go like P^{1/3}. In coordinates that stretch with it
-                // the edges stay, and what is left is smooth: u₁ = A₀p₁ + εu₀, the material passes slower
-                // by ε, and is carried along by the stretching; spin slides faster further out.
-                let third = 1.0 / 3.0;
-                let spin = tangent.creepages.spin;
-                let mut slip = rigid(&|(x, y)| [-third * spin * y, third * spin * x]);
-                let [of_here, of_ahead] = self.difference();
-                for (part, slip) in slip.iter_mut().enumerate() {
-                    for (index, slip) in slip.iter_mut().enumerate() {
-                        let (x, y) = patch.steps[index].middle;
-                        let (here, ahead) = (tangent.here[part][index], tangent.ahead[part][index]);
-                        let along = x * (ahead - here) / patch.dx;
-                        let carried = Complex64::new(0.0, self.wavenumber * patch.dx)
-                            * (along + y * tangent.across[part][index]);
-                        let stretched = of_here * here + of_ahead * ahead;
-                        *slip += third * (carried - (ahead - here) - stretched);
-                    }
-                }
-                Forcing {
-                    slip,
-                    growth_of_bound: third,
-                }
-            }
-        }
-    }
-
     /// The right-hand side of the equations of the tractions.
     pub(super) fn right(&self, forcing: &Forcing) -> Vec<Complex64> {
         let tangent = self.tangent;
         let count = tangent.states.len();
         let mut right = tangent.projected(|part, index| tangent.weight * forcing.slip[part][index]);
+        let Some(deformation) = &forcing.deformation else {
+            return right;
+        };
         for (index, state) in tangent.states.iter().enumerate() {
-            let bounded = state.by_bound(forcing.growth_of_bound * tangent.grid.bound[index]);
+            let bounded = state.by_bound(deformation.bound[index] * tangent.grid.bound[index]);
             right[index] += bounded[0];
             right[count + index] += bounded[1];
         }
@@ -276,6 +227,7 @@ impl Oscillation<'_> {
     ) -> Response {
         let (grid, steady) = (self.tangent.grid, self.tangent.steady);
         let (patch, half, wavenumber) = (&grid.patch, self.half, self.wavenumber);
+        let deformation = forcing.deformation.as_ref();
         let field = halves(tractions);
         let mut result = Response {
             force: [Complex64::ZERO; 2],
@@ -283,11 +235,11 @@ impl Oscillation<'_> {
             rail_dissipation: Complex64::ZERO,
         };
         let area = patch.area();
-        let growth = forcing.growth_of_bound;
         let parts = field.iter().zip(&steady.tractions);
         for (force, (changes, means)) in result.force.iter_mut().zip(parts) {
-            for (change, mean) in changes.iter().zip(means) {
-                *force += area * (change + 2.0 * growth * mean);
+            for (index, (change, mean)) in changes.iter().zip(means).enumerate() {
+                let growth = deformation.map_or(Complex64::ZERO, |by| by.elements[index]);
+                *force += area * (change + growth * mean);
             }
         }
         for (index, step) in patch.steps.iter().enumerate() {
@@ -309,11 +261,17 @@ impl Oscillation<'_> {
                 steady_density += mean[part] * slip;
                 density += mean[part] * slip_change + change[part] * slip;
             }
-            let total = area * (density + 2.0 * growth * steady_density);
-            result.dissipation += total;
-            // A stretched patch leaves its wear further from its centre.
+            let mut total = area * density;
+            let mut displaced = Complex64::ZERO;
+            let mut slower = Complex64::ZERO;
+            if let Some(by) = deformation {
+                total += area * by.steps[index] * steady_density;
+                displaced = by.displaced[index] * area * steady_density;
+                slower = by.slower * area * steady_density;
+            }
+            result.dissipation += total + slower;
+            // What is displaced leaves its wear there.
             let x = step.middle.0;
-            let displaced = Complex64::new(0.0, -wavenumber * x) * growth * area * steady_density;
             result.rail_dissipation += Complex64::cis(-wavenumber * x) * (total + displaced);
         }
         result

@@ -13,6 +13,7 @@ use crate::contact::{ContactDerivative, ContactResponse, Creepages, GridError};
 pub(in crate::contact) struct ResponseSweep<'a> {
     contact: &'a HalfSpace,
     creepages: Creepages,
+    inputs: Vec<Input>,
     fine: GridSweep<'a>,
     coarse: GridSweep<'a>,
 }
@@ -34,6 +35,7 @@ impl<'a> ResponseSweep<'a> {
         Self {
             contact,
             creepages,
+            inputs: inputs.to_vec(),
             fine: sweep(&contact.fine, &state.fine),
             coarse: sweep(&contact.coarse, &state.coarse),
         }
@@ -62,8 +64,10 @@ impl<'a> ResponseSweep<'a> {
     pub(in crate::contact) fn at(&mut self, wavelength: f64) -> Result<ContactResponse, Error> {
         self.contact.check_wavelength(wavelength)?;
         let responses = self.extrapolated(2.0 * PI / wavelength)?;
-        let derivative =
-            |&(response, error): &(Response, GridError), per_unit: f64| ContactDerivative {
+        let by = |input: Input, per_unit: f64| {
+            let place = self.inputs.iter().position(|other| *other == input)?;
+            let (response, error) = responses[place];
+            Some(ContactDerivative {
                 force: response.force.map(|force| force * per_unit),
                 energy: response.dissipation * per_unit,
                 energy_at_rail: Some(response.rail_dissipation * per_unit),
@@ -71,14 +75,16 @@ impl<'a> ResponseSweep<'a> {
                     force: error.force * per_unit,
                     energy: error.energy * per_unit,
                 }),
-            };
+            })
+        };
         let load = self.contact.hertz.normal_force();
+        let asked = "every sweep has the load and the longitudinal creepage";
         Ok(ContactResponse {
-            by_load: derivative(&responses[0], load.recip()),
-            by_longitudinal: derivative(&responses[1], 1.0),
-            by_lateral: responses.get(2).map(|response| derivative(response, 1.0)),
-            by_spin: responses.get(3).map(|response| derivative(response, 1.0)),
-            by_curvature: None,
+            by_load: by(Input::Load, load.recip()).expect(asked),
+            by_longitudinal: by(Input::Longitudinal, 1.0).expect(asked),
+            by_lateral: by(Input::Lateral, 1.0),
+            by_spin: by(Input::Spin, 1.0),
+            by_curvature: by(Input::Profile, 1.0),
         })
     }
 

@@ -3,8 +3,8 @@ use num_complex::Complex64;
 use super::influence::Convolution;
 use super::*;
 use crate::ElasticMaterial;
-use crate::contact::ContactDerivative;
 use crate::contact::KalkerCoefficients;
+use crate::contact::{ContactDerivative, NonSteady};
 
 fn steel() -> ElasticMaterial {
     ElasticMaterial::new(207e9, 0.3).unwrap()
@@ -528,7 +528,18 @@ fn direction_does_not_matter_without_poisson() {
         derivatives(contact.response(&along, wavelength).unwrap());
     let [turned_load, turned_longitudinal, turned_lateral, _] =
         derivatives(contact.response(&across, wavelength).unwrap());
+    let wave = |state| {
+        contact
+            .response(state, wavelength)
+            .unwrap()
+            .by_curvature
+            .unwrap()
+    };
+    let (by_wave, turned_by_wave) = (wave(&along), wave(&across));
     for (straight, turned) in [
+        (by_wave.force[0], turned_by_wave.force[1]),
+        (by_wave.energy, turned_by_wave.energy),
+        (by_wave.at_rail(0.0), turned_by_wave.at_rail(0.0)),
         (load.force[0], turned_load.force[1]),
         (load.energy, turned_load.energy),
         (load.at_rail(0.0), turned_load.at_rail(0.0)),
@@ -567,6 +578,37 @@ fn mirrored_contact_answers_mirrored() {
                 "{input}"
             );
         }
+    }
+}
+
+/// A long wave is a wheel of the radius R/(1 + κ) that rolls slower by 1 + κ, in every direction and with spin. The response of the grid
+/// of 36 is within 2 %, the differences of forces within 0.5 %.
+#[test]
+fn slow_wave_is_the_slope_by_the_radius() {
+    const STEP: f64 = 0.05;
+    let exact = HertzContact::exact(steel(), 0.46, 0.23, 50e3).unwrap();
+    let on = |curvature: f64| {
+        let hertz = exact
+            .with_longitudinal_radius(0.46 / (1.0 + curvature))
+            .unwrap();
+        HalfSpace::new(hertz, 0.4, 36).unwrap()
+    };
+    let contact = on(0.0);
+    let state = contact.roll_with(oblique()).unwrap();
+    let steady = contact.steady(&state);
+    let by_radius = crate::contact::WaveGeometry::derivative(STEP, |curvature| {
+        Ok::<_, Error>(on(curvature).roll_with(oblique())?.forces())
+    });
+    let response = contact.response(&state, f64::INFINITY).unwrap();
+    let got = response.by_curvature.unwrap();
+    let expected = response
+        .with_curvature(by_radius.unwrap(), &steady)
+        .by_curvature
+        .unwrap();
+    let size = steady.forces.magnitude();
+    for part in 0..2 {
+        let missed = (got.force[part] - expected.force[part]).norm();
+        assert!(missed < 0.02 * size, "{part}: {missed} of {size}");
     }
 }
 
@@ -629,12 +671,22 @@ fn work_of_the_half_space() {
             contact.response(&state, wavelength).unwrap();
         }
     });
+    let table = |oscillating: Oscillating| {
+        let tolerance = NonSteady::DEFAULT_TOLERANCE;
+        NonSteady::new(&contact, &state, oscillating, 0.02, 0.2, tolerance).unwrap();
+    };
+    let flat = products(&mut || table(OscillatingCreepages::Longitudinal.into()));
+    let wavy = products(&mut || table(OscillatingCreepages::Longitudinal.on_waves()));
+    assert!(
+        10 * wavy <= 16 * flat,
+        "{wavy} sums over all elements for a table on waves, {flat} without"
+    );
     assert!(
         (1..=82).contains(&steady),
         "{steady} sums over all elements for a steady state"
     );
     assert!(
-        (1..=588).contains(&response),
+        (1..=878).contains(&response),
         "{response} sums over all elements for three responses"
     );
 }

@@ -31,9 +31,9 @@ const FORCE_TOLERANCE: f64 = 1e-5;
 /// Source: Kalker (1990), *Three-dimensional elastic bodies in rolling contact*, chapter 1, for the
 /// equations. Range of validity: that of [`HalfSpace`](super::HalfSpace).
 pub struct TransientRolling {
-    hertz: HertzContact,
-    friction: f64,
-    patch: Patch,
+    pub(super) hertz: HertzContact,
+    pub(super) friction: f64,
+    pub(super) patch: Patch,
     influence: Influence,
     /// Largest displacement by unit tractions everywhere \[m/Pa\].
     compliance: f64,
@@ -81,14 +81,28 @@ impl TransientRolling {
     /// # Errors
     /// [`Error::OutOfRange`] if the friction is not positive or the number of elements out of range.
     pub fn new(hertz: HertzContact, friction: f64, across: usize) -> Result<Self, Error> {
+        Self::with_room(hertz, friction, across, 0)
+    }
+
+    /// The same with `room` elements more on each side, over which a rail that is not straight moves the patch.
+    ///
+    /// # Errors
+    /// Those of [`new`](Self::new).
+    pub fn with_room(
+        hertz: HertzContact,
+        friction: f64,
+        across: usize,
+        room: usize,
+    ) -> Result<Self, Error> {
         Error::unless_positive("coefficient of friction", friction, "")?;
         // One element more on each side: all that the edge covers in part carry their share, so that nothing
         // jumps when the load moves it.
-        let wider = (across + 2) as f64 / across as f64;
+        let more = across + 2 * (1 + room);
+        let wider = more as f64 / across as f64;
         let patch = Patch::new(
             wider * hertz.semi_axis_longitudinal(),
             wider * hertz.semi_axis_lateral(),
-            across + 2,
+            more,
         )?;
         let influence = Influence::new(hertz.material(), &patch);
         let ones = vec![1.0; patch.len()];
@@ -192,6 +206,17 @@ impl TransientRolling {
         self.step_to_force(normal_force, force, creepage * dx, |distance| {
             Motion::Roll(Creepages::longitudinal(distance / dx))
         })
+    }
+
+    /// Roll on by one element under bounds of the tractions \[Pa\].
+    pub(super) fn roll_under(
+        &mut self,
+        bound: &[f64],
+        creepages: Creepages,
+    ) -> Result<TransientStep, Error> {
+        let motion = Motion::Roll(creepages);
+        let slip = self.solve(motion, bound, &self.guess)?;
+        Ok(self.accept(slip, motion))
     }
 
     fn step(&mut self, normal_force: f64, motion: Motion) -> Result<TransientStep, Error> {

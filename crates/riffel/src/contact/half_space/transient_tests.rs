@@ -28,6 +28,11 @@ fn largest(across: usize) -> TransientRolling {
 /// The same elements under the mean load, for what does not change in time.
 fn grid(contact: &TransientRolling) -> Grid {
     Grid {
+        semi_axes: (
+            hertz().semi_axis_longitudinal(),
+            hertz().semi_axis_lateral(),
+        ),
+        material: contact.hertz.material(),
         patch: contact.patch.clone(),
         influence: Influence::new(contact.hertz.material(), &contact.patch),
         bound: contact.bound(LOAD).unwrap(),

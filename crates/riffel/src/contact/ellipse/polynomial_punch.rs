@@ -1,0 +1,156 @@
+//! Punches whose face is a polynomial along the rail, pressed on an elliptic patch.
+
+use std::f64::consts::PI;
+
+/// Most terms of a wave e^{ikx} over a patch: enough up to ka = 55.
+pub(in crate::contact) const TERMS: usize = 72;
+
+/// What presses an ellipse into the displacements P_n(x/a), the Legendre polynomials, of which e^{ikx} is the sum (2n + 1) iⁿ j_n(ka) P_n.
+///
+/// On an ellipse each is pressed by a polynomial of the same degree over ζ = √(1 − ρ²) alone, where x/a = ρ cos φ and y/b = ρ sin φ,
+///
+/// ```text
+/// p ∝ (1/ζ) Σ c_m cos mφ P_n^m(ζ)/P_n^m(0),   m = n, n − 2, … ≥ 0,   I_n c = 1
+/// (I_n)_{mm'} = ∫ cos mψ cos m'ψ / √(b² cos²ψ/a² + sin²ψ) dψ over a turn
+/// ```
+///
+/// with one factor for all n. Since cos mφ of the rim is the Chebyshev polynomial T_m(x/a), so is the numerator there.
+///
+/// Source: derived in the book, after L. A. Galin's theorem of polynomial punches. Error: 1e-12 up to n = 72.
+pub(in crate::contact) struct PolynomialPunch {
+    /// Integrals over a turn of cos 2jψ/√(b² cos²ψ/a² + sin²ψ).
+    harmonics: Vec<f64>,
+}
+
+impl PolynomialPunch {
+    /// On an ellipse of the aspect ratio a/b.
+    pub(in crate::contact) fn new(aspect_ratio: f64) -> Self {
+        Self {
+            harmonics: harmonics(aspect_ratio.recip()),
+        }
+    }
+
+    /// c_m of the degree n with their orders m, from the highest down.
+    pub(in crate::contact) fn pressure(&self, n: usize) -> Vec<(usize, f64)> {
+        let orders: Vec<usize> = (0..=n).rev().step_by(2).collect();
+        let size = orders.len();
+        // Cholesky's elimination: I_n is positive.
+        let mut lower = vec![vec![0.0; size]; size];
+        let mut values = vec![0.0; size];
+        for row in 0..size {
+            for column in 0..=row {
+                let (m, other) = (orders[row], orders[column]);
+                let difference = m.abs_diff(other) / 2;
+                let sum = usize::midpoint(m, other);
+                let entry = 0.5 * (self.harmonics[difference] + self.harmonics[sum]);
+                let known = (0..column).map(|k| lower[row][k] * lower[column][k]);
+                let rest = entry - known.sum::<f64>();
+                lower[row][column] = if row == column {
+                    rest.sqrt()
+                } else {
+                    rest / lower[column][column]
+                };
+            }
+            let known = (0..row).map(|k| lower[row][k] * values[k]);
+            values[row] = (1.0 - known.sum::<f64>()) / lower[row][row];
+        }
+        for row in (0..size).rev() {
+            let known = (row + 1..size).map(|k| lower[k][row] * values[k]);
+            values[row] = (values[row] - known.sum::<f64>()) / lower[row][row];
+        }
+        orders.into_iter().zip(values).collect()
+    }
+
+    /// s_n = (2n + 1) 1ᵀ I_n⁻¹ 1, the resistance to the displacement P_n.
+    pub(in crate::contact) fn stiffness(&self, n: usize) -> f64 {
+        let sum: f64 = self.pressure(n).iter().map(|(_, value)| value).sum();
+        (2 * n + 1) as f64 * sum
+    }
+}
+
+/// Integrals over a turn of cos 2jψ/√(q² cos²ψ + sin²ψ), j = 0 … [`TERMS`], by the trapezoidal rule: it converges as e^{−2qM}.
+fn harmonics(q: f64) -> Vec<f64> {
+    let shorter = q.min(q.recip());
+    let points = 4 * TERMS + (40.0 / shorter).min(4096.0) as usize;
+    let step = PI / points as f64;
+    // Half a turn is the other half.
+    let weights = (0..points).map(|index| {
+        let (sine, cosine) = (step * index as f64).sin_cos();
+        2.0 * step / (q * cosine).hypot(sine)
+    });
+    let weights: Vec<f64> = weights.collect();
+    // The angle 2jψ, whole turns taken off in integers.
+    let angle = |turns: usize| 2.0 * step * (turns % points) as f64;
+    let of = |j: usize| -> f64 {
+        let terms = weights.iter().enumerate();
+        let terms = terms.map(|(index, weight)| weight * angle(j * index).cos());
+        terms.sum()
+    };
+    (0..=TERMS).map(of).collect()
+}
+
+/// j_n(z) of z > 0, n = 0 … [`TERMS`], by Miller's recurrence downwards, scaled by Σ (2n + 1) j_n² = 1 (Abramowitz & Stegun, 10.1.50).
+pub(in crate::contact) fn spherical_bessel_functions(z: f64) -> [f64; TERMS + 1] {
+    /// Orders above, from which nothing of a wrong beginning is left.
+    const ABOVE: usize = 40;
+    let mut functions = [0.0; TERMS + 1];
+    let (mut higher, mut current) = (0.0, f64::MIN_POSITIVE.sqrt());
+    let mut sum = 0.0;
+    for n in (0..TERMS + ABOVE).rev() {
+        let lower = (2 * n + 3) as f64 / z * current - higher;
+        (higher, current) = (current, lower);
+        if n <= TERMS {
+            functions[n] = current;
+        }
+        sum += (2 * n + 1) as f64 * current * current;
+        if current.abs() > 1e100 {
+            let scale = current.abs().recip();
+            (higher, current) = (higher * scale, current * scale);
+            functions.iter_mut().for_each(|value| *value *= scale);
+            sum *= scale * scale;
+        }
+    }
+    // The sign is that of the larger of the first two in closed form.
+    let first = [z.sin() / z, (z.sin() / z - z.cos()) / z];
+    let larger = usize::from(functions[1].abs() > functions[0].abs());
+    let scale = (first[larger] * functions[larger]).signum() / sum.sqrt();
+    functions.map(|value| value * scale)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In closed form to order 2, through many turns; rounding.
+    #[test]
+    fn spherical_bessel_functions_in_closed_form() {
+        for step in 1..400 {
+            let z = 0.13 * f64::from(step);
+            let (sine, cosine) = z.sin_cos();
+            let exact = [
+                sine / z,
+                (sine / z - cosine) / z,
+                ((3.0 / (z * z) - 1.0) * sine - 3.0 * cosine / z) / z,
+            ];
+            let got = spherical_bessel_functions(z);
+            for (got, exact) in got.iter().zip(exact) {
+                assert!(
+                    (got - exact).abs() < 1e-12 / z.min(1.0),
+                    "{z}: {got} {exact}"
+                );
+            }
+        }
+    }
+
+    /// Around a circle all orders have one weight, whose integral over a turn is that of two turns for the mean.
+    #[test]
+    fn a_circle_is_pressed_evenly() {
+        let circle = PolynomialPunch::new(1.0);
+        for n in 1..6 {
+            for (m, c) in circle.pressure(n) {
+                let turns = if m == 0 { 2.0 } else { 1.0 };
+                assert!((c * turns * PI - 1.0).abs() < 1e-12, "{n} {m}: {c}");
+            }
+        }
+    }
+}

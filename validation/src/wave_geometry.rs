@@ -1,0 +1,128 @@
+//! The geometry of a wave against transient rolling over the true gap, and its filter.
+
+use riffel::contact::{
+    Creepages, CurvatureFilter, HalfSpace, HalfSpaceRolling, OscillatingCreepages,
+};
+use riffel::{Complex64, ElasticMaterial, HertzContact};
+use serde::Deserialize;
+
+use crate::Row;
+
+const TRANSIENT: &str = include_str!("../reference/wave-geometry/half_space.csv");
+const PHI: &str = include_str!("../reference/wave-geometry/phi.csv");
+
+#[derive(Deserialize)]
+struct Transient {
+    axis: String,
+    tractive_ratio: f64,
+    wavelength_m: f64,
+    energy_re: f64,
+    energy_im: f64,
+    force_re: f64,
+    force_im: f64,
+}
+
+#[derive(Deserialize)]
+struct Phi {
+    ka: f64,
+    a_over_b: f64,
+    phi: f64,
+}
+
+fn rows<T: for<'a> Deserialize<'a>>(file: &'static str) -> Vec<T> {
+    let mut reader = csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_reader(file.as_bytes());
+    reader
+        .deserialize()
+        .collect::<Result<_, _>>()
+        .expect("numbers")
+}
+
+/// The state of the references: at a tractive ratio along or across the rail, or 3 % of slip.
+fn state(contact: &HalfSpace, axis: &str, ratio: f64) -> HalfSpaceRolling {
+    const FULL_SLIP: f64 = 0.03;
+    let across = |creepage: f64| {
+        let lateral = Creepages {
+            lateral: creepage,
+            ..Creepages::default()
+        };
+        contact.roll_with(lateral).expect("a steady state")
+    };
+    match (axis, ratio) {
+        ("x", 1.0) => contact.roll(FULL_SLIP).expect("a steady state"),
+        ("x", _) => contact
+            .roll_at_tractive_ratio(ratio)
+            .expect("a steady state"),
+        (_, 1.0) => across(FULL_SLIP),
+        _ => {
+            let (mut low, mut high) = (0.0, FULL_SLIP);
+            for _ in 0..14 {
+                let middle = 0.5 * (low + high);
+                let reached = contact.steady(&across(middle)).tractive_ratio();
+                *(if reached < ratio { &mut low } else { &mut high }) = middle;
+            }
+            across(0.5 * (low + high))
+        }
+    }
+}
+
+pub(crate) fn wave_under_the_half_space() -> Row {
+    /// Elements across: the errors of the grid are half of the reference's.
+    const ELEMENTS: usize = 40;
+    let steel = ElasticMaterial::new(207e9, 0.3).expect("a steel");
+    let hertz = HertzContact::new(steel, 0.46, 0.23, 50e3).expect("a contact");
+    let contact = HalfSpace::new(hertz, 0.4, ELEMENTS).expect("a grid");
+    let rows: Vec<Transient> = rows(TRANSIENT);
+    let (mut worst, mut compared): (f64, usize) = (0.0, 0);
+    for states in rows
+        .chunk_by(|one, other| one.axis == other.axis && one.tractive_ratio == other.tractive_ratio)
+    {
+        let axis = states[0].axis.as_str();
+        let state = state(&contact, axis, states[0].tractive_ratio);
+        let steady = contact.steady(&state);
+        let (force, energy) = (steady.forces.magnitude(), steady.energy_per_metre());
+        let wavelengths: Vec<f64> = states.iter().map(|row| row.wavelength_m).collect();
+        let oscillating = OscillatingCreepages::InPlane.on_waves();
+        let responses = contact.responses(&state, &wavelengths, oscillating, || ());
+        for (row, response) in states.iter().zip(responses) {
+            let response = response.expect("a response");
+            let by = response.by_curvature.expect("asked for");
+            let part = usize::from(axis == "y");
+            let errors = [
+                by.at_rail(0.0) / energy - Complex64::new(row.energy_re, row.energy_im),
+                by.force[part] / force - Complex64::new(row.force_re, row.force_im),
+            ];
+            worst = errors
+                .iter()
+                .map(|error| error.norm())
+                .fold(worst, f64::max);
+            compared += 2;
+        }
+    }
+    Row {
+        statement: "Energy at the rail and creep force by the geometry of a wave, exact contact, 40 elements across, along and across",
+        source: "transient rolling over the true gap, `wave-geometry/half_space.csv`",
+        expected: format!("{compared} complex responses"),
+        got: format!("within {worst:.3}"),
+        tolerance: "0.02: 0.012 of the reference, and 0.008 of this grid",
+        holds: worst <= 0.02 && compared == 60,
+    }
+}
+
+pub(crate) fn curvature_filter() -> Row {
+    let rows: Vec<Phi> = rows(PHI);
+    let errors = rows.iter().map(|row| {
+        let filter = CurvatureFilter::new(1.0, 1.0 / row.a_over_b).expect("an ellipse");
+        (filter.share(row.ka) - row.phi).abs()
+    });
+    let worst = errors.fold(0.0, f64::max);
+    Row {
+        statement: "Share Φ of the curvature of a wave that an ellipse feels",
+        source: "series in quadruple precision, `wave-geometry/phi.csv`",
+        expected: format!("{} values", rows.len()),
+        got: format!("within {worst:.0e}"),
+        tolerance: "1e-11: rounding of 72 terms",
+        holds: worst <= 1e-11 && rows.len() == 28,
+    }
+}
