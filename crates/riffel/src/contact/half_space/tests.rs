@@ -444,6 +444,37 @@ fn full_slip_answers_to_direction_and_load_alone() {
     assert!((across / turning - 1.0).abs() < 0.02, "{across} {turning}");
 }
 
+/// Between τ = 0.98 and full slip the responses go from the one to the other without a step.
+#[test]
+fn responses_join_full_slip() {
+    let contact = contact(36);
+    let saturation = Carter3d::new(hertz(), 0.4).unwrap().saturation_creepage();
+    let mut before: Option<[Complex64; 6]> = None;
+    for step in 0..24 {
+        let creepage = saturation * 0.6 * 1.05f64.powi(step);
+        let state = contact.roll(creepage).unwrap();
+        let steady = contact.steady(&state);
+        let energy = steady.energy_per_metre();
+        let response = contact.response(&state, 0.05).unwrap();
+        let wave = response.by_curvature.unwrap();
+        let now = [
+            response.by_longitudinal.force[0] * creepage / steady.forces.magnitude(),
+            response.by_longitudinal.at_rail(0.0) * creepage / energy,
+            response.by_load.force[0] * 50e3 / steady.forces.magnitude(),
+            response.by_load.at_rail(0.0) * 50e3 / energy,
+            wave.force[0] / steady.forces.magnitude(),
+            wave.at_rail(0.0) / energy,
+        ];
+        println!("{:.5} {:.4?}", steady.tractive_ratio(), now.map(|value| (value.re, value.im)));
+        if let Some(before) = before {
+            for (one, other) in before.iter().zip(now) {
+                assert!((one - other).norm() < 0.1, "{creepage} {one} {other}");
+            }
+        }
+        before = Some(now);
+    }
+}
+
 /// Slow creepage meets a resistance in every direction.
 #[test]
 fn slow_creep_is_passive() {
