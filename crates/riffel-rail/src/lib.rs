@@ -60,6 +60,7 @@ pub use layout::Layout;
 pub use length_unit::LengthUnit;
 pub use limit::{Limit, LimitTable};
 pub use part::RecordPart;
+pub use plausibility::check_felt;
 pub use rail::Rail;
 pub use rail_record::{RailRecord, RailRoughness};
 pub use rail_spectrum::RailSpectrum;

@@ -361,8 +361,15 @@ def contact_geometry(
         "rolling_radius_difference": ("m", "rolling radius, right less left"),
     }
     conicity = found["equivalent_conicity"]
-    rules = {rule: ("amplitude", conicity[rule], _said("1", f"equivalent conicity, {rule}"))
-             for rule in ("klingel", "harmonic", "regression")}
+    rules = {
+        rule: ("amplitude", np.array(conicity[rule], float), _said("1", f"equivalent conicity, {said}"))
+        for rule, said in {
+            "klingel": "klingel, by EN 15302",
+            "harmonic": "harmonic, by EN 15302",
+            "regression": "regression, by EN 15302",
+            "klingel_with_roll": "klingel, of an axle that rolls",
+        }.items()
+    }
     return xr.Dataset(
         {
             **both,

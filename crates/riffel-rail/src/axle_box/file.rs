@@ -68,8 +68,7 @@ impl AxleBoxFile {
             let (file, head) = AxleBoxUniversal::find(path, layout)?;
             (Source::Universal(Box::new(file)), head)
         } else {
-            let table = AxleBoxTable::find(&head, layout);
-            let (table, head) = table.map_err(|refusal| refusal.of(path))?;
+            let (table, head) = AxleBoxTable::find(path, &head, layout)?;
             (Source::Table(table), head)
         };
         Self::checked(path.to_owned(), head, source)
@@ -110,7 +109,9 @@ impl AxleBoxFile {
         let head = AxleBoxHead {
             names,
             rate,
+            clock: None,
             place: place.by(),
+            witness: None,
             counting: Counting::Samples,
             remarks: Vec::new(),
         };
