@@ -48,12 +48,32 @@ pub struct OnTrackDocument {
 #[derive(Serialize)]
 struct Conicities {
     amplitude_m: Vec<f64>,
-    /// By EN 15302: the axle stays level.
+    /// As the axle rolls.
+    #[serde(flatten)]
+    rolling: Rules,
+    /// By the definition of EN 15302: the axle stays level.
+    en_15302: Rules,
+}
+
+/// By the three rules; none where no motion has the amplitude.
+#[derive(Serialize)]
+struct Rules {
     klingel: Vec<Option<f64>>,
     harmonic: Vec<Option<f64>>,
     regression: Vec<Option<f64>>,
-    /// As the axle rolls.
-    klingel_with_roll: Vec<Option<f64>>,
+}
+
+impl Rules {
+    fn new<'a>(found: impl Iterator<Item = &'a Option<EquivalentConicity>> + Clone) -> Self {
+        let of = |value: fn(&EquivalentConicity) -> f64| {
+            found.clone().map(|one| one.as_ref().map(value)).collect()
+        };
+        Self {
+            klingel: of(|found| found.klingel),
+            harmonic: of(|found| found.harmonic),
+            regression: of(|found| found.regression),
+        }
+    }
 }
 
 macro_rules! side {
@@ -139,10 +159,7 @@ impl OnTrackAnswer {
     /// What `riffel profile CASE --wheelset --json` prints.
     pub fn document(&self) -> OnTrackDocument {
         let of = |value: fn(&WheelsetContact) -> f64| self.contacts.iter().map(value).collect();
-        let conicity = |value: fn(&EquivalentConicity) -> f64| {
-            let all = self.conicities.iter();
-            all.map(|one| one.standard.as_ref().map(value)).collect()
-        };
+        let conicities = self.conicities.iter();
         OnTrackDocument {
             lateral_shift: of(|contact| contact.lateral_shift),
             yaw: of(|contact| contact.yaw),
@@ -157,12 +174,8 @@ impl OnTrackAnswer {
                     .iter()
                     .map(|one| one.amplitude)
                     .collect(),
-                klingel: conicity(|conicity| conicity.klingel),
-                harmonic: conicity(|conicity| conicity.harmonic),
-                regression: conicity(|conicity| conicity.regression),
-                klingel_with_roll: (self.conicities.iter())
-                    .map(|one| one.rolling.map(|conicity| conicity.klingel))
-                    .collect(),
+                rolling: Rules::new(conicities.clone().map(|one| &one.rolling)),
+                en_15302: Rules::new(conicities.map(|one| &one.standard)),
             },
         }
     }

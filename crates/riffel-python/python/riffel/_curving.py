@@ -362,13 +362,9 @@ def contact_geometry(
     }
     conicity = found["equivalent_conicity"]
     rules = {
-        rule: ("amplitude", np.array(conicity[rule], float), _said("1", f"equivalent conicity, {said}"))
-        for rule, said in {
-            "klingel": "klingel, by EN 15302",
-            "harmonic": "harmonic, by EN 15302",
-            "regression": "regression, by EN 15302",
-            "klingel_with_roll": "klingel, of an axle that rolls",
-        }.items()
+        rule + name: ("amplitude", np.array(found[rule], float), _said("1", f"equivalent conicity, {rule}{said}"))
+        for name, said, found in [("", "", conicity), ("_en_15302", ", by EN 15302", conicity["en_15302"])]
+        for rule in ("klingel", "harmonic", "regression")
     }
     return xr.Dataset(
         {

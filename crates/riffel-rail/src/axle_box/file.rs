@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, text_file};
 
 use super::arrays::{AxleBoxArrays, AxleBoxPlace};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
@@ -55,7 +55,9 @@ impl AxleBoxFile {
     /// channels named of what is no WAV file.
     pub fn open(path: &Path, layout: &AxleBoxLayout) -> Result<Self, CaseError> {
         let mut head = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+        let read = text_file::check_is_read_twice(path)
+            .and_then(|()| File::open(path))
+            .and_then(|file| file.take(HEAD).read_to_end(&mut head));
         read.map_err(|reason| unreadable(path, reason))?;
         if !layout.channels.is_empty() && !is_wave(&head) {
             let message = "--channels is for WAV files: what is in other files their heads say";

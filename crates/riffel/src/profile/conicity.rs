@@ -55,8 +55,18 @@ impl EquivalentConicity {
         if high - low < -1e-9 {
             return None;
         }
-        let (at_low, at_high) = (work(low), work(high));
         let is_between = low <= 0.0 && high >= 0.0;
+        let is_nought =
+            |(phase, _): (f64, f64)| difference(amplitude * phase.sin()).abs() < NO_DIFFERENCE;
+        if is_between && phases().all(is_nought) {
+            return Some(Self {
+                klingel: 0.0,
+                harmonic: 0.0,
+                regression: 0.0,
+                wavelength: f64::INFINITY,
+            });
+        }
+        let (at_low, at_high) = (work(low), work(high));
         let middle = if is_between && work(0.0).abs() <= 1e-12 * at_high.abs().max(at_low.abs()) {
             0.0
         } else {
@@ -72,16 +82,6 @@ impl EquivalentConicity {
             }
             0.5 * (low + high)
         };
-        let is_nought =
-            |(phase, _): (f64, f64)| difference(middle + amplitude * phase.sin()).abs() < NO_DIFFERENCE;
-        if phases().all(is_nought) {
-            return Some(Self {
-                klingel: 0.0,
-                harmonic: 0.0,
-                regression: 0.0,
-                wavelength: f64::INFINITY,
-            });
-        }
         // y = middle + A sin τ from the far end inward: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v.
         let pieces = 2 * PIECES;
         let step = PI / pieces as f64;
