@@ -82,13 +82,23 @@ impl Alignment {
 /// By how many cells what is moved must go on to lie on what is fixed; `moved` begins and ends so many cells farther out.
 fn best(fixed: &[f64], moved: &[f64], farthest: i64) -> Option<i64> {
     let correlations: Vec<(i64, f64)> = (0..=2 * farthest)
-        .map(|offset| (farthest - offset, correlation(fixed, &moved[offset as usize..])))
+        .map(|offset| {
+            (
+                farthest - offset,
+                correlation(fixed, &moved[offset as usize..]),
+            )
+        })
         .collect();
-    let highest = correlations.iter().map(|(_, of)| *of).fold(f64::MIN, f64::max);
+    let highest = correlations
+        .iter()
+        .map(|(_, of)| *of)
+        .fold(f64::MIN, f64::max);
     if highest < SAME {
         return None;
     }
-    let good = correlations.into_iter().filter(|(_, of)| *of > highest - BETTER);
+    let good = correlations
+        .into_iter()
+        .filter(|(_, of)| *of > highest - BETTER);
     good.map(|(shift, _)| shift).min_by_key(|shift| shift.abs())
 }
 
@@ -102,7 +112,8 @@ fn correlation(fixed: &[f64], moved: &[f64]) -> f64 {
     if count < 0.5 * fixed.len() as f64 || count < 8.0 {
         return f64::MIN;
     }
-    let (one_sum, other_sum) = pairs().fold((0.0, 0.0), |(a, b), (one, other)| (a + one, b + other));
+    let (one_sum, other_sum) =
+        pairs().fold((0.0, 0.0), |(a, b), (one, other)| (a + one, b + other));
     let (mut own, mut others, mut both) = (0.0, 0.0, 0.0);
     for (one, other) in pairs() {
         let (one, other) = (one - one_sum / count, other - other_sum / count);
@@ -145,7 +156,9 @@ impl<'a> Levels<'a> {
     fn between(&mut self, first: i64, count: i64) -> Result<Vec<f64>, NetworkError> {
         let mut levels = Vec::new();
         for cell in first..first + count {
-            let cell = u64::try_from(cell).ok().filter(|cell| *cell < self.survey.cells);
+            let cell = u64::try_from(cell)
+                .ok()
+                .filter(|cell| *cell < self.survey.cells);
             levels.push(match cell {
                 Some(cell) => self.chunk(cell / ROWS)?[(cell % ROWS) as usize],
                 None => f64::NAN,

@@ -143,7 +143,9 @@ fn of_line(
     let mut grown = Vec::new();
     for (rail, sections) in last.rails.iter().zip(rails?) {
         for of_place in sections.into_values() {
-            let Some((_, latest)) = of_place.last().filter(|(number, _)| *number + 1 == surveys.len())
+            let Some((_, latest)) = of_place
+                .last()
+                .filter(|(number, _)| *number + 1 == surveys.len())
             else {
                 continue;
             };
@@ -153,7 +155,9 @@ fn of_line(
                     (rms > 0.0).then_some((*number, rms))
                 });
                 let known: Vec<(usize, f64)> = known.collect();
-                let points = known.iter().map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
+                let points = known
+                    .iter()
+                    .map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
                 let points: Vec<(f64, f64)> = points.collect();
                 let Some(trend) = Trend::new(&points).filter(|_| points.len() > 1) else {
                     continue;
@@ -194,8 +198,7 @@ fn of_line(
     let scatter = scatter(&trends);
     let mut sections: Vec<SectionGrowth> = Vec::new();
     for (trend, mut section) in grown {
-        section.growth_error_db_per_year =
-            trend.growth().map(|_| trend.growth_error(scatter));
+        section.growth_error_db_per_year = trend.growth().map(|_| trend.growth_error(scatter));
         let left = -20.0 * section.rms_over_limit.log10();
         section.months_to_limit = match left <= 0.0 {
             true => Some(0.0),
@@ -247,7 +250,10 @@ pub fn rails_without_growth(
             )
         })
     };
-    Ok(chosen(store, between)?.iter().filter_map(sentence).collect())
+    Ok(chosen(store, between)?
+        .iter()
+        .filter_map(sentence)
+        .collect())
 }
 
 /// Those over their limit by what grinding takes off first, the farthest before; then those that reach it first; then those over it by

@@ -100,7 +100,10 @@ impl Judgement {
         let limits = self.limits.iter().enumerate();
         limits.filter_map(|(band, limit)| {
             let limit = (*limit)?;
-            let (ratio, lasting) = (section.exceeded[band] / limit, section.lasting[band] / limit);
+            let (ratio, lasting) = (
+                section.exceeded[band] / limit,
+                section.lasting[band] / limit,
+            );
             ratio.is_finite().then_some(SectionInBand {
                 band,
                 ratio,

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
-use crate::most_track::{OverLimit, brought_below, most_track};
 use crate::judgement::DefectKind;
+use crate::most_track::{OverLimit, brought_below, most_track};
 use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, rails_without_growth, worst};
 
 /// What may be spent, in any currency.
@@ -184,8 +184,13 @@ pub fn plan(
     let sites = sites(&stretches, &ground, length, budget);
     Ok(GrindingPlan {
         months,
-        length_m: sites.iter().map(|site| site.to_m - site.from_m).sum(),
-        cost: sites.iter().map(|site| site.cost).sum(),
+        // The sum of nothing is −0.
+        length_m: 0.0
+            + sites
+                .iter()
+                .map(|site| site.to_m - site.from_m)
+                .sum::<f64>(),
+        cost: 0.0 + sites.iter().map(|site| site.cost).sum::<f64>(),
         over_limit_m: over * length,
         single_places_m: single.len() as f64 * length,
         left_over_limit_m: (over - brought_below) * length,

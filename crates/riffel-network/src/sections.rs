@@ -154,7 +154,11 @@ fn exceeded(mut cells: Vec<f64>, share: f64) -> f64 {
 
 /// Cells without those of single places, where cells are short enough to tell them.
 fn lasting(cells: &[f64], resolution: f64) -> Vec<f64> {
-    let mut sorted: Vec<f64> = cells.iter().copied().filter(|rms| rms.is_finite()).collect();
+    let mut sorted: Vec<f64> = cells
+        .iter()
+        .copied()
+        .filter(|rms| rms.is_finite())
+        .collect();
     sorted.sort_by(f64::total_cmp);
     let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN);
     let longest = (SINGLE.0 / resolution * (1.0 + 1e-9)).floor() as usize;
@@ -172,11 +176,21 @@ mod tests {
     #[test]
     fn a_share_of_a_section_may_be_rougher() {
         let with = |rough: usize, apart: usize| -> Vec<f64> {
-            (0..100).map(|cell| if cell % apart == 7 && cell / apart < rough { 36.0 } else { 2.0 }).collect()
+            (0..100)
+                .map(|cell| {
+                    if cell % apart == 7 && cell / apart < rough {
+                        36.0
+                    } else {
+                        2.0
+                    }
+                })
+                .collect()
         };
         assert_eq!(exceeded(with(5, 18), 0.05), 2.0);
         assert_eq!(exceeded(with(6, 15), 0.05), 36.0);
-        let long: Vec<f64> = (0..100).map(|cell| if cell % 20 < 3 { 36.0 } else { 2.0 }).collect();
+        let long: Vec<f64> = (0..100)
+            .map(|cell| if cell % 20 < 3 { 36.0 } else { 2.0 })
+            .collect();
         assert_eq!(exceeded(lasting(&with(6, 15), 1.0), 0.05), 2.0);
         assert_eq!(exceeded(lasting(&long, 1.0), 0.05), 36.0);
         // A cell of 10 m tells no joint.

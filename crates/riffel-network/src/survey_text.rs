@@ -35,7 +35,10 @@ impl<R> SurveyText<R> {
     }
 
     fn refuse(&self, what: &str) -> io::Error {
-        io::Error::new(io::ErrorKind::InvalidData, format!("line {} {what}", self.number))
+        io::Error::new(
+            io::ErrorKind::InvalidData,
+            format!("line {} {what}", self.number),
+        )
     }
 }
 
@@ -68,7 +71,8 @@ mod tests {
     fn read(bytes: &[u8]) -> Result<String, String> {
         let mut text = SurveyText::new(bytes);
         let done = io::copy(&mut text, &mut io::sink());
-        done.map(|_| text.sha256()).map_err(|error| error.to_string())
+        done.map(|_| text.sha256())
+            .map_err(|error| error.to_string())
     }
 
     #[test]
@@ -78,8 +82,15 @@ mod tests {
         assert_eq!(read(b"abc").unwrap(), sum);
         let mut long = b"a,b\n".to_vec();
         long.resize(70_000, b'1');
-        assert_eq!(read(&long).unwrap_err(), "line 2 is longer than 65536 bytes");
-        assert!(read(b"a,\"b\nc\"\n").unwrap_err().contains("line 1 has a quotation mark"));
+        assert_eq!(
+            read(&long).unwrap_err(),
+            "line 2 is longer than 65536 bytes"
+        );
+        assert!(
+            read(b"a,\"b\nc\"\n")
+                .unwrap_err()
+                .contains("line 1 has a quotation mark")
+        );
         assert!(read(b"a,\"b\"\r\n1,2\r\n").is_ok());
     }
 }

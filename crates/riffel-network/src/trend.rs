@@ -25,7 +25,9 @@ pub(crate) struct Trend {
 impl Trend {
     /// Of points in the order of time; none without one.
     pub(crate) fn new(points: &[(f64, f64)]) -> Option<Self> {
-        let ground = points.windows(2).rposition(|pair| pair[1].1 - pair[0].1 < GROUND);
+        let ground = points
+            .windows(2)
+            .rposition(|pair| pair[1].1 - pair[0].1 < GROUND);
         let from = ground.map_or(0, |pair| pair + 1);
         (!points.is_empty()).then(|| Self {
             points: points[from..].to_vec(),
@@ -43,14 +45,21 @@ impl Trend {
         let count = self.points.len() as f64;
         let time = self.points.iter().map(|(time, _)| time).sum::<f64>() / count;
         let level = self.points.iter().map(|(_, level)| level).sum::<f64>() / count;
-        let spread = self.points.iter().map(|(own, _)| (own - time).powi(2)).sum();
+        let spread = self
+            .points
+            .iter()
+            .map(|(own, _)| (own - time).powi(2))
+            .sum();
         (time, level, spread)
     }
 
     /// Slope \[dB a year\]; none of a single date.
     pub(crate) fn growth(&self) -> Option<f64> {
         let (mean, level, spread) = self.means();
-        let products = self.points.iter().map(|(time, own)| (time - mean) * (own - level));
+        let products = self
+            .points
+            .iter()
+            .map(|(time, own)| (time - mean) * (own - level));
         (spread > 0.0).then(|| products.sum::<f64>() / spread)
     }
 
@@ -108,7 +117,9 @@ mod tests {
     fn noise(seed: &mut u64) -> f64 {
         let mut sum = -6.0;
         for _ in 0..12 {
-            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            *seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             sum += (*seed >> 33) as f64 / (1u64 << 31) as f64;
         }
         sum
@@ -118,7 +129,11 @@ mod tests {
     /// twenty seems to grow or to shrink.
     #[test]
     fn scatter_is_no_growth() {
-        for times in [vec![0.0, 0.01, 1.0], vec![0.0, 0.5, 1.0, 1.5], vec![0.0, 1.0]] {
+        for times in [
+            vec![0.0, 0.01, 1.0],
+            vec![0.0, 0.5, 1.0, 1.5],
+            vec![0.0, 1.0],
+        ] {
             let mut seed = 7;
             let trends: Vec<Trend> = (0..2000)
                 .map(|_| {
@@ -129,7 +144,9 @@ mod tests {
             let found = scatter(&trends);
             assert!((found / 0.8 - 1.0).abs() < 0.15, "{times:?}: {found}");
             let seen = trends.iter().filter(|trend| {
-                trend.growth().is_some_and(|growth| growth.abs() > trend.growth_error(found))
+                trend
+                    .growth()
+                    .is_some_and(|growth| growth.abs() > trend.growth_error(found))
             });
             assert!((40..180).contains(&seen.count()), "{times:?}");
         }
@@ -138,7 +155,8 @@ mod tests {
     /// All dates count, and those before the rail was ground do not.
     #[test]
     fn a_trend_begins_where_the_rail_was_ground() {
-        let trend = Trend::new(&[(0.0, 12.0), (1.0, 1.0), (2.0, 3.5), (3.0, 5.0), (4.0, 7.5)]).unwrap();
+        let trend =
+            Trend::new(&[(0.0, 12.0), (1.0, 1.0), (2.0, 3.5), (3.0, 5.0), (4.0, 7.5)]).unwrap();
         assert_eq!(trend.before, 1);
         // By hand: Σ(t − 2.5)(L) / 5 = (−1.5 · 1 − 0.5 · 3.5 + 0.5 · 5 + 1.5 · 7.5) / 5.
         assert!((trend.growth().unwrap() - 2.1).abs() < 1e-12);

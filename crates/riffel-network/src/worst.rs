@@ -60,7 +60,11 @@ pub fn worst(
         Err(error) => return Err(error),
     };
     let key = |line: &str, rail: &str, from: f64| {
-        (line.to_owned(), rail.to_owned(), (from / length).round() as i64)
+        (
+            line.to_owned(),
+            rail.to_owned(),
+            (from / length).round() as i64,
+        )
     };
     let grown: HashMap<(String, String, i64), f64> = grown
         .iter()

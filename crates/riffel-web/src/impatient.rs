@@ -36,7 +36,9 @@ impl<S> Impatient<S> {
             return outcome;
         }
         let patience = self.patience;
-        let waiting = self.waiting.get_or_insert_with(|| Box::pin(sleep(patience)));
+        let waiting = self
+            .waiting
+            .get_or_insert_with(|| Box::pin(sleep(patience)));
         ready!(waiting.as_mut().poll(context));
         Poll::Ready(Err(io::ErrorKind::TimedOut.into()))
     }
@@ -94,7 +96,9 @@ mod tests {
             let mut bytes = [0; 500];
             for _ in 0..8 {
                 sleep(Duration::from_millis(100)).await;
-                tokio::io::AsyncReadExt::read_exact(&mut far, &mut bytes).await.unwrap();
+                tokio::io::AsyncReadExt::read_exact(&mut far, &mut bytes)
+                    .await
+                    .unwrap();
             }
         });
         let mut stream = Impatient::new(near, patience);

@@ -195,7 +195,10 @@ impl Uploads {
             if late * SLOWEST > bytes as f64 {
                 return Err(Fault::refused(
                     StatusCode::REQUEST_TIMEOUT,
-                    format!("the file came more slowly than {} kB a second", 1e-3 * SLOWEST),
+                    format!(
+                        "the file came more slowly than {} kB a second",
+                        1e-3 * SLOWEST
+                    ),
                     "",
                 ));
             }

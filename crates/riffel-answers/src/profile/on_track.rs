@@ -169,11 +169,7 @@ impl OnTrackAnswer {
             left: Left::new(&self.contacts),
             rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
             equivalent_conicity: Conicities {
-                amplitude_m: self
-                    .conicities
-                    .iter()
-                    .map(|one| one.amplitude)
-                    .collect(),
+                amplitude_m: self.conicities.iter().map(|one| one.amplitude).collect(),
                 rolling: Rules::new(conicities.clone().map(|one| &one.rolling)),
                 en_15302: Rules::new(conicities.map(|one| &one.standard)),
             },

@@ -198,7 +198,10 @@ impl Verdict {
         Some(Self {
             share_over_limit: Some(worst.1),
             rms_over_limit: Some(ratios.fold(0.0, f64::max)),
-            sections_over_limit: over.iter().map(|section| SectionOver::from(*section)).collect(),
+            sections_over_limit: over
+                .iter()
+                .map(|section| SectionOver::from(*section))
+                .collect(),
             ..Self::new(
                 table,
                 over.is_empty(),
@@ -210,4 +213,58 @@ impl Verdict {
 
 fn millimetres(band: WavelengthBand) -> String {
     format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use riffel::roughness::{AnalysisSettings, Profile};
+
+    use super::*;
+    use crate::roughness::rms_limit;
+
+    /// 12 m at twice the limit in 800 m are 1.5 % of the length, and over it in their section; the sentence says where.
+    #[test]
+    fn a_rough_place_is_over_however_long_the_record_is() {
+        let limits = [LimitTable::find("grassie-1999").unwrap()];
+        let settings = AnalysisSettings {
+            limit: rms_limit(&limits).unwrap(),
+            ..AnalysisSettings::default()
+        };
+        let verdict = |length: f64| {
+            let height = |n: usize| {
+                let x = 5e-3 * n as f64;
+                let amplitude = if (130.0..142.0).contains(&x) {
+                    20e-6
+                } else {
+                    2e-6
+                };
+                amplitude * (TAU * x / 0.05).sin()
+            };
+            let heights = (0..(length / 5e-3) as usize).map(height).collect();
+            let profile = Profile::new(0.0, 5e-3, heights).unwrap();
+            let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
+            let mut all = Verdict::all(&limits, &analysis.spectrum, Some(&analysis));
+            all.pop().unwrap()
+        };
+        for length in [200.0, 800.0] {
+            let found = verdict(length);
+            let said = &found.sentence;
+            assert!(!found.within, "{said}");
+            let all = length / 100.0;
+            assert!(
+                said.contains(&format!("1 of {all} sections are more, at worst 100–200 m")),
+                "{said}"
+            );
+            let [section] = &found.sections_over_limit[..] else {
+                panic!("{said}");
+            };
+            assert!(
+                (section.share_over_limit - 0.12).abs() < 0.02,
+                "{section:?}"
+            );
+            assert!((section.rms_over_limit - 2.02).abs() < 0.1, "{section:?}");
+        }
+    }
 }

@@ -234,6 +234,14 @@ fn millimetres(band: [f64; 2]) -> String {
     format!("{:.0}–{:.0}", 1e3 * band[0], 1e3 * band[1])
 }
 
+/// With its sign, which nought does not have.
+fn tenths(value: f64) -> String {
+    match format!("{value:+.1}").as_str() {
+        "-0.0" | "+0.0" => "0.0".to_owned(),
+        text => text.to_owned(),
+    }
+}
+
 fn kilometres(metres: f64) -> String {
     format!("{:.3}", 1e-3 * metres)
 }
@@ -294,9 +302,7 @@ fn worst_in_words(places: &[WorstPlace]) -> String {
             format!("{:.2}", 1e6 * place.rms_m),
             format!("{:.2}", place.rms_over_limit),
             place.kind.map_or("", DefectKind::name).to_owned(),
-            place
-                .growth_db_per_year
-                .map_or_else(String::new, |growth| format!("{growth:+.1}")),
+            place.growth_db_per_year.map_or_else(String::new, tenths),
         ]);
     }
     format!("{rows}\n")
@@ -329,8 +335,10 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
             format!("{before:.2} → {after:.2}"),
             match (section.ground, section.growth_error_db_per_year) {
                 (true, _) => "ground".to_owned(),
-                (false, Some(error)) => format!("{:+.1} ± {error:.1}", section.growth_db_per_year),
-                (false, None) => format!("{:+.1}", section.growth_db_per_year),
+                (false, Some(error)) => {
+                    format!("{} ± {error:.1}", tenths(section.growth_db_per_year))
+                }
+                (false, None) => tenths(section.growth_db_per_year),
             },
             section.surveys.to_string(),
             format!("{:.2}", section.rms_over_limit),

@@ -48,12 +48,27 @@ fn joints_a_metre_off_do_not_grow() -> Result<(), NetworkError> {
         }
     }
     let places = worst(&store, &judgement, 100.0, None, 20)?;
-    assert_eq!((places[0].from_m, places[0].kind), (200.0, Some(DefectKind::Corrugation)));
-    assert!(places[2..].iter().all(|place| place.kind != Some(DefectKind::Corrugation)));
-    assert!(places.iter().any(|place| place.kind == Some(DefectKind::SinglePlaces)));
+    assert_eq!(
+        (places[0].from_m, places[0].kind),
+        (200.0, Some(DefectKind::Corrugation))
+    );
+    assert!(
+        places[2..]
+            .iter()
+            .all(|place| place.kind != Some(DefectKind::Corrugation))
+    );
+    assert!(
+        places
+            .iter()
+            .any(|place| place.kind == Some(DefectKind::SinglePlaces))
+    );
     let budget = Budget::of_length(600.0);
     let found = plan(&store, &judgement, 100.0, 12.0, &budget, Aim::WorstFirst)?;
-    let sites: Vec<(f64, f64)> = found.sites.iter().map(|site| (site.from_m, site.to_m)).collect();
+    let sites: Vec<(f64, f64)> = found
+        .sites
+        .iter()
+        .map(|site| (site.from_m, site.to_m))
+        .collect();
     assert_eq!(sites, [(200.0, 300.0)]);
     assert!(found.single_places_m > 0.0);
     let told = found.remarks.concat();
@@ -75,11 +90,16 @@ fn a_trend_goes_through_all_dates() -> Result<(), NetworkError> {
     ];
     for (date, level) in levels {
         // Sections scatter: by half a decibel at every date, and each in its own way.
-        let (_, file) = survey(folder.path(), &format!("{date}.csv"), [0, 1000], |rail, place| {
-            let section = (place / 100.0).floor() + 10.0 * rail as f64;
-            let off = 0.5 * (section * 12.9898 + level * 78.233).sin();
-            10f64.powf((level + off) / 20.0)
-        });
+        let (_, file) = survey(
+            folder.path(),
+            &format!("{date}.csv"),
+            [0, 1000],
+            |rail, place| {
+                let section = (place / 100.0).floor() + 10.0 * rail as f64;
+                let off = 0.5 * (section * 12.9898 + level * 78.233).sin();
+                10f64.powf((level + off) / 20.0)
+            },
+        );
         take(&store, "A", date, &file);
     }
     let judgement = grassie(&store);
@@ -89,14 +109,25 @@ fn a_trend_goes_through_all_dates() -> Result<(), NetworkError> {
         assert_eq!((section.surveys, &*section.dates[0]), (4, "2025-01-01"));
         let error = section.growth_error_db_per_year.unwrap();
         // By hand: 2.1 dB a year through the four means; their spread of 0.86 years and 0.5 dB leave 1.2.
-        assert!((section.growth_db_per_year - 2.2).abs() < 1.6, "{section:?}");
+        assert!(
+            (section.growth_db_per_year - 2.2).abs() < 1.6,
+            "{section:?}"
+        );
         assert!((0.8..2.0).contains(&error), "{error}");
     }
-    let mean = grown.iter().map(|section| section.growth_db_per_year).sum::<f64>() / 20.0;
+    let mean = grown
+        .iter()
+        .map(|section| section.growth_db_per_year)
+        .sum::<f64>()
+        / 20.0;
     assert!((mean - 2.2).abs() < 0.5, "{mean}");
     // Two surveys within a week show no growth.
     let between = Some(["2026-01-01".parse().unwrap(), "2026-01-03".parse().unwrap()]);
     let repeated = growth(&store, &judgement, 100.0, between)?;
-    assert!(repeated.iter().all(|section| section.months_to_limit.is_none()));
+    assert!(
+        repeated
+            .iter()
+            .all(|section| section.months_to_limit.is_none())
+    );
     Ok(())
 }

@@ -235,7 +235,8 @@ impl Regression {
             return Ok((clock, None));
         }
         let [slowest, fastest] = [slowest, fastest].map(|rate| rounded(rate, unsure.max(1e-5)));
-        let drifts = format!("the times make {slowest} to {fastest} samples a second along the run");
+        let drifts =
+            format!("the times make {slowest} to {fastest} samples a second along the run");
         match drift > STEADY {
             true => Err(format!(
                 "{drifts}, but must make one rate to {:.0} %; give the sampling rate by --rate if the times are wrong",
@@ -243,7 +244,10 @@ impl Regression {
             )),
             false => Ok((
                 clock,
-                Some(format!("{drifts}: the clock drifts; {} is taken", clock.rate)),
+                Some(format!(
+                    "{drifts}: the clock drifts; {} is taken",
+                    clock.rate
+                )),
             )),
         }
     }
@@ -270,14 +274,18 @@ mod tests {
     fn rounded_times_have_the_rate_of_all_rows() {
         for hertz in [1000.0, 2500.0, 4096.0, 6000.0, 6250.0, 20_000.0] {
             for step in [1e-6, 1e-4, 1e-3, 1e-2] {
-                let times: Vec<f64> = (0..20_000).map(|n| rounded(f64::from(n) / hertz, step)).collect();
+                let times: Vec<f64> = (0..20_000)
+                    .map(|n| rounded(f64::from(n) / hertz, step))
+                    .collect();
                 let (found, said) = rate(&times).unwrap();
                 assert!((found / hertz - 1.0).abs() < 1e-4, "{hertz} {step} {found}");
                 assert_eq!(said, None, "{hertz} {step}");
             }
         }
         // Five thousand rows tell the fifth digit.
-        let times: Vec<f64> = (0..5000).map(|n| rounded(f64::from(n) / 6000.0, 1e-4)).collect();
+        let times: Vec<f64> = (0..5000)
+            .map(|n| rounded(f64::from(n) / 6000.0, 1e-4))
+            .collect();
         assert_eq!(rate(&times).unwrap().0, 6000.0);
     }
 
@@ -288,7 +296,9 @@ mod tests {
         let times: Vec<f64> = (0..24_000).map(time).collect();
         assert_eq!(rate(&times).unwrap(), (6000.0, None));
         let mut ticking = Ticking::new(Clock::of(&times[..2500]).unwrap());
-        let leaps = times.iter().filter(|time| ticking.tick(**time) == Tick::Leap);
+        let leaps = times
+            .iter()
+            .filter(|time| ticking.tick(**time) == Tick::Leap);
         assert_eq!(leaps.count(), 9);
     }
 

@@ -236,7 +236,9 @@ fn each_row(
         }
         let refuse = |message: String| Refusal::new(Some(number), message).of(path);
         if read as u64 == LONGEST_LINE && !bytes.ends_with(b"\n") {
-            return Err(refuse(format!("the line is longer than {LONGEST_LINE} bytes")));
+            return Err(refuse(format!(
+                "the line is longer than {LONGEST_LINE} bytes"
+            )));
         }
         progress(read);
         let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
@@ -293,7 +295,9 @@ fn rate(
         (Some(Err(message)), None) => return Err(Refusal::new(at, message)),
         (None, None) => {
             let message = match at {
-                Some(_) => "the times do not rise from line to line; give the sampling rate by --rate",
+                Some(_) => {
+                    "the times do not rise from line to line; give the sampling rate by --rate"
+                }
                 None => "there is no column of times, as time_s; give the sampling rate by --rate",
             };
             return Err(Refusal::new(at, message));
@@ -303,12 +307,17 @@ fn rate(
         return Ok((clock.rate, Some(clock)));
     };
     let off = (rate / clock.rate - 1.0).abs();
-    let contrary = format!("the times make {} samples a second, but --rate says {rate}", clock.rate);
+    let contrary = format!(
+        "the times make {} samples a second, but --rate says {rate}",
+        clock.rate
+    );
     if off > SAME_RATE.0 {
         return Err(Refusal::new(at, contrary));
     }
     if off > SAME_RATE.1 {
-        remarks.push(format!("{contrary}, which is taken: one of the two clocks is wrong"));
+        remarks.push(format!(
+            "{contrary}, which is taken: one of the two clocks is wrong"
+        ));
     }
     Ok((rate, Some(clock)))
 }

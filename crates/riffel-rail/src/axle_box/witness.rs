@@ -80,7 +80,11 @@ impl Witness {
                 PlaceBy::Constant(_) => format!("--speed says {speed:.1} km/h"),
             }
         };
-        let message = format!("{}, but {}", words(self.place, length), words(self.by, other));
+        let message = format!(
+            "{}, but {}",
+            words(self.place, length),
+            words(self.by, other)
+        );
         let is_given = matches!(self.place, PlaceBy::Constant(_));
         if off > CONTRARY + rounding && !is_given {
             return Err(Refusal {
@@ -118,7 +122,10 @@ mod tests {
         assert_eq!(judged(0.97, 20, PlaceBy::Odometer), Ok(None));
         let said = judged(0.9, 20, PlaceBy::Odometer).unwrap().unwrap();
         assert!(said.starts_with("the odometer makes 64.8 km/h"), "{said}");
-        assert!(said.ends_with("the speeds make 72.0 km/h in the mean; the first is taken"), "{said}");
+        assert!(
+            said.ends_with("the speeds make 72.0 km/h in the mean; the first is taken"),
+            "{said}"
+        );
         for factor in [0.5, 1.609, 2.0, 3.6] {
             let refused = judged(factor, 20, PlaceBy::Odometer).unwrap_err();
             assert!(refused.contains("one of the two is wrong"), "{refused}");

@@ -79,7 +79,9 @@ const ELSEWHERE: u32 = 32;
 /// x^(n + 1) = x + 1 (Roberts 2018), modulo 1.
 fn elsewhere(plan: &Plan, number: u32) -> Vec<Setting> {
     let count = plan.parameters.len() as i32;
-    let root = (0..60).fold(2.0f64, |root, _| (1.0 + root).powf(1.0 / f64::from(count + 1)));
+    let root = (0..60).fold(2.0f64, |root, _| {
+        (1.0 + root).powf(1.0 / f64::from(count + 1))
+    });
     let shares = (1..=count).map(|axis| (f64::from(number + 1) * root.powi(-axis)).fract());
     let settings = plan.parameters.iter().zip(shares);
     settings

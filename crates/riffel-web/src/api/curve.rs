@@ -155,7 +155,9 @@ impl Question {
             Value::String(words) => *words = self.named(words, paths),
             Value::Array(items) => items.iter_mut().for_each(|item| self.name(item, paths)),
             Value::Object(fields) => {
-                fields.values_mut().for_each(|field| self.name(field, paths));
+                fields
+                    .values_mut()
+                    .for_each(|field| self.name(field, paths));
             }
             _ => {}
         }

@@ -107,8 +107,8 @@ impl EquivalentConicity {
             let phases = (0..pieces).map(|index| -FRAC_PI_2 + (index as f64 + 0.5) * step);
             phases.map(value).sum::<f64>() * step
         };
-        let harmonic =
-            mean(&|phase| difference(middle + amplitude * phase.sin()) * phase.sin()) / (PI * amplitude);
+        let harmonic = mean(&|phase| difference(middle + amplitude * phase.sin()) * phase.sin())
+            / (PI * amplitude);
         let moment = mean(&|phase| {
             let y = amplitude * phase.sin();
             y * difference(middle + y) * amplitude * phase.cos()

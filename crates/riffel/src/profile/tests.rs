@@ -163,7 +163,8 @@ fn wheels_and_rails_that_do_not_fit_are_refused() {
 #[test]
 fn a_cone_has_its_conicity() {
     for (conicity, amplitude) in [(0.05, 1e-3), (0.3, 7e-3)] {
-        let found = EquivalentConicity::at(|y| 2.0 * conicity * y, ENDS, amplitude, 1.5, 0.46).unwrap();
+        let found =
+            EquivalentConicity::at(|y| 2.0 * conicity * y, ENDS, amplitude, 1.5, 0.46).unwrap();
         assert_relative_eq!(found.klingel, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.harmonic, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.regression, conicity, max_relative = 1e-6);

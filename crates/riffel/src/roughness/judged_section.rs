@@ -63,7 +63,10 @@ impl RailAnalysis {
         let with_limit = self.bands.iter().filter(|band| band.limit.is_some());
         let bands: Vec<(WavelengthBand, Vec<&GrindSection>)> = with_limit
             .map(|summary| {
-                let own = self.over_limit.iter().filter(|one| one.band == summary.band);
+                let own = self
+                    .over_limit
+                    .iter()
+                    .filter(|one| one.band == summary.band);
                 let mut own: Vec<&GrindSection> = own.collect();
                 own.sort_by(|one, other| one.from.total_cmp(&other.from));
                 (summary.band, own)
@@ -75,7 +78,10 @@ impl RailAnalysis {
                 let first = over.partition_point(|one| one.to <= from);
                 let over = over[first..].iter().take_while(|one| one.from < to);
                 let (sum, ratio) = over.fold((0.0, 1.0f64), |(sum, ratio), one| {
-                    (sum + one.to.min(to) - one.from.max(from), ratio.max(one.ratio))
+                    (
+                        sum + one.to.min(to) - one.from.max(from),
+                        ratio.max(one.ratio),
+                    )
                 });
                 JudgedSection {
                     from,
@@ -114,7 +120,9 @@ mod tests {
 
     /// A rail from a place on, over its limit at some places.
     fn rail(from: f64, to: f64, over: &[(f64, f64)]) -> RailAnalysis {
-        let heights = (0..4000).map(|n| 1e-6 * (f64::from(n) * 0.1).sin()).collect();
+        let heights = (0..4000)
+            .map(|n| 1e-6 * (f64::from(n) * 0.1).sin())
+            .collect();
         let profile = Profile::new(0.0, 1e-3, heights).unwrap();
         let limit = RmsLimit::new(vec![(BAND, 4e-6)], 0.05).unwrap();
         let settings = AnalysisSettings {
@@ -148,7 +156,9 @@ mod tests {
             assert_eq!(places, [(5_100.0, 1.0), (5_200.0, 1.0), (5_300.0, 0.4)]);
             assert_eq!((found.len() as f64, found[0].ratio), (end / 100.0, 4.9));
         }
-        let each: Vec<(f64, f64)> = (0..180).map(|n| (100.0 * f64::from(n), 100.0 * f64::from(n) + 4.0)).collect();
+        let each: Vec<(f64, f64)> = (0..180)
+            .map(|n| (100.0 * f64::from(n), 100.0 * f64::from(n) + 4.0))
+            .collect();
         let found = rail(0.0, 18_000.0, &each).judged_sections();
         assert!(found.iter().all(|one| !one.is_over(&limit())));
     }

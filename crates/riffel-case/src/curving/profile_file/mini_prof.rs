@@ -76,7 +76,10 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                 "xoffset" | "yoffset" => {
                     let offset = number_in(value).ok_or_else(|| {
                         let shown = clipped(line);
-                        Fault::at(index + 1, format!("\"{shown}\" has no number in millimetres"))
+                        Fault::at(
+                            index + 1,
+                            format!("\"{shown}\" has no number in millimetres"),
+                        )
                     })?;
                     written.offset[usize::from(key == "yoffset")] = offset;
                 }

@@ -214,7 +214,9 @@ fn of_format(
         .find(|line| !line.is_empty());
     let written = match first.unwrap_or_default() {
         line if simpack::is_first_line(line) => simpack::read(text)?,
-        line if vampire::is_first_line(line) => vampire::read(text, reading.side, 1e3 * reading.flange_back)?,
+        line if vampire::is_first_line(line) => {
+            vampire::read(text, reading.side, 1e3 * reading.flange_back)?
+        }
         line if mini_prof::is_first_line(line) => mini_prof::read(text, extension)?,
         _ => table::read(text)?,
     };

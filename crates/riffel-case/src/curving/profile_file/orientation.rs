@@ -168,7 +168,9 @@ fn lean(points: &[[f64; 2]]) -> Option<f64> {
     const DEPTHS: (f64, f64) = (5e-3, 14e-3);
     /// Of heads of new rails that stand upright, and of some that are worn \[m\].
     const UPRIGHT: f64 = 5e-3;
-    let crown = points.iter().max_by(|one, other| one[1].total_cmp(&other[1]))?;
+    let crown = points
+        .iter()
+        .max_by(|one, other| one[1].total_cmp(&other[1]))?;
     let depth_of_side = |side: f64| {
         let beside = points.iter().filter(|[x, _]| side * (x - crown[0]) > 0.0);
         beside.fold(0.0, |deepest: f64, [_, y]| deepest.max(crown[1] - y))
